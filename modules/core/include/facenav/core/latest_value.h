@@ -1,0 +1,68 @@
+#pragma once
+// LatestValue<T>: hands the newest value from one thread to others. Older values are overwritten, never queued, and
+// the overwritten ones counted. Values are shared as immutable shared_ptr<const T>; the lock is held for a pointer swap.
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+
+namespace facenav {
+inline namespace core {
+
+template <class T>
+class LatestValue {
+ public:
+  using Pointer = std::shared_ptr<const T>;
+
+  void publish(Pointer value) {
+    {
+      std::lock_guard lock(mutex_);
+      if (is_unread_) ++dropped_;
+      value_ = std::move(value);
+      is_unread_ = true;
+    }
+    changed_.notify_all();
+  }
+  /// The newest value (null before the first), whether read before or not.
+  Pointer latest() const {
+    std::lock_guard lock(mutex_);
+    return value_;
+  }
+  /// Waits for a value not taken before; null on time-out or after close().
+  Pointer take(std::chrono::milliseconds timeout) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, timeout, [this] { return is_unread_ || is_closed_; });
+    if (!is_unread_) return nullptr;
+    is_unread_ = false;
+    return value_;
+  }
+  void close() {
+    {
+      std::lock_guard lock(mutex_);
+      is_closed_ = true;
+    }
+    changed_.notify_all();
+  }
+  bool isClosed() const {
+    std::lock_guard lock(mutex_);
+    return is_closed_;
+  }
+  /// Values overwritten before anyone took them.
+  std::uint64_t dropped() const {
+    std::lock_guard lock(mutex_);
+    return dropped_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Pointer value_;
+  bool is_unread_ = false;
+  bool is_closed_ = false;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace core
+}  // namespace facenav

@@ -1,0 +1,38 @@
+#pragma once
+// SlicePlane: any plane through the patient, and the image a volume or mask gives on it. Used by the slice views, the
+// report's pictures and the alignment's cross-sections. Anatomical planes are shown radiologically: the patient's
+// right on the image's left.
+
+#include <cstdint>
+#include <vector>
+
+#include "facenav/volume/volume.h"
+
+namespace facenav::volume {
+
+enum class Anatomical { axial, coronal, sagittal };
+
+/// Image pixel (u, v) with u right and v down lies at origin + spacing * (u * right + v * down), Mri mm.
+struct SlicePlane {
+  Point<Mri> origin;  // centre of the top-left pixel
+  Direction<Mri> right, down;
+  double spacing_mm = 1.0;
+  int width = 0, height = 0;
+
+  Point<Mri> toMri(double u, double v) const {
+    return Point<Mri>(origin.mm + spacing_mm * (u * right.v + v * down.v));
+  }
+  /// (u, v, distance to the plane in mm) of a point.
+  Eigen::Vector3d toPixel(const Point<Mri>& p) const;
+};
+
+/// The anatomical plane through `through` that covers the whole grid.
+SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const Point<Mri>& through,
+                           double spacing_mm = 1.0);
+
+/// Row-major values, width x height, trilinear; 0 outside the volume.
+std::vector<float> sampleSlice(const Volume& volume, const SlicePlane& plane);
+/// Row-major 0/1, nearest voxel.
+std::vector<std::uint8_t> sampleSlice(const Mask& mask, const SlicePlane& plane);
+
+}  // namespace facenav::volume

@@ -1,0 +1,198 @@
+#include "facenav/volume/nifti.h"
+
+#include <nifti1_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+
+#include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
+
+namespace facenav::volume {
+namespace {
+
+struct ImageDeleter {
+  void operator()(nifti_image* image) const { nifti_image_free(image); }
+};
+using ImagePtr = std::unique_ptr<nifti_image, ImageDeleter>;
+
+Eigen::Affine3d toAffine(const mat44& m) {
+  Eigen::Affine3d affine = Eigen::Affine3d::Identity();
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) affine(r, c) = m.m[r][c];
+  return affine;
+}
+
+ImagePtr readImage(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
+  nifti_set_debug_level(0);
+  if (is_nifti_file(path.c_str()) < 0) throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
+  ImagePtr image(nifti_image_read(path.c_str(), 1));
+  if (!image || !image->data)
+    throw Error("NIfTI file is truncated or damaged", path.string(), "copy or export it again");
+  if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nvox != std::size_t(image->nx) * image->ny * image->nz)
+    throw Error("holds " + std::to_string(image->ndim) + " dimensions, one 3-D volume was expected", path.string(),
+                "extract the T1 volume first");
+  return image;
+}
+
+template <class T>
+void convert(const void* data, std::vector<float>& out, double slope, double intercept) {
+  const T* values = static_cast<const T*>(data);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = float(slope * double(values[i]) + intercept);
+}
+
+std::vector<float> toFloat(const nifti_image& image, const std::string& where) {
+  std::vector<float> out(image.nvox);
+  const double slope = image.scl_slope != 0 && std::isfinite(image.scl_slope) ? image.scl_slope : 1.0;
+  const double intercept = image.scl_slope != 0 && std::isfinite(image.scl_inter) ? image.scl_inter : 0.0;
+  switch (image.datatype) {
+    case DT_UINT8: convert<std::uint8_t>(image.data, out, slope, intercept); break;
+    case DT_INT8: convert<std::int8_t>(image.data, out, slope, intercept); break;
+    case DT_INT16: convert<std::int16_t>(image.data, out, slope, intercept); break;
+    case DT_UINT16: convert<std::uint16_t>(image.data, out, slope, intercept); break;
+    case DT_INT32: convert<std::int32_t>(image.data, out, slope, intercept); break;
+    case DT_UINT32: convert<std::uint32_t>(image.data, out, slope, intercept); break;
+    case DT_INT64: convert<std::int64_t>(image.data, out, slope, intercept); break;
+    case DT_UINT64: convert<std::uint64_t>(image.data, out, slope, intercept); break;
+    case DT_FLOAT32: convert<float>(image.data, out, slope, intercept); break;
+    case DT_FLOAT64: convert<double>(image.data, out, slope, intercept); break;
+    default:
+      throw Error(std::string("voxel type ") + nifti_datatype_string(image.datatype) + " is not a scalar", where,
+                  "export the T1 as a grey-value volume");
+  }
+  for (float& value : out)
+    if (!std::isfinite(value)) value = 0.f;
+  return out;
+}
+
+void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& where) {
+  const Eigen::Matrix3d l = affine.linear();
+  if (!l.allFinite() || std::abs(l.determinant()) < 1e-9)
+    throw Error("orientation matrix is singular", where, "export the volume again");
+  const Eigen::Matrix3d unit = l * l.colwise().norm().cwiseInverse().asDiagonal();
+  if ((unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > 0.02)
+    throw Error("voxel axes are sheared", where, "resample the volume onto an orthogonal grid");
+}
+
+ImagePtr makeImage(const VoxelGrid& grid, int datatype) {
+  const int dims[8] = {3, grid.size[0], grid.size[1], grid.size[2], 1, 1, 1, 1};
+  ImagePtr image(nifti_make_new_nim(dims, datatype, 1));
+  if (!image) throw Error("not enough memory for a NIfTI volume");
+  const Eigen::Vector3d spacing = grid.spacing_mm();
+  image->dx = image->pixdim[1] = float(spacing[0]);
+  image->dy = image->pixdim[2] = float(spacing[1]);
+  image->dz = image->pixdim[3] = float(spacing[2]);
+  image->xyz_units = NIFTI_UNITS_MM;
+  mat44 world{};
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) world.m[r][c] = float(grid.mri_from_voxel(r, c));
+  world.m[3][3] = 1;
+  image->sform_code = image->qform_code = NIFTI_XFORM_SCANNER_ANAT;
+  image->sto_xyz = world;
+  image->sto_ijk = nifti_mat44_inverse(world);
+  float dx, dy, dz;
+  nifti_mat44_to_quatern(world, &image->quatern_b, &image->quatern_c, &image->quatern_d, &image->qoffset_x,
+                         &image->qoffset_y, &image->qoffset_z, &dx, &dy, &dz, &image->qfac);
+  image->qto_xyz = nifti_quatern_to_mat44(image->quatern_b, image->quatern_c, image->quatern_d, image->qoffset_x,
+                                          image->qoffset_y, image->qoffset_z, dx, dy, dz, image->qfac);
+  image->qto_ijk = nifti_mat44_inverse(image->qto_xyz);
+  return image;
+}
+
+void writeImage(nifti_image& image, const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const bool is_gz = name.size() > 7 && name.substr(name.size() - 7) == ".nii.gz";
+  if (!is_gz && path.extension() != ".nii") throw Error("name must end in .nii or .nii.gz", path.string());
+  WholeFile file(path);
+  if (nifti_set_filenames(&image, file.temporaryPath().c_str(), 0, 1) != 0)
+    throw Error("cannot be written", path.string(), "choose another name");
+  image.nifti_type = NIFTI_FTYPE_NIFTI1_1;
+  nifti_image_write(&image);
+  file.commit();
+}
+
+template <class T>
+bool fits(const std::vector<float>& voxels) {
+  return std::all_of(voxels.begin(), voxels.end(), [](float v) {
+    return v >= float(std::numeric_limits<T>::min()) && v <= float(std::numeric_limits<T>::max()) && v == std::floor(v);
+  });
+}
+
+template <class T, class Source>
+void fill(nifti_image& image, const std::vector<Source>& voxels) {
+  std::transform(voxels.begin(), voxels.end(), static_cast<T*>(image.data), [](Source v) { return T(v); });
+}
+
+}  // namespace
+
+NiftiRead readNifti(const std::filesystem::path& path) {
+  const ImagePtr image = readImage(path);
+  NiftiRead result;
+  Volume& volume = result.volume;
+  volume.grid.size = {image->nx, image->ny, image->nz};
+  volume.modality = "";
+  if (image->sform_code > 0) {
+    volume.grid.mri_from_voxel = toAffine(image->sto_xyz);
+    volume.orientation_source = "sform";
+  } else if (image->qform_code > 0) {
+    volume.grid.mri_from_voxel = toAffine(image->qto_xyz);
+    volume.orientation_source = "qform";
+  } else {
+    throw Error("has neither sform nor qform, so left and right are not known", path.string(),
+                "export it again from DICOM, e.g. with dcm2niix");
+  }
+  requireOrthogonal(volume.grid.mri_from_voxel, path.string());
+  if (image->sform_code > 0 && image->qform_code > 0) {
+    VoxelGrid other = volume.grid;
+    other.mri_from_voxel = toAffine(image->qto_xyz);
+    double worst_mm = 0;
+    for (int c = 0; c < 8; ++c) {
+      const Eigen::Vector3d ijk((c & 1) * image->nx, ((c >> 1) & 1) * image->ny, (c >> 2) * image->nz);
+      worst_mm = std::max(worst_mm, (volume.grid.toMri(ijk).mm - other.toMri(ijk).mm).norm());
+    }
+    if (worst_mm > 0.1)
+      result.warning = "sform and qform disagree by up to " + std::to_string(int(std::ceil(worst_mm))) +
+                       " mm; the sform is used";
+  }
+  volume.voxels = toFloat(*image, path.string());
+  return result;
+}
+
+Mask readMask(const std::filesystem::path& path) {
+  const NiftiRead read = readNifti(path);
+  Mask mask{read.volume.grid, {}};
+  mask.voxels.resize(read.volume.voxels.size());
+  std::transform(read.volume.voxels.begin(), read.volume.voxels.end(), mask.voxels.begin(),
+                 [](float v) { return std::uint8_t(v > 0.5f); });
+  return mask;
+}
+
+void writeNifti(const Volume& volume, const std::filesystem::path& path) {
+  FACENAV_EXPECT(volume.voxels.size() == volume.grid.count(), "volume and grid differ in size");
+  if (fits<std::int16_t>(volume.voxels)) {
+    const ImagePtr image = makeImage(volume.grid, DT_INT16);
+    fill<std::int16_t>(*image, volume.voxels);
+    writeImage(*image, path);
+  } else if (fits<std::uint16_t>(volume.voxels)) {
+    const ImagePtr image = makeImage(volume.grid, DT_UINT16);
+    fill<std::uint16_t>(*image, volume.voxels);
+    writeImage(*image, path);
+  } else {
+    const ImagePtr image = makeImage(volume.grid, DT_FLOAT32);
+    fill<float>(*image, volume.voxels);
+    writeImage(*image, path);
+  }
+}
+
+void writeMask(const Mask& mask, const std::filesystem::path& path) {
+  FACENAV_EXPECT(mask.voxels.size() == mask.grid.count(), "mask and grid differ in size");
+  const ImagePtr image = makeImage(mask.grid, DT_UINT8);
+  fill<std::uint8_t>(*image, mask.voxels);
+  writeImage(*image, path);
+}
+
+}  // namespace facenav::volume

@@ -1,0 +1,102 @@
+#include "facenav/volume/regrid.h"
+
+#include <array>
+#include <cmath>
+
+namespace facenav::volume {
+namespace {
+
+struct Reorder {
+  VoxelGrid grid;
+  std::array<int, 3> source_axis;  // which source axis runs along the new axis
+  std::array<bool, 3> is_flipped;
+};
+
+Reorder rasReorder(const VoxelGrid& from) {
+  // The pairing of index and world axes with the greatest sum of |cosines|: unique even at 45 degrees obliquity.
+  const Eigen::Matrix3d l = from.mri_from_voxel.linear() * from.spacing_mm().cwiseInverse().asDiagonal();
+  constexpr std::array<std::array<int, 3>, 6> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  Reorder best;
+  double best_score = -1;
+  for (const auto& order : kOrders) {
+    const double score = std::abs(l(0, order[0])) + std::abs(l(1, order[1])) + std::abs(l(2, order[2]));
+    if (score > best_score + 1e-9) best_score = score, best.source_axis = order;
+  }
+  Eigen::Matrix3d linear;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  for (int a = 0; a < 3; ++a) {
+    const int s = best.source_axis[a];
+    best.is_flipped[a] = l(a, s) < 0;
+    best.grid.size[a] = from.size[s];
+    linear.col(a) = from.mri_from_voxel.linear().col(s) * (best.is_flipped[a] ? -1 : 1);
+    if (best.is_flipped[a]) first[s] = from.size[s] - 1;
+  }
+  best.grid.mri_from_voxel.translation() = from.mri_from_voxel * first;
+  best.grid.mri_from_voxel.linear() = linear;
+  return best;
+}
+
+template <class Value>
+std::vector<Value> reorder(const std::vector<Value>& voxels, const VoxelGrid& from, const Reorder& order) {
+  std::vector<Value> out(voxels.size());
+  std::size_t o = 0;
+  for (int k = 0; k < order.grid.size[2]; ++k)
+    for (int j = 0; j < order.grid.size[1]; ++j)
+      for (int i = 0; i < order.grid.size[0]; ++i, ++o) {
+        const std::array<int, 3> to{i, j, k};
+        std::array<int, 3> source;
+        for (int a = 0; a < 3; ++a)
+          source[order.source_axis[a]] = order.is_flipped[a] ? order.grid.size[a] - 1 - to[a] : to[a];
+        out[o] = voxels[from.index(source[0], source[1], source[2])];
+      }
+  return out;
+}
+
+}  // namespace
+
+Volume toRasOrder(const Volume& volume) {
+  const Reorder order = rasReorder(volume.grid);
+  Volume out = {order.grid, reorder(volume.voxels, volume.grid, order), volume.modality, volume.orientation_source};
+  return out;
+}
+
+Mask toRasOrder(const Mask& mask) {
+  const Reorder order = rasReorder(mask.grid);
+  return {order.grid, reorder(mask.voxels, mask.grid, order)};
+}
+
+Volume resample(const Volume& volume, const VoxelGrid& grid) {
+  Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
+  const Eigen::Affine3d from_to = volume.grid.mri_from_voxel.inverse() * grid.mri_from_voxel;
+  std::size_t o = 0;
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j) {
+      Eigen::Vector3d ijk = from_to * Eigen::Vector3d(0, j, k);
+      for (int i = 0; i < grid.size[0]; ++i, ++o, ijk += from_to.linear().col(0)) out.voxels[o] = sampleLinear(volume, ijk);
+    }
+  return out;
+}
+
+Mask resample(const Mask& mask, const VoxelGrid& grid) {
+  Volume soft{mask.grid, std::vector<float>(mask.voxels.begin(), mask.voxels.end()), "", ""};
+  const Volume moved = resample(soft, grid);
+  Mask out{grid, std::vector<std::uint8_t>(moved.voxels.size())};
+  for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = moved.voxels[i] >= 0.5f;
+  return out;
+}
+
+VoxelGrid isotropicGrid(const VoxelGrid& grid, double spacing_mm) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
+  for (int c = 0; c < 8; ++c) {
+    const Eigen::Vector3d ijk((c & 1) * (grid.size[0] - 1), ((c >> 1) & 1) * (grid.size[1] - 1), (c >> 2) * (grid.size[2] - 1));
+    low = low.cwiseMin(grid.toMri(ijk).mm);
+    high = high.cwiseMax(grid.toMri(ijk).mm);
+  }
+  VoxelGrid out;
+  for (int a = 0; a < 3; ++a) out.size[a] = int(std::ceil((high[a] - low[a]) / spacing_mm - 1e-6)) + 1;
+  out.mri_from_voxel.linear() = Eigen::Matrix3d::Identity() * spacing_mm;
+  out.mri_from_voxel.translation() = low;
+  return out;
+}
+
+}  // namespace facenav::volume

@@ -1,0 +1,54 @@
+#include "facenav/volume/volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "facenav/core/error.h"
+
+namespace facenav::volume {
+
+double Mask::volume_ml() const {
+  const auto count = std::count_if(voxels.begin(), voxels.end(), [](std::uint8_t v) { return v != 0; });
+  return double(count) * grid.voxelVolume_mm3() / 1000.0;
+}
+
+float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside) {
+  const auto& n = volume.grid.size;
+  for (int a = 0; a < 3; ++a)
+    if (!(ijk[a] >= 0 && ijk[a] <= n[a] - 1)) return outside;
+  const int i = std::min(int(ijk[0]), std::max(0, n[0] - 2)), j = std::min(int(ijk[1]), std::max(0, n[1] - 2)),
+            k = std::min(int(ijk[2]), std::max(0, n[2] - 2));
+  const int di = n[0] > 1, dj = n[1] > 1, dk = n[2] > 1;
+  const float x = float(ijk[0] - i), y = float(ijk[1] - j), z = float(ijk[2] - k);
+  const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
+  const auto row = [&](int jj, int kk) { return mix(volume.at(i, jj, kk), volume.at(i + di, jj, kk), x); };
+  return mix(mix(row(j, k), row(j + dj, k), y), mix(row(j, k + dk), row(j + dj, k + dk), y), z);
+}
+
+float percentile(const Volume& volume, double fraction) {
+  constexpr std::size_t kMostSamples = 2'000'000;
+  const std::size_t step = std::max<std::size_t>(1, volume.voxels.size() / kMostSamples);
+  std::vector<float> sample;
+  sample.reserve(volume.voxels.size() / step + 1);
+  for (std::size_t i = 0; i < volume.voxels.size(); i += step)
+    if (std::isfinite(volume.voxels[i])) sample.push_back(volume.voxels[i]);
+  if (sample.empty()) throw Error("the volume holds no finite voxel");
+  const auto rank = std::min(sample.size() - 1, std::size_t(fraction * double(sample.size())));
+  std::nth_element(sample.begin(), sample.begin() + rank, sample.end());
+  return sample[rank];
+}
+
+Overlap overlap(const Mask& a, const Mask& b) {
+  if (!a.grid.matches(b.grid)) throw Error("masks lie on different grids", {}, "resample one onto the other first");
+  std::size_t both = 0, in_a = 0, in_b = 0;
+  for (std::size_t i = 0; i < a.voxels.size(); ++i) {
+    in_a += a.voxels[i] != 0;
+    in_b += b.voxels[i] != 0;
+    both += a.voxels[i] && b.voxels[i];
+  }
+  if (in_a == 0 || in_b == 0) return {0.0, 0.0};
+  return {2.0 * both / double(in_a + in_b), double(both) / in_a};
+}
+
+}  // namespace facenav::volume

@@ -1,0 +1,15 @@
+# facenav_add_module(NAME m SOURCES a.cpp .. [DEPENDS lower modules] [LIBS public third party] [PRIVATE_LIBS ..])
+# One static library facenav_<m> with its own public include folder. A DEPENDS that was not added before is
+# an error: modules are added bottom-up, so a cycle cannot be written.
+function(facenav_add_module)
+  cmake_parse_arguments(M "" "NAME" "SOURCES;DEPENDS;LIBS;PRIVATE_LIBS" ${ARGN})
+  add_library(facenav_${M_NAME} STATIC ${M_SOURCES})
+  target_include_directories(facenav_${M_NAME} PUBLIC include PRIVATE src)
+  foreach(dependency ${M_DEPENDS})
+    if(NOT TARGET facenav_${dependency})
+      message(FATAL_ERROR "module ${M_NAME} depends on ${dependency}, which is not a lower module")
+    endif()
+    target_link_libraries(facenav_${M_NAME} PUBLIC facenav_${dependency})
+  endforeach()
+  target_link_libraries(facenav_${M_NAME} PUBLIC ${M_LIBS} PRIVATE ${M_PRIVATE_LIBS} facenav_warnings)
+endfunction()
