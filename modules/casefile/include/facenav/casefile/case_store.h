@@ -1,0 +1,72 @@
+#pragma once
+// Case: one folder, one patient (FORMATS.md). CaseStore opens, creates and updates it; every file is written whole.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/guidance/target.h"
+#include "facenav/registration/aligner.h"
+#include "facenav/surface/brain_model.h"
+#include "facenav/surface/scalp_surface.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::casefile {
+
+/// alignment.json.
+struct StoredAlignment {
+  RigidTransform<Camera, Mri> camera_T_mri;
+  double rms_mm = 0, max_mm = 0, inlier_fraction = 0;
+  int points = 0;
+  std::map<std::string, double> predicted_tre_mm;
+};
+void writeAlignment(const StoredAlignment& alignment, const std::filesystem::path& path);
+StoredAlignment readAlignment(const std::filesystem::path& path);
+
+/// What prepare produced; brain parts absent where no brain can be modelled.
+struct PreparedCase {
+  volume::Volume mri;
+  volume::Mask head_mask;
+  std::optional<volume::Mask> brain_mask;
+  surface::ScalpSurface scalp;
+  std::optional<surface::BrainModel> brain;
+  std::vector<std::string> findings;
+};
+
+/// A step's record in case.json.
+struct Provenance {
+  std::string step, software_version;
+  std::map<std::string, std::string> options;
+  std::map<std::string, std::string> input_sha256;
+};
+
+class CaseStore {
+ public:
+  /// Opens an existing case. Throws Error: no case.json, wrong schema version, missing file.
+  static CaseStore open(const std::filesystem::path& folder);
+  /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a case that
+  /// exists is replaced only with `replace`, and then its targets and sessions are kept.
+  static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
+                          const std::vector<Provenance>& provenance, bool replace);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::string caseId() const;
+  std::vector<std::string> findings() const;
+  volume::Volume mri() const;
+  volume::Mask headMask() const;
+  std::optional<volume::Mask> brainMask() const;
+  surface::ScalpSurface scalp() const;
+  std::optional<surface::BrainModel> brain() const;
+  guidance::TreatmentPlan targets() const;           // empty plan where targets.json is absent
+  void setTargets(const guidance::TreatmentPlan& plan) const;
+  std::optional<StoredAlignment> alignment() const;
+  void setAlignment(const StoredAlignment& alignment) const;
+
+ private:
+  explicit CaseStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  std::filesystem::path folder_;
+};
+
+}  // namespace facenav::casefile

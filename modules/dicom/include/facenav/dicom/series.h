@@ -1,0 +1,43 @@
+#pragma once
+// DICOM series on disk -> Volume (through GDCM). The volume is built from Image Position and Orientation (Patient)
+// (PS3.3 C.7.6.2), never from file names or slice location alone; rescale applied; LPS flipped to RAS here only.
+// Voxel values and world positions equal dcm2niix's.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "facenav/core/task_monitor.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::dicom {
+
+struct SeriesInfo {
+  std::string series_uid, study_uid;
+  std::string description, modality, date;   // date as YYYY-MM-DD or empty; never the patient's name
+  int rows = 0, columns = 0, slices = 0;
+  Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();  // column, row, slice
+  std::string plane;                         // "axial", "coronal", "sagittal", "oblique", ...
+  std::vector<std::filesystem::path> files;
+  bool is_loadable = false;
+  std::string problem;                       // why not, in words, when !is_loadable
+  bool is_recommended = false;               // the best T1 for navigation among those listed
+};
+
+/// Every series under `folder` (recursively) or of the one file given, the recommended first. Files that are not
+/// DICOM are passed over. Throws Error when the path does not exist or holds no DICOM at all.
+std::vector<SeriesInfo> listSeries(const std::filesystem::path& folder, TaskMonitor& monitor);
+
+/// Throws Error naming the file: missing slice, unequal spacing, mixed orientation, truncated pixel data, ...
+volume::Volume loadSeries(const SeriesInfo& series, TaskMonitor& monitor);
+
+/// Anonymous tags of a series to be written (the virtual patient, exports).
+struct SeriesTags {
+  std::string patient_id = "FaceNav-Virtual", patient_name = "Virtual^Patient", description = "T1";
+  std::string study_date = "20200101";
+};
+/// One file a slice, 16-bit MR Image Storage, axis order and obliquity of the volume kept. Values are rounded.
+/// Deterministic UIDs derived from the tags. `folder` must be empty or absent.
+void writeSeries(const volume::Volume& volume, const std::filesystem::path& folder, const SeriesTags& tags);
+
+}  // namespace facenav::dicom

@@ -1,0 +1,35 @@
+#pragma once
+// Target: the wanted pose of the coil, and how it is planned from a point on the cortex. targets.json in and out.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "facenav/geometry/rigid_transform.h"
+#include "facenav/surface/scalp_surface.h"
+
+namespace facenav::guidance {
+
+struct Target {
+  std::string name;
+  RigidTransform<Mri, frames::Target> mri_T_target;  // Coil convention: +z into the head, +y along the handle's prolongation
+  Point<Mri> cortex_point, scalp_point;
+  std::string note;
+};
+
+struct TreatmentPlan {
+  std::vector<Target> targets;
+  /// Throws Error listing the names there are.
+  const Target& find(const std::string& name) const;
+};
+
+/// The coil tangent to the scalp over `cortex_point`: nearest scalp point, z along the inward direction to the cortex
+/// point, y in the tangent plane at `handle_angle_rad` from anterior, turning towards the midline (45 degrees: the
+/// usual posterior-lateral handle over M1). `gap_mm`: between contact face and scalp (hair).
+Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
+                  double handle_angle_rad, double gap_mm = 0.0);
+
+TreatmentPlan readTargets(const std::filesystem::path& path);
+void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path);
+
+}  // namespace facenav::guidance

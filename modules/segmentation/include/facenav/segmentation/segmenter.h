@@ -1,0 +1,31 @@
+#pragma once
+// Segmenter: Volume -> Mask. "head": everything inside the skin; "brain": tissue of the brain.
+// Meets the surface module only through Mask.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "facenav/core/task_monitor.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::segmentation {
+
+struct SegmentationResult {
+  volume::Mask mask;                  // on the grid of the input volume
+  std::vector<std::string> warnings;  // plain words for the radiographer
+};
+
+class Segmenter {
+ public:
+  virtual ~Segmenter() = default;
+  /// Throws Error when there is nothing to segment ("no head in this volume", "no brain can be modelled: ...").
+  virtual SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const = 0;
+};
+
+/// Filled head without inner cavities, threshold robust to noise, bias and ghosting; T1 MR and CT.
+std::unique_ptr<Segmenter> makeHeadSegmenter();
+/// "bet": a deformable surface after Smith 2002, with what heads with a long neck need.
+std::unique_ptr<Segmenter> makeBetSegmenter();
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,29 @@
+#pragma once
+// ScalpSurface: the air/skin boundary of the MRI (paper, section 3): outermost surface only, no inner cavities, placed
+// to sub-voxel at the steepest point of the outer edge. Half of the bright fat's maximum would lie 0.5-1.5 mm too deep.
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "facenav/core/task_monitor.h"
+#include "facenav/surface/triangle_mesh.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::surface {
+
+struct ScalpSurface {
+  TriangleMesh mesh;
+  /// Planes that bound the scan (a point on each, normal out of the scan), Mri: where skin meets them it is cut.
+  std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
+  bool has_face = false;                 // nose, brow and eye sockets are there to align to
+  std::vector<std::string> findings;     // plain words: "the face was removed below the brow", "nose tip cut by the scan's edge"
+};
+
+ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor);
+/// scalp.vtp: points + normals + mesh (Mri); has_face, findings and field of view as field data. Whole file.
+void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path);
+ScalpSurface readScalp(const std::filesystem::path& path);
+
+}  // namespace facenav::surface

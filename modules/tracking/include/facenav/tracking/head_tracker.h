@@ -1,0 +1,51 @@
+#pragma once
+// HeadTracker: the live head from stereo frames (paper, section 4). camera_T_head is the motion since the reference
+// frame (Head = Camera there), so camera_T_mri = camera_T_head * head_T_mri with head_T_mri fixed at alignment.
+// "features7": the paper's seven features, NCC, equations 2-5. "model": hundreds of skin patches fitted jointly in
+// both images (default). Hot path: loss is a value (Lost), never an exception.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "facenav/core/tracked.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/stereo/stereo_frame.h"
+#include "facenav/stereo/stereo_rig.h"
+
+namespace facenav::tracking {
+
+/// A feature as drawn in the camera views.
+struct FaceFeature {
+  Eigen::Vector2d left_px, right_px;
+  double weight = 0.0;  // 0..1, NCC or robust weight
+};
+
+struct HeadPose {
+  RigidTransform<Camera, Head> camera_T_head;
+  Matrix6d covariance = Matrix6d::Zero();  // (rad, mm), left increment in Camera about face_centre's position
+  std::vector<FaceFeature> features;
+  std::optional<cv::Rect> face_left;       // where the face was found in the left image
+};
+
+/// What the tracker learns the face from: a frame without dots, and, where the face was measured densely at the same
+/// head position, its points (Camera, mm) with their pixels in the left image as recorded.
+struct HeadReference {
+  stereo::StereoFrame frame;
+  PointCloud<Camera> surface;              // may be empty: then depth comes from the frame itself
+  std::vector<Eigen::Vector2f> surface_left_px;
+};
+
+class HeadTracker {
+ public:
+  virtual ~HeadTracker() = default;
+  /// Throws Error("no face ...") when no face is found in the reference frame.
+  virtual void start(const stereo::StereoRig& rig, const HeadReference& reference) = 0;
+  /// Any frame after start(); frames may have been dropped in between, and the first may be far from the reference.
+  virtual Tracked<HeadPose> track(const stereo::StereoFrame& frame) = 0;
+};
+
+std::unique_ptr<HeadTracker> makeFeatureHeadTracker();  // "features7"
+std::unique_ptr<HeadTracker> makeModelHeadTracker();    // "model"
+
+}  // namespace facenav::tracking

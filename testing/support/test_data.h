@@ -1,0 +1,66 @@
+#pragma once
+// Where the tests find real data, and how a test that needs absent data is skipped in sight. Nothing here is
+// committed: the packages are installed by facenav.sh, the shared folder is read where it lies.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace facenav::testing {
+
+namespace detail {
+inline std::filesystem::path fromEnvironment(const char* variable, const std::filesystem::path& otherwise) {
+  const char* value = std::getenv(variable);
+  return value && *value ? std::filesystem::path(value) : otherwise;
+}
+}  // namespace detail
+
+/// Real data beside the project (FACENAV_SHARED_DATA, default ../shared/data).
+inline std::filesystem::path sharedData() {
+  return detail::fromEnvironment("FACENAV_SHARED_DATA", std::filesystem::path(FACENAV_SOURCE_DIR) / "../shared/data");
+}
+/// What facenav.sh fetched and converted once (FACENAV_CACHE, default build/cache).
+inline std::filesystem::path cache() {
+  return detail::fromEnvironment("FACENAV_CACHE", std::filesystem::path(FACENAV_SOURCE_DIR) / "build/cache");
+}
+/// The adult T1 with a whole face (NIfTI), 160 x 224 x 256, 1 mm.
+inline std::filesystem::path virtualPatientMri() { return cache() / "virtual_patient/mri.nii.gz"; }
+/// Colin27 T1, 1 mm, MNI space (Debian mricron-data); face ends at mid-nose.
+inline std::filesystem::path colin27() { return "/usr/share/mricron/templates/ch2.nii.gz"; }
+inline std::filesystem::path colin27Brain() { return "/usr/share/mricron/templates/ch2bet.nii.gz"; }
+/// One T1 head as DICOM, 384 slices, oblique coronal, face removed below the brow.
+inline std::filesystem::path t1Dicom() { return sharedData() / "t1_dicom"; }
+/// OpenCV's chessboard stereo pairs left01..14.jpg / right01..14.jpg and aloe (Debian opencv-doc).
+inline std::filesystem::path openCvSamples() {
+  for (const char* folder : {"/usr/share/doc/opencv-doc/examples/data", "/usr/share/doc/opencv-doc/examples/cpp"})
+    if (std::filesystem::exists(std::filesystem::path(folder) / "left01.jpg")) return folder;
+  return "/usr/share/doc/opencv-doc/examples/data";
+}
+
+/// A folder of this test's own, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "facenav_test_XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace facenav::testing
+
+/// First line of a test that needs real data: skipped, visibly, where it is absent.
+#define FACENAV_NEEDS(path)                                                             \
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "real data not here: " << (path)
