@@ -1,0 +1,1 @@
+#include "facenav/segmentation/segmenter.h"

@@ -1,0 +1,28 @@
+#pragma once
+// TriangleMesh <-> vtkPolyData, for VTK's filters and the .vtp files. Points keep their order, so that arrays
+// that run beside the vertices (texture coordinates, scalars) stay paired.
+
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+
+#include "facenav/surface/triangle_mesh.h"
+
+class vtkPolyData;
+
+namespace facenav::surface {
+
+/// Points, triangles and, where the mesh has them, point normals (float). Coordinates are kept as double.
+vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh);
+/// Polygons other than triangles are an Error; normals are taken from the points' "Normals" where they are
+/// there, else computed from the faces around each vertex, weighted by area.
+TriangleMesh toTriangleMesh(vtkPolyData& poly_data);
+/// Unit normals from the faces around each vertex, weighted by area.
+std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
+
+/// Whole file, binary appended and compressed. Throws Error.
+void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path);
+/// Throws Error when the file is missing or is no .vtp file.
+vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& path);
+
+}  // namespace facenav::surface
