@@ -1,13 +1,16 @@
 #pragma once
-// DotPattern: the image the projector shows (paper, section 7.1: 1024 x 768, one 2 x 2 dot at random in each 64 x 64
-// block; and a dense one, since 11 x 11 windows mostly miss such sparse dots).
+// DotPattern: the image the projector shows (paper, section 7.1: 1024 x 768, one 2 x 2 dot at random in each
+// 64 x 64 block; and a dense one, since 11 x 11 windows mostly miss such sparse dots).
 
 #include <cstdint>
 #include <opencv2/core.hpp>
 
 namespace facenav::stereo {
 
-enum class DotPattern { sparse, dense };  // sparse: the paper's 16 x 12 blocks; dense: a dot in each 6 x 6 block
+enum class DotPattern {
+  sparse,
+  dense
+};  // sparse: the paper's 16 x 12 blocks; dense: a dot in each 6 x 6 block
 
 /// 8-bit, 1 channel, height x width: white dots (255) on black. Deterministic in `seed`.
 cv::Mat makeDotPattern(DotPattern kind, std::uint64_t seed, int width = 1024, int height = 768);

@@ -1,6 +1,7 @@
 #pragma once
 // The face as dense points: what the capture pair with projected dots gives (paper, sections 3 and 7.1).
-// Data flow: StereoFrame (dots) -> rectify -> 11 x 11 matching, sub-pixel, left-right check -> triangulate -> cloud.
+// Data flow: StereoFrame (dots) -> rectify -> 11 x 11 matching, sub-pixel, left-right check -> triangulate ->
+// cloud.
 
 #include <optional>
 #include <string>
@@ -19,14 +20,14 @@ struct FaceCloudOptions {
 };
 
 struct FaceCloud {
-  PointCloud<Camera> cloud;               // one point per matched left pixel; normals unit, towards the camera
-  std::vector<Eigen::Vector2f> left_px;   // the pixel of each point in the left image as recorded
-  std::vector<float> sigma_mm;            // predicted standard deviation along the ray, one per point
-  double epipolar_median_px = 0.0;        // agreement of matched corners with the calibration, before rectification
+  PointCloud<Camera> cloud;              // one point per matched left pixel; normals unit, towards the camera
+  std::vector<Eigen::Vector2f> left_px;  // the pixel of each point in the left image as recorded
+  std::vector<float> sigma_mm;           // predicted standard deviation along the ray, one per point
+  double epipolar_median_px = 0.0;  // agreement of matched corners with the calibration, before rectification
 };
 
-/// Measures the scene lit by the dot pattern. Throws Error when the images are black, of the wrong size, or hold no
-/// texture that matches ("no dots found: ...").
+/// Measures the scene lit by the dot pattern. Throws Error when the images are black, of the wrong size, or
+/// hold no texture that matches ("no dots found: ...").
 FaceCloud measureFace(const StereoRig& rig, const StereoFrame& with_dots, const FaceCloudOptions& options,
                       TaskMonitor& monitor);
 

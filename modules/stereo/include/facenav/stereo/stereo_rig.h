@@ -1,6 +1,7 @@
 #pragma once
-// StereoRig: two calibrated cameras (pinhole with OpenCV distortion, 4 to 14 coefficients), as stereo.yml states them.
-// x_right = R x_left + T is right_T_left. Pixels: (0, 0) is the centre of the top-left pixel, as in OpenCV.
+// StereoRig: two calibrated cameras (pinhole with OpenCV distortion, 4 to 14 coefficients), as stereo.yml
+// states them. x_right = R x_left + T is right_T_left. Pixels: (0, 0) is the centre of the top-left pixel, as
+// in OpenCV.
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -26,8 +27,9 @@ struct StereoRig {
   double baseline_mm() const { return right_T_left.inverse().translation_mm().norm(); }
 };
 
-/// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the key that is missing or malformed: K without
-/// positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5 mm).
+/// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the key that is missing or malformed: K
+/// without positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5
+/// mm).
 StereoRig readRig(const std::filesystem::path& path);
 /// Writes stereo.yml whole.
 void writeRig(const StereoRig& rig, const std::filesystem::path& path);
@@ -35,13 +37,17 @@ void writeRig(const StereoRig& rig, const std::filesystem::path& path);
 /// Distorted pixel of a point in the camera's own frame (mm). z must be > 0.
 Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm);
 /// The same with the derivative d(pixel)/d(p), 2 x 3.
-Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm, Eigen::Matrix<double, 2, 3>& jacobian);
+Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm,
+                        Eigen::Matrix<double, 2, 3>& jacobian);
 /// Undistorted normalised coordinates (x/z, y/z) of a pixel.
 Eigen::Vector2d undistort(const CameraModel& camera, const Eigen::Vector2d& pixel);
 
 /// The point that minimises the reprojection error of both pixels (mid-point start, Gauss-Newton), in Camera.
-Point<Camera> triangulate(const StereoRig& rig, const Eigen::Vector2d& left_px, const Eigen::Vector2d& right_px);
-/// Distance (px) of the right pixel from the left pixel's epipolar line, and back, the larger: a check of a match.
-double epipolarError_px(const StereoRig& rig, const Eigen::Vector2d& left_px, const Eigen::Vector2d& right_px);
+Point<Camera> triangulate(const StereoRig& rig, const Eigen::Vector2d& left_px,
+                          const Eigen::Vector2d& right_px);
+/// Distance (px) of the right pixel from the left pixel's epipolar line, and back, the larger: a check of a
+/// match.
+double epipolarError_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
+                        const Eigen::Vector2d& right_px);
 
 }  // namespace facenav::stereo
