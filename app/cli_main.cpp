@@ -1,0 +1,86 @@
+// The command line: parses, runs one verb, turns exceptions into one line and an exit status
+// (0 done, 1 could not be done, 2 wrong usage). Without a verb it starts the window.
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include "commands/commands.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "terminal_progress.h"
+
+namespace {
+
+using namespace facenav;
+
+std::atomic<bool> g_is_interrupted{false};  // set by the signal handler, the one thing it may do
+
+void onInterrupt(int) { g_is_interrupted = true; }
+
+std::filesystem::path programPath() {
+  std::error_code error;
+  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::filesystem::path("facenav") : path;
+}
+
+int startWindow(const std::filesystem::path& program) {
+  const auto window = program.parent_path() / "facenav-gui";
+  ::execl(window.c_str(), window.c_str(), nullptr);
+  std::fprintf(stderr, "facenav: the window is not installed beside this program (%s); 'facenav --help' lists the verbs\n",
+               window.c_str());
+  return 1;
+}
+
+int runCommandLine(int argc, char** argv) {
+  bool is_quiet = false;
+  for (int i = 1; i < argc; ++i) is_quiet |= std::string(argv[i]) == "--quiet" || std::string(argv[i]) == "-q";
+  app::TerminalProgress progress(is_quiet);
+  TaskMonitor monitor([&](const std::string& step, double fraction) {
+    progress.show(step, fraction);
+    if (g_is_interrupted) monitor.cancel();
+  });
+  setLogQuiet(is_quiet);
+
+  app::Context context{app::makeRegistrations(), monitor, programPath(), is_quiet};
+  CLI::App cli("FaceNav: markerless neuronavigation for rTMS", "facenav");
+  cli.set_version_flag("--version", app::softwareVersion());
+  cli.require_subcommand(0, 1);
+  app::addSeries(cli, context);
+  app::addPrepare(cli, context);
+  app::addCalibrate(cli, context);
+  app::addAlign(cli, context);
+  app::addTrack(cli, context);
+  app::addGuide(cli, context);
+  app::addSimulate(cli, context);
+  app::addDemo(cli, context);
+  for (CLI::App* verb : cli.get_subcommands({})) verb->add_flag("-q,--quiet", "no progress, no notes");
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return cli.exit(error);
+    std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", error.what(),
+                 argc > 1 && argv[1][0] != '-' ? (" " + std::string(argv[1])).c_str() : "");
+    return 2;
+  }
+  if (cli.get_subcommands().empty()) return startWindow(context.program);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+  try {
+    return runCommandLine(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "facenav: not enough memory for this input\n");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "facenav: %s\n", error.what());
+  }
+  return 1;
+}

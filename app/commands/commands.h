@@ -1,0 +1,20 @@
+#pragma once
+// One function per verb: adds the subcommand with its options and a callback that does the work. A callback throws
+// facenav::Error when the work cannot be done; cli_main turns it into one line and exit status 1.
+
+#include <CLI/CLI.hpp>
+
+#include "context.h"
+
+namespace facenav::app {
+
+void addSeries(CLI::App& app, Context& context);
+void addPrepare(CLI::App& app, Context& context);
+void addCalibrate(CLI::App& app, Context& context);
+void addAlign(CLI::App& app, Context& context);
+void addTrack(CLI::App& app, Context& context);
+void addGuide(CLI::App& app, Context& context);
+void addSimulate(CLI::App& app, Context& context);
+void addDemo(CLI::App& app, Context& context);
+
+}  // namespace facenav::app

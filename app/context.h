@@ -1,0 +1,24 @@
+#pragma once
+// What every command may use: the registered implementations, the terminal's progress, where cached data lies.
+
+#include <filesystem>
+
+#include "facenav/core/task_monitor.h"
+#include "registrations.h"
+
+namespace facenav::app {
+
+struct Context {
+  Registrations registrations;
+  TaskMonitor& monitor;           // progress on a terminal; cancelled by Ctrl-C
+  std::filesystem::path program;  // full path of the running facenav
+  bool is_quiet = false;
+
+  /// FACENAV_CACHE, else the build folder's cache beside the program.
+  std::filesystem::path cacheFolder() const;
+};
+
+/// FaceNav's version as written into provenance.
+std::string softwareVersion();
+
+}  // namespace facenav::app

@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# FaceNav's one script: sets up what is missing (Debian packages, one data package by name through npm), builds, runs.
+#   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: out/demo)
+#   ./facenav.sh test            all tests, under a virtual display
+#   ./facenav.sh gui [ARGS]      the workstation window
+#   ./facenav.sh build           set-up and build only
+#   ./facenav.sh VERB ...        any verb of the command line tool (see: ./facenav.sh --help)
+set -u -o pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+caller=$PWD
+cd "$root" || exit 1
+export FACENAV_CACHE="${FACENAV_CACHE:-$root/build/cache}"
+export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}"
+log="$root/build/setup.log"
+binaries="$root/build/release/bin"
+
+packages=(
+  g++ cmake ninja-build ccache pkg-config
+  libeigen3-dev libspdlog-dev nlohmann-json3-dev libcli11-dev libssl-dev zlib1g-dev
+  libvtk9-dev libvtk9-qt-dev libgdcm-dev libnifti-dev libnifti2-dev
+  libopencv-dev libopencv-contrib-dev opencv-data
+  libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
+  xvfb xauth mricron-data fonts-dejavu-core
+)
+test_packages=(libgtest-dev libgmock-dev dcm2niix dcmtk opencv-doc python3-skimage)
+
+say() { printf 'facenav: %s\n' "$*"; }
+fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }
+
+# One clear line for what went wrong in the log.
+explain() {
+  local step=$1
+  if grep -q -i -E 'no space left|not enough free space' "$log"; then
+    fail "$step failed: the disk is full; free some space (5 GB are needed) and run this again"
+  elif grep -q -i -E 'could not resolve|temporary failure|failed to fetch|network is unreachable|ENOTFOUND|ECONNREFUSED|EAI_AGAIN|ETIMEDOUT' "$log"; then
+    fail "$step failed: no network; connect this machine and run this again (details: $log)"
+  elif grep -q -i 'unable to locate package' "$log"; then
+    fail "$step failed: $(grep -i -m1 'unable to locate package' "$log" | sed 's/^E: //'); FaceNav is built on Debian 12 (details: $log)"
+  fi
+  fail "$step failed: $(grep -i -E '^E: |error' "$log" | tail -n 1 | cut -c1-160) (details: $log)"
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"
+  elif command -v sudo >/dev/null; then sudo "$@"
+  else fail "packages are missing and neither root nor sudo is at hand; as root run: apt-get install ${missing[*]}"; fi
+}
+
+missing_packages() {
+  local installed
+  installed=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null | sed -n 's/^ii //p')
+  for package in "$@"; do grep -q -x -- "$package" <<<"$installed" || printf '%s\n' "$package"; done
+}
+
+install_packages() {
+  mapfile -t missing < <(missing_packages "$@")
+  [ "${#missing[@]}" -eq 0 ] && return
+  command -v apt-get >/dev/null || fail "apt-get is not here; FaceNav sets itself up on Debian 12 (packages needed: ${missing[*]})"
+  say "installing ${#missing[@]} Debian packages: ${missing[*]}"
+  { as_root apt-get update &&
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 </dev/null ||
+    explain "package installation"
+}
+
+# The virtual patient: a real adult T1 with a whole face, in npm's brainbrowser (AGPL: installed by name, never committed).
+fetch_virtual_patient() {
+  local folder="$FACENAV_CACHE/brainbrowser" models=package/examples/models work
+  [ -f "$folder/structural1.mnc.header.gz" ] && [ -f "$folder/structural1.mnc.raw.gz" ] && return
+  command -v npm >/dev/null || install_packages npm
+  say "fetching the virtual patient's MRI (npm package brainbrowser 2.3.0, once)"
+  mkdir -p "$folder"
+  work=$(mktemp -d "$FACENAV_CACHE/fetch.XXXXXX") || fail "no folder can be made in $FACENAV_CACHE; check free disk space"
+  { (cd "$work" && npm pack --silent brainbrowser@2.3.0) &&
+    tar -xzf "$work"/brainbrowser-2.3.0.tgz -C "$work" $models/structural1.mnc.header.gz $models/structural1.mnc.raw.gz &&
+    (cd "$work/$models" && sha256sum -c "$root/Data/virtual_patient.sha256") &&
+    mv "$work/$models"/structural1.mnc.* "$folder/"; } >"$log" 2>&1 </dev/null || { rm -rf "$work"; explain "fetching the virtual patient's MRI"; }
+  rm -rf "$work"
+}
+
+set_up() {
+  mkdir -p "$root/build" "$FACENAV_CACHE" 2>/dev/null || fail "cannot write to $root/build; check permissions and free disk space"
+  local free_kb; free_kb=$(df -Pk "$root/build" | awk 'NR==2 {print $4}')
+  [ "$free_kb" -gt 1000000 ] || fail "the disk is nearly full ($((free_kb / 1024)) MB free); FaceNav needs 5 GB to build"
+  install_packages "$@"
+  fetch_virtual_patient
+}
+
+build() {
+  local tests=$1
+  if [ ! -f build/release/build.ninja ] || ! grep -q "FACENAV_BUILD_TESTS:BOOL=$tests" build/release/CMakeCache.txt; then
+    say "configuring"
+    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring"
+  fi
+  ninja -C build/release -n 2>/dev/null | grep -q 'no work to do' && return
+  say "building (release, $(nproc) cores; some minutes the first time)"
+  if [ -t 1 ]; then cmake --build build/release 2>&1 | tee "$log" | grep -E --line-buffered '^\[|error|FAILED' | sed -u 's/^\(\[[0-9/]*\]\).*/\1/' | tr '\n' '\r'
+  else cmake --build build/release >"$log" 2>&1; fi
+  [ "${PIPESTATUS[0]}" -eq 0 ] || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
+}
+
+on_display() {  # runs a command on the desktop's display, or on a virtual one
+  if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s '-screen 0 1920x1200x24' "$@"; fi
+}
+
+# Tests stay built once they were asked for, so that demo and test do not rebuild each other's work.
+tests_wanted() { grep -q 'FACENAV_BUILD_TESTS:BOOL=ON' build/release/CMakeCache.txt 2>/dev/null && echo ON || echo OFF; }
+
+case "${1:-}" in
+  test)
+    shift
+    set_up "${packages[@]}" "${test_packages[@]}"
+    build ON
+    say "running the tests"
+    xvfb-run -a -s '-screen 0 1920x1200x24' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
+    ;;
+  build)
+    set_up "${packages[@]}"
+    build "$(tests_wanted)"
+    say "built: $binaries/facenav"
+    ;;
+  gui)
+    shift
+    set_up "${packages[@]}"
+    build "$(tests_wanted)"
+    [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || fail "no display here; start this on a desktop (or under xvfb-run)"
+    cd "$caller" && exec "$binaries/facenav-gui" "$@"
+    ;;
+  '' | help)
+    sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    ;;
+  *)
+    set_up "${packages[@]}" python3-skimage
+    build "$(tests_wanted)"
+    cd "$caller" && exec "$binaries/facenav" "$@"
+    ;;
+esac

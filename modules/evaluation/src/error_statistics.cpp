@@ -1,0 +1,24 @@
+#include "facenav/evaluation/error_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::evaluation {
+
+ErrorStatistics summarise(std::vector<double> errors) {
+  ErrorStatistics s;
+  s.count = int(errors.size());
+  if (errors.empty()) return s;
+  std::sort(errors.begin(), errors.end());
+  double sum = 0, squares = 0;
+  for (double e : errors) sum += e, squares += e * e;
+  const double n = double(errors.size());
+  s.mean = sum / n;
+  s.rms = std::sqrt(squares / n);
+  s.median = (errors[(errors.size() - 1) / 2] + errors[errors.size() / 2]) / 2;
+  s.p95 = errors[std::size_t(std::ceil(0.95 * n)) - 1];
+  s.max = errors.back();
+  return s;
+}
+
+}  // namespace facenav::evaluation

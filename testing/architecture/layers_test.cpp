@@ -1,0 +1,123 @@
+// The layering as a test: who may include whom, no Qt below ui, no GDCM or PCL in a public header, no Qt in the
+// command line tool. The table is modules/README.md's; the two are changed together.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Direct dependencies; what they may use in turn is added transitively.
+const std::map<std::string, std::set<std::string>> kMayUse{
+    {"core", {}},
+    {"geometry", {"core"}},
+    {"volume", {"geometry"}},
+    {"stereo", {"geometry"}},
+    {"dicom", {"volume"}},
+    {"segmentation", {"volume"}},
+    {"surface", {"volume"}},
+    {"capture", {"stereo"}},
+    {"registration", {"geometry"}},
+    {"tracking", {"stereo"}},
+    {"guidance", {"surface"}},
+    {"casefile", {"volume", "surface", "stereo", "registration", "guidance"}},
+    {"session", {"capture", "tracking", "guidance", "casefile", "segmentation"}},
+    {"evaluation", {"casefile", "capture"}},
+    {"scene", {"volume", "surface", "guidance"}},
+    {"room", {"capture", "surface"}},
+};
+
+std::set<std::string> reachable(const std::string& module) {
+  std::set<std::string> all{module};
+  for (const auto& direct : kMayUse.at(module))
+    for (const auto& name : reachable(direct)) all.insert(name);
+  return all;
+}
+
+std::vector<fs::path> sourcesUnder(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const auto extension = entry.path().extension();
+    if (extension == ".h" || extension == ".cpp") files.push_back(entry.path());
+  }
+  return files;
+}
+
+std::vector<std::string> includesOf(const fs::path& file) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> found;
+  std::ifstream stream(file);
+  std::smatch match;
+  for (std::string line; std::getline(stream, line);)
+    if (std::regex_search(line, match, kInclude)) found.push_back(match[1]);
+  return found;
+}
+
+const fs::path kModules = fs::path(FACENAV_SOURCE_DIR) / "modules";
+
+TEST(Layers, EveryModuleStandsInTheTable) {
+  for (const auto& entry : fs::directory_iterator(kModules)) {
+    if (!entry.is_directory()) continue;
+    EXPECT_TRUE(kMayUse.count(entry.path().filename())) << entry.path();
+  }
+}
+
+TEST(Layers, ModulesIncludeOnlyWhatTheTableAllows) {
+  static const std::regex kOurs("^facenav/([a-z]+)/");
+  for (const auto& [module, ignored] : kMayUse) {
+    const auto allowed = reachable(module);
+    for (const auto& file : sourcesUnder(kModules / module))
+      for (const auto& include : includesOf(file)) {
+        std::smatch match;
+        if (!std::regex_search(include, match, kOurs)) continue;
+        EXPECT_TRUE(allowed.count(match[1])) << file << " includes " << include;
+      }
+  }
+}
+
+TEST(Layers, NoQtBelowTheWindow) {
+  static const std::regex kQt("^(Q[A-Z]|Qt|QVTK)");
+  for (const auto& file : sourcesUnder(kModules))
+    for (const auto& include : includesOf(file)) EXPECT_FALSE(std::regex_search(include, kQt)) << file << ": " << include;
+}
+
+TEST(Layers, NoGdcmNorPclInAPublicHeader) {
+  static const std::regex kHidden("^(gdcm|pcl/|dlib/|embree)");
+  for (const auto& entry : fs::directory_iterator(kModules)) {
+    if (!entry.is_directory()) continue;
+    for (const auto& file : sourcesUnder(entry.path() / "include"))
+      for (const auto& include : includesOf(file))
+        EXPECT_FALSE(std::regex_search(include, kHidden)) << file << ": " << include;
+  }
+}
+
+TEST(Layers, OpenCvInPublicHeadersOfImageModulesOnly) {
+  const std::set<std::string> allowed{"stereo", "capture", "tracking", "room", "session", "evaluation"};
+  for (const auto& [module, ignored] : kMayUse) {
+    if (allowed.count(module)) continue;
+    for (const auto& file : sourcesUnder(kModules / module / "include"))
+      for (const auto& include : includesOf(file)) EXPECT_NE(include.rfind("opencv2/", 0), 0u) << file << ": " << include;
+  }
+}
+
+TEST(Layers, CommandLineToolLinksNoQt) {
+  FILE* pipe = ::popen("ldd '" FACENAV_CLI "' 2>&1", "r");
+  ASSERT_NE(pipe, nullptr);
+  std::string text;
+  char buffer[4096];
+  while (std::fgets(buffer, sizeof buffer, pipe)) text += buffer;
+  ASSERT_EQ(::pclose(pipe), 0) << text;
+  EXPECT_NE(text.find("libvtk"), std::string::npos) << "ldd did not list the tool's libraries";
+  EXPECT_EQ(text.find("libQt"), std::string::npos) << text;
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+// Wrong input to each verb: one clear line on stderr, exit status 1 (2 for wrong usage), nothing half-written.
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "support/command_line.h"
+
+namespace facenav::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+void writeText(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+/// Status 1, exactly one line that names what is wrong, and `product` was not made.
+void expectRefused(const CommandResult& result, const std::string& named, const fs::path& product = {}) {
+  EXPECT_EQ(result.status, 1) << result.errors;
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("facenav: "));
+  EXPECT_THAT(result.errors, HasSubstr(named));
+  if (!product.empty()) EXPECT_FALSE(fs::exists(product)) << product;
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  fs::path at(const std::string& name) const { return folder_.path() / name; }
+  bool isClean() const {  // no temporary leftovers
+    return std::none_of(fs::directory_iterator(folder_.path()), fs::directory_iterator(), [](const auto& entry) {
+      return entry.path().filename().string().find("tmp") != std::string::npos;
+    });
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
+  const auto result = runFacenav("frobnicate");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("--help"));
+}
+
+TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
+
+TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
+  for (const char* verb : {"series", "prepare", "calibrate", "align", "track", "guide", "simulate", "demo"}) {
+    const auto result = runFacenav(std::string(verb) + " --help");
+    EXPECT_EQ(result.status, 0) << verb;
+    EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
+  }
+}
+
+TEST_F(CommandLine, SeriesOfAMissingFolder) { expectRefused(runFacenav("series " + at("none").string()), "none"); }
+
+TEST_F(CommandLine, SeriesOfAFolderWithoutDicom) {
+  writeText(at("a.txt"), "no DICOM");
+  expectRefused(runFacenav("series " + folder_.path().string()), folder_.path().filename().string());
+}
+
+TEST_F(CommandLine, PrepareOfAMissingFile) {
+  expectRefused(runFacenav("prepare " + at("none.nii.gz").string() + " -o " + at("case").string()), "none.nii.gz", at("case"));
+}
+
+TEST_F(CommandLine, PrepareOfATruncatedNifti) {
+  FACENAV_NEEDS(colin27());
+  const std::string whole = readText(colin27());
+  writeText(at("cut.nii.gz"), whole.substr(0, whole.size() / 3));
+  expectRefused(runFacenav("prepare " + at("cut.nii.gz").string() + " -o " + at("case").string()), "cut.nii.gz", at("case"));
+  EXPECT_TRUE(isClean());
+}
+
+TEST_F(CommandLine, PrepareOfAFileThatIsNoVolume) {
+  writeText(at("a.nii"), "not a volume");
+  expectRefused(runFacenav("prepare " + at("a.nii").string() + " -o " + at("case").string()), "a.nii", at("case"));
+}
+
+TEST_F(CommandLine, CalibrateWithoutImages) {
+  expectRefused(runFacenav("calibrate --board 9x6 --square 25 --left '" + at("left*.jpg").string() + "' --right '" +
+                           at("right*.jpg").string() + "' -o " + at("stereo.yml").string()),
+                "left*.jpg", at("stereo.yml"));
+}
+
+TEST_F(CommandLine, TrackOfAMissingRecording) {
+  expectRefused(runFacenav("track " + at("none").string() + " -o " + at("poses.csv").string()), "none", at("poses.csv"));
+}
+
+TEST_F(CommandLine, TrackOfARigWithoutT) {
+  fs::create_directories(at("rec/left"));
+  fs::create_directories(at("rec/right"));
+  writeText(at("rec/stereo.yml"),
+            "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+            "   data: [ 800., 0., 320., 0., 800., 240., 0., 0., 1. ]\n");
+  const auto result = runFacenav("track " + at("rec").string() + " -o " + at("poses.csv").string());
+  expectRefused(result, "stereo.yml", at("poses.csv"));
+}
+
+TEST_F(CommandLine, GuideOfAFolderThatIsNoCase) {
+  writeText(at("poses.csv"), "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason\n");
+  expectRefused(runFacenav("guide " + folder_.path().string() + " " + at("poses.csv").string() + " --target X -o " +
+                           at("guidance.csv").string()),
+                "case.json", at("guidance.csv"));
+}
+
+TEST_F(CommandLine, AlignOfAMissingCase) {
+  expectRefused(runFacenav("align " + at("none").string() + " " + at("rec").string()), "none");
+}
+
+TEST_F(CommandLine, SimulateOfAnUnknownScenarioListsTheKnown) {
+  expectRefused(runFacenav("simulate nonsense -o " + at("rec").string()), "treatment", at("rec"));
+}
+
+}  // namespace
+}  // namespace facenav::testing

@@ -1,0 +1,40 @@
+#pragma once
+// Runs the facenav command line tool as a user does and returns its exit status and both outputs. The test program is
+// compiled with FACENAV_CLI, the tool's path.
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "support/test_data.h"
+
+namespace facenav::testing {
+
+struct CommandResult {
+  int status = -1;  // exit status; 128 + signal when it was killed
+  std::string output, errors;
+};
+
+inline std::string readText(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// `arguments` as typed after "facenav"; quote paths yourself.
+inline CommandResult runFacenav(const std::string& arguments, int timeout_s = 120) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out", err = folder.path() / "err";
+  const std::string command = "timeout " + std::to_string(timeout_s) + " '" FACENAV_CLI "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "' </dev/null";
+  const int raw = std::system(command.c_str());
+  CommandResult result;
+  result.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
+  result.output = readText(out);
+  result.errors = readText(err);
+  return result;
+}
+
+}  // namespace facenav::testing
