@@ -1,5 +1,6 @@
 #pragma once
-// Target: the wanted pose of the coil, and how it is planned from a point on the cortex. targets.json in and out.
+// Target: the wanted pose of the coil, and how it is planned from a point on the cortex. targets.json in and
+// out.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,8 @@ namespace facenav::guidance {
 
 struct Target {
   std::string name;
-  RigidTransform<Mri, frames::Target> mri_T_target;  // Coil convention: +z into the head, +y along the handle's prolongation
+  RigidTransform<Mri, frames::Target>
+      mri_T_target;  // Coil convention: +z into the head, +y along the handle's prolongation
   Point<Mri> cortex_point, scalp_point;
   std::string note;
 };
@@ -23,13 +25,19 @@ struct TreatmentPlan {
   const Target& find(const std::string& name) const;
 };
 
-/// The coil tangent to the scalp over `cortex_point`: nearest scalp point, z along the inward direction to the cortex
-/// point, y in the tangent plane at `handle_angle_rad` from anterior, turning towards the midline (45 degrees: the
-/// usual posterior-lateral handle over M1). `gap_mm`: between contact face and scalp (hair).
+/// The coil tangent to the scalp over `cortex_point`: nearest scalp point, z along the inward direction to
+/// the cortex point, y in the tangent plane at `handle_angle_rad` from anterior, turning towards the midline
+/// (45 degrees: the usual posterior-lateral handle over M1). Over the side of the head "towards the midline"
+/// is upwards; on the midline itself it is towards the patient's left; over forehead and occiput superior
+/// stands in for anterior. `gap_mm`: between contact face and scalp (hair). Throws Error for a scalp without
+/// triangles or a cortex point that does not lie 1 to 80 mm under it.
 Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
                   double handle_angle_rad, double gap_mm = 0.0);
 
+/// Throws Error naming file and key: a missing or malformed key, a mirrored or non-rigid matrix, a name given
+/// twice.
 TreatmentPlan readTargets(const std::filesystem::path& path);
+/// A whole file. Keys that FaceNav does not know are kept from the file that is replaced.
 void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path);
 
 }  // namespace facenav::guidance

@@ -1,0 +1,45 @@
+#pragma once
+// Rigid transforms and points as JSON holds them (FORMATS.md): 4x4 row-major as 16 numbers, millimetres.
+
+#include <array>
+
+#include "facenav/core/json_reader.h"
+#include "facenav/geometry/rigid_transform.h"
+
+namespace facenav {
+inline namespace geometry {
+
+/// Throws Error naming file and key for anything but 16 numbers that make a rigid motion (a mirrored one
+/// included).
+template <class To, class From>
+RigidTransform<To, From> readTransform(const JsonReader& json) {
+  const auto values = json.numbers(16);
+  const Eigen::Matrix4d matrix =
+      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());
+  try {
+    return RigidTransform<To, From>::fromMatrix(matrix);
+  } catch (const Error& fault) {
+    json.refuse(fault.what());
+  }
+}
+
+template <class Frame>
+Point<Frame> readPoint(const JsonReader& json) {
+  const auto values = json.numbers(3);
+  return Point<Frame>(values[0], values[1], values[2]);
+}
+
+template <class To, class From>
+std::array<double, 16> rowMajor(const RigidTransform<To, From>& transform) {
+  std::array<double, 16> values{};
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data()) = transform.matrix();
+  return values;
+}
+
+template <class Frame>
+std::array<double, 3> rowMajor(const Point<Frame>& point) {
+  return {point.mm.x(), point.mm.y(), point.mm.z()};
+}
+
+}  // namespace geometry
+}  // namespace facenav

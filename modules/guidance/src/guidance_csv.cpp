@@ -1,0 +1,49 @@
+#include "facenav/guidance/guidance_csv.h"
+
+#include <cstdio>
+
+#include "facenav/core/whole_file.h"
+
+namespace facenav::guidance {
+namespace {
+
+std::string fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string guidanceCsvHeader() {
+  return "frame,t_s,target,state,distance_mm,lateral_mm,depth_mm,tilt_deg,twist_deg,beam_miss_mm,"
+         "predicted_error_mm\n";
+}
+
+std::string toCsvLine(const GuidanceRow& row) {
+  std::string line = std::to_string(row.frame) + "," + fixed(row.t_s, 6) + "," + quoted(row.target) + "," +
+                     toString(row.state.state);
+  if (!row.state.values) return line + ",,,,,,,\n";
+  const GuidanceValues& values = *row.state.values;
+  constexpr double kDegree = 180.0 / M_PI;
+  for (const double value :
+       {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegree,
+        values.twist_rad * kDegree, values.beam_miss_mm, row.state.predicted_error_mm})
+    line += "," + fixed(value, 4);
+  return line + "\n";
+}
+
+void writeGuidanceCsv(const std::vector<GuidanceRow>& rows, const std::filesystem::path& path) {
+  std::string content = guidanceCsvHeader();
+  for (const GuidanceRow& row : rows) content += toCsvLine(row);
+  writeWholeFile(path, content);
+}
+
+}  // namespace facenav::guidance

@@ -1,0 +1,45 @@
+#include "facenav/guidance/hand_knob.h"
+
+#include <algorithm>
+
+#include "facenav/core/error.h"
+
+namespace facenav::guidance {
+namespace {
+
+// Colin27's brain (mricron's ch2bet.nii.gz), MNI mm, and the hand area of left M1.
+const Eigen::AlignedBox3d kMniBrain(Eigen::Vector3d(-72, -106, -67), Eigen::Vector3d(71, 73, 84));
+const Eigen::Vector3d kMniHandKnob(-37, -21, 58);
+
+Eigen::Vector3d scaledHandKnob_mm(const Eigen::AlignedBox3d& brain, Side side) {
+  if (brain.isEmpty()) throw Error("no hand area can be guessed: the brain is empty");
+  const Eigen::Vector3d scale = brain.sizes().cwiseQuotient(kMniBrain.sizes());
+  const Eigen::Vector3d from_centre_mm = (kMniHandKnob - kMniBrain.center()).cwiseProduct(scale);
+  const double below_vertex_mm = (kMniBrain.max().z() - kMniHandKnob.z()) * 0.5 * (scale.x() + scale.y());
+  const double lateral_mm = side == Side::left ? from_centre_mm.x() : -from_centre_mm.x();
+  return {brain.center().x() + lateral_mm, brain.center().y() + from_centre_mm.y(),
+          brain.max().z() - below_vertex_mm};
+}
+
+}  // namespace
+
+Point<Mri> handKnobGuess(const surface::BrainModel& brain, Side side) {
+  Eigen::AlignedBox3d box;
+  for (const auto& vertex_mm : brain.mesh.vertices_mm) box.extend(vertex_mm);
+  const Eigen::Vector3d guess_mm = scaledHandKnob_mm(box, side);
+  return Point<Mri>(*std::min_element(brain.mesh.vertices_mm.begin(), brain.mesh.vertices_mm.end(),
+                                      [&](const auto& a, const auto& b) {
+                                        return (a - guess_mm).squaredNorm() < (b - guess_mm).squaredNorm();
+                                      }));
+}
+
+Point<Mri> handKnobGuess(const volume::Mask& brain, Side side) {
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < brain.grid.size[2]; ++k)
+    for (int j = 0; j < brain.grid.size[1]; ++j)
+      for (int i = 0; i < brain.grid.size[0]; ++i)
+        if (brain.at(i, j, k)) box.extend(brain.grid.mri_from_voxel * Eigen::Vector3d(i, j, k));
+  return Point<Mri>(scaledHandKnob_mm(box, side));
+}
+
+}  // namespace facenav::guidance

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "facenav/guidance/target.h"
+
+namespace facenav::guidance {
+namespace {
+
+/// The point of triangle a b c nearest to p (Ericson, Real-Time Collision Detection, 5.1.5: by Voronoi
+/// regions).
+Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d ab = b - a, ac = c - a;
+  const double d1 = ab.dot(p - a), d2 = ac.dot(p - a);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const double d3 = ab.dot(p - b), d4 = ac.dot(p - b);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / (d1 - d3));
+  const double d5 = ab.dot(p - c), d6 = ac.dot(p - c);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / (d2 - d6));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  return a + (ab * vb + ac * vc) / (va + vb + vc);
+}
+
+Eigen::Vector3d nearestOnScalp(const surface::TriangleMesh& mesh, const Eigen::Vector3d& p_mm) {
+  Eigen::Vector3d nearest = Eigen::Vector3d::Zero();
+  double best_mm2 = std::numeric_limits<double>::infinity();
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d &a = mesh.vertices_mm[triangle[0]], &b = mesh.vertices_mm[triangle[1]],
+                          &c = mesh.vertices_mm[triangle[2]];
+    const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    if ((p_mm - p_mm.cwiseMax(low).cwiseMin(high)).squaredNorm() >= best_mm2)
+      continue;  // the box is too far already
+    const Eigen::Vector3d candidate = nearestOnTriangle(p_mm, a, b, c);
+    const double distance_mm2 = (candidate - p_mm).squaredNorm();
+    if (distance_mm2 < best_mm2) best_mm2 = distance_mm2, nearest = candidate;
+  }
+  return nearest;
+}
+
+/// x of the head's mid-sagittal plane: the middle of the scalp's extent (the world origin may lie anywhere).
+double midline_x_mm(const surface::TriangleMesh& mesh) {
+  const auto [low, high] = std::minmax_element(mesh.vertices_mm.begin(), mesh.vertices_mm.end(),
+                                               [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  return 0.5 * (low->x() + high->x());
+}
+
+/// Axes of the coil: z inwards, y at the angle from anterior in the tangent plane, turning towards the
+/// midline.
+Eigen::Matrix3d coilAxes(const Eigen::Vector3d& z, double handle_angle_rad, double to_midline_mm) {
+  const Eigen::Vector3d anterior =
+      std::abs(z.y()) > 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d forward = (anterior - anterior.dot(z) * z).normalized();
+  Eigen::Vector3d medial = z.cross(forward);
+  // Over the vertex x tells which way is medial; over the side of the head, where x is nearly along z, up
+  // does.
+  const double sign = to_midline_mm > 0 ? 1.0 : -1.0;
+  const bool has_superior = std::abs(z.y()) <= 0.9;
+  if (medial.dot(Eigen::Vector3d(sign, 0, has_superior ? 1 : 0)) < 0) medial = -medial;
+  Eigen::Matrix3d axes;
+  axes.col(2) = z;
+  axes.col(1) = std::cos(handle_angle_rad) * forward + std::sin(handle_angle_rad) * medial;
+  axes.col(0) = axes.col(1).cross(z);
+  return axes;
+}
+
+}  // namespace
+
+Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
+                  double handle_angle_rad, double gap_mm) {
+  if (scalp.mesh.triangles.empty()) throw Error("no target can be planned: the scalp surface is empty");
+  const Eigen::Vector3d scalp_mm = nearestOnScalp(scalp.mesh, cortex_point.mm);
+  const double depth_mm = (cortex_point.mm - scalp_mm).norm();
+  if (!(depth_mm >= 1.0 && depth_mm <= 80.0))
+    throw Error("no target can be planned: the cortex point lies " + std::to_string(int(depth_mm)) +
+                    " mm from the scalp",
+                "target " + name, "choose a point on the cortex");
+  const Eigen::Vector3d z = (cortex_point.mm - scalp_mm) / depth_mm;
+  const double to_midline_mm = midline_x_mm(scalp.mesh) - cortex_point.mm.x();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = coilAxes(z, handle_angle_rad, to_midline_mm);
+  pose.translation() = scalp_mm - gap_mm * z;
+  return {name, RigidTransform<Mri, frames::Target>::fromIsometry(pose), cortex_point, Point<Mri>(scalp_mm),
+          ""};
+}
+
+}  // namespace facenav::guidance

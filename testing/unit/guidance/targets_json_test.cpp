@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
+#include "made_targets.h"
+#include "support/matchers.h"
+#include "support/test_data.h"
+
+namespace facenav::guidance {
+namespace {
+using namespace guidance::testing;
+using facenav::testing::PoseNear;
+using facenav::testing::TemporaryFolder;
+
+std::string oneTarget(const std::string& matrix, const std::string& more = "") {
+  return R"({"targets": [{"name": "a", "mri_T_target": )" + matrix +
+         R"(, "cortex_point_mm": [1, 2, 3], "scalp_point_mm": [4, 5, 6])" + more + "}]}";
+}
+const std::string kIdentity = "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]";
+
+std::string faultOf(const std::string& content) {
+  const TemporaryFolder folder;
+  writeWholeFile(folder.path() / "targets.json", content);
+  try {
+    readTargets(folder.path() / "targets.json");
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+TEST(TargetsJson, RoundTripKeepsEveryDigit) {
+  const TemporaryFolder folder;
+  TreatmentPlan plan;
+  plan.targets = {vertexTarget(), vertexTarget()};
+  plan.targets[1].name = "M1 hand L, über \"Mitte\"";
+  plan.targets[1].note = "60 % of threshold";
+  plan.targets[1].mri_T_target = poseFrom<frames::Target>({1.0 / 3, -2.0 / 7, 99}, {1, 2, -3}, {0.3, 1, 0});
+  writeTargets(plan, folder.path() / "targets.json");
+  const TreatmentPlan read = readTargets(folder.path() / "targets.json");
+  ASSERT_EQ(read.targets.size(), 2u);
+  EXPECT_THAT(read.find(plan.targets[1].name).mri_T_target,
+              PoseNear(plan.targets[1].mri_T_target, 1e-9, 1e-12));
+  EXPECT_EQ(read.targets[1].note, plan.targets[1].note);
+  EXPECT_EQ(read.targets[0].cortex_point.mm, plan.targets[0].cortex_point.mm);
+  EXPECT_EQ(read.targets[0].scalp_point.mm, plan.targets[0].scalp_point.mm);
+}
+
+TEST(TargetsJson, MatrixIsRowMajorInMillimetres) {
+  const TemporaryFolder folder;
+  writeWholeFile(folder.path() / "t.json", oneTarget("[0,-1,0,10, 1,0,0,20, 0,0,1,30, 0,0,0,1]"));
+  const auto pose = readTargets(folder.path() / "t.json").targets[0].mri_T_target;
+  EXPECT_THAT((pose * Point<frames::Target>(1, 0, 0)).mm,
+              facenav::testing::EigenNear(Eigen::Vector3d(10, 21, 30), 1e-12));
+}
+
+TEST(TargetsJson, RefusesMirroredAndSkewedMatrices) {
+  EXPECT_NE(faultOf(oneTarget("[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]")).find("mirrored"), std::string::npos);
+  EXPECT_NE(faultOf(oneTarget("[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]")).find("not rigid"), std::string::npos);
+  // Column-major: the translation stands in the last row.
+  EXPECT_NE(faultOf(oneTarget("[1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]")).find("last row"), std::string::npos);
+}
+
+TEST(TargetsJson, NamesFileAndKeyOfAFault) {
+  const struct {
+    std::string content, key;
+  } faults[] = {
+      {R"({})", "targets"},
+      {R"({"targets": {}})", "targets"},
+      {R"({"targets": [{}]})", "targets[0].name"},
+      {R"({"targets": [{"name": 7}]})", "targets[0].name"},
+      {R"({"targets": [{"name": "a"}]})", "targets[0].mri_T_target"},
+      {oneTarget("[1, 2, 3]"), "mri_T_target"},
+      {oneTarget(R"(["1",0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])"), "mri_T_target[0]"},
+      {oneTarget(kIdentity, R"(, "note": 5)"), "note"},
+      {"{\"targets\": [", "JSON"},
+      {"[]", "object"},
+  };
+  for (const auto& fault : faults) {
+    const std::string message = faultOf(fault.content);
+    EXPECT_NE(message.find("targets.json"), std::string::npos) << message;
+    EXPECT_NE(message.find(fault.key), std::string::npos) << message;
+  }
+  EXPECT_EQ(faultOf(oneTarget(kIdentity, R"(, "colour": "red")")), "");
+}
+
+TEST(TargetsJson, RefusesANameGivenTwice) {
+  const std::string target = R"({"name": "a", "mri_T_target": )" + kIdentity +
+                             R"(, "cortex_point_mm": [1, 2, 3], "scalp_point_mm": [4, 5, 6]})";
+  EXPECT_NE(faultOf(R"({"targets": [)" + target + "," + target + "]}").find("same name"), std::string::npos);
+}
+
+TEST(TargetsJson, KeepsKeysItDoesNotKnow) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "targets.json";
+  writeWholeFile(path, R"({"made_by": "other", "targets": [{"name": "a", "colour": "red", "mri_T_target": )" +
+                           kIdentity + R"(, "cortex_point_mm": [1, 2, 3], "scalp_point_mm": [4, 5, 6]}]})");
+  TreatmentPlan plan = readTargets(path);
+  plan.targets.push_back(vertexTarget());
+  writeTargets(plan, path);
+  const std::string content = readWholeFile(path);
+  EXPECT_NE(content.find("\"colour\": \"red\""), std::string::npos);
+  EXPECT_NE(content.find("\"made_by\": \"other\""), std::string::npos);
+  EXPECT_EQ(readTargets(path).targets.size(), 2u);
+}
+
+TEST(TargetsJson, UnknownTargetListsTheKnownOnes) {
+  TreatmentPlan plan;
+  plan.targets = {vertexTarget()};
+  try {
+    plan.find("M1");
+    FAIL();
+  } catch (const Error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("'vertex'"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace facenav::guidance
