@@ -1,5 +1,6 @@
 #pragma once
-// Recording: the folder of FORMATS.md, in and out. Readable with image folders or videos, any start index, any rig.
+// Recording: the folder of FORMATS.md, in and out. Readable with image folders or videos, any start index,
+// any rig.
 
 #include <filesystem>
 #include <map>
@@ -18,14 +19,15 @@ struct CapturePair {
 struct Recording {
   std::filesystem::path folder;
   stereo::StereoRig rig;
-  std::optional<CapturePair> capture;   // where capture/ exists
+  std::optional<CapturePair> capture;  // where capture/ exists
   std::int64_t frame_count = 0;
   double frames_per_s = 60.0;
-  bool has_timestamps = false;          // false: 60 fps is assumed (a warning was logged)
+  bool has_timestamps = false;  // false: 60 fps is assumed (a warning was logged)
 };
 
-/// Checks the whole folder before anything runs. Throws Error: no stereo.yml, 0 frames, left and right counts differ,
-/// image sizes differ from the rig's, a malformed timestamps.csv line (file and line named), times that do not rise.
+/// Checks the whole folder before anything runs. Throws Error: no stereo.yml, 0 frames, left and right counts
+/// differ, image sizes differ from the rig's, a malformed timestamps.csv line (file and line named), times
+/// that do not rise.
 Recording openRecording(const std::filesystem::path& folder);
 /// A recording that may consist of capture/ alone (for `align`): 0 frames is no error here.
 Recording openCapture(const std::filesystem::path& folder);
@@ -34,8 +36,8 @@ std::unique_ptr<FrameSource> makeSource(const Recording& recording);
 /// frame -> pose, from truth/head.csv or truth/coil.csv (frame,tx,ty,tz,qw,qx,qy,qz).
 std::map<std::int64_t, Eigen::Isometry3d> readTruth(const std::filesystem::path& csv);
 
-/// Writes a recording frame by frame into a temporary folder next to `folder`; close() renames it into place, so that
-/// a recording is whole or absent. An unclosed writer removes what it wrote.
+/// Writes a recording frame by frame into a temporary folder next to `folder`; close() renames it into place,
+/// so that a recording is whole or absent. An unclosed writer removes what it wrote.
 class RecordingWriter {
  public:
   RecordingWriter(const std::filesystem::path& folder, const stereo::StereoRig& rig);

@@ -1,0 +1,17 @@
+#pragma once
+// A live pair of plain cameras (USB, V4L2, GigE through OpenCV's videoio). Both are grabbed one right after
+// the other and then decoded: software synchronisation, skew of the order of a millisecond on one hub.
+// Cameras with a hardware trigger need their maker's library: one more FrameSource.
+
+#include <memory>
+
+#include "facenav/capture/frame_source.h"
+
+namespace facenav::capture {
+
+/// Opens cameras `left_index` and `right_index` at the rig's image size. Throws Error naming the camera that
+/// does not open or does not give that size. Frames are numbered from 0 and stamped with the steady clock at
+/// the grab.
+std::unique_ptr<FrameSource> openCameraPair(const stereo::StereoRig& rig, int left_index, int right_index);
+
+}  // namespace facenav::capture

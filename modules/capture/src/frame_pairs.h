@@ -1,0 +1,38 @@
+#pragma once
+// FramePairs: the image pairs of a recording in order, from folders or from videos.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facenav::capture {
+
+struct ImagePair {
+  cv::Mat left, right;  // 8-bit grey
+  std::string where;    // file or video and frame, for errors
+};
+
+class FramePairs {
+ public:
+  virtual ~FramePairs() = default;
+  /// Frame number of each pair, rising.
+  virtual const std::vector<std::int64_t>& numbers() const = 0;
+  /// The next pair; nothing at the end. Throws Error naming the file.
+  virtual std::optional<ImagePair> next() = 0;
+};
+
+/// left/ and right/ with images. Null where neither folder is there. Throws Error: one side missing, counts
+/// or numbers differ, two files with one number.
+std::unique_ptr<FramePairs> openImagePairs(const std::filesystem::path& folder);
+
+/// left.mkv and right.mkv (or .avi, .mp4, .mov, .webm). Null where neither is there. Throws Error: one side
+/// missing, cannot be decoded, counts differ. `expected_count`: rows of timestamps.csv, which spares the
+/// counting.
+std::unique_ptr<FramePairs> openVideoPairs(const std::filesystem::path& folder,
+                                           std::optional<std::size_t> expected_count);
+
+}  // namespace facenav::capture

@@ -1,0 +1,158 @@
+#include "facenav/capture/recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csv_table.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "grey_image.h"
+#include "recording_frames.h"
+
+namespace facenav::capture {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kAssumedRate_hz = 60.0;
+
+struct StampedFrame {
+  std::int64_t number;
+  double t_s;
+};
+
+std::vector<StampedFrame> readTimestamps(const fs::path& csv) {
+  const NumericTable table = readColumns(csv, {"frame", "t_s"});
+  std::vector<StampedFrame> stamps;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const double number = table.rows[i][0], t_s = table.rows[i][1];
+    if (number != std::floor(number) || std::abs(number) > 1e15)
+      throw Error("frame is no whole number", atLine(csv, table.lines[i]));
+    if (!stamps.empty() && !(t_s > stamps.back().t_s))
+      throw Error("time does not rise", atLine(csv, table.lines[i]), "t_s must grow from line to line");
+    if (!stamps.empty() && !(std::int64_t(number) > stamps.back().number))
+      throw Error("frame number does not rise", atLine(csv, table.lines[i]));
+    stamps.push_back({std::int64_t(number), t_s});
+  }
+  return stamps;
+}
+
+// By frame number where every image has its line; else by order, where both are of one count (file names that
+// start at another index): the number in the CSV is then the frame's number, as truth files use it.
+void applyTimestamps(const fs::path& csv, const std::vector<StampedFrame>& stamps, RecordingFrames& frames) {
+  const std::vector<std::int64_t>& images = frames.pairs->numbers();
+  std::size_t at = 0;
+  for (const std::int64_t number : images) {
+    while (at < stamps.size() && stamps[at].number < number) ++at;
+    if (at == stamps.size() || stamps[at].number != number) break;
+    frames.numbers.push_back(number);
+    frames.times_s.push_back(stamps[at].t_s);
+  }
+  if (frames.numbers.size() == images.size()) return;
+  if (stamps.size() != images.size())
+    throw Error("has " + std::to_string(stamps.size()) + " lines, but the recording " +
+                    std::to_string(images.size()) + " frames (frame " +
+                    std::to_string(images[frames.numbers.size()]) + " has no line)",
+                csv.string(), "each frame needs its line");
+  frames.numbers.clear();
+  frames.times_s.clear();
+  for (const auto& stamp : stamps) {
+    frames.numbers.push_back(stamp.number);
+    frames.times_s.push_back(stamp.t_s);
+  }
+}
+
+fs::path findStill(const fs::path& folder, const std::string& name) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().stem() == name && isImageFile(entry.path())) return entry.path();
+  throw Error("image '" + name + ".png' is missing", folder.string(),
+              "capture/ needs pattern_left, pattern_right, plain_left and plain_right");
+}
+
+stereo::StereoFrame readStill(const fs::path& folder, const std::string& kind, const stereo::StereoRig& rig) {
+  const fs::path left_path = findStill(folder, kind + "_left"),
+                 right_path = findStill(folder, kind + "_right");
+  const cv::Mat left = readGrey(left_path), right = readGrey(right_path);
+  requireRigSize(rig, left, right, left_path.string());
+  const int bits = std::max(bitDepth(left), bitDepth(right));
+  stereo::StereoFrame frame;
+  frame.left = toGrey8(left, bits);
+  frame.right = toGrey8(right, bits);
+  return frame;
+}
+
+Recording openFolder(const fs::path& folder) {
+  if (!fs::exists(folder)) throw Error("recording does not exist", folder.string(), "check the path");
+  if (!fs::is_directory(folder)) throw Error("is no folder", folder.string(), "give the recording's folder");
+  Recording recording;
+  recording.folder = folder;
+  recording.rig = stereo::readRig(folder / "stereo.yml");
+  if (fs::is_directory(folder / "capture"))
+    recording.capture = CapturePair{readStill(folder / "capture", "pattern", recording.rig),
+                                    readStill(folder / "capture", "plain", recording.rig)};
+  return recording;
+}
+
+// Checks the frames; what makeSource needs is cheap to open again.
+void describeFrames(Recording& recording, RecordingFrames& frames) {
+  recording.frame_count = std::int64_t(frames.numbers.size());
+  recording.has_timestamps = frames.has_timestamps;
+  if (recording.frame_count == 0) return;
+  if (frames.has_timestamps && recording.frame_count > 1)
+    recording.frames_per_s =
+        double(recording.frame_count - 1) / (frames.times_s.back() - frames.times_s.front());
+  if (!frames.has_timestamps)
+    logWarning("no timestamps.csv in " + recording.folder.string() + ": 60 frames per second are assumed");
+  const auto first = frames.pairs->next();
+  if (first) requireRigSize(recording.rig, first->left, first->right, first->where);
+}
+
+}  // namespace
+
+void requireRigSize(const stereo::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
+                    const std::string& where) {
+  for (const cv::Mat& image : {left, right})
+    if (image.cols != rig.width_px || image.rows != rig.height_px)
+      throw Error("image is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) +
+                      ", but stereo.yml is for " + std::to_string(rig.width_px) + " x " +
+                      std::to_string(rig.height_px),
+                  where, "use the stereo.yml of these cameras");
+}
+
+RecordingFrames openFrames(const fs::path& folder) {
+  const fs::path csv = folder / "timestamps.csv";
+  RecordingFrames frames;
+  frames.has_timestamps = fs::exists(csv);
+  const auto stamps = frames.has_timestamps ? readTimestamps(csv) : std::vector<StampedFrame>{};
+  frames.pairs = openImagePairs(folder);
+  const auto expected = frames.has_timestamps ? std::optional<std::size_t>(stamps.size()) : std::nullopt;
+  if (!frames.pairs) frames.pairs = openVideoPairs(folder, expected);
+  if (!frames.pairs || frames.pairs->numbers().empty()) return frames;
+  if (frames.has_timestamps) {
+    applyTimestamps(csv, stamps, frames);
+    return frames;
+  }
+  frames.numbers = frames.pairs->numbers();
+  for (const std::int64_t number : frames.numbers)
+    frames.times_s.push_back(double(number - frames.numbers.front()) / kAssumedRate_hz);
+  return frames;
+}
+
+Recording openRecording(const fs::path& folder) {
+  Recording recording = openFolder(folder);
+  RecordingFrames frames = openFrames(folder);
+  if (!frames.pairs)
+    throw Error("has neither left/ and right/ nor left.mkv and right.mkv", folder.string(),
+                "is it a recording?");
+  if (frames.numbers.empty()) throw Error("the recording holds 0 frames", folder.string(), "record it again");
+  describeFrames(recording, frames);
+  return recording;
+}
+
+Recording openCapture(const fs::path& folder) {
+  Recording recording = openFolder(folder);
+  RecordingFrames frames = openFrames(folder);
+  describeFrames(recording, frames);
+  return recording;
+}
+
+}  // namespace facenav::capture

@@ -1,0 +1,41 @@
+#include "facenav/core/error.h"
+#include "recording_frames.h"
+
+namespace facenav::capture {
+namespace {
+
+class RecordingSource : public FrameSource {
+ public:
+  explicit RecordingSource(const Recording& recording)
+      : rig_(recording.rig), frames_(openFrames(recording.folder)) {
+    if (!frames_.pairs || frames_.numbers.empty())
+      throw Error("the recording holds 0 frames", recording.folder.string(), "record it again");
+  }
+  const stereo::StereoRig& rig() const override { return rig_; }
+  std::optional<std::int64_t> frameCount() const override { return std::int64_t(frames_.numbers.size()); }
+  std::shared_ptr<const stereo::StereoFrame> next() override {
+    auto pair = frames_.pairs->next();
+    if (!pair) return nullptr;
+    requireRigSize(rig_, pair->left, pair->right, pair->where);
+    auto frame = std::make_shared<stereo::StereoFrame>();
+    frame->left = pair->left;
+    frame->right = pair->right;
+    frame->number = frames_.numbers[at_];
+    frame->captured = {frames_.times_s[at_]};
+    ++at_;
+    return frame;
+  }
+
+ private:
+  stereo::StereoRig rig_;
+  RecordingFrames frames_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSource> makeSource(const Recording& recording) {
+  return std::make_unique<RecordingSource>(recording);
+}
+
+}  // namespace facenav::capture
