@@ -1,0 +1,20 @@
+#pragma once
+// Is there a face to align to? Looks at the front of the scalp: brow, eye sockets, nose; defaced or cut by
+// the scan's end.
+
+#include <string>
+#include <vector>
+
+#include "scalp_outline.h"
+
+namespace facenav::surface {
+
+struct FaceCheck {
+  bool has_face = false;
+  std::vector<std::string> findings;  // plain words, most important first
+};
+
+FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const volume::Volume& volume,
+                    const volume::Mask& head);
+
+}  // namespace facenav::surface

@@ -1,0 +1,26 @@
+#pragma once
+// The head mask's outline as a smooth mesh: where the search for the skin's edge starts.
+
+#include <vector>
+
+#include "facenav/surface/triangle_mesh.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::surface {
+
+/// Half-level of the blurred mask on a grid of about `spacing_mm`, in Mri, outward; open where the mask meets
+/// the grid's end. Parts smaller than a twentieth of the whole are dropped.
+TriangleMesh outlineOf(const volume::Mask& head, double spacing_mm, double blur_mm);
+
+/// Which vertices share an edge with each vertex, and which lie on an open edge.
+struct MeshNeighbours {
+  std::vector<int> first;  // neighbours of v: all[first[v]] .. all[first[v + 1] - 1]
+  std::vector<int> all;
+  std::vector<bool> on_border;
+};
+MeshNeighbours neighboursOf(const TriangleMesh& mesh);
+
+/// Drops vertices where `keep` is false, and the triangles at them.
+TriangleMesh subMesh(const TriangleMesh& mesh, const std::vector<bool>& keep);
+
+}  // namespace facenav::surface
