@@ -1,0 +1,45 @@
+#pragma once
+// The props of NavigationScene, one maker per concept; private to scene.
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include "facenav/guidance/target.h"
+#include "facenav/scene/coil_shape.h"
+#include "facenav/scene/palette.h"
+#include "facenav/surface/brain_model.h"
+#include "facenav/volume/volume.h"
+
+class vtkImageSlice;
+class vtkLinearTransform;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace facenav::scene {
+
+vtkSmartPointer<vtkActor> makeActor(vtkPolyData* poly, const palette::Rgb& colour);
+void setColour(vtkActor* actor, const palette::Rgb& colour);
+
+vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain);
+/// Clear where seen head-on, denser at the rim, so that the outline reads and the brain stays visible.
+vtkSmartPointer<vtkActor> makeScalpActor(const surface::TriangleMesh& scalp);
+/// Slice `axis` (0..2) of the voxel grid; pixels outside the head are clear.
+vtkSmartPointer<vtkImageSlice> makeSliceActor(const volume::Volume& mri, int axis, vtkLinearTransform* head);
+void setSliceIndex(vtkImageSlice* slice, int index);
+
+/// In Coil coordinates.
+struct CoilActors {
+  vtkSmartPointer<vtkActor> body, windings, axis, axis_on_top, tip;
+  void setTransform(vtkLinearTransform* coil);
+  void setVisible(bool is_visible, bool is_axis_visible);
+};
+CoilActors makeCoilActors(const CoilShape& shape);
+
+/// In Mri coordinates.
+struct TargetActors {
+  vtkSmartPointer<vtkActor> ring, ring_on_top, line, cortex;
+};
+TargetActors makeTargetActors(const guidance::Target& target, bool is_active);
+
+}  // namespace facenav::scene

@@ -1,0 +1,171 @@
+#include "facenav/scene/bulls_eye.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkDiskSource.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/scene/palette.h"
+#include "image_bridge.h"
+
+namespace facenav::scene {
+namespace {
+
+constexpr double kEdge_mm = 20.0;
+constexpr double kStroke_mm_per_deg = 1.0;
+
+vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& colour, double opacity,
+                               double depth) {
+  vtkNew<vtkDiskSource> source;
+  source->SetInnerRadius(inner);
+  source->SetOuterRadius(outer);
+  source->SetCircumferentialResolution(128);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetPosition(0, 0, depth);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetOpacity(opacity);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+/// A bar from (0,0) along +x, length 1, width 1: scaled and turned per frame.
+vtkSmartPointer<vtkActor> bar(const palette::Rgb& colour, double depth) {
+  vtkNew<vtkPoints> points;
+  for (const auto& p :
+       {Eigen::Vector2d(0, -0.5), Eigen::Vector2d(1, -0.5), Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0, 0.5)})
+    points->InsertNextPoint(p.x(), p.y(), 0);
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType ids[4] = {0, 1, 2, 3};
+  cells->InsertNextCell(4, ids);
+  vtkNew<vtkPolyData> poly;
+  poly->SetPoints(points);
+  poly->SetPolys(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(poly);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetPosition(0, 0, depth);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+void placeBar(vtkActor* actor, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
+              double depth) {
+  const Eigen::Vector2d d = to - from;
+  actor->SetScale(std::max(1e-3, d.norm()), width, 1);
+  actor->SetOrientation(0, 0, std::atan2(d.y(), d.x()) * 180.0 / M_PI);
+  actor->SetPosition(from.x(), from.y(), depth);
+}
+
+void colourAll(std::initializer_list<vtkActor*> actors, const palette::Rgb& colour) {
+  for (vtkActor* actor : actors) actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+}  // namespace
+
+struct BullsEye::Implementation {
+  vtkNew<vtkRenderer> renderer;
+  vtkSmartPointer<vtkActor> zone, rim, centre, coil_ring, stroke, stroke_end, twist;
+  std::array<vtkSmartPointer<vtkActor>, 4> cross;
+  vtkSmartPointer<vtkRenderWindow> offscreen;
+
+  Implementation();
+  void place(const guidance::GuidanceValues& values);
+};
+
+BullsEye::Implementation::Implementation() {
+  renderer->SetBackground(palette::kPanel.data());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(kEdge_mm * 1.18);
+  camera->SetPosition(0, 0, 100);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetClippingRange(1, 200);
+  renderer->InteractiveOff();
+  renderer->AddActor(disk(0, kEdge_mm, palette::kBackground, 1.0, 0));
+  for (double radius : {5.0, 10.0, 15.0})
+    renderer->AddActor(disk(radius - 0.08, radius + 0.08, palette::kLine, 1.0, 0.1));
+  rim = disk(kEdge_mm - 0.35, kEdge_mm, palette::kMuted, 1.0, 0.2);
+  zone = disk(0, 2.0, palette::kOrange, 0.30, 0.3);
+  centre = disk(0, 0.55, palette::kOrange, 1.0, 0.4);
+  coil_ring = disk(2.6, 3.3, palette::kText, 1.0, 1.0);
+  stroke = bar(palette::kText, 0.9);
+  stroke_end = disk(0, 0.75, palette::kText, 1.0, 0.95);
+  twist = bar(palette::kText, 0.8);
+  for (auto& arm : cross) arm = bar(palette::kText, 1.0);
+  for (vtkActor* actor :
+       {rim.Get(), zone.Get(), centre.Get(), coil_ring.Get(), stroke.Get(), stroke_end.Get(), twist.Get()})
+    renderer->AddActor(actor);
+  for (auto& arm : cross) renderer->AddActor(arm);
+}
+
+void BullsEye::Implementation::place(const guidance::GuidanceValues& values) {
+  const auto toScreen = [](double coil_x, double coil_y) { return Eigen::Vector2d(-coil_x, coil_y); };
+  Eigen::Vector2d at = toScreen(-values.lateral_in_coil_mm.x(), -values.lateral_in_coil_mm.y());
+  const double reach = at.norm();
+  if (reach > kEdge_mm) at *= kEdge_mm / reach;
+  coil_ring->SetPosition(at.x(), at.y(), 1.0);
+  const Eigen::Vector2d arms[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (int i = 0; i < 4; ++i) placeBar(cross[i], at + 1.0 * arms[i], at + 4.4 * arms[i], 0.45, 1.0);
+  // The rotation (rx, ry) that would align z moves z by r x z = (ry, -rx): the coil's z now lies on the other
+  // side.
+  const Eigen::Vector2d tilt_deg = values.tilt_in_coil_rad * 180.0 / M_PI;
+  Eigen::Vector2d lean = toScreen(-tilt_deg.y(), tilt_deg.x()) * kStroke_mm_per_deg;
+  if (lean.norm() > kEdge_mm) lean *= kEdge_mm / lean.norm();
+  placeBar(stroke, at, at + lean, 0.6, 0.9);
+  stroke_end->SetPosition(at.x() + lean.x(), at.y() + lean.y(), 0.95);
+  // Seen along +z a positive rotation about z turns clockwise.
+  const double angle = M_PI / 2 - values.twist_rad;
+  const Eigen::Vector2d ray(std::cos(angle), std::sin(angle));
+  placeBar(twist, ray * (kEdge_mm - 2.6), ray * (kEdge_mm + 1.6), 1.1, 0.8);
+}
+
+BullsEye::BullsEye() : implementation_(std::make_unique<Implementation>()) { set({}); }
+BullsEye::~BullsEye() = default;
+
+void BullsEye::setTolerance(const guidance::Tolerance& tolerance) {
+  implementation_->zone->SetScale(tolerance.lateral_mm / 2.0, tolerance.lateral_mm / 2.0, 1.0);
+}
+
+void BullsEye::set(const guidance::GuidanceState& guidance) {
+  auto& b = *implementation_;
+  const bool has_values = guidance.values.has_value() && guidance.state != guidance::State::lost;
+  for (vtkActor* actor : {b.coil_ring.Get(), b.stroke.Get(), b.stroke_end.Get(), b.twist.Get()})
+    actor->SetVisibility(has_values);
+  for (auto& arm : b.cross) arm->SetVisibility(has_values);
+  const bool is_on_target = guidance.state == guidance::State::on_target;
+  colourAll({b.zone, b.centre, b.rim}, !has_values    ? palette::kLine
+                                       : is_on_target ? palette::kBlue
+                                                      : palette::kOrange);
+  if (has_values) b.place(*guidance.values);
+}
+
+vtkRenderer* BullsEye::renderer() const { return implementation_->renderer; }
+
+RgbImage BullsEye::render(int width_px, int height_px) {
+  auto& b = *implementation_;
+  if (!b.offscreen) {
+    b.offscreen = vtkSmartPointer<vtkRenderWindow>::New();
+    b.offscreen->SetOffScreenRendering(1);
+    b.offscreen->SetMultiSamples(4);
+    b.offscreen->AddRenderer(b.renderer);
+  }
+  b.offscreen->SetSize(width_px, height_px);
+  return grab(b.offscreen);
+}
+
+}  // namespace facenav::scene

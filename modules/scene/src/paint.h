@@ -1,0 +1,21 @@
+#pragma once
+// Smooth strokes on an RgbImage: lines, circles and the six orientation letters. Private to scene.
+
+#include <Eigen/Core>
+
+#include "facenav/core/rgb_image.h"
+#include "facenav/scene/palette.h"
+
+namespace facenav::scene {
+
+/// Mixes `colour` into pixel (u, v); outside the image: nothing.
+void blend(RgbImage& image, int u, int v, const palette::Rgb& colour, double opacity);
+void line(RgbImage& image, const Eigen::Vector2d& a_px, const Eigen::Vector2d& b_px,
+          const palette::Rgb& colour, double width_px, double opacity);
+void circle(RgbImage& image, const Eigen::Vector2d& centre_px, double radius_px, const palette::Rgb& colour,
+            double width_px, double opacity);
+/// One of R L A P S I, `height_px` tall, centred.
+void letter(RgbImage& image, char which, const Eigen::Vector2d& centre_px, double height_px,
+            const palette::Rgb& colour);
+
+}  // namespace facenav::scene

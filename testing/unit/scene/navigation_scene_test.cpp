@@ -1,0 +1,170 @@
+#include "facenav/scene/navigation_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "facenav/scene/display.h"
+#include "facenav/scene/navigation_display.h"
+#include "facenav/scene/palette.h"
+
+#define FACENAV_NEEDS_DISPLAY() \
+  if (!hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run"
+
+namespace facenav::scene {
+namespace {
+
+surface::TriangleMesh ball(double radius_mm) {
+  surface::TriangleMesh mesh;
+  const int rows = 40, columns = 60;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const double phi = M_PI * i / (rows - 1), theta = 2 * M_PI * j / (columns - 1);
+      const Eigen::Vector3d d(std::sin(phi) * std::cos(theta), std::sin(phi) * std::sin(theta),
+                              std::cos(phi));
+      mesh.vertices_mm.push_back(radius_mm * d);
+      mesh.normals.push_back(d);
+    }
+  for (int i = 0; i + 1 < rows; ++i)
+    for (int j = 0; j + 1 < columns; ++j) {
+      const int a = i * columns + j;
+      mesh.triangles.emplace_back(a, a + columns, a + 1);
+      mesh.triangles.emplace_back(a + 1, a + columns, a + columns + 1);
+    }
+  return mesh;
+}
+
+guidance::Target topTarget() {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();  // z down into the head, y anterior, x = y cross z = left
+  m.block<3, 3>(0, 0) << -1, 0, 0, 0, 1, 0, 0, 0, -1;
+  m(2, 3) = 100.0;
+  guidance::Target target;
+  target.name = "vertex";
+  target.mri_T_target = RigidTransform<Mri, Target>::fromMatrix(m);
+  target.cortex_point = Point<Mri>(0, 0, 80);
+  target.scalp_point = Point<Mri>(0, 0, 100);
+  return target;
+}
+
+/// Share of pixels nearer to the copper of the coil's windings than to grey.
+double copperShare(const RgbImage& image) {
+  int n = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) n += int(image.rgb[i]) - int(image.rgb[i + 2]) > 45;
+  return n / (image.rgb.size() / 3.0);
+}
+
+double saturation(const RgbImage& image) {
+  double sum = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+    sum += std::abs(int(image.rgb[i]) - int(image.rgb[i + 2]));
+  return sum / (image.rgb.size() / 3.0);
+}
+
+class NavigationSceneTest : public ::testing::Test {
+ protected:
+  void prepare() {
+    scene_ = std::make_unique<NavigationScene>();
+    scene_->setScalp(ball(100));
+    scene_->setTargets({topTarget()}, "vertex");
+    scene_->setView(ViewPreset::target);
+  }
+  /// Camera 600 mm before the face: Camera x = patient's left .. (looking along -y of Mri).
+  static RigidTransform<Camera, Mri> cameraPose() {
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    m.block<3, 3>(0, 0) << -1, 0, 0, 0, 0, -1, 0, -1, 0;
+    m(2, 3) = 600;
+    return RigidTransform<Camera, Mri>::fromMatrix(m);
+  }
+  static RigidTransform<Camera, Coil> coilAtTarget() {
+    return cameraPose() * topTarget().mri_T_target.reframe<Mri, Coil>();  // the wanted pose of Coil
+  }
+  std::unique_ptr<NavigationScene> scene_;
+};
+
+TEST_F(NavigationSceneTest, ShowsTheCoilOnlyWhileHeadAndCoilAreTracked) {
+  FACENAV_NEEDS_DISPLAY();
+  prepare();
+  EXPECT_FALSE(scene_->showsCoil());
+  scene_->setHeadPose({cameraPose(), 0.9});
+  scene_->setCoilPose({coilAtTarget(), 0.9});
+  EXPECT_TRUE(scene_->showsCoil());
+  const double with_coil = copperShare(scene_->render(320, 240));
+  scene_->setHeadPose(Lost{LostReason::no_face});
+  EXPECT_FALSE(scene_->showsCoil());
+  const RgbImage lost = scene_->render(320, 240);
+  EXPECT_GT(with_coil, 0.01);
+  EXPECT_LT(copperShare(lost), 0.002);  // coil gone, target ring grey
+  EXPECT_LT(saturation(lost), 8.0);     // skin grey
+  scene_->setHeadPose({cameraPose(), 0.9});
+  scene_->setCoilPose(Lost{LostReason::no_marker});
+  EXPECT_FALSE(scene_->showsCoil());
+}
+
+TEST_F(NavigationSceneTest, HeadStandsStillWhenHeadAndCoilMoveTogether) {
+  FACENAV_NEEDS_DISPLAY();
+  prepare();
+  scene_->setHeadPose({cameraPose(), 0.9});
+  scene_->setCoilPose({coilAtTarget(), 0.9});
+  const RgbImage before = scene_->render(200, 160);
+  const RigidTransform<Camera, Camera> motion(
+      Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 0.5).normalized())), {30, -20, 40});
+  scene_->setHeadPose({motion * cameraPose(), 0.9});
+  scene_->setCoilPose({motion * coilAtTarget(), 0.9});
+  const RgbImage after = scene_->render(200, 160);
+  double difference = 0;
+  for (std::size_t i = 0; i < before.rgb.size(); ++i)
+    difference += std::abs(int(before.rgb[i]) - int(after.rgb[i]));
+  EXPECT_LT(difference / before.rgb.size(), 0.05);  // grey levels; rounding of the matrices alone
+}
+
+TEST_F(NavigationSceneTest, FrontViewPutsThePatientsLeftOnTheRight) {
+  FACENAV_NEEDS_DISPLAY();
+  prepare();
+  guidance::Target left = topTarget();
+  left.cortex_point = Point<Mri>(-60, 0, 30);
+  left.mri_T_target = RigidTransform<Mri, Target>(Eigen::Quaterniond::Identity(), {-80, 0, 40});
+  scene_->setTargets({left}, "vertex");
+  scene_->setView(ViewPreset::front);
+  SceneLayers layers;
+  layers.scalp = false;
+  scene_->setLayers(layers);
+  const RgbImage image = scene_->render(300, 240);
+  double sum_u = 0, n = 0;
+  for (int v = 0; v < 180; ++v)  // above the head icon
+    for (int u = 0; u < 300; ++u)
+      if (image.pixel(u, v)[0] - image.pixel(u, v)[2] > 60) sum_u += u, ++n;
+  ASSERT_GT(n, 10);
+  EXPECT_GT(sum_u / n, 190.0);
+}
+
+TEST_F(NavigationSceneTest, PickReturnsThePointUnderTheMouseInMri) {
+  FACENAV_NEEDS_DISPLAY();
+  prepare();
+  scene_->setView(ViewPreset::front);
+  scene_->render(300, 300);
+  const auto pick = scene_->pick(150, 150);
+  ASSERT_TRUE(pick.has_value());
+  EXPECT_FALSE(pick->is_brain);
+  EXPECT_NEAR(pick->point.mm.norm(), 100.0, 0.5);
+  EXPECT_GT(pick->point.mm.y(), 98.0);
+  EXPECT_FALSE(scene_->pick(2, 298).has_value());
+}
+
+TEST_F(NavigationSceneTest, DisplayBlanksTheFiguresWhenLost) {
+  FACENAV_NEEDS_DISPLAY();
+  prepare();
+  NavigationDisplay display(*scene_, 640, 360);
+  NavigationDisplayContent content;
+  content.guidance.state = guidance::State::lost;
+  content.guidance.values =  // must not be drawn although they are there
+      guidance::evaluate(topTarget(), topTarget().mri_T_target.reframe<Mri, Coil>());
+  content.guidance.instruction = "COIL LOST";
+  const RgbImage lost = display.render(content);
+  content.guidance.values.reset();
+  const RgbImage without = display.render(content);
+  ASSERT_EQ(lost.rgb.size(), 640u * 360 * 3);
+  EXPECT_EQ(lost.rgb, without.rgb);
+}
+
+}  // namespace
+}  // namespace facenav::scene
