@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "facenav/core/task_monitor.h"
+#include "facenav/stereo/dense_matcher.h"
 #include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
 
@@ -17,6 +18,7 @@ struct FaceCloudOptions {
   double nearest_mm = 300.0, farthest_mm = 1500.0;  // depth range searched
   std::optional<cv::Rect> left_roi;                 // in the left image as recorded; empty: the whole image
   std::string matcher = "ssd";                      // "ssd": ours; "sgbm": OpenCV's, as a peer
+  MatchOptions match;                               // limits of what is believed
 };
 
 struct FaceCloud {

@@ -1,0 +1,59 @@
+#pragma once
+// DenseMatcher: rectified pair -> disparity of each left pixel. "ssd" is ours (paper, section 7.1: 11 x 11
+// SSD) made sub-pixel; "sgbm" is OpenCV's semi-global matcher, kept as a peer to measure against.
+//
+// Ours has two stages. 1: truncated SSD of locally normalised images at whole pixels, box sums carried from
+// column to column, 16-bit SIMD, left-right check. 2: at each pixel a Gauss-Newton fit of the right window to
+// the left one with disparity, its slope along x and y, gain and offset. The slopes matter: without them a
+// cheek seen at 45 degrees is off by tenths of a pixel; gain and offset absorb that the cameras see the skin
+// from different sides.
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "facenav/core/field.h"
+#include "facenav/stereo/rectification.h"
+
+namespace facenav::stereo {
+
+struct MatchOptions {
+  int window_px = 11;  // odd, 5 .. 15
+  double largest_sigma_px =
+      0.25;  // predicted standard deviation of the disparity above which a pixel is dropped
+  double least_correlation = 0.75;  // of the fitted windows
+  double largest_slope = 1.0;       // |d(disparity)/dx| of a surface still believed
+  int smallest_patch_px = 150;      // connected patches below this many pixels are dropped as speckles
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"window_px", "side of the matching window, odd", 5, 15}, self.window_px);
+    visitor(Field{"largest_sigma_px", "predicted deviation above which a pixel is dropped", 0.01, 2},
+            self.largest_sigma_px);
+    visitor(Field{"least_correlation", "least correlation of the fitted windows", 0, 1},
+            self.least_correlation);
+    visitor(Field{"largest_slope", "steepest disparity slope believed", 0.1, 2}, self.largest_slope);
+    visitor(Field{"smallest_patch_px", "smaller connected patches are dropped", 0, 100000},
+            self.smallest_patch_px);
+  }
+};
+
+struct DisparityMap {
+  cv::Mat disparity_px;      // 32-bit float, NaN where there is none; as Rectification counts it
+  cv::Mat slope_x, slope_y;  // 32-bit float: its derivative along x and y (empty when the matcher knows none)
+  cv::Mat sigma_px;          // 32-bit float: predicted standard deviation
+};
+
+class DenseMatcher {
+ public:
+  virtual ~DenseMatcher() = default;
+  virtual DisparityMap match(const Rectification& rectification, const RectifiedPair& pair,
+                             const MatchOptions& options) const = 0;
+};
+
+/// "ssd" or "sgbm". Throws Error for another name, listing these.
+std::unique_ptr<DenseMatcher> makeDenseMatcher(const std::string& name);
+std::vector<std::string> denseMatcherNames();
+
+}  // namespace facenav::stereo

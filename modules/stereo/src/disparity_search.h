@@ -1,0 +1,13 @@
+#pragma once
+// Stage 1 of the "ssd" matcher: whole-pixel disparities by truncated SSD of locally normalised images.
+
+#include <opencv2/core.hpp>
+
+#include "facenav/stereo/rectification.h"
+
+namespace facenav::stereo {
+
+/// 16-bit signed, size of the rectified left image: the disparity, -1 where there is none.
+cv::Mat searchDisparities(const Rectification& rectification, const RectifiedPair& pair, int window_px);
+
+}  // namespace facenav::stereo

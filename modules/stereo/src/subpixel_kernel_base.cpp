@@ -1,0 +1,14 @@
+#include "subpixel_kernel.h"
+
+#include <cmath>
+
+namespace facenav::stereo::subpixel {
+namespace {
+#include "subpixel_kernel.inl"
+}  // namespace
+
+void fitRowBase(const Images& images, const Limits& limits, int y, const Row& row) {
+  fitRow(images, limits, y, row);
+}
+
+}  // namespace facenav::stereo::subpixel
