@@ -1,1 +1,28 @@
+#include "brain_checks.h"
+#include "brain_start.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/regrid.h"
+
+namespace facenav::segmentation {
+namespace {
+
+class BetSegmenter : public Segmenter {
+ public:
+  SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const override {
+    requireBrainScan(volume);
+    monitor.report("looking for the brain", 0);
+    const volume::Volume working = workingVolume(volume, 1.0), coarse = halved(working);
+    const BrainStart start = findBrainStart(coarse);
+    const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, BetOptions(), monitor);
+    SegmentationResult result;
+    result.mask = volume::resample(enclosed(surface, working.grid), volume.grid);
+    result.warnings = checkBrain(result.mask);
+    return result;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Segmenter> makeBetSegmenter() { return std::make_unique<BetSegmenter>(); }
+
+}  // namespace facenav::segmentation

@@ -27,5 +27,8 @@ class Segmenter {
 std::unique_ptr<Segmenter> makeHeadSegmenter();
 /// "bet": a deformable surface after Smith 2002, with what heads with a long neck need.
 std::unique_ptr<Segmenter> makeBetSegmenter();
+/// "brain", the default: BET's surface, then bias field and tissue classes, then grey and white matter with closed sulci,
+/// torn off from dura, eyes and neck. T1 MR.
+std::unique_ptr<Segmenter> makeBrainSegmenter();
 
 }  // namespace facenav::segmentation

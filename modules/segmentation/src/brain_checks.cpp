@@ -1,0 +1,82 @@
+#include "brain_checks.h"
+
+#include <array>
+#include <cmath>
+
+#include "facenav/core/error.h"
+#include "facenav/volume/regrid.h"
+
+namespace facenav::segmentation {
+namespace {
+
+using volume::Mask;
+
+constexpr double kLeast_ml = 600, kMost_ml = 2200;  // no brain that rTMS treats lies outside
+constexpr double kNormalLeast_ml = 1100, kNormalMost_ml = 1700;
+constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
+constexpr double kLeastExtent_mm = 100;
+constexpr double kThickSlice_mm = 3;
+constexpr double kCutArea_mm2 = 100;  // of the brain in the scan's outermost slice
+
+[[noreturn]] void noBrain(const std::string& reason) {
+  throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
+}
+
+std::string millilitres(double ml) { return std::to_string(int(std::lround(ml))) + " ml"; }
+
+/// Area of the mask in the outermost slice of each side of the grid (RAS order): left, right, back, front,
+/// bottom, top.
+std::array<double, 6> areaAtEdges_mm2(const Mask& brain) {
+  const Mask ras = volume::toRasOrder(brain);
+  const auto& n = ras.grid.size;
+  const Eigen::Vector3d h = ras.grid.spacing_mm();
+  std::array<double, 6> area{};
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i) {
+        const bool is_edge = i == 0 || j == 0 || k == 0 || i == n[0] - 1 || j == n[1] - 1 || k == n[2] - 1;
+        if (!is_edge || !ras.at(i, j, k)) continue;
+        const std::array<int, 3> at{i, j, k};
+        for (int a = 0; a < 3; ++a) {
+          const double pixel_mm2 = h.prod() / h[a];
+          if (at[a] == 0) area[2 * a] += pixel_mm2;
+          if (at[a] == n[a] - 1) area[2 * a + 1] += pixel_mm2;
+        }
+      }
+  return area;
+}
+
+}  // namespace
+
+void requireBrainScan(const volume::Volume& volume) {
+  if (volume.modality == "CT") noBrain("this is a CT, in which grey and white matter look alike");
+  const Eigen::Vector3d h = volume.grid.spacing_mm();
+  for (int a = 0; a < 3; ++a)
+    if (volume.grid.size[a] * h[a] < kLeastExtent_mm)
+      noBrain("the scan covers only " + std::to_string(int(volume.grid.size[a] * h[a])) +
+              " mm in one direction");
+}
+
+void requireTissueContrast(const TissueModel& tissue) {
+  if (!(tissue.contrast() >= kLeastContrast)) noBrain("grey and white matter do not differ in this scan");
+}
+
+std::vector<std::string> checkBrain(const Mask& brain) {
+  const double ml = brain.volume_ml();
+  if (ml < kLeast_ml || ml > kMost_ml)
+    noBrain("what looks like a brain measures " + millilitres(ml) + " (600 to 2200 is possible)");
+  std::vector<std::string> warnings;
+  if (ml < kNormalLeast_ml || ml > kNormalMost_ml)
+    warnings.push_back("the brain measures " + millilitres(ml) +
+                       ", adults have 1100 to 1700 ml: check its outline");
+  constexpr std::array<const char*, 6> kSides{"left", "right", "back", "front", "bottom", "top"};
+  const auto area = areaAtEdges_mm2(brain);
+  for (int side = 0; side < 6; ++side)
+    if (area[side] > kCutArea_mm2)
+      warnings.push_back(std::string("the brain is cut by the scan's edge at the ") + kSides[side]);
+  if (brain.grid.spacing_mm().maxCoeff() > kThickSlice_mm)
+    warnings.push_back("the slices are thicker than 3 mm: the brain's surface is coarse");
+  return warnings;
+}
+
+}  // namespace facenav::segmentation

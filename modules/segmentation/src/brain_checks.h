@@ -1,0 +1,19 @@
+#pragma once
+// When a brain mask can be believed, and what the radiographer should look at.
+
+#include <string>
+#include <vector>
+
+#include "brain_tissue.h"
+
+namespace facenav::segmentation {
+
+/// Throws Error "no brain can be modelled: ..." for a CT, and for a volume too small or flat to hold a head.
+void requireBrainScan(const volume::Volume& volume);
+/// Throws Error "no brain can be modelled: ..." where the tissues have no contrast.
+void requireTissueContrast(const TissueModel& tissue);
+/// Throws Error "no brain can be modelled: ..." for volumes that no brain has; else warnings in plain words.
+/// `brain` lies on the scan's own grid.
+std::vector<std::string> checkBrain(const volume::Mask& brain);
+
+}  // namespace facenav::segmentation

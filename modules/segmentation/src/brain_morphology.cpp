@@ -1,0 +1,205 @@
+#include "brain_morphology.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace facenav::segmentation {
+namespace {
+
+using volume::Mask;
+using volume::VoxelGrid;
+constexpr float kFar = 1e9f;
+
+/// Lower envelope of parabolas along one line (Felzenszwalb and Huttenlocher 2012), voxel units squared.
+struct LineTransform {
+  explicit LineTransform(int longest) : f(longest), corner(longest), from(longest), start(longest + 1) {}
+  std::vector<float> f;
+  std::vector<int> corner;
+  std::vector<float> from, start;
+
+  void run(float* line, std::size_t stride, int n) {
+    for (int i = 0; i < n; ++i) f[i] = line[i * stride];
+    int k = -1;
+    for (int q = 0; q < n; ++q) {
+      if (f[q] >= kFar) continue;
+      float s = -kFar;
+      while (k >= 0) {
+        const int v = corner[k];
+        s = ((f[q] + float(q) * q) - (f[v] + float(v) * v)) / (2.f * (q - v));
+        if (s > start[k]) break;
+        --k;
+      }
+      ++k;
+      corner[k] = q;
+      start[k] = k == 0 ? -kFar : s;
+    }
+    if (k < 0) return;
+    for (int q = 0, c = 0; q < n; ++q) {
+      while (c < k && start[c + 1] < q) ++c;
+      const float d = float(q - corner[c]);
+      line[q * stride] = d * d + f[corner[c]];
+    }
+  }
+};
+
+std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
+  const auto& n = mask.grid.size;
+  std::vector<float> d(mask.voxels.size());
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = (mask.voxels[i] != 0) == (target != 0) ? 0.f : kFar;
+  LineTransform line(*std::max_element(n.begin(), n.end()));
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j) line.run(&d[mask.grid.index(0, j, k)], 1, n[0]);
+  for (int k = 0; k < n[2]; ++k)
+    for (int i = 0; i < n[0]; ++i) line.run(&d[mask.grid.index(i, 0, k)], n[0], n[1]);
+  for (int j = 0; j < n[1]; ++j)
+    for (int i = 0; i < n[0]; ++i) line.run(&d[mask.grid.index(i, j, 0)], std::size_t(n[0]) * n[1], n[2]);
+  return d;
+}
+
+float squaredRadius(const Mask& mask, double radius_mm) {
+  const double voxels = radius_mm / mask.grid.spacing_mm().mean();
+  return float(voxels * voxels * (1 + 1e-6));
+}
+
+Mask keep(const Mask& mask, const std::vector<float>& value, bool (*rule)(float, float), float limit) {
+  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
+  for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = rule(value[i], limit);
+  return out;
+}
+
+/// Calls visit(neighbour index) for the 6-neighbours of voxel `at` inside the grid.
+template <class Visit>
+void neighbours(const VoxelGrid& grid, std::size_t at, Visit&& visit) {
+  const auto& n = grid.size;
+  const std::size_t row = n[0], slab = std::size_t(n[0]) * n[1];
+  const int i = int(at % row), j = int(at / row % n[1]), k = int(at / slab);
+  if (i > 0) visit(at - 1);
+  if (i + 1 < n[0]) visit(at + 1);
+  if (j > 0) visit(at - row);
+  if (j + 1 < n[1]) visit(at + row);
+  if (k > 0) visit(at - slab);
+  if (k + 1 < n[2]) visit(at + slab);
+}
+
+/// The 6-connected parts, each as the list of its voxels.
+std::vector<std::vector<std::uint32_t>> parts(const Mask& mask) {
+  std::vector<std::uint8_t> seen(mask.voxels.size());
+  std::vector<std::vector<std::uint32_t>> all;
+  for (std::size_t start = 0; start < seen.size(); ++start) {
+    if (seen[start] || !mask.voxels[start]) continue;
+    std::vector<std::uint32_t> part{std::uint32_t(start)};
+    seen[start] = 1;
+    for (std::size_t head = 0; head < part.size(); ++head)
+      neighbours(mask.grid, part[head], [&](std::size_t next) {
+        if (seen[next] || !mask.voxels[next]) return;
+        seen[next] = 1;
+        part.push_back(std::uint32_t(next));
+      });
+    all.push_back(std::move(part));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<float> distanceTo(const Mask& mask) {
+  auto d = squaredDistance(mask, 1);
+  const float spacing = float(mask.grid.spacing_mm().mean());
+  for (float& v : d) v = std::sqrt(v) * spacing;
+  return d;
+}
+
+std::vector<float> depthWithin(const Mask& mask) {
+  auto d = squaredDistance(mask, 0);
+  const float spacing = float(mask.grid.spacing_mm().mean());
+  for (float& v : d) v = std::sqrt(v) * spacing;
+  return d;
+}
+
+Mask dilate(const Mask& mask, double radius_mm) {
+  return keep(
+      mask, squaredDistance(mask, 1), [](float d, float r) { return d <= r; },
+      squaredRadius(mask, radius_mm));
+}
+
+Mask erode(const Mask& mask, double radius_mm) {
+  return keep(
+      mask, squaredDistance(mask, 0), [](float d, float r) { return d > r; }, squaredRadius(mask, radius_mm));
+}
+
+Mask close(const Mask& mask, double radius_mm) { return erode(dilate(mask, radius_mm), radius_mm); }
+Mask open(const Mask& mask, double radius_mm) { return dilate(erode(mask, radius_mm), radius_mm); }
+
+Mask largestPart(const Mask& mask) {
+  const auto all = parts(mask);
+  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
+  const auto largest =
+      std::max_element(all.begin(), all.end(), [](auto& a, auto& b) { return a.size() < b.size(); });
+  if (largest != all.end())
+    for (std::uint32_t v : *largest) out.voxels[v] = 1;
+  return out;
+}
+
+Mask withoutSpecks(const Mask& mask, std::size_t voxels) {
+  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
+  for (const auto& part : parts(mask))
+    if (part.size() >= voxels)
+      for (std::uint32_t v : part) out.voxels[v] = 1;
+  return out;
+}
+
+Mask fillHoles(const Mask& mask) {
+  const auto& n = mask.grid.size;
+  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size(), 1)};
+  std::vector<std::uint32_t> front;
+  const auto reach = [&](std::size_t v) {
+    if (mask.voxels[v] || !out.voxels[v]) return;
+    out.voxels[v] = 0;
+    front.push_back(std::uint32_t(v));
+  };
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+        if (i == 0 || j == 0 || k == 0 || i == n[0] - 1 || j == n[1] - 1 || k == n[2] - 1)
+          reach(mask.grid.index(i, j, k));
+  while (!front.empty()) {
+    const std::size_t at = front.back();
+    front.pop_back();
+    neighbours(mask.grid, at, reach);
+  }
+  return out;
+}
+
+Mask intersection(const Mask& a, const Mask& b) {
+  Mask out = a;
+  for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = a.voxels[i] & b.voxels[i];
+  return out;
+}
+
+Mask unionOf(const Mask& a, const Mask& b) {
+  Mask out = a;
+  for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = a.voxels[i] | b.voxels[i];
+  return out;
+}
+
+Mask grow(const Mask& seed, const Mask& all, int steps) {
+  Mask out = intersection(seed, all);
+  std::vector<std::uint32_t> front, next_front;
+  for (std::size_t i = 0; i < out.voxels.size(); ++i)
+    if (out.voxels[i]) front.push_back(std::uint32_t(i));
+  for (int s = 0; s < steps && !front.empty(); ++s) {
+    next_front.clear();
+    for (std::uint32_t at : front)
+      neighbours(out.grid, at, [&](std::size_t v) {
+        if (out.voxels[v] || !all.voxels[v]) return;
+        out.voxels[v] = 1;
+        next_front.push_back(std::uint32_t(v));
+      });
+    front.swap(next_front);
+  }
+  return out;
+}
+
+}  // namespace facenav::segmentation

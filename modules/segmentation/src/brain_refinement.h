@@ -1,0 +1,26 @@
+#pragma once
+// From BET's smooth surface to tissue with closed sulci: what has the intensity of grey or white matter near
+// that surface, torn off from dura, eyes, vessels and muscle by erosion, grown back where it is tissue, then
+// sulci and ventricles closed.
+
+#include "brain_tissue.h"
+
+namespace facenav::segmentation {
+
+struct RefinementOptions {
+  double search_mm = 5;        // tissue is sought this far outside the first surface
+  double tissue_share = 0.42;  // lower limit of tissue, between fluid (0) and grey matter (1)
+  double brightest = 1.35;     // upper limit, times white matter: above are fat and vessels
+  double tear_mm = 2.5;        // bridges thinner than twice this are torn
+  double regrow_mm = 4.5;      // from the torn core back, through tissue
+  double sulcus_mm = 4;        // sulci up to twice this wide are closed
+  double hull_mm = 10,
+         deep_mm = 5;      // what lies this deep within a coarse closing is inside: ventricles, fissures
+  double smooth_mm = 1.5;  // spikes thinner than twice this are cut
+};
+
+/// `flat`: bias-corrected, cubic voxels; `first` on its grid. May be empty.
+volume::Mask refineBrain(const volume::Volume& flat, const volume::Mask& first, const TissueModel& tissue,
+                         const RefinementOptions& options);
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,67 @@
+#include <algorithm>
+
+#include "brain_checks.h"
+#include "brain_morphology.h"
+#include "brain_refinement.h"
+#include "brain_start.h"
+#include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/regrid.h"
+
+namespace facenav::segmentation {
+namespace {
+
+using volume::Mask;
+using volume::Volume;
+using volume::VoxelGrid;
+
+constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
+constexpr double kCore_mm = 5;     // this deep in the first mask there is nothing but brain
+
+/// The part of the grid that holds the mask, with a margin.
+VoxelGrid gridAround(const Mask& mask, double margin_mm) {
+  const auto& n = mask.grid.size;
+  std::array<int, 3> low = n, high{-1, -1, -1};
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i) {
+        if (!mask.at(i, j, k)) continue;
+        const std::array<int, 3> at{i, j, k};
+        for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], at[a]), high[a] = std::max(high[a], at[a]);
+      }
+  const int margin = int(margin_mm / mask.grid.spacing_mm().mean());
+  VoxelGrid grid = mask.grid;
+  for (int a = 0; a < 3; ++a) grid.size[a] = std::max(0, high[a] - low[a] + 1) + 2 * margin;
+  grid.mri_from_voxel.translate(Eigen::Vector3d(low[0] - margin, low[1] - margin, low[2] - margin));
+  return grid;
+}
+
+class BrainSegmenter : public Segmenter {
+ public:
+  SegmentationResult segment(const Volume& volume, TaskMonitor& monitor) const override {
+    requireBrainScan(volume);
+    monitor.report("looking for the brain", 0);
+    const Volume working = workingVolume(volume, 1.0), coarse = halved(working);
+    const BrainStart start = findBrainStart(coarse);
+    const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, BetOptions(), monitor);
+    const Mask whole = enclosed(surface, working.grid);
+    const VoxelGrid grid = gridAround(whole, kMargin_mm);
+    const Mask first = volume::resample(whole, grid);
+    const Volume image = volume::resample(working, grid);
+    monitor.report("measuring grey and white matter", 0.6);
+    const TissueModel tissue = fitTissue(image, erode(first, kCore_mm));
+    requireTissueContrast(tissue);
+    monitor.report("separating the brain", 0.75);
+    const Mask brain = refineBrain(corrected(image, tissue), first, tissue, RefinementOptions());
+    monitor.report("checking the brain", 0.95);
+    SegmentationResult result;
+    result.mask = volume::resample(brain, volume.grid);
+    result.warnings = checkBrain(result.mask);
+    return result;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Segmenter> makeBrainSegmenter() { return std::make_unique<BrainSegmenter>(); }
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,130 @@
+#include "brain_start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brain_morphology.h"
+#include "facenav/core/error.h"
+#include "facenav/volume/regrid.h"
+
+namespace facenav::segmentation {
+namespace {
+
+using volume::Mask;
+using volume::Volume;
+using volume::VoxelGrid;
+
+constexpr double kPad_mm = 6;          // room around the scan, so that nothing touches the border
+constexpr double kTopArea_mm2 = 2500;  // a slice this large belongs to the head, not to hair or noise
+constexpr double kGirthFrom_mm = 100,
+                 kGirthTo_mm = 20;  // below the top: the slices that give girth and centre
+// The girth is the radius of the disc with the area of a large axial slice: 84 mm in adults, less in
+// children.
+constexpr double kLeastGirth_mm = 50, kMostGirth_mm = 125;
+constexpr double kRoundness = 0.98,
+                 kBrainShare = 0.81;  // height of the centre, radius of the brain's ball, per girth
+
+[[noreturn]] void noBrain(const std::string& reason) {
+  throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
+}
+
+struct Slices {
+  std::vector<double> area_mm2;
+  std::vector<Eigen::Vector2d> centre;  // voxels
+};
+
+Slices sliceAreas(const Mask& head) {
+  const auto& n = head.grid.size;
+  const double pixel_mm2 = std::pow(head.grid.spacing_mm().mean(), 2);
+  Slices s{std::vector<double>(n[2]), std::vector<Eigen::Vector2d>(n[2], Eigen::Vector2d::Zero())};
+  for (int k = 0; k < n[2]; ++k) {
+    std::size_t count = 0;
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+        if (head.at(i, j, k)) ++count, s.centre[k] += Eigen::Vector2d(i, j);
+    if (count) s.centre[k] /= double(count);
+    s.area_mm2[k] = double(count) * pixel_mm2;
+  }
+  return s;
+}
+
+Mask headOf(const Volume& working, float threshold) {
+  Mask head{working.grid, std::vector<std::uint8_t>(working.voxels.size())};
+  for (std::size_t v = 0; v < head.voxels.size(); ++v) head.voxels[v] = working.voxels[v] > threshold;
+  return largestPart(open(head, 3.0));
+}
+
+}  // namespace
+
+Volume workingVolume(const Volume& volume, double spacing_mm) {
+  const float floor = volume::percentile(volume, 0.02);
+  Volume above{volume.grid, volume.voxels, volume.modality, volume.orientation_source};
+  for (float& value : above.voxels) value = std::isfinite(value) ? value - floor : 0.f;
+  VoxelGrid grid = volume::isotropicGrid(volume.grid, spacing_mm);
+  const int pad = int(std::ceil(kPad_mm / spacing_mm));
+  for (int a = 0; a < 3; ++a) grid.size[a] += 2 * pad;
+  grid.mri_from_voxel.translate(Eigen::Vector3d::Constant(-pad));
+  return volume::resample(above, grid);
+}
+
+Volume halved(const Volume& volume) {
+  Volume out;
+  out.modality = volume.modality;
+  out.orientation_source = volume.orientation_source;
+  out.grid = volume.grid;
+  for (int a = 0; a < 3; ++a) out.grid.size[a] = std::max(1, volume.grid.size[a] / 2);
+  out.grid.mri_from_voxel.translate(Eigen::Vector3d::Constant(0.5));
+  out.grid.mri_from_voxel.linear() *= 2;
+  out.voxels.resize(out.grid.count());
+  const std::size_t row = volume.grid.size[0], slab = row * volume.grid.size[1];
+  std::size_t o = 0;
+  for (int k = 0; k < out.grid.size[2]; ++k)
+    for (int j = 0; j < out.grid.size[1]; ++j)
+      for (int i = 0; i < out.grid.size[0]; ++i, ++o) {
+        const float* p = &volume.voxels[volume.grid.index(2 * i, 2 * j, 2 * k)];
+        out.voxels[o] =
+            (p[0] + p[1] + p[row] + p[row + 1] + p[slab] + p[slab + 1] + p[slab + row] + p[slab + row + 1]) /
+            8;
+      }
+  return out;
+}
+
+BrainStart findBrainStart(const Volume& working) {
+  const float t98 = volume::percentile(working, 0.98);
+  if (!(t98 > 0)) noBrain("the volume has no contrast");
+  const Mask head = headOf(working, 0.1f * t98);
+  const Slices slices = sliceAreas(head);
+  const double spacing_mm = working.grid.spacing_mm().mean();
+  int top = int(slices.area_mm2.size()) - 1;
+  while (top >= 0 && slices.area_mm2[top] < kTopArea_mm2) --top;
+  if (top < 0) noBrain("there is no head in this volume");
+  const int from = std::max(0, top - int(kGirthFrom_mm / spacing_mm)),
+            to = std::max(0, top - int(kGirthTo_mm / spacing_mm));
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double weight = 0;
+  std::vector<double> areas;
+  for (int k = from; k <= to; ++k) {
+    areas.push_back(slices.area_mm2[k]);
+    centre.head<2>() += slices.area_mm2[k] * slices.centre[k];
+    weight += slices.area_mm2[k];
+  }
+  if (weight <= 0) noBrain("there is no head in this volume");
+  const auto upper = areas.begin() + std::ptrdiff_t(areas.size() * 3 / 4);
+  std::nth_element(areas.begin(), upper, areas.end());
+  const double girth_mm = std::sqrt(*upper / M_PI);
+  if (girth_mm < kLeastGirth_mm || girth_mm > kMostGirth_mm)
+    noBrain("the largest object is " + std::to_string(int(2 * girth_mm)) + " mm across, which is no head");
+  // On a ball of that girth the first slice's own size tells how far above the centre it lies, also where the
+  // scan cuts the top.
+  const double below_top_mm =
+      kRoundness * std::sqrt(std::max(0.0, girth_mm * girth_mm - slices.area_mm2[top] / M_PI));
+  centre /= weight;
+  centre.z() = top - below_top_mm / spacing_mm;
+  BrainStart start;
+  start.sphere = {working.grid.toMri(centre).mm, kBrainShare * girth_mm};
+  start.intensities = betIntensities(working, start.sphere, 0, t98);
+  if (!(start.intensities.median > 0)) noBrain("there is nothing where the brain should be");
+  return start;
+}
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,25 @@
+#pragma once
+// Where the brain is, before anything is known about it: the head's top and girth give the centre and size of
+// a ball that lies well inside the brain, whatever length of neck and shoulder the scan holds (a plain centre
+// of gravity sinks into the throat). Works on a RAS grid with cubic voxels.
+
+#include "bet_surface.h"
+
+namespace facenav::segmentation {
+
+struct BrainStart {
+  BetSphere sphere;
+  BetIntensities intensities;
+};
+
+/// `volume` less its robust minimum (so that air is about 0, whatever the offset), on a RAS grid of cubic
+/// voxels with some millimetres of air around it, through which all the working steps run. Values that are
+/// not finite count as air.
+volume::Volume workingVolume(const volume::Volume& volume, double spacing_mm);
+/// Mean of 2 x 2 x 2 voxels.
+volume::Volume halved(const volume::Volume& volume);
+
+/// Throws Error "no brain can be modelled: ..." where no head-sized object is there.
+BrainStart findBrainStart(const volume::Volume& working);
+
+}  // namespace facenav::segmentation
