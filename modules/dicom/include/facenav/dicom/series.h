@@ -1,8 +1,9 @@
 #pragma once
-// DICOM series on disk -> Volume (through GDCM). The volume is built from Image Position and Orientation (Patient)
-// (PS3.3 C.7.6.2), never from file names or slice location alone; rescale applied; LPS flipped to RAS here only.
-// Voxel values and world positions equal dcm2niix's.
+// DICOM series on disk -> Volume (through GDCM). The volume is built from Image Position and Orientation
+// (Patient) (PS3.3 C.7.6.2), never from file names or slice location alone; rescale applied; LPS flipped to
+// RAS here only. Voxel values and world positions equal dcm2niix's.
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,20 +13,33 @@
 
 namespace facenav::dicom {
 
+/// One volume that a series holds, or would hold. A series whose UID covers several (echoes, magnitude and
+/// phase, stacks) gives one entry each, told apart by `part`.
 struct SeriesInfo {
   std::string series_uid, study_uid;
-  std::string description, modality, date;   // date as YYYY-MM-DD or empty; never the patient's name
+  std::string id;                           // what --series takes: the UID, with "#2", "#3" for further parts
+  std::string description, modality, date;  // date as YYYY-MM-DD or empty; never the patient's name
+  std::string part;      // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
+  std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty where unknown
+  int series_number = 0;
   int rows = 0, columns = 0, slices = 0;
   Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();  // column, row, slice
-  std::string plane;                         // "axial", "coronal", "sagittal", "oblique", ...
+  Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();   // along right, anterior, superior
+  std::string plane;  // "axial", "coronal", "sagittal", "axial oblique", ...
   std::vector<std::filesystem::path> files;
+  std::vector<std::vector<int>>
+      frames;  // per file the frames of this volume; empty: every frame of every file
   bool is_loadable = false;
-  std::string problem;                       // why not, in words, when !is_loadable
-  bool is_recommended = false;               // the best T1 for navigation among those listed
+  std::string problem;                 // why not, in words, when !is_loadable
+  std::filesystem::path problem_file;  // the file at fault, where there is one
+  std::vector<std::string> notes;      // duplicates dropped, lossy compression, CT gives the scalp only, ..
+  bool is_fit_for_navigation = false;  // a T1 of the whole head with voxels of at most 1.2 mm
+  std::string fitness;                 // "fit for navigation", or what stands against it, in words
+  bool is_recommended = false;         // the best T1 for navigation among those listed
 };
 
-/// Every series under `folder` (recursively) or of the one file given, the recommended first. Files that are not
-/// DICOM are passed over. Throws Error when the path does not exist or holds no DICOM at all.
+/// Every series under `folder` (recursively) or of the one file given, the recommended first. Files that are
+/// not DICOM are passed over. Throws Error when the path does not exist or holds no DICOM at all.
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& folder, TaskMonitor& monitor);
 
 /// Throws Error naming the file: missing slice, unequal spacing, mixed orientation, truncated pixel data, ...
@@ -36,8 +50,8 @@ struct SeriesTags {
   std::string patient_id = "FaceNav-Virtual", patient_name = "Virtual^Patient", description = "T1";
   std::string study_date = "20200101";
 };
-/// One file a slice, 16-bit MR Image Storage, axis order and obliquity of the volume kept. Values are rounded.
-/// Deterministic UIDs derived from the tags. `folder` must be empty or absent.
+/// One file a slice, 16-bit MR Image Storage, axis order and obliquity of the volume kept. Values are
+/// rounded. Deterministic UIDs derived from the tags. `folder` must be empty or absent.
 void writeSeries(const volume::Volume& volume, const std::filesystem::path& folder, const SeriesTags& tags);
 
 }  // namespace facenav::dicom

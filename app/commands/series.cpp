@@ -1,0 +1,105 @@
+// facenav series DIR [--json]: the DICOM series under DIR, one a line, the recommended one first. No patient
+// name.
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.h"
+#include "facenav/dicom/series.h"
+
+namespace facenav::app {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (const auto& part : parts) text += (text.empty() || part.empty() ? "" : between) + part;
+  return text;
+}
+
+std::string stateOf(const dicom::SeriesInfo& info) {
+  if (!info.is_loadable) {
+    const std::string file = info.problem_file.empty() || info.files.size() < 2
+                                 ? ""
+                                 : " (" + info.problem_file.filename().string() + ")";
+    return "not loadable: " + info.problem + file;
+  }
+  std::vector<std::string> words = info.notes;
+  words.insert(words.begin(), info.fitness);
+  return (info.is_recommended ? "recommended, " : "") + joined(words, "; ");
+}
+
+std::string lineOf(const dicom::SeriesInfo& info) {
+  const std::string name = info.description + (info.part.empty() ? "" : ", " + info.part);
+  std::string shape =
+      std::to_string(info.columns) + " x " + std::to_string(info.rows) + " x " + std::to_string(info.slices);
+  if (info.spacing_mm[2] > 0)
+    shape += ", " + number(info.spacing_mm[0]) + " x " + number(info.spacing_mm[1]) + " x " +
+             number(info.spacing_mm[2]) + " mm";
+  char start[256];
+  std::snprintf(start, sizeof start, "%c %-28.60s %-10s %-3.8s %-9.20s %-44s %-16s ",
+                info.is_recommended ? '*' : ' ', name.c_str(), info.date.c_str(), info.modality.c_str(),
+                info.contrast.c_str(), shape.c_str(), info.plane.c_str());
+  return start + stateOf(info) + "  " + info.id;
+}
+
+nlohmann::json toJson(const dicom::SeriesInfo& info) {
+  nlohmann::json files = nlohmann::json::array();
+  for (const auto& file : info.files) files.push_back(file.string());
+  const auto triple = [](const Eigen::Vector3d& v) { return nlohmann::json{v[0], v[1], v[2]}; };
+  return {{"id", info.id},
+          {"series_uid", info.series_uid},
+          {"study_uid", info.study_uid},
+          {"description", info.description},
+          {"part", info.part},
+          {"date", info.date},
+          {"modality", info.modality},
+          {"contrast", info.contrast},
+          {"series_number", info.series_number},
+          {"rows", info.rows},
+          {"columns", info.columns},
+          {"slices", info.slices},
+          {"spacing_mm", triple(info.spacing_mm)},
+          {"extent_mm", triple(info.extent_mm)},
+          {"plane", info.plane},
+          {"loadable", info.is_loadable},
+          {"problem", info.problem},
+          {"problem_file", info.problem_file.string()},
+          {"notes", info.notes},
+          {"fit_for_navigation", info.is_fit_for_navigation},
+          {"fitness", info.fitness},
+          {"recommended", info.is_recommended},
+          {"files", files}};
+}
+
+}  // namespace
+
+void addSeries(CLI::App& app, Context& context) {
+  struct Options {
+    std::string folder;
+    bool is_json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("series", "list the DICOM series found under a folder");
+  verb->add_option("DIR", options->folder, "a folder (with all below it) or one DICOM file")->required();
+  verb->add_flag("--json", options->is_json, "everything known about each series, as JSON");
+  verb->callback([options, &context] {
+    const auto series = dicom::listSeries(options->folder, context.monitor);
+    if (options->is_json) {
+      nlohmann::json list = nlohmann::json::array();
+      for (const auto& info : series) list.push_back(toJson(info));
+      const auto replace = nlohmann::json::error_handler_t::replace;  // file names need not be UTF-8
+      std::printf("%s\n", list.dump(2, ' ', false, replace).c_str());
+    } else {
+      for (const auto& info : series) std::printf("%s\n", lineOf(info).c_str());
+    }
+  });
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,31 @@
+#pragma once
+// The door for every MRI: a DICOM folder or file, or a NIfTI file, becomes a Volume together with the words
+// that say what was chosen and what left and right rest on. Used by `facenav prepare` and the Prepare
+// workspace.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/core/task_monitor.h"
+#include "facenav/dicom/series.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::dicom {
+
+struct ImportedVolume {
+  volume::Volume volume;  // RAS mm
+  std::vector<std::string>
+      description;  // what was read, its left-right evidence; one line each, no patient name
+  std::vector<std::string> warnings;  // what the user should know before trusting it
+  std::optional<SeriesInfo> series;   // empty for NIfTI
+};
+
+/// Reads `input`: a folder (the recommended series, the only loadable one, or `series_id` as listSeries gives
+/// it), one DICOM file (the series of its folder that it belongs to), or .nii / .nii.gz. Throws Error:
+/// nothing loadable (naming the reason), several candidates and none recommended, unknown id, damage.
+ImportedVolume importVolume(const std::filesystem::path& input, const std::optional<std::string>& series_id,
+                            TaskMonitor& monitor);
+
+}  // namespace facenav::dicom

@@ -1,0 +1,11 @@
+#pragma once
+// Whether two images at one place are the same image stored twice.
+
+#include "slice_stack.h"
+
+namespace facenav::dicom {
+
+/// True when both decode to the same values. Damaged pixels count as different.
+bool isSameImage(const std::vector<SliceHeader>& headers, ImageRef a, ImageRef b);
+
+}  // namespace facenav::dicom

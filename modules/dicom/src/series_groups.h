@@ -1,0 +1,20 @@
+#pragma once
+// Images sorted into the volumes they belong to: by Series Instance UID, and within one UID by what tells
+// volumes apart (orientation, matrix, spacing, echo, magnitude or phase, stack).
+
+#include <vector>
+
+#include "slice_stack.h"
+
+namespace facenav::dicom {
+
+struct SeriesGroup {
+  std::vector<ImageRef> images;
+  std::string part;  // what tells it from the other groups of its UID; empty for the only one
+};
+
+/// Groups of one UID are neighbours in the result. A few images that differ from a large group in geometry
+/// alone stay in it (it is damaged, not two volumes): stackSlices then names them.
+std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers);
+
+}  // namespace facenav::dicom

@@ -1,0 +1,155 @@
+#include "slice_header.h"
+
+#include <gdcmDataSet.h>
+#include <gdcmExplicitDataElement.h>
+#include <gdcmImplicitDataElement.h>
+#include <gdcmSwapper.h>
+#include <gdcmTrace.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "facenav/core/error.h"
+#include "tag_values.h"
+
+namespace facenav::dicom {
+namespace {
+
+using gdcm::Tag;
+
+/// GDCM writes warnings to the terminal; every fault here ends in one Error instead.
+void silenceGdcm() {
+  gdcm::Trace::WarningOff();
+  gdcm::Trace::ErrorOff();
+  gdcm::Trace::DebugOff();
+}
+
+gdcm::DataSet parse(FilePrefix& file, const FileLayout& layout) {
+  silenceGdcm();
+  std::istringstream stream(
+      file.bytes().substr(layout.data_set_start, layout.header_end - layout.data_set_start));
+  gdcm::DataSet data;
+  try {
+    if (layout.is_big_endian)
+      data.Read<gdcm::ExplicitDataElement, gdcm::SwapperDoOp>(stream);
+    else if (layout.is_explicit)
+      data.Read<gdcm::ExplicitDataElement, gdcm::SwapperNoOp>(stream);
+    else
+      data.Read<gdcm::ImplicitDataElement, gdcm::SwapperNoOp>(stream);
+  } catch (const std::exception&) {
+    throw Error("DICOM header is damaged", file.path().string(), "copy or export it again");
+  }
+  return data;
+}
+
+std::string isoDate(const std::string& dicom) {
+  std::string digits;
+  for (const char c : dicom)
+    if (c >= '0' && c <= '9') digits += c;
+  return digits.size() == 8 ? digits.substr(0, 4) + "-" + digits.substr(4, 2) + "-" + digits.substr(6) : "";
+}
+
+VoxelFormat readFormat(const gdcm::DataSet& data) {
+  VoxelFormat format;
+  format.rows = integer(data, {0x0028, 0x0010}, 0);
+  format.columns = integer(data, {0x0028, 0x0011}, 0);
+  format.frames = integer(data, {0x0028, 0x0008}, 1);
+  format.samples = integer(data, {0x0028, 0x0002}, 1);
+  format.bits_allocated = integer(data, {0x0028, 0x0100}, 0);
+  format.bits_stored = integer(data, {0x0028, 0x0101}, format.bits_allocated);
+  format.high_bit = integer(data, {0x0028, 0x0102}, format.bits_stored - 1);
+  format.is_signed = integer(data, {0x0028, 0x0103}, 0) == 1;
+  format.photometric = text(data, {0x0028, 0x0004});
+  format.has_embedded_overlay = integer(data, {0x6000, 0x0102}, 0) > 0;
+  return format;
+}
+
+void readDescription(const gdcm::DataSet& data, SliceHeader& header) {
+  header.sop_class = text(data, {0x0008, 0x0016});
+  header.sop_instance = text(data, {0x0008, 0x0018});
+  header.series_uid = text(data, {0x0020, 0x000E});
+  header.study_uid = text(data, {0x0020, 0x000D});
+  header.description = text(data, {0x0008, 0x103E});
+  if (header.description.empty()) header.description = text(data, {0x0018, 0x1030});
+  header.modality = text(data, {0x0008, 0x0060});
+  for (const Tag& tag : {Tag(0x0008, 0x0021), Tag(0x0008, 0x0022), Tag(0x0008, 0x0020)})
+    if (header.date.empty()) header.date = isoDate(text(data, tag));
+  header.image_type = text(data, {0x0008, 0x0008});
+  header.is_mosaic = header.image_type.find("MOSAIC") != std::string::npos;
+  header.manufacturer = text(data, {0x0008, 0x0070});
+  header.sequence = text(data, {0x0018, 0x0024}) + " " + text(data, {0x0018, 0x0020});
+  header.acquisition_kind = text(data, {0x0018, 0x0023});
+  header.contrast_agent = text(data, {0x0018, 0x0010});
+  header.slice_thickness_mm = number(data, {0x0018, 0x0050}).value_or(0);
+  header.repetition_time_ms = number(data, {0x0018, 0x0080}).value_or(0);
+  header.inversion_time_ms = number(data, {0x0018, 0x0082}).value_or(0);
+  header.gantry_tilt_deg = number(data, {0x0018, 0x1120}).value_or(0);
+  header.series_number = integer(data, {0x0020, 0x0011}, 0);
+  header.instance_number = integer(data, {0x0020, 0x0013}, 0);
+}
+
+ImagePlace classicPlace(const gdcm::DataSet& data, const SliceHeader& header) {
+  ImagePlace place;
+  readPosition(data, place);
+  readOrientation(data, place);
+  readSpacing(data, place);
+  readRescale(data, place);
+  place.echo_time_ms = number(data, {0x0018, 0x0081}).value_or(0);
+  place.kind = header.image_type;
+  place.time_index = integer(data, {0x0020, 0x0100}, 0);
+  return place;
+}
+
+}  // namespace
+
+void readPosition(const gdcm::DataSet& data, ImagePlace& place) {
+  const auto p = numbers(data, {0x0020, 0x0032});
+  if (p.size() == 3) place.position_lps_mm = Eigen::Vector3d(p[0], p[1], p[2]);
+}
+
+void readOrientation(const gdcm::DataSet& data, ImagePlace& place) {
+  const auto o = numbers(data, {0x0020, 0x0037});
+  if (o.size() != 6) return;
+  Eigen::Matrix<double, 3, 2> axes;
+  axes << o[0], o[3], o[1], o[4], o[2], o[5];
+  place.axes_lps = axes;
+}
+
+void readSpacing(const gdcm::DataSet& data, ImagePlace& place) {
+  const auto s = numbers(data, {0x0028, 0x0030});  // between rows first (PS3.3 10.7.1.3)
+  if (s.size() == 2) place.spacing_mm = Eigen::Vector2d(s[1], s[0]);
+}
+
+void readRescale(const gdcm::DataSet& data, ImagePlace& place) {
+  const auto slope = number(data, {0x0028, 0x1053}), intercept = number(data, {0x0028, 0x1052});
+  if (slope && *slope != 0) place.slope = *slope;
+  if (intercept) place.intercept = *intercept;
+  // Philips: the values that compare between scans are (stored * RS + RI) / (RS * SS), SS in a private
+  // element.
+  const auto philips = number(data, {0x2005, 0x100E});
+  if (philips && *philips > 0 && std::isfinite(1.0 / *philips) && slope && *slope != 0) {
+    place.intercept /= place.slope * *philips;
+    place.slope = 1.0 / *philips;
+  }
+}
+
+std::optional<SliceHeader> readSliceHeader(FilePrefix& file) {
+  if (!looksLikeDicom(file)) return std::nullopt;
+  SliceHeader header;
+  header.file = file.path();
+  header.layout = walkHeader(file);
+  const gdcm::DataSet data = parse(file, header.layout);
+  readDescription(data, header);
+  if (header.sop_class.empty() && header.series_uid.empty() && header.modality.empty()) return std::nullopt;
+  header.voxels = readFormat(data);
+  const ImagePlace classic = classicPlace(data, header);
+  const bool is_enhanced =
+      data.FindDataElement(Tag(0x5200, 0x9229)) || data.FindDataElement(Tag(0x5200, 0x9230));
+  if (is_enhanced)
+    header.images = framePlaces(data, classic, header.voxels.frames);
+  else
+    header.images = {classic};
+  return header;
+}
+
+}  // namespace facenav::dicom

@@ -1,0 +1,204 @@
+#include "slice_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace facenav::dicom {
+namespace {
+
+constexpr double kSamePlace_mm = 0.01;
+constexpr double kSpacingTolerance = 0.02;  // of the spacing: scanners write positions with 2 to 7 decimals
+constexpr double kSpacingTolerance_mm = 0.005;
+constexpr double kLargestShear_rad = 0.1 * M_PI / 180;
+constexpr double kLargestSideStep_mm = 0.1;
+
+using Axes = Eigen::Matrix<double, 3, 2>;
+
+std::string millimetres(double value) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value << " mm";
+  return text.str();
+}
+
+/// The fault of a single image's place, if any.
+std::optional<StackFault> placeFault(const ImagePlace& place, const std::filesystem::path& file) {
+  const auto fault = [&](const std::string& what) { return StackFault{what, file, "choose another series"}; };
+  if (!place.position_lps_mm) return fault("has no Image Position (Patient)");
+  if (!place.axes_lps) return fault("has no Image Orientation (Patient)");
+  if (!place.spacing_mm) return fault("has no Pixel Spacing");
+  const Axes& axes = *place.axes_lps;
+  if (!(std::abs(axes.col(0).norm() - 1) < 1e-2 && std::abs(axes.col(1).norm() - 1) < 1e-2 &&
+        std::abs(axes.col(0).dot(axes.col(1))) < 1e-3))
+    return fault("Image Orientation (Patient) is not two unit vectors at right angles");
+  const Eigen::Vector2d& spacing = *place.spacing_mm;
+  if (!(spacing.minCoeff() >= 0.01 && spacing.maxCoeff() <= 50))
+    return fault("Pixel Spacing of " + millimetres(spacing.minCoeff()) + " is impossible");
+  if (!(place.position_lps_mm->cwiseAbs().maxCoeff() < 1e5))
+    return fault("Image Position (Patient) is impossible");
+  return std::nullopt;
+}
+
+std::optional<StackFault> differenceFault(const SliceHeader& first, const SliceHeader& other,
+                                          const ImagePlace& a, const ImagePlace& b) {
+  const auto fault = [&](const std::string& what) {
+    return StackFault{what + " than the other images of the series", other.file, "separate the series"};
+  };
+  if (first.voxels.rows != other.voxels.rows || first.voxels.columns != other.voxels.columns)
+    return fault("has another matrix");
+  if (!isSameOrientation(a, b)) return fault("has another orientation");
+  if ((*a.spacing_mm - *b.spacing_mm).cwiseAbs().maxCoeff() > 1e-3 * a.spacing_mm->maxCoeff())
+    return fault("has another Pixel Spacing");
+  return std::nullopt;
+}
+
+struct Placed {
+  ImageRef image;
+  Eigen::Vector3d position_mm;
+  double along_mm;
+};
+
+class Stacker {
+ public:
+  Stacker(const std::vector<SliceHeader>& headers, const std::vector<ImageRef>& images) : headers_(headers) {
+    for (const ImageRef image : images) slices_.push_back({image, Eigen::Vector3d::Zero(), 0.0});
+  }
+
+  SliceStack stack() {
+    SliceStack result;
+    result.fault = checkEach();
+    if (result.fault) return result;
+    sortAlongNormal();
+    dropCoincident(result);
+    for (const Placed& slice : slices_) result.order.push_back(slice.image);
+    if (slices_.size() < 2)
+      result.fault =
+          StackFault{"holds a single slice", fileOf(slices_[0]), "choose a series with many slices"};
+    if (!result.fault) result.fault = spacingFault();
+    if (!result.fault) result.fault = lineFault();
+    if (!result.fault) result.grid = grid();
+    return result;
+  }
+
+ private:
+  const std::filesystem::path& fileOf(const Placed& slice) const { return headers_[slice.image.header].file; }
+  std::string nameOf(const Placed& slice) const { return fileOf(slice).filename().string(); }
+
+  std::optional<StackFault> checkEach() {
+    if (slices_.empty()) return StackFault{"holds no image", {}, "choose another series"};
+    const SliceHeader& first_header = headers_[slices_[0].image.header];
+    const ImagePlace& first = placeOf(headers_, slices_[0].image);
+    for (Placed& slice : slices_) {
+      const ImagePlace& place = placeOf(headers_, slice.image);
+      const SliceHeader& header = headers_[slice.image.header];
+      if (auto fault = placeFault(place, header.file)) return fault;
+      if (auto fault = differenceFault(first_header, header, first, place)) return fault;
+      slice.position_mm = *place.position_lps_mm;
+    }
+    row_ = first.axes_lps->col(0).normalized();
+    column_ = first.axes_lps->col(1).normalized();
+    normal_ = row_.cross(column_).normalized();
+    spacing_mm_ = *first.spacing_mm;
+    return std::nullopt;
+  }
+
+  void sortAlongNormal() {
+    for (Placed& slice : slices_) slice.along_mm = normal_.dot(slice.position_mm);
+    std::stable_sort(slices_.begin(), slices_.end(),
+                     [](const Placed& a, const Placed& b) { return a.along_mm < b.along_mm; });
+  }
+
+  void dropCoincident(SliceStack& result) {
+    std::vector<Placed> kept;
+    for (const Placed& slice : slices_) {
+      if (!kept.empty() && slice.along_mm - kept.back().along_mm < kSamePlace_mm)
+        result.coincident.push_back({kept.back().image, slice.image});
+      else
+        kept.push_back(slice);
+    }
+    slices_ = std::move(kept);
+  }
+
+  std::optional<StackFault> spacingFault() {
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < slices_.size(); ++i)
+      gaps.push_back(slices_[i].along_mm - slices_[i - 1].along_mm);
+    std::vector<double> sorted = gaps;
+    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+    const double usual_mm = sorted[sorted.size() / 2];
+    if (usual_mm > 50)
+      return StackFault{"slices lie " + millimetres(usual_mm) + " apart", fileOf(slices_[1]), ""};
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      if (std::abs(gaps[i] - usual_mm) <= kSpacingTolerance * usual_mm + kSpacingTolerance_mm) continue;
+      const double missing = gaps[i] / usual_mm - 1;
+      const bool is_missing = missing > 0.5 && std::abs(missing - std::round(missing)) < 0.1;
+      const std::string between = nameOf(slices_[i]) + " and " + nameOf(slices_[i + 1]);
+      std::ostringstream what;
+      if (is_missing)
+        what << std::lround(missing) << (missing < 1.5 ? " slice is" : " slices are") << " missing between "
+             << between;
+      else
+        what << "unequal slice spacing: " << millimetres(gaps[i]) << " between " << between << ", "
+             << millimetres(usual_mm) << " elsewhere";
+      return StackFault{what.str(), fileOf(slices_[i + 1]),
+                        is_missing ? "copy the whole series again" : "choose another series"};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<StackFault> lineFault() {
+    const Placed &first = slices_.front(), &last = slices_.back();
+    step_mm_ = (last.position_mm - first.position_mm) / double(slices_.size() - 1);
+    const double shear_rad = std::atan2(step_mm_.cross(normal_).norm(), step_mm_.dot(normal_));
+    if (shear_rad > kLargestShear_rad) {
+      std::ostringstream what;
+      what.precision(3);
+      what << "slices are sheared by " << shear_rad * 180 / M_PI << " degrees (gantry tilt)";
+      return StackFault{what.str(), fileOf(first), "resample the series or scan without tilt"};
+    }
+    for (std::size_t i = 0; i < slices_.size(); ++i) {
+      const Eigen::Vector3d off_mm = slices_[i].position_mm - first.position_mm - double(i) * step_mm_;
+      const double aside_mm = (off_mm - normal_ * normal_.dot(off_mm)).norm();
+      if (aside_mm > kLargestSideStep_mm)
+        return StackFault{"slice lies " + millimetres(aside_mm) + " beside the others", fileOf(slices_[i]),
+                          "choose another series"};
+    }
+    return std::nullopt;
+  }
+
+  volume::VoxelGrid grid() const {
+    const VoxelFormat& voxels = headers_[slices_[0].image.header].voxels;
+    volume::VoxelGrid grid;
+    grid.size = {voxels.columns, voxels.rows, int(slices_.size())};
+    const Eigen::DiagonalMatrix<double, 3> ras_from_lps(-1, -1, 1);  // the one place where LPS becomes RAS
+    Eigen::Matrix3d steps;
+    steps << row_ * spacing_mm_[0], column_ * spacing_mm_[1], step_mm_;
+    grid.mri_from_voxel.linear() = ras_from_lps * steps;
+    grid.mri_from_voxel.translation() = ras_from_lps * slices_.front().position_mm;
+    return grid;
+  }
+
+  const std::vector<SliceHeader>& headers_;
+  std::vector<Placed> slices_;
+  Eigen::Vector3d row_, column_, normal_, step_mm_;
+  Eigen::Vector2d spacing_mm_;
+};
+
+}  // namespace
+
+const ImagePlace& placeOf(const std::vector<SliceHeader>& headers, ImageRef image) {
+  return headers[std::size_t(image.header)].images[std::size_t(image.frame)];
+}
+
+bool isSameOrientation(const ImagePlace& a, const ImagePlace& b) {
+  if (!a.axes_lps || !b.axes_lps) return !a.axes_lps && !b.axes_lps;
+  return (*a.axes_lps - *b.axes_lps).cwiseAbs().maxCoeff() < 1e-3;
+}
+
+SliceStack stackSlices(const std::vector<SliceHeader>& headers, const std::vector<ImageRef>& images) {
+  return Stacker(headers, images).stack();
+}
+
+}  // namespace facenav::dicom
