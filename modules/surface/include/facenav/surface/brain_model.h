@@ -1,48 +1,71 @@
 #pragma once
-// BrainModel: the phi-theta textured brain (paper, section 6). SphericalMap is the 180 x 180 array of equations 6-8;
-// theta is atan2 over the full 360 degrees, since the paper's arccos folds front onto back.
+// BrainModel: the phi-theta textured brain (paper, section 6). SphericalMap is the 180 x 180 array of
+// equations 6-8; theta is atan2 over the full 360 degrees, since the paper's arccos folds front onto back.
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
+#include "facenav/core/field.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/surface/triangle_mesh.h"
 #include "facenav/volume/volume.h"
 
 namespace facenav::surface {
 
-/// Angles of a direction from the brain's centre: phi = acos(y / r) in 0..pi, theta = atan2(z, x) in -pi..pi, with the
-/// paper's x, y, z (y is the polar axis; which Mri axis that is stands in brain_model.cpp and the module's README).
+/// Angles of a direction from the brain's centre: phi = acos(y / r) in 0..pi, theta = atan2(z, x) in -pi..pi,
+/// with the paper's x, y, z taken as Mri's own: x right, y anterior, z superior. The poles then lie on the
+/// frontal and the occipital pole, where nobody plans; the vertex and both hand areas lie near the equator,
+/// where bins are largest and most even. The seam (theta = +-pi) runs along the left temporal lobe.
 struct SphericalAngles {
   double phi_rad, theta_rad;
 };
 
+/// Bin (row, column) is centred on phi = (row + 1/2) pi / rows, theta = -pi + (column + 1/2) 2 pi / columns.
 struct SphericalMap {
-  int rows = 180, columns = 180;             // phi x theta
+  int rows = 180, columns = 180;  // phi x theta
   Point<Mri> centre;
-  std::vector<double> radius_mm;             // rows x columns: the surface along that direction
-  std::vector<std::uint8_t> colour;          // rows x columns: grey value of the outermost brain voxel of the bin
+  std::vector<double> radius_mm;     // rows x columns: the surface along that direction
+  std::vector<std::uint8_t> colour;  // rows x columns: grey value of the outermost brain voxel of the bin
 };
 
 SphericalAngles toAngles(const Point<Mri>& p, const Point<Mri>& centre);
+/// The unit direction of a pair of angles; toAngles undoes it.
+Direction<Mri> toDirection(const SphericalAngles& angles);
 
 struct BrainModel {
   SphericalMap map;
-  TriangleMesh mesh;                                     // closed at seam and poles
-  std::vector<Eigen::Vector2f> texture_coordinates;      // one per vertex, 0..1, origin bottom-left as VTK wants it
+  /// Closed: the vertices of the seam and of the poles are there several times, at the very same place, so
+  /// that each copy has its own texture coordinate.
+  TriangleMesh mesh;
+  /// One per vertex, 0..1, origin bottom-left as VTK wants it: u = (theta + pi) / 2 pi, v = 1 - phi / pi, so
+  /// that the map's row 0 is the picture's top row.
+  std::vector<Eigen::Vector2f> texture_coordinates;
 };
 
 struct BrainModelOptions {
   int rows = 180, columns = 180;
-  double peel_mm = 2.0;                                  // texture is taken up to this far below the surface
+  double peel_mm = 3.0;  // texture is taken up to this far below the surface
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"rows", "bins from the front to the back of the brain", 16, 2048}, self.rows);
+    visitor(Field{"columns", "bins around the brain's long axis", 16, 2048}, self.columns);
+    visitor(Field{"peel_mm", "how deep below the surface the texture looks (0: the outermost voxel)", 0, 40},
+            self.peel_mm);
+  }
 };
 
-BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& brain, const BrainModelOptions& options,
-                           TaskMonitor& monitor);
+/// `brain`: a mask on any grid. Throws Error for an empty mask and for options out of range.
+BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& brain,
+                           const BrainModelOptions& options, TaskMonitor& monitor);
+/// The mesh of a map: 2-D Delaunay triangulation in the phi-theta plane, closed at seam and poles.
+BrainModel meshOf(const SphericalMap& map);
 /// brain.vtp + brain_texture.png beside it. Whole files.
-void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp, const std::filesystem::path& texture_png);
+void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
+                const std::filesystem::path& texture_png);
+/// Throws Error when a file is missing, damaged, or the two do not belong together.
 BrainModel readBrain(const std::filesystem::path& vtp, const std::filesystem::path& texture_png);
 
 }  // namespace facenav::surface

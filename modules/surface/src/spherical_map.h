@@ -1,0 +1,12 @@
+#pragma once
+// The phi-theta array (paper, equations 6-8): the brain's surface along the direction of each bin, and its
+// colour.
+
+#include "facenav/surface/brain_model.h"
+
+namespace facenav::surface {
+
+SphericalMap mapBrain(const volume::Volume& volume, const volume::Mask& brain,
+                      const BrainModelOptions& options, TaskMonitor& monitor);
+
+}  // namespace facenav::surface
