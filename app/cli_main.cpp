@@ -30,14 +30,17 @@ std::filesystem::path programPath() {
 int startWindow(const std::filesystem::path& program) {
   const auto window = program.parent_path() / "facenav-gui";
   ::execl(window.c_str(), window.c_str(), nullptr);
-  std::fprintf(stderr, "facenav: the window is not installed beside this program (%s); 'facenav --help' lists the verbs\n",
-               window.c_str());
+  std::fprintf(
+      stderr,
+      "facenav: the window is not installed beside this program (%s); 'facenav --help' lists the verbs\n",
+      window.c_str());
   return 1;
 }
 
 int runCommandLine(int argc, char** argv) {
   bool is_quiet = false;
-  for (int i = 1; i < argc; ++i) is_quiet |= std::string(argv[i]) == "--quiet" || std::string(argv[i]) == "-q";
+  for (int i = 1; i < argc; ++i)
+    is_quiet |= std::string(argv[i]) == "--quiet" || std::string(argv[i]) == "-q";
   app::TerminalProgress progress(is_quiet);
   TaskMonitor monitor([&](const std::string& step, double fraction) {
     progress.show(step, fraction);

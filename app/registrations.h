@@ -1,6 +1,7 @@
 #pragma once
-// The only place that names implementations. A new camera, tracker, segmentation or aligner is one file in its module
-// and one line in registrations.cpp; its name then appears in the command line's help and in the window.
+// The only place that names implementations. A new camera, tracker, segmentation or aligner is one file in
+// its module and one line in registrations.cpp; its name then appears in the command line's help and in the
+// window.
 
 #include "facenav/core/registry.h"
 #include "facenav/registration/aligner.h"

@@ -10,7 +10,8 @@ std::string oneLine(const std::string& happened, const std::string& where, const
   std::string line = happened;
   if (!where.empty()) line = where + ": " + line;
   if (!remedy.empty()) line += "; " + remedy;
-  std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return line;
 }
 
@@ -20,8 +21,8 @@ Error::Error(const std::string& what_happened, const std::string& where, const s
     : std::runtime_error(oneLine(what_happened, where, remedy)) {}
 
 void expectationFailed(const char* condition, const char* file, int line, const std::string& message) {
-  throw std::logic_error(std::string("internal error (please report): ") + message + " [" + condition + ", " + file +
-                         ":" + std::to_string(line) + "]");
+  throw std::logic_error(std::string("internal error (please report): ") + message + " [" + condition + ", " +
+                         file + ":" + std::to_string(line) + "]");
 }
 
 }  // namespace core

@@ -7,12 +7,13 @@ namespace facenav {
 inline namespace core {
 namespace {
 
-constexpr std::array<std::pair<LostReason, const char*>, 6> kWords{{{LostReason::no_face, "no_face"},
-                                                                    {LostReason::few_features, "few_features"},
-                                                                    {LostReason::no_marker, "no_marker"},
-                                                                    {LostReason::high_residual, "high_residual"},
-                                                                    {LostReason::camera, "camera"},
-                                                                    {LostReason::stale, "stale"}}};
+constexpr std::array<std::pair<LostReason, const char*>, 6> kWords{
+    {{LostReason::no_face, "no_face"},
+     {LostReason::few_features, "few_features"},
+     {LostReason::no_marker, "no_marker"},
+     {LostReason::high_residual, "high_residual"},
+     {LostReason::camera, "camera"},
+     {LostReason::stale, "stale"}}};
 
 }  // namespace
 

@@ -32,7 +32,8 @@ WholeFile::WholeFile(fs::path path) : path_(std::move(path)) {
   static std::atomic<int> counter{0};
   const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
   if (!fs::is_directory(folder)) throw Error("folder does not exist", folder.string(), "create it first");
-  if (::access(folder.c_str(), W_OK) != 0) throw Error("folder is not writable", folder.string(), "choose another");
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw Error("folder is not writable", folder.string(), "choose another");
   const std::string name = path_.filename().string();
   // The temporary name keeps everything after the first dot, since writers choose the format by extension.
   temporary_ = folder / (".tmp" + std::to_string(::getpid()) + "_" + std::to_string(counter++) + "_" + name);
@@ -49,7 +50,8 @@ void WholeFile::commit() {
   syncToDisk(temporary_);
   std::error_code error;
   fs::rename(temporary_, path_, error);
-  if (error) throw Error("cannot be written (" + error.message() + ")", path_.string(), "choose another place");
+  if (error)
+    throw Error("cannot be written (" + error.message() + ")", path_.string(), "choose another place");
   is_committed_ = true;
 }
 

@@ -21,9 +21,10 @@ cv::Mat greyPicture(const volume::Volume& mri, const volume::SlicePlane& plane) 
 void drawSides(cv::Mat& picture, volume::Anatomical orientation) {
   const bool is_sagittal = orientation == volume::Anatomical::sagittal;
   const cv::Scalar white(230, 230, 230);
-  cv::putText(picture, is_sagittal ? "A" : "R", {8, picture.rows / 2}, cv::FONT_HERSHEY_DUPLEX, 0.8, white, 1, cv::LINE_AA);
-  cv::putText(picture, is_sagittal ? "P" : "L", {picture.cols - 26, picture.rows / 2}, cv::FONT_HERSHEY_DUPLEX, 0.8, white, 1,
+  cv::putText(picture, is_sagittal ? "A" : "R", {8, picture.rows / 2}, cv::FONT_HERSHEY_DUPLEX, 0.8, white, 1,
               cv::LINE_AA);
+  cv::putText(picture, is_sagittal ? "P" : "L", {picture.cols - 26, picture.rows / 2},
+              cv::FONT_HERSHEY_DUPLEX, 0.8, white, 1, cv::LINE_AA);
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ cv::Mat drawCrossSection(const volume::Volume& mri, volume::Anatomical orientati
   for (const auto& p_mri_mm : cloud_mri.points_mm) {
     const Eigen::Vector3d uvd = plane.toPixel(Point<Mri>(p_mri_mm));
     if (std::abs(uvd[2]) > options.thickness_mm) continue;
-    cv::circle(picture, {int(std::lround(uvd[0])), int(std::lround(uvd[1]))}, 1, {40, 40, 255}, cv::FILLED, cv::LINE_AA);
+    cv::circle(picture, {int(std::lround(uvd[0])), int(std::lround(uvd[1]))}, 1, {40, 40, 255}, cv::FILLED,
+               cv::LINE_AA);
   }
   drawSides(picture, orientation);
   return picture;

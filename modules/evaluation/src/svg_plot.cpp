@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kWidth = 720, kHeight = 400, kLeft = 70, kRight = 16, kTop = 40, kBottom = 52;
 // Okabe-Ito: told apart with any colour vision.
-constexpr std::array<const char*, 6> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
+constexpr std::array<const char*, 6> kColours{"#0072b2", "#d55e00", "#009e73",
+                                              "#cc79a7", "#e69f00", "#56b4e9"};
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -44,10 +45,14 @@ Axis niceAxis(Range range) {
 std::string escaped(const std::string& text) {
   std::string out;
   for (char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else
+      out += c;
   }
   return out;
 }
@@ -62,17 +67,19 @@ class Canvas {
  public:
   Canvas(const Axis& x, const Axis& y) : x_(x), y_(y) {}
   double px(double x) const { return kLeft + (x - x_.low) / (x_.high - x_.low) * (kWidth - kLeft - kRight); }
-  double py(double y) const { return kHeight - kBottom - (y - y_.low) / (y_.high - y_.low) * (kHeight - kTop - kBottom); }
+  double py(double y) const {
+    return kHeight - kBottom - (y - y_.low) / (y_.high - y_.low) * (kHeight - kTop - kBottom);
+  }
 
   void drawGrid(std::ostream& svg) const {
     for (double x = x_.low; x <= x_.high + x_.step / 2; x += x_.step)
       svg << "<line x1='" << px(x) << "' x2='" << px(x) << "' y1='" << kTop << "' y2='" << kHeight - kBottom
-          << "' stroke='#ddd'/><text x='" << px(x) << "' y='" << kHeight - kBottom + 18 << "' text-anchor='middle'>"
-          << number(x) << "</text>";
+          << "' stroke='#ddd'/><text x='" << px(x) << "' y='" << kHeight - kBottom + 18
+          << "' text-anchor='middle'>" << number(x) << "</text>";
     for (double y = y_.low; y <= y_.high + y_.step / 2; y += y_.step)
       svg << "<line x1='" << kLeft << "' x2='" << kWidth - kRight << "' y1='" << py(y) << "' y2='" << py(y)
-          << "' stroke='#ddd'/><text x='" << kLeft - 8 << "' y='" << py(y) + 4 << "' text-anchor='end'>" << number(y)
-          << "</text>";
+          << "' stroke='#ddd'/><text x='" << kLeft - 8 << "' y='" << py(y) + 4 << "' text-anchor='end'>"
+          << number(y) << "</text>";
   }
   void drawCurve(std::ostream& svg, const Curve& curve, const std::string& colour) const {
     if (curve.is_line || curve.is_reference) drawLine(svg, curve, colour);
@@ -97,12 +104,13 @@ class Canvas {
   Axis x_, y_;
 };
 
-void drawLegend(std::ostream& svg, const std::vector<Curve>& curves, const std::vector<std::string>& colours) {
+void drawLegend(std::ostream& svg, const std::vector<Curve>& curves,
+                const std::vector<std::string>& colours) {
   double x = kLeft + 10;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    svg << "<line x1='" << x << "' x2='" << x + 22 << "' y1='32' y2='32' stroke='" << colours[i] << "' stroke-width='3'"
-        << (curves[i].is_reference ? " stroke-dasharray='6 5'" : "") << "/><text x='" << x + 27 << "' y='36'>"
-        << escaped(curves[i].name) << "</text>";
+    svg << "<line x1='" << x << "' x2='" << x + 22 << "' y1='32' y2='32' stroke='" << colours[i]
+        << "' stroke-width='3'" << (curves[i].is_reference ? " stroke-dasharray='6 5'" : "") << "/><text x='"
+        << x + 27 << "' y='36'>" << escaped(curves[i].name) << "</text>";
     x += 42 + 6.6 * double(curves[i].name.size());
   }
 }
@@ -121,14 +129,16 @@ std::string svgPlot(const PlotText& text, const std::vector<Curve>& curves) {
   const Canvas canvas(niceAxis(x_range), niceAxis(y_range));
   std::ostringstream svg;
   svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kWidth << ' ' << kHeight
-      << "' font-family='sans-serif' font-size='12' fill='#222'><rect width='100%' height='100%' fill='white'/>";
-  svg << "<text x='" << kWidth / 2 << "' y='18' text-anchor='middle' font-size='15'>" << escaped(text.title) << "</text>";
+      << "' font-family='sans-serif' font-size='12' fill='#222'><rect width='100%' height='100%' "
+         "fill='white'/>";
+  svg << "<text x='" << kWidth / 2 << "' y='18' text-anchor='middle' font-size='15'>" << escaped(text.title)
+      << "</text>";
   canvas.drawGrid(svg);
   for (std::size_t i = 0; i < curves.size(); ++i) canvas.drawCurve(svg, curves[i], colours[i]);
   drawLegend(svg, curves, colours);
-  svg << "<text x='" << kWidth / 2 << "' y='" << kHeight - 12 << "' text-anchor='middle'>" << escaped(text.x_label)
-      << "</text><text transform='translate(18 " << kHeight / 2 << ") rotate(-90)' text-anchor='middle'>"
-      << escaped(text.y_label) << "</text></svg>\n";
+  svg << "<text x='" << kWidth / 2 << "' y='" << kHeight - 12 << "' text-anchor='middle'>"
+      << escaped(text.x_label) << "</text><text transform='translate(18 " << kHeight / 2
+      << ") rotate(-90)' text-anchor='middle'>" << escaped(text.y_label) << "</text></svg>\n";
   return svg.str();
 }
 

@@ -8,7 +8,8 @@ namespace {
 constexpr double kWrong_mm = 3.0, kWrong_deg = 2.0;
 constexpr double kDegPerRad = 180.0 / M_PI;
 
-FrameError errorOf(const PoseEstimate& estimate, const Eigen::Isometry3d& truth, const Eigen::Vector3d& point_mm) {
+FrameError errorOf(const PoseEstimate& estimate, const Eigen::Isometry3d& truth,
+                   const Eigen::Vector3d& point_mm) {
   FrameError error;
   error.frame = estimate.frame;
   error.rotation_about_deg = kDegPerRad * logRotation(estimate.pose.linear() * truth.linear().transpose());

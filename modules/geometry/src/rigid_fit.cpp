@@ -29,7 +29,8 @@ RigidFit fitRigidPoints(const std::vector<Eigen::Vector3d>& from, const std::vec
   const Eigen::Vector3d from_mean = weightedMean(from, weights), to_mean = weightedMean(to, weights);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < from.size(); ++i)
-    covariance += (weights.empty() ? 1.0 : weights[i]) * (to[i] - to_mean) * (from[i] - from_mean).transpose();
+    covariance +=
+        (weights.empty() ? 1.0 : weights[i]) * (to[i] - to_mean) * (from[i] - from_mean).transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (!(svd.singularValues()(1) > 1e-9 * svd.singularValues()(0)))
     throw Error("rigid fit: the points lie on one line, the rotation is not determined");

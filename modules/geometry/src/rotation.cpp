@@ -16,7 +16,8 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
 
 Eigen::Matrix3d expRotation(const Eigen::Vector3d& w_rad) {
   const double angle = w_rad.norm();
-  if (angle < 1e-12) return Eigen::Quaterniond(1, w_rad.x() / 2, w_rad.y() / 2, w_rad.z() / 2).normalized().matrix();
+  if (angle < 1e-12)
+    return Eigen::Quaterniond(1, w_rad.x() / 2, w_rad.y() / 2, w_rad.z() / 2).normalized().matrix();
   return Eigen::AngleAxisd(angle, w_rad / angle).toRotationMatrix();
 }
 

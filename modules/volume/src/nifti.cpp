@@ -29,13 +29,15 @@ Eigen::Affine3d toAffine(const mat44& m) {
 ImagePtr readImage(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
   nifti_set_debug_level(0);
-  if (is_nifti_file(path.c_str()) < 0) throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
+  if (is_nifti_file(path.c_str()) < 0)
+    throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
   ImagePtr image(nifti_image_read(path.c_str(), 1));
   if (!image || !image->data)
     throw Error("NIfTI file is truncated or damaged", path.string(), "copy or export it again");
-  if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nvox != std::size_t(image->nx) * image->ny * image->nz)
-    throw Error("holds " + std::to_string(image->ndim) + " dimensions, one 3-D volume was expected", path.string(),
-                "extract the T1 volume first");
+  if (image->nx < 1 || image->ny < 1 || image->nz < 1 ||
+      image->nvox != std::size_t(image->nx) * image->ny * image->nz)
+    throw Error("holds " + std::to_string(image->ndim) + " dimensions, one 3-D volume was expected",
+                path.string(), "extract the T1 volume first");
   return image;
 }
 
@@ -50,19 +52,39 @@ std::vector<float> toFloat(const nifti_image& image, const std::string& where) {
   const double slope = image.scl_slope != 0 && std::isfinite(image.scl_slope) ? image.scl_slope : 1.0;
   const double intercept = image.scl_slope != 0 && std::isfinite(image.scl_inter) ? image.scl_inter : 0.0;
   switch (image.datatype) {
-    case DT_UINT8: convert<std::uint8_t>(image.data, out, slope, intercept); break;
-    case DT_INT8: convert<std::int8_t>(image.data, out, slope, intercept); break;
-    case DT_INT16: convert<std::int16_t>(image.data, out, slope, intercept); break;
-    case DT_UINT16: convert<std::uint16_t>(image.data, out, slope, intercept); break;
-    case DT_INT32: convert<std::int32_t>(image.data, out, slope, intercept); break;
-    case DT_UINT32: convert<std::uint32_t>(image.data, out, slope, intercept); break;
-    case DT_INT64: convert<std::int64_t>(image.data, out, slope, intercept); break;
-    case DT_UINT64: convert<std::uint64_t>(image.data, out, slope, intercept); break;
-    case DT_FLOAT32: convert<float>(image.data, out, slope, intercept); break;
-    case DT_FLOAT64: convert<double>(image.data, out, slope, intercept); break;
+    case DT_UINT8:
+      convert<std::uint8_t>(image.data, out, slope, intercept);
+      break;
+    case DT_INT8:
+      convert<std::int8_t>(image.data, out, slope, intercept);
+      break;
+    case DT_INT16:
+      convert<std::int16_t>(image.data, out, slope, intercept);
+      break;
+    case DT_UINT16:
+      convert<std::uint16_t>(image.data, out, slope, intercept);
+      break;
+    case DT_INT32:
+      convert<std::int32_t>(image.data, out, slope, intercept);
+      break;
+    case DT_UINT32:
+      convert<std::uint32_t>(image.data, out, slope, intercept);
+      break;
+    case DT_INT64:
+      convert<std::int64_t>(image.data, out, slope, intercept);
+      break;
+    case DT_UINT64:
+      convert<std::uint64_t>(image.data, out, slope, intercept);
+      break;
+    case DT_FLOAT32:
+      convert<float>(image.data, out, slope, intercept);
+      break;
+    case DT_FLOAT64:
+      convert<double>(image.data, out, slope, intercept);
+      break;
     default:
-      throw Error(std::string("voxel type ") + nifti_datatype_string(image.datatype) + " is not a scalar", where,
-                  "export the T1 as a grey-value volume");
+      throw Error(std::string("voxel type ") + nifti_datatype_string(image.datatype) + " is not a scalar",
+                  where, "export the T1 as a grey-value volume");
   }
   for (float& value : out)
     if (!std::isfinite(value)) value = 0.f;
@@ -97,8 +119,9 @@ ImagePtr makeImage(const VoxelGrid& grid, int datatype) {
   float dx, dy, dz;
   nifti_mat44_to_quatern(world, &image->quatern_b, &image->quatern_c, &image->quatern_d, &image->qoffset_x,
                          &image->qoffset_y, &image->qoffset_z, &dx, &dy, &dz, &image->qfac);
-  image->qto_xyz = nifti_quatern_to_mat44(image->quatern_b, image->quatern_c, image->quatern_d, image->qoffset_x,
-                                          image->qoffset_y, image->qoffset_z, dx, dy, dz, image->qfac);
+  image->qto_xyz =
+      nifti_quatern_to_mat44(image->quatern_b, image->quatern_c, image->quatern_d, image->qoffset_x,
+                             image->qoffset_y, image->qoffset_z, dx, dy, dz, image->qfac);
   image->qto_ijk = nifti_mat44_inverse(image->qto_xyz);
   return image;
 }
@@ -118,7 +141,8 @@ void writeImage(nifti_image& image, const std::filesystem::path& path) {
 template <class T>
 bool fits(const std::vector<float>& voxels) {
   return std::all_of(voxels.begin(), voxels.end(), [](float v) {
-    return v >= float(std::numeric_limits<T>::min()) && v <= float(std::numeric_limits<T>::max()) && v == std::floor(v);
+    return v >= float(std::numeric_limits<T>::min()) && v <= float(std::numeric_limits<T>::max()) &&
+           v == std::floor(v);
   });
 }
 

@@ -13,9 +13,11 @@ struct Reorder {
 };
 
 Reorder rasReorder(const VoxelGrid& from) {
-  // The pairing of index and world axes with the greatest sum of |cosines|: unique even at 45 degrees obliquity.
+  // The pairing of index and world axes with the greatest sum of |cosines|: unique even at 45 degrees
+  // obliquity.
   const Eigen::Matrix3d l = from.mri_from_voxel.linear() * from.spacing_mm().cwiseInverse().asDiagonal();
-  constexpr std::array<std::array<int, 3>, 6> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  constexpr std::array<std::array<int, 3>, 6> kOrders{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
   Reorder best;
   double best_score = -1;
   for (const auto& order : kOrders) {
@@ -56,7 +58,8 @@ std::vector<Value> reorder(const std::vector<Value>& voxels, const VoxelGrid& fr
 
 Volume toRasOrder(const Volume& volume) {
   const Reorder order = rasReorder(volume.grid);
-  Volume out = {order.grid, reorder(volume.voxels, volume.grid, order), volume.modality, volume.orientation_source};
+  Volume out = {order.grid, reorder(volume.voxels, volume.grid, order), volume.modality,
+                volume.orientation_source};
   return out;
 }
 
@@ -72,7 +75,8 @@ Volume resample(const Volume& volume, const VoxelGrid& grid) {
   for (int k = 0; k < grid.size[2]; ++k)
     for (int j = 0; j < grid.size[1]; ++j) {
       Eigen::Vector3d ijk = from_to * Eigen::Vector3d(0, j, k);
-      for (int i = 0; i < grid.size[0]; ++i, ++o, ijk += from_to.linear().col(0)) out.voxels[o] = sampleLinear(volume, ijk);
+      for (int i = 0; i < grid.size[0]; ++i, ++o, ijk += from_to.linear().col(0))
+        out.voxels[o] = sampleLinear(volume, ijk);
     }
   return out;
 }
@@ -88,7 +92,8 @@ Mask resample(const Mask& mask, const VoxelGrid& grid) {
 VoxelGrid isotropicGrid(const VoxelGrid& grid, double spacing_mm) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
   for (int c = 0; c < 8; ++c) {
-    const Eigen::Vector3d ijk((c & 1) * (grid.size[0] - 1), ((c >> 1) & 1) * (grid.size[1] - 1), (c >> 2) * (grid.size[2] - 1));
+    const Eigen::Vector3d ijk((c & 1) * (grid.size[0] - 1), ((c >> 1) & 1) * (grid.size[1] - 1),
+                              (c >> 2) * (grid.size[2] - 1));
     low = low.cwiseMin(grid.toMri(ijk).mm);
     high = high.cwiseMax(grid.toMri(ijk).mm);
   }

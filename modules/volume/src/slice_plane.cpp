@@ -12,8 +12,10 @@ struct Box {
 Box boundsOf(const VoxelGrid& grid) {
   Box box{Eigen::Vector3d::Constant(1e30), Eigen::Vector3d::Constant(-1e30)};
   for (int c = 0; c < 8; ++c) {
-    const Eigen::Vector3d p = grid.toMri({double((c & 1) * (grid.size[0] - 1)), double(((c >> 1) & 1) * (grid.size[1] - 1)),
-                                          double((c >> 2) * (grid.size[2] - 1))}).mm;
+    const Eigen::Vector3d p =
+        grid.toMri({double((c & 1) * (grid.size[0] - 1)), double(((c >> 1) & 1) * (grid.size[1] - 1)),
+                    double((c >> 2) * (grid.size[2] - 1))})
+            .mm;
     box.low = box.low.cwiseMin(p);
     box.high = box.high.cwiseMax(p);
   }
@@ -25,9 +27,11 @@ std::vector<Value> samplePlane(const VoxelGrid& grid, const SlicePlane& plane, S
   std::vector<Value> image(std::size_t(plane.width) * plane.height);
   const Eigen::Vector3d start = grid.toVoxel(plane.origin);
   const Eigen::Matrix3d to_voxel = grid.mri_from_voxel.linear().inverse();
-  const Eigen::Vector3d du = to_voxel * plane.right.v * plane.spacing_mm, dv = to_voxel * plane.down.v * plane.spacing_mm;
+  const Eigen::Vector3d du = to_voxel * plane.right.v * plane.spacing_mm,
+                        dv = to_voxel * plane.down.v * plane.spacing_mm;
   for (int v = 0; v < plane.height; ++v)
-    for (int u = 0; u < plane.width; ++u) image[std::size_t(v) * plane.width + u] = sample(start + u * du + v * dv);
+    for (int u = 0; u < plane.width; ++u)
+      image[std::size_t(v) * plane.width + u] = sample(start + u * du + v * dv);
   return image;
 }
 
@@ -38,7 +42,8 @@ Eigen::Vector3d SlicePlane::toPixel(const Point<Mri>& p) const {
   return {d.dot(right.v) / spacing_mm, d.dot(down.v) / spacing_mm, d.dot(right.v.cross(down.v))};
 }
 
-SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const Point<Mri>& through, double spacing_mm) {
+SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const Point<Mri>& through,
+                           double spacing_mm) {
   const Box box = boundsOf(grid);
   SlicePlane plane;
   plane.spacing_mm = spacing_mm;
@@ -68,7 +73,8 @@ SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const 
 }
 
 std::vector<float> sampleSlice(const Volume& volume, const SlicePlane& plane) {
-  return samplePlane<float>(volume.grid, plane, [&](const Eigen::Vector3d& ijk) { return sampleLinear(volume, ijk); });
+  return samplePlane<float>(volume.grid, plane,
+                            [&](const Eigen::Vector3d& ijk) { return sampleLinear(volume, ijk); });
 }
 
 std::vector<std::uint8_t> sampleSlice(const Mask& mask, const SlicePlane& plane) {

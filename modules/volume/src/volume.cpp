@@ -17,7 +17,8 @@ float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outsi
   const auto& n = volume.grid.size;
   for (int a = 0; a < 3; ++a)
     if (!(ijk[a] >= 0 && ijk[a] <= n[a] - 1)) return outside;
-  const int i = std::min(int(ijk[0]), std::max(0, n[0] - 2)), j = std::min(int(ijk[1]), std::max(0, n[1] - 2)),
+  const int i = std::min(int(ijk[0]), std::max(0, n[0] - 2)),
+            j = std::min(int(ijk[1]), std::max(0, n[1] - 2)),
             k = std::min(int(ijk[2]), std::max(0, n[2] - 2));
   const int di = n[0] > 1, dj = n[1] > 1, dk = n[2] > 1;
   const float x = float(ijk[0] - i), y = float(ijk[1] - j), z = float(ijk[2] - k);
@@ -40,7 +41,8 @@ float percentile(const Volume& volume, double fraction) {
 }
 
 Overlap overlap(const Mask& a, const Mask& b) {
-  if (!a.grid.matches(b.grid)) throw Error("masks lie on different grids", {}, "resample one onto the other first");
+  if (!a.grid.matches(b.grid))
+    throw Error("masks lie on different grids", {}, "resample one onto the other first");
   std::size_t both = 0, in_a = 0, in_b = 0;
   for (std::size_t i = 0; i < a.voxels.size(); ++i) {
     in_a += a.voxels[i] != 0;

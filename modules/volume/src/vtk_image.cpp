@@ -19,7 +19,9 @@ vtkSmartPointer<vtkImageData> toImage(const VoxelGrid& grid, const std::vector<V
 
 }  // namespace
 
-vtkSmartPointer<vtkImageData> toVtkImage(const Volume& volume) { return toImage(volume.grid, volume.voxels, VTK_FLOAT); }
+vtkSmartPointer<vtkImageData> toVtkImage(const Volume& volume) {
+  return toImage(volume.grid, volume.voxels, VTK_FLOAT);
+}
 
 vtkSmartPointer<vtkImageData> toVtkImage(const Mask& mask) {
   return toImage(mask.grid, mask.voxels, VTK_UNSIGNED_CHAR);

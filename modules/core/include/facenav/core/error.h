@@ -1,7 +1,8 @@
 #pragma once
-// Error: the one exception type of FaceNav's cold path (files, DICOM, config, calibration). Its message is one line
-// that names what happened, where (file, tag, field), and what to do. Caught at three places only: the CLI's main,
-// the presenters' task runner, the session thread. FACENAV_EXPECT guards against bugs, in all builds.
+// Error: the one exception type of FaceNav's cold path (files, DICOM, config, calibration). Its message is
+// one line that names what happened, where (file, tag, field), and what to do. Caught at three places only:
+// the CLI's main, the presenters' task runner, the session thread. FACENAV_EXPECT guards against bugs, in all
+// builds.
 
 #include <filesystem>
 #include <stdexcept>
@@ -12,8 +13,8 @@ inline namespace core {
 
 class Error : public std::runtime_error {
  public:
-  /// `what_happened`: the fault in plain words; `where`: file, tag, key or field; `remedy`: what the user can do.
-  /// Line breaks are replaced by blanks. Never put a patient's name in any of them.
+  /// `what_happened`: the fault in plain words; `where`: file, tag, key or field; `remedy`: what the user can
+  /// do. Line breaks are replaced by blanks. Never put a patient's name in any of them.
   Error(const std::string& what_happened, const std::string& where = {}, const std::string& remedy = {});
 };
 
@@ -24,12 +25,13 @@ class Cancelled : public Error {
 };
 
 /// Reports a violated expectation (a bug) by throwing std::logic_error with file and line.
-[[noreturn]] void expectationFailed(const char* condition, const char* file, int line, const std::string& message);
+[[noreturn]] void expectationFailed(const char* condition, const char* file, int line,
+                                    const std::string& message);
 
 }  // namespace core
 }  // namespace facenav
 
-#define FACENAV_EXPECT(condition, message)                                               \
-  do {                                                                                   \
+#define FACENAV_EXPECT(condition, message)                                                   \
+  do {                                                                                       \
     if (!(condition)) ::facenav::expectationFailed(#condition, __FILE__, __LINE__, message); \
   } while (false)

@@ -1,6 +1,7 @@
 #pragma once
-// LatestValue<T>: hands the newest value from one thread to others. Older values are overwritten, never queued, and
-// the overwritten ones counted. Values are shared as immutable shared_ptr<const T>; the lock is held for a pointer swap.
+// LatestValue<T>: hands the newest value from one thread to others. Older values are overwritten, never
+// queued, and the overwritten ones counted. Values are shared as immutable shared_ptr<const T>; the lock is
+// held for a pointer swap.
 
 #include <chrono>
 #include <condition_variable>

@@ -1,7 +1,7 @@
 #pragma once
 // Registry<I>: the plug-in table of one interface (segmenters, head trackers, aligners, coil trackers, frame
-// sources). Filled explicitly by app/registrations.cpp, since a static library drops self-registering objects.
-// CLI help, config and GUI iterate it.
+// sources). Filled explicitly by app/registrations.cpp, since a static library drops self-registering
+// objects. CLI help, config and GUI iterate it.
 
 #include <functional>
 #include <map>

@@ -1,6 +1,7 @@
 #pragma once
-// TaskMonitor: how a long task (segmentation, alignment, simulation) reports progress and learns that the user
-// cancelled. The task calls report() now and then; it throws Cancelled when cancel() was called, from any thread.
+// TaskMonitor: how a long task (segmentation, alignment, simulation) reports progress and learns that the
+// user cancelled. The task calls report() now and then; it throws Cancelled when cancel() was called, from
+// any thread.
 
 #include <atomic>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
-// Tracked<T>: a live value with its quality, or Lost with the reason. There is no pose without its quality, and no
-// pose when lost: the type leaves no way to read a stale one. Hot-path counterpart of Error.
+// Tracked<T>: a live value with its quality, or Lost with the reason. There is no pose without its quality,
+// and no pose when lost: the type leaves no way to read a stale one. Hot-path counterpart of Error.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// WholeFile: a file that appears whole or not at all. Write to temporaryPath() (same folder, same extension), then
-// commit(): fsync, rename. A WholeFile destroyed without commit() removes its temporary file.
+// WholeFile: a file that appears whole or not at all. Write to temporaryPath() (same folder, same extension),
+// then commit(): fsync, rename. A WholeFile destroyed without commit() removes its temporary file.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-// The alignment's cross-sections (paper, figure 11): an MRI slice with the face cloud's points near it in red.
+// The alignment's cross-sections (paper, figure 11): an MRI slice with the face cloud's points near it in
+// red.
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -10,12 +11,12 @@
 namespace facenav::evaluation {
 
 struct CrossSectionOptions {
-  double thickness_mm = 1.0;   // points this near to the plane, on either side, are drawn
-  int scale = 3;               // image pixels per mm
+  double thickness_mm = 1.0;  // points this near to the plane, on either side, are drawn
+  int scale = 3;              // image pixels per mm
 };
 
-/// 8-bit BGR picture of `plane` with the points of `cloud_mri` near it; `caption` at the top, R and L at the sides of
-/// axial and coronal planes.
+/// 8-bit BGR picture of `plane` with the points of `cloud_mri` near it; `caption` at the top, R and L at the
+/// sides of axial and coronal planes.
 cv::Mat drawCrossSection(const volume::Volume& mri, volume::Anatomical orientation, const Point<Mri>& through,
                          const PointCloud<Mri>& cloud_mri, const CrossSectionOptions& options);
 

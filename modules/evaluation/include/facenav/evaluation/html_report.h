@@ -24,6 +24,7 @@ struct ReportSection {
 };
 
 /// All text is escaped; no script, no outside resource.
-std::string htmlReport(const std::string& title, const std::string& subtitle, const std::vector<ReportSection>& sections);
+std::string htmlReport(const std::string& title, const std::string& subtitle,
+                       const std::vector<ReportSection>& sections);
 
 }  // namespace facenav::evaluation

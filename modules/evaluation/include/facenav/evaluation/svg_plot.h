@@ -14,7 +14,7 @@ struct PlotText {
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;
-  bool is_line = true;      // false: marks only
+  bool is_line = true;        // false: marks only
   bool is_reference = false;  // drawn dashed and grey (the paper's figure, a goal)
 };
 

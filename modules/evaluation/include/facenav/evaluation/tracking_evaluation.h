@@ -1,6 +1,7 @@
 #pragma once
-// Tracked poses against the truth, frame by frame: the errors at a point the clinician cares about, the lost frames, and
-// the frames in which a wrong pose was called tracked (> 3 mm at the point or > 2 degrees): of those there must be none.
+// Tracked poses against the truth, frame by frame: the errors at a point the clinician cares about, the lost
+// frames, and the frames in which a wrong pose was called tracked (> 3 mm at the point or > 2 degrees): of
+// those there must be none.
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -20,9 +21,9 @@ struct PoseEstimate {
 
 struct FrameError {
   std::int64_t frame = 0;
-  double rotation_deg = 0;    // angle between estimate and truth
-  double translation_mm = 0;  // of the pose's origin
-  double at_point_mm = 0;     // at the point asked for
+  double rotation_deg = 0;                                       // angle between estimate and truth
+  double translation_mm = 0;                                     // of the pose's origin
+  double at_point_mm = 0;                                        // at the point asked for
   Eigen::Vector3d rotation_about_deg = Eigen::Vector3d::Zero();  // rotation vector of the error, in To axes
   Eigen::Vector3d shift_mm = Eigen::Vector3d::Zero();            // of the point, along To axes
 };

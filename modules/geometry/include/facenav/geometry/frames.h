@@ -5,9 +5,8 @@
 //   RightCamera  right camera, likewise
 //   Head         live head: = Mri once aligned, before that = Camera at the frame where tracking started
 //   Marker       printed square: x right, y down on the print, z into the plate, away from the viewer
-//   Coil         contact-face centre: +z into the head, +y along the handle's prolongation away from it, x = y x z
-//   Target       the wanted pose of Coil
-//   Projector    the dot projector, axes as Camera
+//   Coil         contact-face centre: +z into the head, +y along the handle's prolongation away from it, x =
+//   y x z Target       the wanted pose of Coil Projector    the dot projector, axes as Camera
 
 namespace facenav {
 inline namespace geometry {

@@ -8,9 +8,9 @@ namespace facenav {
 inline namespace geometry {
 
 struct PoseError {
-  double rotation_rad = 0.0;        // angle of R_estimated^T R_true
-  double translation_mm = 0.0;      // difference of the origins
-  double at_point_mm = 0.0;         // difference at the point asked for (a cortical target, say)
+  double rotation_rad = 0.0;    // angle of R_estimated^T R_true
+  double translation_mm = 0.0;  // difference of the origins
+  double at_point_mm = 0.0;     // difference at the point asked for (a cortical target, say)
 };
 
 /// Error of `estimated` against `truth`; `point` is where the user cares (default: the origin of From).

@@ -16,13 +16,14 @@ struct RigidFit {
 
 /// Minimises sum w_i |R from_i + t - to_i|^2. Same sizes; weights empty (all 1) or one per pair, >= 0.
 /// Throws Error for fewer than 3 pairs with weight or pairs on one line.
-RigidFit fitRigidPoints(const std::vector<Eigen::Vector3d>& from_mm, const std::vector<Eigen::Vector3d>& to_mm,
-                        const std::vector<double>& weights = {});
+RigidFit fitRigidPoints(const std::vector<Eigen::Vector3d>& from_mm,
+                        const std::vector<Eigen::Vector3d>& to_mm, const std::vector<double>& weights = {});
 
 template <class To, class From>
 RigidTransform<To, From> fitRigid(const PointCloud<From>& from, const PointCloud<To>& to,
                                   const std::vector<double>& weights = {}) {
-  return RigidTransform<To, From>::fromIsometry(fitRigidPoints(from.points_mm, to.points_mm, weights).to_T_from);
+  return RigidTransform<To, From>::fromIsometry(
+      fitRigidPoints(from.points_mm, to.points_mm, weights).to_T_from);
 }
 
 }  // namespace geometry

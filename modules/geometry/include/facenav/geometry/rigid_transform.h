@@ -1,7 +1,8 @@
 #pragma once
-// RigidTransform<To, From> maps coordinates in From to coordinates in To, written to_T_from. `*` exists only where
-// the inner frames match, so a wrong chain does not compile. Rotation is orthonormal with determinant +1: a mirrored
-// matrix (a left-right flip) is refused by fromMatrix. reframe<A, B>() is the one greppable way round the types.
+// RigidTransform<To, From> maps coordinates in From to coordinates in To, written to_T_from. `*` exists only
+// where the inner frames match, so a wrong chain does not compile. Rotation is orthonormal with determinant
+// +1: a mirrored matrix (a left-right flip) is refused by fromMatrix. reframe<A, B>() is the one greppable
+// way round the types.
 
 #include <Eigen/Geometry>
 #include <type_traits>
@@ -38,7 +39,9 @@ class RigidTransform {
     return transform;
   }
 
-  RigidTransform<From, To> inverse() const { return RigidTransform<From, To>::fromIsometry(isometry_.inverse()); }
+  RigidTransform<From, To> inverse() const {
+    return RigidTransform<From, To>::fromIsometry(isometry_.inverse());
+  }
   template <class Other>
   RigidTransform<To, Other> operator*(const RigidTransform<From, Other>& right) const {
     return RigidTransform<To, Other>::fromIsometry(isometry_ * right.isometry());

@@ -1,6 +1,7 @@
 #pragma once
-// NIfTI-1 in and out (through niftiio, the reference implementation). World coordinates are RAS mm: sform where its
-// code is > 0, else qform; which one was used, and whether the two disagree, is reported, never guessed in silence.
+// NIfTI-1 in and out (through niftiio, the reference implementation). World coordinates are RAS mm: sform
+// where its code is > 0, else qform; which one was used, and whether the two disagree, is reported, never
+// guessed in silence.
 
 #include <filesystem>
 #include <optional>
@@ -11,8 +12,9 @@
 namespace facenav::volume {
 
 struct NiftiRead {
-  Volume volume;                       // orientation_source is "sform" or "qform"
-  std::optional<std::string> warning;  // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
+  Volume volume;  // orientation_source is "sform" or "qform"
+  std::optional<std::string>
+      warning;  // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
 };
 
 /// Reads .nii or .nii.gz, any scalar type, with scl_slope and scl_inter applied.
@@ -20,8 +22,8 @@ struct NiftiRead {
 NiftiRead readNifti(const std::filesystem::path& path);
 Mask readMask(const std::filesystem::path& path);
 
-/// Writes a whole .nii or .nii.gz: int16 where all values are integers in its range, uint16 likewise, else float32.
-/// sform and qform (code 1) are both set where the grid is orthogonal.
+/// Writes a whole .nii or .nii.gz: int16 where all values are integers in its range, uint16 likewise, else
+/// float32. sform and qform (code 1) are both set where the grid is orthogonal.
 void writeNifti(const Volume& volume, const std::filesystem::path& path);
 void writeMask(const Mask& mask, const std::filesystem::path& path);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Regridding: the same anatomy on another grid. Algorithms that want a canonical order or cubic voxels convert at
-// their door and convert their masks back.
+// Regridding: the same anatomy on another grid. Algorithms that want a canonical order or cubic voxels
+// convert at their door and convert their masks back.
 
 #include "facenav/volume/volume.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// SlicePlane: any plane through the patient, and the image a volume or mask gives on it. Used by the slice views, the
-// report's pictures and the alignment's cross-sections. Anatomical planes are shown radiologically: the patient's
-// right on the image's left.
+// SlicePlane: any plane through the patient, and the image a volume or mask gives on it. Used by the slice
+// views, the report's pictures and the alignment's cross-sections. Anatomical planes are shown
+// radiologically: the patient's right on the image's left.
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// Volume: an MRI (rescaled values, 32-bit float, exact for integers up to 2^24) on its grid. Mask: 0/1 voxels on a grid.
+// Volume: an MRI (rescaled values, 32-bit float, exact for integers up to 2^24) on its grid. Mask: 0/1 voxels
+// on a grid.
 
 #include <cstdint>
 #include <string>
@@ -12,8 +13,8 @@ namespace facenav::volume {
 struct Volume {
   VoxelGrid grid;
   std::vector<float> voxels;
-  std::string modality = "MR";        // DICOM modality code ("MR", "CT"), "" where unknown (NIfTI)
-  std::string orientation_source;     // what the world rests on: "DICOM", "sform", "qform"
+  std::string modality = "MR";     // DICOM modality code ("MR", "CT"), "" where unknown (NIfTI)
+  std::string orientation_source;  // what the world rests on: "DICOM", "sform", "qform"
 
   float at(int i, int j, int k) const { return voxels[grid.index(i, j, k)]; }
 };
@@ -32,8 +33,8 @@ float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outsi
 float percentile(const Volume& volume, double fraction);
 
 struct Overlap {
-  double dice;         // 2 |A and B| / (|A| + |B|)
-  double inside;       // share of A that lies in B
+  double dice;    // 2 |A and B| / (|A| + |B|)
+  double inside;  // share of A that lies in B
 };
 /// Throws Error unless both grids match.
 Overlap overlap(const Mask& a, const Mask& b);

@@ -1,6 +1,7 @@
 #pragma once
-// VoxelGrid: where voxels lie in the patient. Index (i, j, k) counts voxel centres, i fastest in memory; the affine
-// maps them to Mri (RAS, mm). It may hold any axis order, flip and obliquity; nothing assumes axis alignment.
+// VoxelGrid: where voxels lie in the patient. Index (i, j, k) counts voxel centres, i fastest in memory; the
+// affine maps them to Mri (RAS, mm). It may hold any axis order, flip and obliquity; nothing assumes axis
+// alignment.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -15,7 +16,9 @@ struct VoxelGrid {
   Eigen::Affine3d mri_from_voxel = Eigen::Affine3d::Identity();
 
   std::size_t count() const { return std::size_t(size[0]) * size[1] * size[2]; }
-  std::size_t index(int i, int j, int k) const { return i + std::size_t(size[0]) * (j + std::size_t(size[1]) * k); }
+  std::size_t index(int i, int j, int k) const {
+    return i + std::size_t(size[0]) * (j + std::size_t(size[1]) * k);
+  }
   bool contains(int i, int j, int k) const {
     return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
   }

@@ -1,0 +1,86 @@
+// facenav align CASE RECORDING: capture pair -> CASE/alignment.json (or --rig, --left, --right, -o).
+
+#include <cstdio>
+#include <opencv2/imgcodecs.hpp>
+
+#include "commands/commands.h"
+#include "pipeline.h"
+
+namespace facenav::app {
+namespace {
+
+struct AlignRequest {
+  std::filesystem::path case_folder;
+  std::optional<std::filesystem::path> recording, rig, output;
+  std::vector<std::filesystem::path> left, right;  // with dots, without
+  std::string aligner;
+};
+
+cv::Mat readGrey(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
+  cv::Mat image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+  if (image.empty()) throw Error("is not an image that can be read", path.string(), "use PNG, TIFF or JPEG");
+  return image;
+}
+
+/// Capture pair and rig from single files; without a plain pair the dotted one serves for both.
+std::pair<stereo::StereoRig, capture::CapturePair> fromFiles(const AlignRequest& request) {
+  if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
+      request.left.size() > 2)
+    throw Error("give a RECORDING, or --rig with as many --left as --right images", {},
+                "first the image with dots, then the one without");
+  const auto rig = stereo::readRig(*request.rig);
+  capture::CapturePair pair;
+  pair.pattern.left = readGrey(request.left.front());
+  pair.pattern.right = readGrey(request.right.front());
+  pair.plain.left = readGrey(request.left.back());
+  pair.plain.right = readGrey(request.right.back());
+  for (const auto& image : {pair.pattern.left, pair.pattern.right, pair.plain.left, pair.plain.right})
+    if (image.cols != rig.width_px || image.rows != rig.height_px)
+      throw Error("image is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) +
+                      ", the rig's are " + std::to_string(rig.width_px) + " x " +
+                      std::to_string(rig.height_px),
+                  request.left.front().string(), "use the rig's own calibration");
+  return {rig, pair};
+}
+
+std::pair<stereo::StereoRig, capture::CapturePair> fromRecording(const std::filesystem::path& folder) {
+  auto recording = capture::openCapture(folder);
+  if (!recording.capture)
+    throw Error("has no capture/ pair", folder.string(),
+                "record one with the dots projected and one without");
+  return {recording.rig, *recording.capture};
+}
+
+void runAlign(Context& context, const AlignRequest& request) {
+  const auto store = casefile::CaseStore::open(request.case_folder);
+  const auto [rig, pair] = request.recording ? fromRecording(*request.recording) : fromFiles(request);
+  const auto outcome = alignCase(context, store, rig, pair, request.aligner);
+  const auto stored = outcome.stored();
+  if (request.output) casefile::writeAlignment(stored, *request.output);
+  if (context.is_quiet) return;
+  std::printf("aligned: residual rms %.2f mm, max %.2f mm, %d points (%.0f %% of the face)\n", stored.rms_mm,
+              stored.max_mm, stored.points, 100 * stored.inlier_fraction);
+  for (const auto& [target, error_mm] : stored.predicted_tre_mm)
+    std::printf("predicted error at %s: %.2f mm\n", target.c_str(), error_mm);
+}
+
+}  // namespace
+
+void addAlign(CLI::App& app, Context& context) {
+  auto* verb =
+      app.add_subcommand("align", "capture pair with projected dots -> alignment of the MRI to the face");
+  auto request = std::make_shared<AlignRequest>();
+  request->aligner = context.registrations.aligners.defaultName();
+  verb->add_option("CASE", request->case_folder, "case folder")->required();
+  verb->add_option("RECORDING", request->recording, "recording folder with stereo.yml and capture/");
+  verb->add_option("--rig", request->rig, "stereo.yml, instead of RECORDING");
+  verb->add_option("--left", request->left, "left image with dots, then the one without");
+  verb->add_option("--right", request->right, "right image with dots, then the one without");
+  verb->add_option("-o,--output", request->output, "also write alignment.json here");
+  verb->add_option("--aligner", request->aligner, "method: " + namesOf(context.registrations.aligners))
+      ->capture_default_str();
+  verb->callback([&context, request] { runAlign(context, *request); });
+}
+
+}  // namespace facenav::app

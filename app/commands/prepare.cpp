@@ -1,0 +1,34 @@
+// facenav prepare INPUT -o CASE: DICOM folder or file, or NIfTI -> case with masks, scalp and brain model.
+
+#include <cstdio>
+
+#include "commands/commands.h"
+#include "pipeline.h"
+
+namespace facenav::app {
+
+void addPrepare(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand("prepare", "MRI (DICOM or NIfTI) -> case: masks, scalp, brain model");
+  auto request = std::make_shared<PrepareRequest>();
+  request->head_segmenter = context.registrations.head_segmenters.defaultName();
+  request->brain_segmenter = context.registrations.brain_segmenters.defaultName();
+  verb->add_option("INPUT", request->input, "DICOM folder, one DICOM file, or .nii / .nii.gz")->required();
+  verb->add_option("-o,--output", request->case_folder, "case folder to make")->required();
+  verb->add_option("--series", request->series_uid,
+                   "series UID, where INPUT holds several ('facenav series' lists them)");
+  verb->add_option("--brain", request->brain_segmenter,
+                   "brain segmentation: " + namesOf(context.registrations.brain_segmenters))
+      ->capture_default_str();
+  verb->add_flag("--replace", request->replace,
+                 "replace the case's model; its targets and sessions are kept");
+  verb->callback([&context, request] {
+    const auto outcome = prepareCase(context, *request);
+    if (context.is_quiet) return;
+    for (const auto& line : outcome.description) std::printf("%s\n", line.c_str());
+    if (outcome.brain_ml) std::printf("brain: %.0f ml\n", *outcome.brain_ml);
+    for (const auto& finding : outcome.findings) std::printf("note: %s\n", finding.c_str());
+    std::printf("case written: %s\n", outcome.store.folder().c_str());
+  });
+}
+
+}  // namespace facenav::app

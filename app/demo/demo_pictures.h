@@ -1,0 +1,34 @@
+#pragma once
+// The demo's pictures and video: navigation displays of chosen frames (paper, figures 4, 6, 8, 9), the
+// alignment's cross-sections (figure 11). Needs an X display (a virtual one will do).
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/core/task_monitor.h"
+#include "facenav/evaluation/html_report.h"
+#include "facenav/session/align_from_capture.h"
+#include "facenav/session/navigation_state.h"
+
+namespace facenav::app {
+
+struct PictureInput {
+  const casefile::CaseStore& store;
+  const stereo::StereoRig& rig;
+  guidance::Target target;
+  std::vector<std::shared_ptr<const session::NavigationState>> states;  // of the treatment, in order
+};
+
+/// PNGs of the brain, of states spread over the treatment, and a video of them all; captions for the report.
+std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input,
+                                                     const std::filesystem::path& folder,
+                                                     TaskMonitor& monitor);
+
+/// Three cross-sections of the MRI through the face with the face cloud in red.
+std::vector<evaluation::ReportFigure> drawAlignment(const casefile::CaseStore& store,
+                                                    const session::AlignmentOutcome& outcome,
+                                                    const std::filesystem::path& folder);
+
+}  // namespace facenav::app

@@ -1,0 +1,219 @@
+#include "demo/demo_run.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "demo/demo_pictures.h"
+#include "demo/virtual_patient_files.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/geometry/pose_error.h"
+#include "facenav/guidance/hand_knob.h"
+#include "facenav/room/simulate.h"
+#include "facenav/scene/display.h"
+#include "pipeline.h"
+#include "virtual_display.h"
+
+namespace facenav::app {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kTarget = "M1 hand L";
+constexpr double kHandleAngle_rad = 45.0 * M_PI / 180.0;
+constexpr double kHairGap_mm = 4.0;
+
+/// The folder being filled; renamed into place at the end, removed if that is never reached.
+class ResultFolder {
+ public:
+  explicit ResultFolder(const fs::path& final) : final_(fs::absolute(final).lexically_normal()) {
+    if (!final_.has_filename()) final_ = final_.parent_path();
+    if (fs::exists(final_) && !fs::is_empty(final_) && !fs::exists(final_ / "report.html"))
+      throw Error("exists and is no result of a demo", final_.string(), "choose another folder with -o");
+    fs::create_directories(final_.parent_path());
+    temporary_ =
+        final_.parent_path() / ("." + final_.filename().string() + ".tmp" + std::to_string(::getpid()));
+    fs::create_directory(temporary_);
+  }
+  ~ResultFolder() {
+    std::error_code ignored;
+    if (!is_done_) fs::remove_all(temporary_, ignored);
+  }
+  const fs::path& path() const { return temporary_; }
+  void finish() {
+    fs::remove_all(final_);
+    fs::rename(temporary_, final_);
+    is_done_ = true;
+  }
+
+ private:
+  fs::path final_, temporary_;
+  bool is_done_ = false;
+};
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(DemoFigures& figures) : figures_(figures) {}
+  void lap(const std::string& step) {
+    const double now = seconds();
+    figures_.step_s.push_back({step, now - last_});
+    figures_.total_s = now;
+    last_ = now;
+  }
+
+ private:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  DemoFigures& figures_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double last_ = 0;
+};
+
+std::vector<evaluation::PoseEstimate> estimatesOf(const std::vector<casefile::PoseRow>& rows,
+                                                  casefile::PoseObject object) {
+  std::vector<evaluation::PoseEstimate> estimates;
+  for (const auto& row : rows)
+    if (row.object == object)
+      estimates.push_back(
+          {row.frame, row.pose.has_value(), row.pose.value_or(Eigen::Isometry3d::Identity())});
+  return estimates;
+}
+
+guidance::Target planHandArea(const casefile::CaseStore& store) {
+  const auto brain = store.brain();
+  if (!brain)
+    throw Error("the demo's patient has no brain model", store.folder().string(), "report this, please");
+  auto target =
+      guidance::planTarget(kTarget, store.scalp(), guidance::handKnobGuess(*brain, guidance::Side::left),
+                           kHandleAngle_rad, kHairGap_mm);
+  store.setTargets({{target}});
+  return target;
+}
+
+RigidTransform<Camera, Mri> captureTruth(const fs::path& recording) {
+  const auto json = nlohmann::json::parse(readWholeFile(recording / "scenario.json"));
+  Eigen::Matrix4d matrix;
+  for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = json.at("capture_camera_T_mri").at(i).get<double>();
+  return RigidTransform<Camera, Mri>::fromMatrix(matrix);
+}
+
+struct Truth {
+  std::map<std::int64_t, Eigen::Isometry3d> head, coil;  // camera_T_mri, camera_T_coil
+};
+
+Truth readRoomTruth(const fs::path& recording) {
+  Truth truth{capture::readTruth(recording / "truth/head.csv"),
+              capture::readTruth(recording / "truth/coil.csv")};
+  const auto marker_T_coil = tracking::readCoil(recording / "coil.json").marker_T_coil();
+  for (auto& [frame, pose] : truth.coil) pose = pose * marker_T_coil.isometry();
+  return truth;
+}
+
+void measureTreatment(const std::vector<casefile::PoseRow>& poses, const Truth& truth,
+                      const guidance::Target& target, DemoFigures& figures) {
+  const auto head = estimatesOf(poses, casefile::PoseObject::head),
+             coil = estimatesOf(poses, casefile::PoseObject::coil);
+  figures.head = evaluation::evaluateTracking(head, truth.head, target.cortex_point.mm);
+  figures.coil = evaluation::evaluateTracking(coil, truth.coil, Eigen::Vector3d::Zero());
+  std::vector<double> coil_on_head_mm;
+  for (std::size_t i = 0; i < std::min(head.size(), coil.size()); ++i) {
+    const auto frame = head[i].frame;
+    if (!head[i].is_tracked || !coil[i].is_tracked || !truth.head.count(frame) || !truth.coil.count(frame))
+      continue;
+    const Eigen::Vector3d estimated = head[i].pose.inverse() * coil[i].pose.translation();
+    coil_on_head_mm.push_back(
+        (estimated - truth.head.at(frame).inverse() * truth.coil.at(frame).translation()).norm());
+  }
+  figures.coil_on_head_mm = evaluation::summarise(coil_on_head_mm);
+  if (truth.head.empty() || truth.coil.empty()) return;
+  const Eigen::Vector3d last_mm =
+      truth.head.rbegin()->second.inverse() * truth.coil.rbegin()->second.translation();
+  figures.final_distance_mm = (last_mm - target.mri_T_target.translation_mm()).norm();
+}
+
+room::ScenarioOptions scenario(const char* name, const DemoRequest& request) {
+  room::ScenarioOptions options;
+  options.name = name;
+  options.seed = request.seed;
+  return options;
+}
+
+}  // namespace
+
+DemoFigures runDemo(Context& context, const DemoRequest& request) {
+  DemoFigures figures;
+  Stopwatch watch(figures);
+  ResultFolder result(request.folder);
+  const fs::path& folder = result.path();
+  std::optional<VirtualDisplay> display;
+  if (!scene::hasDisplay()) display.emplace();
+  const auto patient_files = virtualPatientFiles(context);
+  watch.lap("virtual patient");
+
+  PrepareRequest prepare{patient_files.dicom_folder,
+                         folder / "case",
+                         {},
+                         context.registrations.head_segmenters.defaultName(),
+                         context.registrations.brain_segmenters.defaultName(),
+                         false};
+  const auto prepared = prepareCase(context, prepare);
+  const casefile::CaseStore& store = prepared.store;
+  const auto target = planHandArea(store);
+  watch.lap("import, brain and skin model, plan");
+
+  const auto patient =
+      std::make_shared<const room::VirtualPatient>(room::makePatient(store.mri(), {}, context.monitor));
+  room::simulate(scenario("protractor", request), patient, target.mri_T_target, folder / "protractor",
+                 context.monitor);
+  auto treatment = scenario("treatment", request);
+  treatment.frames = request.frames;
+  room::simulate(treatment, patient, target.mri_T_target, folder / "recording", context.monitor);
+  watch.lap("virtual room: both recordings");
+
+  TrackRequest track{folder / "protractor",
+                     store.folder(),
+                     folder / "protractor/coil.json",
+                     context.registrations.aligners.defaultName(),
+                     context.registrations.head_trackers.defaultName(),
+                     context.registrations.coil_trackers.defaultName(),
+                     kTarget};
+  const auto protractor = trackRecording(context, track);
+  const Truth protractor_truth = readRoomTruth(folder / "protractor");
+  figures.protractor = evaluation::evaluateTracking(estimatesOf(protractor.poses, casefile::PoseObject::head),
+                                                    protractor_truth.head, target.cortex_point.mm);
+  writeProtractorPlot(figures.protractor, protractor_truth.head, folder / "protractor_error.svg");
+  watch.lap("align and track the protractor");
+
+  track.recording = folder / "recording";
+  track.coil_file = folder / "recording/coil.json";
+  std::vector<std::shared_ptr<const session::NavigationState>> states;
+  const auto tracked = trackRecording(context, track, [&](const session::NavigationState& state) {
+    states.push_back(std::make_shared<const session::NavigationState>(state));
+  });
+  casefile::writePoses(tracked.poses, folder / "poses.csv");
+  const auto guidance_rows = guidePoses(store, tracked.poses, kTarget);
+  guidance::writeGuidanceCsv(guidance_rows, folder / "guidance.csv");
+  figures.frames_on_target =
+      int(std::count_if(guidance_rows.begin(), guidance_rows.end(),
+                        [](const auto& row) { return row.state.state == guidance::State::on_target; }));
+  measureTreatment(tracked.poses, readRoomTruth(folder / "recording"), target, figures);
+  figures.alignment = tracked.alignment->stored();
+  const auto error = poseError(tracked.alignment->result.camera_T_mri, captureTruth(folder / "recording"),
+                               target.cortex_point);
+  figures.alignment_rotation_deg = error.rotation_rad * 180.0 / M_PI;
+  figures.alignment_at_target_mm = error.at_point_mm;
+  watch.lap("align, track and guide the treatment");
+
+  const auto rig = stereo::readRig(folder / "recording/stereo.yml");
+  auto pictures = drawNavigation({store, rig, target, std::move(states)}, folder, context.monitor);
+  for (auto& figure : drawAlignment(store, *tracked.alignment, folder)) pictures.push_back(std::move(figure));
+  pictures.push_back({"Tracking error over the head's rotation (paper, figure 13).", "protractor_error.svg"});
+  watch.lap("pictures and video");
+  writeDemoReport(figures, pictures, folder);
+  result.finish();
+  return figures;
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,206 @@
+#include "pipeline.h"
+
+#include <algorithm>
+#include <map>
+
+#include "facenav/casefile/sha256.h"
+#include "facenav/core/log.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/dicom/import_volume.h"
+#include "facenav/session/navigator.h"
+#include "facenav/session/preparation.h"
+#include "facenav/tracking/face_landmarks.h"
+#include "stored_capture.h"
+
+namespace facenav::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// What the head tracker starts from, and where the head was then.
+struct Start {
+  tracking::HeadReference reference;
+  std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
+};
+
+/// The first frame in which both cameras see a face; tracking without an alignment starts there.
+std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(const capture::Recording& recording,
+                                                              TaskMonitor& monitor) {
+  const auto detector = tracking::makeFaceDetector();
+  const auto source = capture::makeSource(recording);
+  for (std::int64_t i = 0; auto frame = source->next(); ++i) {
+    monitor.report("looking for a face",
+                   double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
+    if (detector->detect(frame->left) && detector->detect(frame->right)) return frame;
+  }
+  throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
+              recording.folder.string(), "check that both cameras see the whole face, upright and lit");
+}
+
+Start startWithoutCase(const capture::Recording& recording, TaskMonitor& monitor) {
+  return {{*firstFrameWithFace(recording, monitor), {}, {}}, std::nullopt};
+}
+
+/// An alignment.json of another tool, without the images it was made from: nothing ties it to this recording
+/// but the user's word that the head sits in the first frame as it sat then.
+Start startFromStoredPose(const casefile::CaseStore& store, const capture::Recording& recording,
+                          TaskMonitor& monitor) {
+  const auto alignment = store.alignment();
+  if (!alignment)
+    throw Error("case is not aligned and the recording has no capture/ pair to align from",
+                store.folder().string(), "run 'facenav align' with a capture first");
+  logWarning("no capture pair: the head is taken to sit in the first frame as it sat at the alignment");
+  Start start = startWithoutCase(recording, monitor);
+  start.camera_T_mri = alignment->camera_T_mri;
+  return start;
+}
+
+Start startOf(Context& context, const TrackRequest& request, const capture::Recording& recording,
+              TrackOutcome& outcome) {
+  if (!request.case_folder) return startWithoutCase(recording, context.monitor);
+  const auto store = casefile::CaseStore::open(*request.case_folder);
+  std::optional<capture::CapturePair> capture = recording.capture;
+  if (!capture) capture = readStoredCapture(store.folder(), recording.rig);
+  if (!capture) return startFromStoredPose(store, recording, context.monitor);
+  outcome.alignment = alignCase(context, store, recording.rig, *capture, request.aligner);
+  return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri};
+}
+
+session::Navigator makeNavigator(Context& context, const TrackRequest& request,
+                                 const capture::Recording& recording, Start start,
+                                 const tracking::CoilModel& coil) {
+  session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {}};
+  session::Navigator navigator(setup, context.registrations.head_trackers.create(request.head_tracker),
+                               context.registrations.coil_trackers.create(request.coil_tracker));
+  if (!request.target.empty()) {
+    const auto store = casefile::CaseStore::open(request.case_folder.value());
+    const auto alignment = store.alignment();
+    const auto& target = store.targets().find(request.target);
+    const auto predicted = alignment ? alignment->predicted_tre_mm.find(request.target)
+                                     : decltype(alignment->predicted_tre_mm.end()){};
+    const bool is_known = alignment && predicted != alignment->predicted_tre_mm.end();
+    navigator.setTarget(session::ChosenTarget{target, is_known ? predicted->second : 0.0});
+  }
+  return navigator;
+}
+
+void addRows(const session::NavigationState& state, bool is_aligned, bool has_coil_file,
+             std::vector<casefile::PoseRow>& rows) {
+  using casefile::PoseObject;
+  const double t_s = state.captured.s;
+  if (is_aligned) {
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::head, state.camera_T_mri));
+  } else if (state.head) {
+    rows.push_back({state.frame, t_s, PoseObject::head, state.head->camera_T_head.isometry(),
+                    state.head.quality(), std::nullopt});
+  } else {
+    rows.push_back({state.frame, t_s, PoseObject::head, std::nullopt, 0.0, state.head.reason()});
+  }
+  if (has_coil_file) {
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::coil, state.camera_T_coil));
+  } else if (state.coil) {
+    rows.push_back({state.frame, t_s, PoseObject::coil, state.coil->camera_T_marker.isometry(),
+                    state.coil.quality(), std::nullopt});
+  } else {
+    rows.push_back({state.frame, t_s, PoseObject::coil, std::nullopt, 0.0, state.coil.reason()});
+  }
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, std::size_t(fraction * double(values.size())))];
+}
+
+}  // namespace
+
+PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
+  if (fs::exists(request.case_folder) && !request.replace)
+    throw Error(
+        "exists already", request.case_folder.string(),
+        "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
+  const auto head = context.registrations.head_segmenters.create(request.head_segmenter);
+  const auto brain = context.registrations.brain_segmenters.create(request.brain_segmenter);
+  auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor);
+  auto prepared = session::prepare(imported.volume, *head, *brain, context.monitor);
+  prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
+  context.monitor.report("writing the case", 0.0);
+  casefile::Provenance step{"prepare",
+                            softwareVersion(),
+                            {{"head", request.head_segmenter}, {"brain", request.brain_segmenter}},
+                            {{"input", casefile::sha256OfInput(request.input)}}};
+  auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace);
+  std::optional<double> brain_ml;
+  if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
+  return {std::move(store), imported.description, prepared.findings, brain_ml};
+}
+
+session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore& store,
+                                    const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                                    const std::string& aligner) {
+  const auto detector = tracking::makeFaceDetector();
+  auto outcome =
+      session::alignFromCapture(rig, capture, store.scalp(), *context.registrations.aligners.create(aligner),
+                                *detector, store.targets().targets, context.monitor);
+  writeStoredCapture(store.folder(), rig, capture);
+  store.setAlignment(outcome.stored());
+  return outcome;
+}
+
+TrackOutcome trackRecording(Context& context, const TrackRequest& request,
+                            const std::function<void(const session::NavigationState&)>& on_frame) {
+  const auto recording = capture::openRecording(request.recording);
+  const auto coil = request.coil_file ? tracking::readCoil(*request.coil_file) : tracking::defaultCoil();
+  TrackOutcome outcome;
+  Start start = startOf(context, request, recording, outcome);
+  const bool is_aligned = start.camera_T_mri.has_value();
+  auto navigator = makeNavigator(context, request, recording, std::move(start), coil);
+  const auto source = capture::makeSource(recording);
+  std::vector<double> processing_ms;
+  while (auto frame = source->next()) {
+    context.monitor.report("tracking", double(outcome.frames) / double(recording.frame_count));
+    const auto state = navigator.process(frame);
+    addRows(state, is_aligned, request.coil_file.has_value(), outcome.poses);
+    ++outcome.frames;
+    outcome.head_tracked += state.head.isTracked();
+    outcome.coil_tracked += state.coil.isTracked();
+    processing_ms.push_back(state.processing_ms);
+    if (on_frame) on_frame(state);
+  }
+  if (outcome.head_tracked == 0 && outcome.coil_tracked == 0)
+    throw Error(
+        "neither the face nor a marker was found in any of " + std::to_string(outcome.frames) + " frames",
+        request.recording.string(), "check that both cameras see them, lit and in focus");
+  outcome.processing_ms_median = quantile(processing_ms, 0.5);
+  outcome.processing_ms_p99 = quantile(processing_ms, 0.99);
+  return outcome;
+}
+
+std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
+                                              const std::vector<casefile::PoseRow>& poses,
+                                              const std::string& target_name) {
+  const auto plan = store.targets();
+  const auto& target = plan.find(target_name);
+  const auto alignment = store.alignment();
+  double predicted_mm = 0.0;
+  if (alignment && alignment->predicted_tre_mm.count(target_name))
+    predicted_mm = alignment->predicted_tre_mm.at(target_name);
+
+  std::map<std::int64_t, std::pair<const casefile::PoseRow*, const casefile::PoseRow*>> frames;
+  for (const auto& row : poses)
+    (row.object == casefile::PoseObject::head ? frames[row.frame].first : frames[row.frame].second) = &row;
+  std::vector<guidance::GuidanceRow> rows;
+  guidance::GuidanceState previous;
+  for (const auto& [frame, pair] : frames) {
+    const auto [head, coil] = pair;
+    const Tracked<RigidTransform<Camera, Mri>> camera_T_mri =
+        head ? head->tracked<Camera, Mri>() : Tracked<RigidTransform<Camera, Mri>>(Lost{LostReason::no_face});
+    const Tracked<RigidTransform<Camera, Coil>> camera_T_coil =
+        coil ? coil->tracked<Camera, Coil>()
+             : Tracked<RigidTransform<Camera, Coil>>(Lost{LostReason::no_marker});
+    previous = guidance::evaluate(target, camera_T_mri, camera_T_coil, {}, predicted_mm, previous);
+    rows.push_back({frame, (head ? head : coil)->t_s, target_name, previous});
+  }
+  return rows;
+}
+
+}  // namespace facenav::app

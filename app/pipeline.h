@@ -1,0 +1,63 @@
+#pragma once
+// The steps of the data flow as the verbs and the demo run them: PREPARE, ALIGN, TRACK, GUIDE. Composition of
+// module calls with the registered implementations; the same code for a real patient and for the demo.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "context.h"
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/casefile/poses_csv.h"
+#include "facenav/guidance/guidance_csv.h"
+#include "facenav/session/align_from_capture.h"
+#include "facenav/session/navigation_state.h"
+
+namespace facenav::app {
+
+struct PrepareRequest {
+  std::filesystem::path input, case_folder;
+  std::optional<std::string> series_uid;
+  std::string head_segmenter, brain_segmenter;  // registered names
+  bool replace = false;
+};
+struct PrepareOutcome {
+  casefile::CaseStore store;
+  std::vector<std::string> description, findings;  // plain words for the radiographer
+  std::optional<double> brain_ml;
+};
+/// INPUT -> case folder, whole or not at all. Throws Error.
+PrepareOutcome prepareCase(Context& context, const PrepareRequest& request);
+
+/// Aligns and writes alignment.json and the capture pair it rests on into the case. Throws Error ("not
+/// aligned: ..").
+session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore& store,
+                                    const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                                    const std::string& aligner);
+
+struct TrackRequest {
+  std::filesystem::path recording;
+  std::optional<std::filesystem::path> case_folder, coil_file;
+  std::string aligner, head_tracker, coil_tracker;  // registered names
+  std::string target;                               // of the case; empty: no guidance while tracking
+};
+struct TrackOutcome {
+  std::vector<casefile::PoseRow> poses;                // two rows a frame: head, coil
+  std::optional<session::AlignmentOutcome> alignment;  // when it was made from a capture pair
+  int head_tracked = 0, coil_tracked = 0, frames = 0;
+  double processing_ms_median = 0, processing_ms_p99 = 0;
+};
+/// `on_frame` (may be empty) sees every state as it is made. Throws Error; also when neither face nor marker
+/// was found in any frame.
+TrackOutcome trackRecording(Context& context, const TrackRequest& request,
+                            const std::function<void(const session::NavigationState&)>& on_frame = {});
+
+/// guidance.csv's rows from poses and the case's plan.
+std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
+                                              const std::vector<casefile::PoseRow>& poses,
+                                              const std::string& target_name);
+
+}  // namespace facenav::app

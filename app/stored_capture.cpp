@@ -1,0 +1,39 @@
+#include "stored_capture.h"
+
+#include "facenav/geometry/pose_error.h"
+
+namespace facenav::app {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path folderIn(const fs::path& case_folder) { return case_folder / "alignment_capture"; }
+
+bool isSameRig(const stereo::StereoRig& a, const stereo::StereoRig& b) {
+  const auto motion = poseError(a.right_T_left, b.right_T_left);
+  return a.width_px == b.width_px && a.height_px == b.height_px && cv::norm(a.left.k - b.left.k) < 1e-3 &&
+         cv::norm(a.right.k - b.right.k) < 1e-3 && motion.rotation_rad < 1e-6 && motion.translation_mm < 1e-4;
+}
+
+}  // namespace
+
+void writeStoredCapture(const fs::path& case_folder, const stereo::StereoRig& rig,
+                        const capture::CapturePair& pair) {
+  const fs::path folder = folderIn(case_folder);
+  const fs::path previous = case_folder / ".previous_alignment_capture";
+  fs::remove_all(previous);
+  if (fs::exists(folder)) fs::rename(folder, previous);
+  capture::RecordingWriter writer(folder, rig);
+  writer.setCapture(pair);
+  writer.close();
+  fs::remove_all(previous);
+}
+
+std::optional<capture::CapturePair> readStoredCapture(const fs::path& case_folder,
+                                                      const stereo::StereoRig& rig) {
+  if (!fs::exists(folderIn(case_folder))) return std::nullopt;
+  const auto stored = capture::openCapture(folderIn(case_folder));
+  if (!stored.capture || !isSameRig(stored.rig, rig)) return std::nullopt;
+  return stored.capture;
+}
+
+}  // namespace facenav::app

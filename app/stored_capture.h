@@ -1,0 +1,18 @@
+#pragma once
+// The capture pair an alignment rests on, kept in the case (alignment_capture/), so that a later recording
+// without a capture of its own can be tracked against the face as it was when the alignment was made.
+
+#include <filesystem>
+#include <optional>
+
+#include "facenav/capture/recording.h"
+
+namespace facenav::app {
+
+void writeStoredCapture(const std::filesystem::path& case_folder, const stereo::StereoRig& rig,
+                        const capture::CapturePair& pair);
+/// Nothing where there is none, or where it was taken with another rig than `rig`.
+std::optional<capture::CapturePair> readStoredCapture(const std::filesystem::path& case_folder,
+                                                      const stereo::StereoRig& rig);
+
+}  // namespace facenav::app
