@@ -1,15 +1,6 @@
 #include "facenav/surface/brain_model.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkDelaunay2D.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
-#include <map>
 
 #include "facenav/core/error.h"
 #include "mesh_polydata.h"
@@ -59,33 +50,17 @@ class PhiThetaMesh {
     model_.mesh.vertices_mm[last] = model_.mesh.vertices_mm[first];
   }
 
+  /// The 2-D Delaunay triangulation of the phi-theta plane (in units of bins, each ring shifted a little
+  /// against the one before, or the four corners of a cell would lie on one circle and leave the choice to
+  /// rounding): on such a lattice it is known, each cell is cut along its shorter diagonal. vtkDelaunay2D
+  /// gives the same triangles (tested), in seconds to minutes on fine grids.
   void triangulateRings() {
-    // In units of bins, and sheared a little: on an upright grid the four corners of every cell lie on one
-    // circle, and the Delaunay triangulation would be left to rounding.
-    constexpr double kShear = 0.2;
-    vtkNew<vtkPoints> plane;
-    plane->SetDataTypeToDouble();
-    for (int r = 0; r < map_.rows; ++r)
-      for (int c = 0; c < ring_; ++c) {
-        const double u = c == 0 ? 0 : c == ring_ - 1 ? map_.columns : c - 0.5;
-        plane->InsertNextPoint(u + kShear * r, r, 0);
+    for (int r = 0; r + 1 < map_.rows; ++r)
+      for (int c = 0; c + 1 < ring_; ++c) {
+        const int here = r * ring_ + c, below = here + ring_;
+        model_.mesh.triangles.emplace_back(here, here + 1, below);
+        model_.mesh.triangles.emplace_back(here + 1, below + 1, below);
       }
-    vtkNew<vtkPolyData> points;
-    points->SetPoints(plane);
-    vtkNew<vtkDelaunay2D> delaunay;
-    delaunay->SetInputData(points);
-    delaunay->SetTolerance(0);
-    delaunay->SetOffset(10);
-    delaunay->Update();
-    auto cell = vtk::TakeSmartPointer(delaunay->GetOutput()->GetPolys()->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell()) {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      cell->GetCurrentCell(size, ids);
-      model_.mesh.triangles.emplace_back(int(ids[0]), int(ids[1]), int(ids[2]));
-    }
-    FACENAV_EXPECT(int(model_.mesh.triangles.size()) == 2 * (map_.rows - 1) * (ring_ - 1),
-                   "the phi-theta plane is not covered by its triangulation");
   }
 
   /// A fan from the ring to the pole, which has one copy per triangle, each in the middle of its triangle's

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "facenav/core/error.h"
-#include "facenav/volume/regrid.h"
+#include "insideness.h"
 
 namespace facenav::surface {
 namespace {
@@ -13,52 +13,11 @@ namespace {
 using Eigen::Vector3d;
 using volume::Mask;
 using volume::Volume;
-using volume::VoxelGrid;
 
 constexpr double kGrid_mm = 1.0;  // of the smoothed mask whose surface is sought
 constexpr double kStep_mm = 0.5;  // along a ray
 constexpr float kInside = 0.5f;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
-/// The smallest axis-aligned grid around the mask, with a margin for smoothing.
-VoxelGrid gridAround(const Mask& brain) {
-  Vector3d low = Vector3d::Constant(1e9), high = Vector3d::Constant(-1e9);
-  for (int k = 0; k < brain.grid.size[2]; ++k)
-    for (int j = 0; j < brain.grid.size[1]; ++j)
-      for (int i = 0; i < brain.grid.size[0]; ++i) {
-        if (!brain.at(i, j, k)) continue;
-        const Vector3d p = brain.grid.mri_from_voxel * Vector3d(i, j, k);
-        low = low.cwiseMin(p), high = high.cwiseMax(p);
-      }
-  if (high.x() < low.x()) throw Error("the brain mask is empty", {}, "segment the brain, or paint it");
-  const Vector3d margin =
-      brain.grid.spacing_mm().maxCoeff() * Vector3d::Ones() + Vector3d::Constant(3 * kGrid_mm);
-  VoxelGrid grid;
-  for (int a = 0; a < 3; ++a) grid.size[a] = 2 + int(std::ceil((high - low + 2 * margin)[a] / kGrid_mm));
-  grid.mri_from_voxel = Eigen::Translation3d(low - margin) * Eigen::Scaling(kGrid_mm);
-  return grid;
-}
-
-/// One pass of the kernel 1-2-1 along each axis: sigma 0.7 voxels, which turns the mask's steps into a slope.
-void smooth(Volume& v) {
-  const auto& n = v.grid.size;
-  const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
-  for (int a = 0; a < 3; ++a) {
-    const std::vector<float> from = v.voxels;
-    for (std::size_t i = stride[a]; i + stride[a] < from.size(); ++i)
-      v.voxels[i] = 0.25f * (from[i - stride[a]] + 2 * from[i] + from[i + stride[a]]);
-  }
-}
-
-/// How far inside the brain each point lies: a smoothed mask, whose level 0.5 is the surface.
-Volume insideness(const Mask& brain) {
-  Volume inside;
-  inside.grid = brain.grid;
-  inside.voxels.assign(brain.voxels.begin(), brain.voxels.end());
-  inside = volume::resample(inside, gridAround(brain));
-  smooth(inside);
-  return inside;
-}
 
 Vector3d centreOf(const Volume& inside) {
   Vector3d sum = Vector3d::Zero();
@@ -130,12 +89,14 @@ void fillGaps(std::vector<float>& bins, int rows, int columns) {
   }
 }
 
-/// Grey values on 0..255 between the 2nd percentile (fluid in the sulci) and 1.25 times the 75th (the crowns of the gyri:
-/// the bare white matter of the brainstem, seen from below, must not set the window). Every bin counts alike.
+/// Grey values on 0..255 between the 2nd percentile (fluid in the sulci) and 1.25 times the 75th (the crowns
+/// of the gyri: the bare white matter of the brainstem, seen from below, must not set the window). Every bin
+/// counts alike.
 std::vector<std::uint8_t> windowed(const std::vector<float>& values) {
   std::vector<float> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  const float low = sorted[sorted.size() * 2 / 100], high = low + 1.25f * (sorted[sorted.size() * 3 / 4] - low);
+  const float low = sorted[sorted.size() * 2 / 100],
+              high = low + 1.25f * (sorted[sorted.size() * 3 / 4] - low);
   std::vector<std::uint8_t> grey(values.size());
   for (std::size_t i = 0; i < grey.size(); ++i)
     grey[i] = std::uint8_t(
@@ -159,7 +120,7 @@ SphericalMap mapBrain(const Volume& volume, const Mask& brain, const BrainModelO
                       TaskMonitor& monitor) {
   if (options.rows < 4 || options.columns < 4) throw Error("a brain model needs at least 4 x 4 bins");
   monitor.report("smoothing the brain's surface", 0);
-  const Volume inside = insideness(brain);
+  const Volume inside = insideness(brain, kGrid_mm);
   SphericalMap map;
   map.rows = options.rows, map.columns = options.columns;
   map.centre = Point<Mri>(centreOf(inside));

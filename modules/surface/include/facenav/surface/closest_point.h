@@ -1,0 +1,34 @@
+#pragma once
+// The nearest place on a surface: cortex under a scalp point, distance of a target to the scalp.
+
+#include <memory>
+
+#include "facenav/surface/triangle_mesh.h"
+
+namespace facenav::surface {
+
+struct SurfacePoint {
+  Point<Mri> point;
+  Direction<Mri> normal;   // outward, of the triangle
+  double distance_mm = 0;  // never negative
+  bool is_outside = true;  // the asked point lies on the outer side of that triangle
+  int triangle = -1;
+};
+
+/// A search tree over one mesh; the mesh need not outlive it. Safe to ask from several threads.
+class ClosestPoint {
+ public:
+  /// Throws Error for a mesh without triangles.
+  explicit ClosestPoint(const TriangleMesh& mesh);
+  ~ClosestPoint();
+  ClosestPoint(ClosestPoint&&) noexcept;
+  ClosestPoint& operator=(ClosestPoint&&) noexcept;
+
+  SurfacePoint nearest(const Point<Mri>& p) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace facenav::surface

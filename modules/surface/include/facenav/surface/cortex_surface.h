@@ -1,0 +1,20 @@
+#pragma once
+// The brain's true surface: iso-surface of the mask, both banks of every sulcus that the mask leaves open,
+// smoothed with a windowed sinc that keeps the volume. For planning and measuring; the phi-theta BrainModel
+// is the paper's picture of it.
+
+#include "facenav/core/task_monitor.h"
+#include "facenav/surface/triangle_mesh.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::surface {
+
+struct CortexOptions {
+  double spacing_mm = 1.0;   // of the grid on which the surface is sought
+  int smoothing_steps = 15;  // of the windowed sinc; 0 for none
+};
+
+/// Closed and outward. Throws Error for an empty mask.
+TriangleMesh extractCortex(const volume::Mask& brain, const CortexOptions& options, TaskMonitor& monitor);
+
+}  // namespace facenav::surface

@@ -1,0 +1,46 @@
+#include "facenav/surface/cortex_surface.h"
+
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataConnectivityFilter.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+
+#include "facenav/volume/vtk_image.h"
+#include "insideness.h"
+#include "mesh_polydata.h"
+
+namespace facenav::surface {
+
+TriangleMesh extractCortex(const volume::Mask& brain, const CortexOptions& options, TaskMonitor& monitor) {
+  monitor.report("smoothing the brain's surface", 0);
+  const volume::Volume inside = insideness(brain, options.spacing_mm);
+  monitor.report("extracting the brain's surface", 0.3);
+  vtkNew<vtkFlyingEdges3D> surface;
+  surface->SetInputData(volume::toVtkImage(inside));
+  surface->SetValue(0, 0.5);
+  surface->ComputeNormalsOff();
+  surface->ComputeGradientsOff();
+  surface->ComputeScalarsOff();
+  vtkNew<vtkPolyDataConnectivityFilter> largest;
+  largest->SetInputConnection(surface->GetOutputPort());
+  largest->SetExtractionModeToLargestRegion();
+  vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+  smooth->SetInputConnection(largest->GetOutputPort());
+  smooth->SetNumberOfIterations(options.smoothing_steps);
+  smooth->SetPassBand(0.1);
+  smooth->NormalizeCoordinatesOn();
+  smooth->NonManifoldSmoothingOn();
+  vtkPolyDataAlgorithm* last =
+      options.smoothing_steps > 0 ? static_cast<vtkPolyDataAlgorithm*>(smooth) : largest.Get();
+  last->Update();
+  monitor.report("extracting the brain's surface", 0.9);
+  TriangleMesh mesh = toTriangleMesh(*last->GetOutput());
+  for (auto& v : mesh.vertices_mm) v = inside.grid.mri_from_voxel * v;
+  mesh.normals = vertexNormals(mesh);
+  return mesh;
+}
+
+}  // namespace facenav::surface
