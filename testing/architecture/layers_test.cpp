@@ -1,5 +1,5 @@
-// The layering as a test: who may include whom, no Qt below ui, no GDCM or PCL in a public header, no Qt in the
-// command line tool. The table is modules/README.md's; the two are changed together.
+// The layering as a test: who may include whom, no Qt below ui, no GDCM or PCL in a public header, no Qt in
+// the command line tool. The table is modules/README.md's; the two are changed together.
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,8 @@ TEST(Layers, ModulesIncludeOnlyWhatTheTableAllows) {
 TEST(Layers, NoQtBelowTheWindow) {
   static const std::regex kQt("^(Q[A-Z]|Qt|QVTK)");
   for (const auto& file : sourcesUnder(kModules))
-    for (const auto& include : includesOf(file)) EXPECT_FALSE(std::regex_search(include, kQt)) << file << ": " << include;
+    for (const auto& include : includesOf(file))
+      EXPECT_FALSE(std::regex_search(include, kQt)) << file << ": " << include;
 }
 
 TEST(Layers, NoGdcmNorPclInAPublicHeader) {
@@ -105,7 +106,8 @@ TEST(Layers, OpenCvInPublicHeadersOfImageModulesOnly) {
   for (const auto& [module, ignored] : kMayUse) {
     if (allowed.count(module)) continue;
     for (const auto& file : sourcesUnder(kModules / module / "include"))
-      for (const auto& include : includesOf(file)) EXPECT_NE(include.rfind("opencv2/", 0), 0u) << file << ": " << include;
+      for (const auto& include : includesOf(file))
+        EXPECT_NE(include.rfind("opencv2/", 0), 0u) << file << ": " << include;
   }
 }
 

@@ -1,4 +1,5 @@
-// Wrong input to each verb: one clear line on stderr, exit status 1 (2 for wrong usage), nothing half-written.
+// Wrong input to each verb: one clear line on stderr, exit status 1 (2 for wrong usage), nothing
+// half-written.
 
 #include <gmock/gmock.h>
 
@@ -28,9 +29,9 @@ class CommandLine : public ::testing::Test {
  protected:
   fs::path at(const std::string& name) const { return folder_.path() / name; }
   bool isClean() const {  // no temporary leftovers
-    return std::none_of(fs::directory_iterator(folder_.path()), fs::directory_iterator(), [](const auto& entry) {
-      return entry.path().filename().string().find("tmp") != std::string::npos;
-    });
+    return std::none_of(
+        fs::directory_iterator(folder_.path()), fs::directory_iterator(),
+        [](const auto& entry) { return entry.path().filename().string().find("tmp") != std::string::npos; });
   }
   TemporaryFolder folder_;
 };
@@ -51,7 +52,9 @@ TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
   }
 }
 
-TEST_F(CommandLine, SeriesOfAMissingFolder) { expectRefused(runFacenav("series " + at("none").string()), "none"); }
+TEST_F(CommandLine, SeriesOfAMissingFolder) {
+  expectRefused(runFacenav("series " + at("none").string()), "none");
+}
 
 TEST_F(CommandLine, SeriesOfAFolderWithoutDicom) {
   writeText(at("a.txt"), "no DICOM");
@@ -59,37 +62,42 @@ TEST_F(CommandLine, SeriesOfAFolderWithoutDicom) {
 }
 
 TEST_F(CommandLine, PrepareOfAMissingFile) {
-  expectRefused(runFacenav("prepare " + at("none.nii.gz").string() + " -o " + at("case").string()), "none.nii.gz", at("case"));
+  expectRefused(runFacenav("prepare " + at("none.nii.gz").string() + " -o " + at("case").string()),
+                "none.nii.gz", at("case"));
 }
 
 TEST_F(CommandLine, PrepareOfATruncatedNifti) {
   FACENAV_NEEDS(colin27());
   const std::string whole = readText(colin27());
   writeText(at("cut.nii.gz"), whole.substr(0, whole.size() / 3));
-  expectRefused(runFacenav("prepare " + at("cut.nii.gz").string() + " -o " + at("case").string()), "cut.nii.gz", at("case"));
+  expectRefused(runFacenav("prepare " + at("cut.nii.gz").string() + " -o " + at("case").string()),
+                "cut.nii.gz", at("case"));
   EXPECT_TRUE(isClean());
 }
 
 TEST_F(CommandLine, PrepareOfAFileThatIsNoVolume) {
   writeText(at("a.nii"), "not a volume");
-  expectRefused(runFacenav("prepare " + at("a.nii").string() + " -o " + at("case").string()), "a.nii", at("case"));
+  expectRefused(runFacenav("prepare " + at("a.nii").string() + " -o " + at("case").string()), "a.nii",
+                at("case"));
 }
 
 TEST_F(CommandLine, CalibrateWithoutImages) {
-  expectRefused(runFacenav("calibrate --board 9x6 --square 25 --left '" + at("left*.jpg").string() + "' --right '" +
-                           at("right*.jpg").string() + "' -o " + at("stereo.yml").string()),
+  expectRefused(runFacenav("calibrate --board 9x6 --square 25 --left '" + at("left*.jpg").string() +
+                           "' --right '" + at("right*.jpg").string() + "' -o " + at("stereo.yml").string()),
                 "left*.jpg", at("stereo.yml"));
 }
 
 TEST_F(CommandLine, TrackOfAMissingRecording) {
-  expectRefused(runFacenav("track " + at("none").string() + " -o " + at("poses.csv").string()), "none", at("poses.csv"));
+  expectRefused(runFacenav("track " + at("none").string() + " -o " + at("poses.csv").string()), "none",
+                at("poses.csv"));
 }
 
 TEST_F(CommandLine, TrackOfARigWithoutT) {
   fs::create_directories(at("rec/left"));
   fs::create_directories(at("rec/right"));
   writeText(at("rec/stereo.yml"),
-            "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+            "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nK1: !!opencv-matrix\n   rows: 3\n   cols: "
+            "3\n   dt: d\n"
             "   data: [ 800., 0., 320., 0., 800., 240., 0., 0., 1. ]\n");
   const auto result = runFacenav("track " + at("rec").string() + " -o " + at("poses.csv").string());
   expectRefused(result, "stereo.yml", at("poses.csv"));
@@ -97,8 +105,8 @@ TEST_F(CommandLine, TrackOfARigWithoutT) {
 
 TEST_F(CommandLine, GuideOfAFolderThatIsNoCase) {
   writeText(at("poses.csv"), "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason\n");
-  expectRefused(runFacenav("guide " + folder_.path().string() + " " + at("poses.csv").string() + " --target X -o " +
-                           at("guidance.csv").string()),
+  expectRefused(runFacenav("guide " + folder_.path().string() + " " + at("poses.csv").string() +
+                           " --target X -o " + at("guidance.csv").string()),
                 "case.json", at("guidance.csv"));
 }
 

@@ -27,7 +27,8 @@ TEST(ErrorStatistics, OfNothingHasCountZero) { EXPECT_EQ(summarise({}).count, 0)
 TEST(TrackingEvaluation, CountsAWrongPoseCalledTracked) {
   std::map<std::int64_t, Eigen::Isometry3d> truth;
   for (int frame = 0; frame < 3; ++frame) truth[frame] = Eigen::Isometry3d::Identity();
-  PoseEstimate good{0, true, Eigen::Isometry3d::Identity()}, lost{1, false, Eigen::Isometry3d::Identity()}, wrong{2, true, {}};
+  PoseEstimate good{0, true, Eigen::Isometry3d::Identity()}, lost{1, false, Eigen::Isometry3d::Identity()},
+      wrong{2, true, {}};
   wrong.pose = Eigen::Translation3d(0, 0, 3.5) * Eigen::AngleAxisd(0.0, Eigen::Vector3d::UnitX());
   const auto result = evaluateTracking({good, lost, wrong}, truth, {10, 0, 0});
   EXPECT_EQ(result.tracked, 2);
@@ -38,13 +39,15 @@ TEST(TrackingEvaluation, CountsAWrongPoseCalledTracked) {
 
 TEST(TrackingEvaluation, RotationShowsAtThePointByItsLever) {
   const Eigen::Isometry3d turned(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitZ()));
-  const auto result = evaluateTracking({{7, true, turned}}, {{7, Eigen::Isometry3d::Identity()}}, {100, 0, 0});
+  const auto result =
+      evaluateTracking({{7, true, turned}}, {{7, Eigen::Isometry3d::Identity()}}, {100, 0, 0});
   EXPECT_NEAR(result.at_point_mm.max, 2 * 100 * std::sin(0.005), 1e-9);
   EXPECT_NEAR(result.errors.at(0).rotation_about_deg.z(), 0.01 * 180 / M_PI, 1e-9);
 }
 
 TEST(SvgPlot, HoldsEachCurveAndEscapesItsText) {
-  const std::string svg = svgPlot({"a < b", "x", "y"}, {{"ours", {{0, 1}, {1, 2}}}, {"paper", {{0, 5}, {1, 5}}, true, true}});
+  const std::string svg =
+      svgPlot({"a < b", "x", "y"}, {{"ours", {{0, 1}, {1, 2}}}, {"paper", {{0, 5}, {1, 5}}, true, true}});
   EXPECT_THAT(svg, HasSubstr("a &lt; b"));
   EXPECT_THAT(svg, HasSubstr(">ours<"));
   EXPECT_THAT(svg, HasSubstr("stroke-dasharray"));
@@ -54,7 +57,8 @@ TEST(SvgPlot, HoldsEachCurveAndEscapesItsText) {
 TEST(SvgPlot, OfNothingIsStillAPlot) { EXPECT_THAT(svgPlot({"t", "x", "y"}, {}), Not(HasSubstr("nan"))); }
 
 TEST(HtmlReport, EscapesAndRefersToFigures) {
-  const std::string html = htmlReport("T", "s", {{"H", "x < y", {{"", {"a"}, {{"1 & 2"}}}}, {{"cap", "f.png"}}}});
+  const std::string html =
+      htmlReport("T", "s", {{"H", "x < y", {{"", {"a"}, {{"1 & 2"}}}}, {{"cap", "f.png"}}}});
   EXPECT_THAT(html, HasSubstr("x &lt; y"));
   EXPECT_THAT(html, HasSubstr("1 &amp; 2"));
   EXPECT_THAT(html, HasSubstr("src=\"f.png\""));
@@ -67,8 +71,10 @@ TEST(CrossSection, DrawsThePointOnItsPlaceInRed) {
   mri.voxels[0] = 1.f;
   PointCloud<Mri> cloud;
   cloud.points_mm = {{5, 12, 8}, {3, 3, 15}};  // the second lies 7 mm off the plane
-  const cv::Mat picture = drawCrossSection(mri, volume::Anatomical::axial, Point<Mri>(0, 0, 8), cloud, {1.0, 4});
-  const cv::Vec3b at_point = picture.at<cv::Vec3b>((19 - 12) * 4, (19 - 5) * 4), off = picture.at<cv::Vec3b>((19 - 3) * 4, (19 - 3) * 4);
+  const cv::Mat picture =
+      drawCrossSection(mri, volume::Anatomical::axial, Point<Mri>(0, 0, 8), cloud, {1.0, 4});
+  const cv::Vec3b at_point = picture.at<cv::Vec3b>((19 - 12) * 4, (19 - 5) * 4),
+                  off = picture.at<cv::Vec3b>((19 - 3) * 4, (19 - 3) * 4);
   EXPECT_GT(at_point[2], 200);
   EXPECT_LT(off[2], 60);
 }
