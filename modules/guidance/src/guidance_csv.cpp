@@ -1,16 +1,17 @@
 #include "facenav/guidance/guidance_csv.h"
 
-#include <cstdio>
+#include <charconv>
 
 #include "facenav/core/whole_file.h"
 
 namespace facenav::guidance {
 namespace {
 
+/// '.' decimals whatever the locale (Qt sets the user's).
 std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  char text[400];
+  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  return {text, result.ptr};
 }
 
 std::string quoted(const std::string& text) {

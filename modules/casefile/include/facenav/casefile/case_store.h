@@ -1,5 +1,7 @@
 #pragma once
-// Case: one folder, one patient (FORMATS.md). CaseStore opens, creates and updates it; every file is written whole.
+// Case: one folder, one patient (FORMATS.md). CaseStore opens, creates and updates it; every file is written
+// whole. Privacy: the case id is random, files are 0600 and folders 0700; nothing here writes a patient's
+// name.
 
 #include <filesystem>
 #include <map>
@@ -22,7 +24,11 @@ struct StoredAlignment {
   int points = 0;
   std::map<std::string, double> predicted_tre_mm;
 };
+/// What alignment.json keeps of a fit, with the predicted error at each target's cortex point.
+StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan);
+/// A whole file, 0600.
 void writeAlignment(const StoredAlignment& alignment, const std::filesystem::path& path);
+/// Throws Error naming file and key; a mirrored or non-rigid pose is refused.
 StoredAlignment readAlignment(const std::filesystem::path& path);
 
 /// What prepare produced; brain parts absent where no brain can be modelled.
@@ -46,22 +52,26 @@ class CaseStore {
  public:
   /// Opens an existing case. Throws Error: no case.json, wrong schema version, missing file.
   static CaseStore open(const std::filesystem::path& folder);
-  /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a case that
-  /// exists is replaced only with `replace`, and then its targets and sessions are kept.
+  /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a
+  /// case that exists is replaced only with `replace`, and then its id, targets and sessions are kept; its
+  /// alignment is not, since it belongs to the old scalp.
   static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
                           const std::vector<Provenance>& provenance, bool replace);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::string caseId() const;
   std::vector<std::string> findings() const;
+  std::vector<Provenance> provenance() const;
+  /// Adds a step's record to case.json.
+  void addProvenance(const Provenance& step) const;
   volume::Volume mri() const;
   volume::Mask headMask() const;
   std::optional<volume::Mask> brainMask() const;
   surface::ScalpSurface scalp() const;
   std::optional<surface::BrainModel> brain() const;
-  guidance::TreatmentPlan targets() const;           // empty plan where targets.json is absent
+  guidance::TreatmentPlan targets() const;  // empty plan where targets.json is absent
   void setTargets(const guidance::TreatmentPlan& plan) const;
-  std::optional<StoredAlignment> alignment() const;
+  std::optional<StoredAlignment> alignment() const;  // nothing where alignment.json is absent
   void setAlignment(const StoredAlignment& alignment) const;
 
  private:

@@ -1,0 +1,100 @@
+#include "case_json.h"
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "facenav/core/json_reader.h"
+#include "private_files.h"
+
+namespace facenav::casefile {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> readTexts(const JsonReader& json) {
+  std::vector<std::string> texts;
+  for (const JsonReader& element : json.elements()) texts.push_back(element.text());
+  return texts;
+}
+
+std::map<std::string, std::string> readTextMap(const JsonReader& json) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [key, value] : json.members()) texts[key] = value.text();
+  return texts;
+}
+
+Provenance readProvenance(const JsonReader& json) {
+  Provenance step{json.at("step").text(), json.at("software_version").text(), {}, {}};
+  if (json.has("options")) step.options = readTextMap(json.at("options"));
+  if (json.has("input_sha256")) step.input_sha256 = readTextMap(json.at("input_sha256"));
+  return step;
+}
+
+Json toJson(const Provenance& step) {
+  return {{"step", step.step},
+          {"software_version", step.software_version},
+          {"options", step.options},
+          {"input_sha256", step.input_sha256}};
+}
+
+void requireVersion(const JsonReader& json) {
+  const int version = json.at("schema_version").integer();
+  if (version == kSchemaVersion) return;
+  json.at("schema_version")
+      .refuse("schema version " + std::to_string(version) + " is not known, this FaceNav reads " +
+              std::to_string(kSchemaVersion) + "; prepare the case anew or update FaceNav");
+}
+
+/// A name inside the case, nothing that leads out of it.
+void requireInside(const JsonReader& file) {
+  const std::filesystem::path path = file.text();
+  if (path.empty() || path.has_parent_path() || path == "..")
+    file.refuse("a file name inside the case was expected");
+}
+
+}  // namespace
+
+CaseJson readCaseJson(const std::filesystem::path& path) {
+  const JsonReader json = JsonReader::readFile(path);
+  requireVersion(json);
+  CaseJson content;
+  content.case_id = json.at("case_id").text();
+  if (json.has("created_utc")) content.created_utc = json.at("created_utc").text();
+  if (json.has("mri")) {
+    if (json.at("mri").has("modality")) content.modality = json.at("mri").at("modality").text();
+    if (json.at("mri").has("orientation_source"))
+      content.orientation_source = json.at("mri").at("orientation_source").text();
+  }
+  content.files = {"mri.nii.gz", "head_mask.nii.gz", "scalp.vtp"};
+  if (json.has("files")) {
+    for (const JsonReader& file : json.at("files").elements()) requireInside(file);
+    content.files = readTexts(json.at("files"));
+  }
+  if (json.has("findings")) content.findings = readTexts(json.at("findings"));
+  if (json.has("provenance"))
+    for (const JsonReader& step : json.at("provenance").elements())
+      content.provenance.push_back(readProvenance(step));
+  return content;
+}
+
+void writeCaseJson(const CaseJson& content, const std::filesystem::path& path) {
+  Json json;
+  json["schema_version"] = kSchemaVersion;
+  json["case_id"] = content.case_id;
+  json["created_utc"] = content.created_utc;
+  json["mri"] = {{"modality", content.modality}, {"orientation_source", content.orientation_source}};
+  json["files"] = content.files;
+  json["findings"] = content.findings;
+  json["provenance"] = Json::array();
+  for (const Provenance& step : content.provenance) json["provenance"].push_back(toJson(step));
+  writePrivateFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string makeCaseId() {
+  std::random_device random;
+  std::string id;
+  for (int i = 0; i < 16; ++i) id += "0123456789abcdef"[random() & 15];
+  return id;
+}
+
+}  // namespace facenav::casefile

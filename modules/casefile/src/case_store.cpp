@@ -1,0 +1,153 @@
+#include "facenav/casefile/case_store.h"
+
+#include "case_json.h"
+#include "facenav/core/error.h"
+#include "facenav/volume/nifti.h"
+#include "private_files.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path cleaned(const fs::path& folder) {
+  fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+bool isCase(const fs::path& folder) { return fs::is_regular_file(folder / "case.json"); }
+
+bool has(const CaseJson& content, const std::string& file) {
+  for (const std::string& name : content.files)
+    if (name == file) return true;
+  return false;
+}
+
+void requireReplaceable(const fs::path& folder, bool replace) {
+  if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) return;
+  if (!isCase(folder)) throw Error("exists and is no case", folder.string(), "choose another folder");
+  if (!replace)
+    throw Error("a case exists there already", folder.string(), "choose another folder, or replace it");
+}
+
+std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::path& folder) {
+  std::vector<std::string> files{"mri.nii.gz", "head_mask.nii.gz", "scalp.vtp"};
+  volume::writeNifti(prepared.mri, folder / "mri.nii.gz");
+  volume::writeMask(prepared.head_mask, folder / "head_mask.nii.gz");
+  surface::writeScalp(prepared.scalp, folder / "scalp.vtp");
+  if (prepared.brain_mask) {
+    volume::writeMask(*prepared.brain_mask, folder / "brain_mask.nii.gz");
+    files.push_back("brain_mask.nii.gz");
+  }
+  if (prepared.brain) {
+    surface::writeBrain(*prepared.brain, folder / "brain.vtp", folder / "brain_texture.png");
+    files.insert(files.end(), {"brain.vtp", "brain_texture.png"});
+  }
+  return files;
+}
+
+/// Targets and sessions move on to the new case (files hard-linked: recordings are large, and the swap stays
+/// atomic).
+void keepFromOld(const fs::path& old_case, const fs::path& fresh) {
+  if (fs::exists(old_case / "targets.json")) fs::copy_file(old_case / "targets.json", fresh / "targets.json");
+  if (!fs::is_directory(old_case / "sessions")) return;
+  std::error_code fault;
+  const auto how = fs::copy_options::recursive | fs::copy_options::create_hard_links;
+  fs::copy(old_case / "sessions", fresh / "sessions", how, fault);
+  if (!fault) return;
+  fs::remove_all(fresh / "sessions");
+  fs::copy(old_case / "sessions", fresh / "sessions", fs::copy_options::recursive);
+}
+
+}  // namespace
+
+CaseStore CaseStore::open(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw Error("no such case folder", folder.string(), "prepare the case first");
+  if (!isCase(folder))
+    throw Error("is no case (no case.json in it)", folder.string(), "prepare the case first");
+  for (const std::string& file : readCaseJson(folder / "case.json").files)
+    if (!fs::is_regular_file(folder / file))
+      throw Error("the case is incomplete, a file is missing", (folder / file).string(),
+                  "prepare the case anew");
+  return CaseStore(cleaned(folder));
+}
+
+CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared,
+                            const std::vector<Provenance>& provenance, bool replace) {
+  const fs::path place = cleaned(folder);
+  try {
+    requireReplaceable(place, replace);
+    const TemporarySibling fresh(place);
+    CaseJson content;
+    content.case_id = isCase(place) ? readCaseJson(place / "case.json").case_id : makeCaseId();
+    content.created_utc = utcNow();
+    content.modality = prepared.mri.modality;
+    content.orientation_source = prepared.mri.orientation_source;
+    content.files = writeContent(prepared, fresh.path());
+    content.findings = prepared.findings;
+    content.provenance = provenance;
+    writeCaseJson(content, fresh.path() / "case.json");
+    if (isCase(place)) keepFromOld(place, fresh.path());
+    makePrivateAndDurable(fresh.path());
+    replaceFolder(fresh.path(), place);
+  } catch (const fs::filesystem_error& fault) {
+    throw Error("cannot be written (" + fault.code().message() + ")", place.string(),
+                "check disk space and permissions");
+  }
+  return CaseStore(place);
+}
+
+std::string CaseStore::caseId() const { return readCaseJson(folder_ / "case.json").case_id; }
+std::vector<std::string> CaseStore::findings() const { return readCaseJson(folder_ / "case.json").findings; }
+std::vector<Provenance> CaseStore::provenance() const {
+  return readCaseJson(folder_ / "case.json").provenance;
+}
+
+void CaseStore::addProvenance(const Provenance& step) const {
+  CaseJson content = readCaseJson(folder_ / "case.json");
+  content.provenance.push_back(step);
+  writeCaseJson(content, folder_ / "case.json");
+}
+
+volume::Volume CaseStore::mri() const {
+  volume::Volume mri = volume::readNifti(folder_ / "mri.nii.gz").volume;
+  const CaseJson content = readCaseJson(folder_ / "case.json");
+  if (!content.modality.empty()) mri.modality = content.modality;
+  if (!content.orientation_source.empty()) mri.orientation_source = content.orientation_source;
+  return mri;
+}
+
+volume::Mask CaseStore::headMask() const { return volume::readMask(folder_ / "head_mask.nii.gz"); }
+
+std::optional<volume::Mask> CaseStore::brainMask() const {
+  if (!has(readCaseJson(folder_ / "case.json"), "brain_mask.nii.gz")) return std::nullopt;
+  return volume::readMask(folder_ / "brain_mask.nii.gz");
+}
+
+surface::ScalpSurface CaseStore::scalp() const { return surface::readScalp(folder_ / "scalp.vtp"); }
+
+std::optional<surface::BrainModel> CaseStore::brain() const {
+  if (!has(readCaseJson(folder_ / "case.json"), "brain.vtp")) return std::nullopt;
+  return surface::readBrain(folder_ / "brain.vtp", folder_ / "brain_texture.png");
+}
+
+guidance::TreatmentPlan CaseStore::targets() const {
+  if (!fs::exists(folder_ / "targets.json")) return {};
+  return guidance::readTargets(folder_ / "targets.json");
+}
+
+void CaseStore::setTargets(const guidance::TreatmentPlan& plan) const {
+  guidance::writeTargets(plan, folder_ / "targets.json");
+  fs::permissions(folder_ / "targets.json", fs::perms::owner_read | fs::perms::owner_write);
+}
+
+std::optional<StoredAlignment> CaseStore::alignment() const {
+  if (!fs::exists(folder_ / "alignment.json")) return std::nullopt;
+  return readAlignment(folder_ / "alignment.json");
+}
+
+void CaseStore::setAlignment(const StoredAlignment& alignment) const {
+  writeAlignment(alignment, folder_ / "alignment.json");
+}
+
+}  // namespace facenav::casefile

@@ -1,0 +1,163 @@
+#include "facenav/casefile/case_store.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
+#include "made_case.h"
+#include "support/matchers.h"
+#include "support/test_data.h"
+
+namespace facenav::casefile {
+namespace {
+namespace fs = std::filesystem;
+using namespace casefile::testing;
+using facenav::testing::EigenNear;
+using facenav::testing::TemporaryFolder;
+
+int mode(const fs::path& path) {
+  struct stat status {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
+  return int(status.st_mode & 0777);
+}
+
+template <class Action>
+std::string faultOf(Action action) {
+  try {
+    action();
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+std::size_t entries(const fs::path& folder) {
+  return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(CaseStore, GivesBackWhatWasPrepared) {
+  const TemporaryFolder folder;
+  const PreparedCase prepared = preparedCase();
+  const CaseStore made = CaseStore::create(folder.path() / "case", prepared, provenance(), false);
+  const CaseStore store = CaseStore::open(folder.path() / "case");
+  EXPECT_TRUE(store.mri().grid.matches(prepared.mri.grid));
+  EXPECT_EQ(store.mri().voxels, prepared.mri.voxels);
+  EXPECT_EQ(store.mri().orientation_source, "DICOM");
+  EXPECT_EQ(store.headMask().voxels, prepared.head_mask.voxels);
+  ASSERT_TRUE(store.brainMask() && store.brain());
+  EXPECT_EQ(store.brainMask()->voxels, prepared.brain_mask->voxels);
+  EXPECT_TRUE(store.scalp().has_face);
+  ASSERT_EQ(store.scalp().mesh.vertices_mm.size(), 6u);
+  EXPECT_THAT(store.scalp().mesh.vertices_mm[2], EigenNear(prepared.scalp.mesh.vertices_mm[2], 1e-4));
+  EXPECT_EQ(store.brain()->mesh.triangles.size(), 8u);
+  EXPECT_EQ(store.findings(), prepared.findings);
+  EXPECT_EQ(store.caseId(), made.caseId());
+  ASSERT_EQ(store.provenance().size(), 1u);
+  EXPECT_EQ(store.provenance()[0].input_sha256.at("mri"), std::string(64, 'a'));
+  EXPECT_TRUE(store.targets().targets.empty());
+  EXPECT_FALSE(store.alignment());
+}
+
+TEST(CaseStore, KeepsAHeadWithoutABrain) {
+  const TemporaryFolder folder;
+  CaseStore::create(folder.path() / "case", withoutBrain(), provenance(), false);
+  const CaseStore store = CaseStore::open(folder.path() / "case");
+  EXPECT_FALSE(store.brainMask());
+  EXPECT_FALSE(store.brain());
+  EXPECT_FALSE(fs::exists(folder.path() / "case/brain.vtp"));
+}
+
+TEST(CaseStore, IsPrivateToTheUser) {
+  const TemporaryFolder folder;
+  const CaseStore store = CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);
+  store.setTargets(onePlan());
+  store.setAlignment({});
+  EXPECT_EQ(mode(folder.path() / "case"), 0700);
+  for (const auto& entry : fs::directory_iterator(folder.path() / "case"))
+    EXPECT_EQ(mode(entry.path()), 0600) << entry;
+}
+
+TEST(CaseStore, ReplacingKeepsIdTargetsAndSessionsButNoStaleAlignment) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "case";
+  const CaseStore before = CaseStore::create(path, preparedCase(), provenance(), false);
+  const std::string id = before.caseId();
+  before.setTargets(onePlan());
+  before.setAlignment({});
+  fs::create_directories(path / "sessions/20260101T000000Z");
+  writeWholeFile(path / "sessions/20260101T000000Z/poses.csv", "x");
+  const CaseStore after = CaseStore::create(path, withoutBrain(), provenance(), true);
+  EXPECT_EQ(after.caseId(), id);
+  EXPECT_EQ(after.targets().targets.size(), 1u);
+  EXPECT_TRUE(fs::exists(path / "sessions/20260101T000000Z/poses.csv"));
+  EXPECT_FALSE(after.alignment());
+  EXPECT_FALSE(after.brain());
+  EXPECT_EQ(entries(folder.path()), 1u) << "no temporary folder is left";
+}
+
+TEST(CaseStore, DoesNotTouchWhatItMayNotReplace) {
+  const TemporaryFolder folder;
+  CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);
+  EXPECT_NE(
+      faultOf([&] { CaseStore::create(folder.path() / "case", preparedCase(), {}, false); }).find("exists"),
+      std::string::npos);
+  fs::create_directory(folder.path() / "photos");
+  writeWholeFile(folder.path() / "photos/a.jpg", "x");
+  EXPECT_NE(
+      faultOf([&] { CaseStore::create(folder.path() / "photos", preparedCase(), {}, true); }).find("no case"),
+      std::string::npos);
+  EXPECT_TRUE(fs::exists(folder.path() / "photos/a.jpg"));
+  EXPECT_EQ(entries(folder.path()), 2u);
+}
+
+TEST(CaseStore, LeavesNothingBehindWhenAStepFails) {
+  const TemporaryFolder folder;
+  const CaseStore before = CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);
+  PreparedCase broken = preparedCase();
+  broken.mri.voxels.resize(10);  // fewer than the grid has: writing it throws
+  EXPECT_ANY_THROW(CaseStore::create(folder.path() / "case", broken, provenance(), true));
+  EXPECT_ANY_THROW(CaseStore::create(folder.path() / "new", broken, provenance(), false));
+  EXPECT_EQ(entries(folder.path()), 1u);
+  EXPECT_TRUE(before.brain());
+  EXPECT_NE(
+      faultOf([&] { CaseStore::create(folder.path() / "no/case", preparedCase(), {}, false); }).find("no:"),
+      std::string::npos);
+}
+
+TEST(CaseStore, TakesATrailingSlashAndAnEmptyFolder) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "case");
+  CaseStore::create(folder.path().string() + "/case/", preparedCase(), {}, false);
+  EXPECT_NO_THROW(CaseStore::open(folder.path().string() + "/case/"));
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(CaseStore, OpenNamesWhatIsWrong) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "case";
+  EXPECT_NE(faultOf([&] { CaseStore::open(path); }).find("no such case"), std::string::npos);
+  CaseStore::create(path, preparedCase(), provenance(), false);
+  fs::remove(path / "brain_texture.png");
+  EXPECT_NE(faultOf([&] { CaseStore::open(path); }).find("brain_texture.png"), std::string::npos);
+  writeWholeFile(path / "case.json", R"({"schema_version": 99, "case_id": "x"})");
+  EXPECT_NE(faultOf([&] { CaseStore::open(path); }).find("schema version 99"), std::string::npos);
+  writeWholeFile(path / "case.json", R"({"schema_version": 1})");
+  EXPECT_NE(faultOf([&] { CaseStore::open(path); }).find("case_id"), std::string::npos);
+  writeWholeFile(path / "case.json",
+                 R"({"schema_version": 1, "case_id": "x", "files": ["../../etc/passwd"]})");
+  EXPECT_NE(faultOf([&] { CaseStore::open(path); }).find("files[0]"), std::string::npos);
+  fs::remove(path / "case.json");
+  EXPECT_NE(faultOf([&] { CaseStore::open(path); }).find("case.json"), std::string::npos);
+}
+
+TEST(CaseStore, CaseIdsAreRandom) {
+  const TemporaryFolder folder;
+  const auto a = CaseStore::create(folder.path() / "a", withoutBrain(), {}, false);
+  const auto b = CaseStore::create(folder.path() / "b", withoutBrain(), {}, false);
+  EXPECT_EQ(a.caseId().size(), 16u);
+  EXPECT_NE(a.caseId(), b.caseId());
+}
+
+}  // namespace
+}  // namespace facenav::casefile
