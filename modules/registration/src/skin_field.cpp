@@ -1,0 +1,205 @@
+#include "skin_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "facenav/core/error.h"
+
+namespace facenav::registration {
+namespace {
+
+constexpr double kNode_mm = 3.0;
+constexpr double kMargin_mm =
+    45.0;  // around the skin; queries farther out start from the grid's nearest node
+
+/// The point of triangle abc nearest to p as weights of the corners (Ericson 2005, section 5.1.5).
+Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+               d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+/// Groups `items` (owner, item) by owner into first/list arrays.
+void group(std::vector<std::pair<int, int>>& items, std::size_t owners, std::vector<int>& first,
+           std::vector<int>& list) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  first.assign(owners + 1, 0);
+  list.clear();
+  for (const auto& [owner, item] : items) ++first[owner + 1], list.push_back(item);
+  for (std::size_t o = 0; o < owners; ++o) first[o + 1] += first[o];
+}
+
+}  // namespace
+
+SkinField::SkinField(const SkinModel& skin) : skin_(skin) {
+  if (skin.points.empty() || skin.points.normals.size() != skin.points.size() || skin.triangles.empty())
+    throw Error("not aligned: the skin model has no surface", {}, "run 'facenav prepare' again");
+  low_ = high_ = vertices().front();
+  for (const auto& v : vertices()) low_ = low_.cwiseMin(v), high_ = high_.cwiseMax(v);
+  linkVertices();
+  fillNodes();
+  measureNodes();
+}
+
+void SkinField::linkVertices() {
+  std::vector<std::pair<int, int>> directed, corner;
+  for (std::size_t t = 0; t < skin_.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      directed.emplace_back(skin_.triangles[t][c], skin_.triangles[t][(c + 1) % 3]);
+      corner.emplace_back(skin_.triangles[t][c], int(t));
+    }
+  group(corner, vertices().size(), first_triangle_, triangles_of_);
+  // An edge without its opposite is the surface's end.
+  std::sort(directed.begin(), directed.end());
+  on_border_.assign(vertices().size(), false);
+  std::vector<std::pair<int, int>> both;
+  for (const auto& [a, b] : directed) {
+    if (!std::binary_search(directed.begin(), directed.end(), std::make_pair(b, a)))
+      on_border_[a] = on_border_[b] = true;
+    both.emplace_back(a, b);
+    both.emplace_back(b, a);
+  }
+  group(both, vertices().size(), first_neighbour_, neighbours_);
+}
+
+void SkinField::fillNodes() {
+  origin_ = low_ - Eigen::Vector3d::Constant(kMargin_mm);
+  for (int a = 0; a < 3; ++a) size_[a] = int(std::ceil((high_[a] - low_[a] + 2 * kMargin_mm) / kNode_mm)) + 1;
+  node_.assign(std::size_t(size_[0]) * size_[1] * size_[2], -1);
+  std::vector<float> nearest(node_.size(), std::numeric_limits<float>::max());
+  for (std::size_t v = 0; v < vertices().size(); ++v) {
+    if (first_triangle_[v] == first_triangle_[v + 1]) continue;  // in no triangle: no part of the surface
+    const Eigen::Vector3d at = (vertices()[v] - origin_) / kNode_mm;
+    const Eigen::Vector3i low = at.array().floor().cast<int>();
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3i n = low + Eigen::Vector3i(corner & 1, corner >> 1 & 1, corner >> 2);
+      const std::size_t node = n[0] + std::size_t(size_[0]) * (n[1] + std::size_t(size_[1]) * n[2]);
+      const float d = float((at - n.cast<double>()).squaredNorm());
+      if (d < nearest[node]) nearest[node] = d, node_[node] = int(v);
+    }
+  }
+  std::vector<std::array<int, 3>> before;
+  for (int k = -1; k <= 0; ++k)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i)
+        if (k * 9 + j * 3 + i < 0) before.push_back({i, j, k});
+  for (int round = 0; round < 2; ++round) propagate(before, false), propagate(before, true);
+}
+
+void SkinField::propagate(const std::vector<std::array<int, 3>>& offsets, bool is_backward) {
+  const auto squared = [&](int vertex, const Eigen::Vector3d& p) {
+    return (vertices()[vertex] - p).squaredNorm();
+  };
+  const int sign = is_backward ? -1 : 1;
+  for (int kk = 0; kk < size_[2]; ++kk)
+    for (int jj = 0; jj < size_[1]; ++jj)
+      for (int ii = 0; ii < size_[0]; ++ii) {
+        const int i = is_backward ? size_[0] - 1 - ii : ii, j = is_backward ? size_[1] - 1 - jj : jj;
+        const int k = is_backward ? size_[2] - 1 - kk : kk;
+        const std::size_t node = i + std::size_t(size_[0]) * (j + std::size_t(size_[1]) * k);
+        const Eigen::Vector3d p = origin_ + kNode_mm * Eigen::Vector3d(i, j, k);
+        int best = node_[node];
+        double distance = best >= 0 ? squared(best, p) : std::numeric_limits<double>::max();
+        for (const auto& o : offsets) {
+          const int a = i + sign * o[0], b = j + sign * o[1], c = k + sign * o[2];
+          if (a < 0 || b < 0 || c < 0 || a >= size_[0] || b >= size_[1] || c >= size_[2]) continue;
+          const int other = node_[a + std::size_t(size_[0]) * (b + std::size_t(size_[1]) * c)];
+          if (other < 0 || other == best) continue;
+          const double d = squared(other, p);
+          if (d < distance) distance = d, best = other;
+        }
+        node_[node] = best;
+      }
+}
+
+void SkinField::measureNodes() {
+  distance_mm_.resize(node_.size());
+  std::size_t node = 0;
+  for (int k = 0; k < size_[2]; ++k)
+    for (int j = 0; j < size_[1]; ++j)
+      for (int i = 0; i < size_[0]; ++i, ++node) {
+        const Eigen::Vector3d p = origin_ + kNode_mm * Eigen::Vector3d(i, j, k),
+                              d = p - vertices()[node_[node]];
+        const float side = d.dot(normals()[node_[node]]) < 0 ? -1.f : 1.f;
+        distance_mm_[node] = isBeyondScan(p) ? kNoSkin : side * float(d.norm());
+      }
+}
+
+float SkinField::roughDistance_mm(const Eigen::Vector3d& p) const {
+  const Eigen::Vector3d at = (p - origin_) * (1.0 / kNode_mm) + Eigen::Vector3d::Constant(0.5);
+  if (!(at.minCoeff() >= 0)) return kNoSkin;
+  const int i = int(at[0]), j = int(at[1]), k = int(at[2]);
+  if (i >= size_[0] || j >= size_[1] || k >= size_[2]) return kNoSkin;
+  return distance_mm_[i + std::size_t(size_[0]) * (j + std::size_t(size_[1]) * k)];
+}
+
+int SkinField::nodeVertex(const Eigen::Vector3d& p) const {
+  const Eigen::Vector3d at = (p - origin_) / kNode_mm;
+  std::array<int, 3> n;
+  for (int a = 0; a < 3; ++a) n[a] = int(std::clamp(std::round(at[a]), 0.0, size_[a] - 1.0));
+  return node_[n[0] + std::size_t(size_[0]) * (n[1] + std::size_t(size_[1]) * n[2])];
+}
+
+int SkinField::walk(int vertex, const Eigen::Vector3d& p) const {
+  double nearest = (vertices()[vertex] - p).squaredNorm();
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    const int from = vertex;
+    for (int e = first_neighbour_[from]; e < first_neighbour_[from + 1]; ++e) {
+      const double d = (vertices()[neighbours_[e]] - p).squaredNorm();
+      if (d < nearest) nearest = d, vertex = neighbours_[e], has_moved = true;
+    }
+  }
+  return vertex;
+}
+
+bool SkinField::isBeyondScan(const Eigen::Vector3d& p) const {
+  for (const auto& [point, normal] : skin_.field_of_view)
+    if ((p - point.mm).dot(normal.v) > 0) return true;
+  return false;
+}
+
+SkinContact SkinField::nearestVertex(const Eigen::Vector3d& p) const {
+  SkinContact contact;
+  contact.vertex = walk(nodeVertex(p), p);
+  contact.normal = normals()[contact.vertex];
+  contact.closest_mm = vertices()[contact.vertex];
+  contact.distance_mm = contact.normal.dot(p - contact.closest_mm);
+  contact.is_on_border = on_border_[contact.vertex];
+  contact.is_beyond_scan = isBeyondScan(p);
+  return contact;
+}
+
+SkinContact SkinField::nearestSkin(const Eigen::Vector3d& p) const {
+  SkinContact contact = nearestVertex(p);
+  double nearest = std::numeric_limits<double>::max();
+  for (int e = first_triangle_[contact.vertex]; e < first_triangle_[contact.vertex + 1]; ++e) {
+    const Eigen::Vector3i& t = skin_.triangles[triangles_of_[e]];
+    const Eigen::Vector3d w = nearestOnTriangle(p, vertices()[t[0]], vertices()[t[1]], vertices()[t[2]]);
+    const Eigen::Vector3d q = w[0] * vertices()[t[0]] + w[1] * vertices()[t[1]] + w[2] * vertices()[t[2]];
+    const double d = (p - q).squaredNorm();
+    if (d >= nearest) continue;
+    nearest = d;
+    contact.closest_mm = q;
+    contact.normal = (w[0] * normals()[t[0]] + w[1] * normals()[t[1]] + w[2] * normals()[t[2]]).normalized();
+  }
+  contact.distance_mm = contact.normal.dot(p - contact.closest_mm);
+  return contact;
+}
+
+}  // namespace facenav::registration
