@@ -1,8 +1,8 @@
 #pragma once
-// HeadTracker: the live head from stereo frames (paper, section 4). camera_T_head is the motion since the reference
-// frame (Head = Camera there), so camera_T_mri = camera_T_head * head_T_mri with head_T_mri fixed at alignment.
-// "features7": the paper's seven features, NCC, equations 2-5. "model": hundreds of skin patches fitted jointly in
-// both images (default). Hot path: loss is a value (Lost), never an exception.
+// HeadTracker: the live head from stereo frames (paper, section 4). camera_T_head is the motion since the
+// reference frame (Head = Camera there), so camera_T_mri = camera_T_head * head_T_mri with head_T_mri fixed
+// at alignment. "features7": the paper's seven features, NCC, equations 2-5. "model": hundreds of skin
+// patches fitted jointly in both images (default). Hot path: loss is a value (Lost), never an exception.
 
 #include <memory>
 #include <optional>
@@ -12,6 +12,7 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
+#include "facenav/tracking/face_landmarks.h"
 
 namespace facenav::tracking {
 
@@ -23,16 +24,19 @@ struct FaceFeature {
 
 struct HeadPose {
   RigidTransform<Camera, Head> camera_T_head;
-  Matrix6d covariance = Matrix6d::Zero();  // (rad, mm), left increment in Camera about face_centre's position
+  // Of xi = (w rad, v mm), the error that moves the true face points p to c + exp(w)(p - c) + v, c =
+  // face_centre.
+  Matrix6d covariance = Matrix6d::Zero();
+  Point<Camera> face_centre;  // of the tracked points, at this pose
   std::vector<FaceFeature> features;
-  std::optional<cv::Rect> face_left;       // where the face was found in the left image
+  std::optional<cv::Rect> face_left;  // where the face was found in the left image
 };
 
-/// What the tracker learns the face from: a frame without dots, and, where the face was measured densely at the same
-/// head position, its points (Camera, mm) with their pixels in the left image as recorded.
+/// What the tracker learns the face from: a frame without dots, and, where the face was measured densely at
+/// the same head position, its points (Camera, mm) with their pixels in the left image as recorded.
 struct HeadReference {
   stereo::StereoFrame frame;
-  PointCloud<Camera> surface;              // may be empty: then depth comes from the frame itself
+  PointCloud<Camera> surface;  // may be empty: then depth comes from the frame itself
   std::vector<Eigen::Vector2f> surface_left_px;
 };
 
@@ -41,11 +45,15 @@ class HeadTracker {
   virtual ~HeadTracker() = default;
   /// Throws Error("no face ...") when no face is found in the reference frame.
   virtual void start(const stereo::StereoRig& rig, const HeadReference& reference) = 0;
-  /// Any frame after start(); frames may have been dropped in between, and the first may be far from the reference.
+  /// Any frame after start(); frames may have been dropped in between, and the first may be far from the
+  /// reference.
   virtual Tracked<HeadPose> track(const stereo::StereoFrame& frame) = 0;
 };
 
-std::unique_ptr<HeadTracker> makeFeatureHeadTracker();  // "features7"
-std::unique_ptr<HeadTracker> makeModelHeadTracker();    // "model"
+/// Each makes its own face detector, or shares the one given (its landmark model takes 100 MB).
+std::unique_ptr<HeadTracker> makeFeatureHeadTracker(
+    std::shared_ptr<const FaceDetector> detector = nullptr);  // "features7"
+std::unique_ptr<HeadTracker> makeModelHeadTracker(
+    std::shared_ptr<const FaceDetector> detector = nullptr);  // "model"
 
 }  // namespace facenav::tracking

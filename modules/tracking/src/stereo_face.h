@@ -1,0 +1,34 @@
+#pragma once
+// StereoFace: the face in both images and its landmarks in space: what starts and restarts a head track.
+
+#include <optional>
+#include <vector>
+
+#include "facenav/geometry/rigid_transform.h"
+#include "facenav/stereo/stereo_frame.h"
+#include "facenav/stereo/stereo_rig.h"
+#include "facenav/tracking/face_landmarks.h"
+
+namespace facenav::tracking {
+
+struct StereoFace {
+  FaceLandmarks left, right;
+  std::vector<Eigen::Vector3d>
+      points_mm;  // the 68 landmarks in Camera; empty where no landmark model is installed
+};
+
+/// The face in both images, its landmarks triangulated; nothing when one image holds none or the two disagree
+/// (epipolar distance, depth). `near` narrows the search to where it was.
+std::optional<StereoFace> findStereoFace(const FaceDetector& detector, const stereo::StereoRig& rig,
+                                         const stereo::StereoFrame& frame, const StereoFace* near = nullptr);
+
+/// The same over the whole images, faces rolled by `roll_rad` only.
+std::optional<StereoFace> findStereoFaceAtRoll(const FaceDetector& detector, const stereo::StereoRig& rig,
+                                               const stereo::StereoFrame& frame, double roll_rad);
+
+/// The motion that brings the reference landmarks onto the current ones (robust: brow, eyes and nose only,
+/// the worst left out); nothing when they do not fit as one rigid face.
+std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vector3d>& reference_mm,
+                                                   const std::vector<Eigen::Vector3d>& current_mm);
+
+}  // namespace facenav::tracking

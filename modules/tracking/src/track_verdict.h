@@ -1,0 +1,24 @@
+#pragma once
+// Tracked or lost: what a fitted pose must show before it may be shown. Each camera on its own must see
+// enough of the face where the pose puts it, looking as it did (another person, a wrong place: it does not)
+// and within a fraction of a pixel (left and right swapped, a frozen camera: it is not), spread widely enough
+// to fix all 6 degrees.
+
+#include <optional>
+
+#include "facenav/core/tracked.h"
+#include "pose_fit.h"
+
+namespace facenav::tracking {
+
+struct Verdict {
+  std::optional<LostReason> lost;
+  double quality = 0.0;
+  Matrix6d covariance = Matrix6d::Zero();  // HeadPose's
+  std::array<double, 2> good_share = {0, 0};
+  bool isTracked() const { return !lost; }
+};
+
+Verdict judge(const stereo::StereoRig& rig, const PatchModel& model, const PoseFit& fit);
+
+}  // namespace facenav::tracking

@@ -1,0 +1,56 @@
+#pragma once
+// SyntheticFace: a portrait on a head-like height field (ellipsoid, nose, eye sockets), seen by a stereo rig,
+// by inverse ray casting with known motion. A stand-in for the virtual room where a test needs one module
+// only.
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "facenav/stereo/stereo_frame.h"
+#include "facenav/stereo/stereo_rig.h"
+#include "facenav/tracking/head_tracker.h"
+
+namespace facenav::testing {
+
+struct SyntheticView {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // of the head since the reference, in Camera
+  double noise_grey = 1.5;
+  std::uint64_t seed = 1;
+  double gain = 1.0, lamp_x = 0.2;  // brightness, and the lamp's direction (x part)
+  cv::Rect2d cover_mm;              // part of the face (head x, y in mm) hidden by a grey plate; empty: none
+  double jaw_drop_mm = 0.0;         // skin below the mouth slides down by up to this
+  double time_s = 0.0;
+};
+
+class SyntheticFace {
+ public:
+  /// The public-domain portrait of python3-skimage, or another 8-bit image in which `eyes_px` are the outer
+  /// eye corners (image left, image right).
+  explicit SyntheticFace(const cv::Mat& portrait, Eigen::Vector2d left_eye_px, Eigen::Vector2d right_eye_px);
+  static std::string portraitPath() { return "/usr/lib/python3/dist-packages/skimage/data/astronaut.png"; }
+  static SyntheticFace astronaut();
+  /// Another person: the portrait's features moved and mirrored.
+  static SyntheticFace stranger();
+
+  stereo::StereoFrame render(const stereo::StereoRig& rig, const SyntheticView& view) const;
+  /// Reference with the exact surface, as the dense dots would give it, or without one.
+  tracking::HeadReference reference(const stereo::StereoRig& rig, bool with_surface,
+                                    const SyntheticView& view = {}) const;
+
+ private:
+  cv::Mat image(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_left, cv::Size size,
+                const SyntheticView& view, std::uint64_t seed) const;
+  double height(double x, double y) const;
+  Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit) const;
+
+  cv::Mat1f portrait_;
+  Eigen::Vector2d texture_centre_px_;
+  double texture_px_per_mm_;
+  double nose_mm_ = 20.0;
+};
+
+/// Converging pair: f 800 px, 640 x 480, baseline 120 mm, 10 degrees, mild distortion; the face at 600 mm.
+stereo::StereoRig convergingRig();
+
+}  // namespace facenav::testing
