@@ -1,0 +1,46 @@
+#include "marker_detection.h"
+
+#include <algorithm>
+
+#include "quad_detector.h"
+
+namespace facenav::tracking {
+namespace {
+
+Quad inOrderOfPrint(const Quad& quad, int turns) {
+  return {quad[turns % 4], quad[(turns + 1) % 4], quad[(turns + 2) % 4], quad[(turns + 3) % 4]};
+}
+
+bool isSamePlace(const MarkerDetection& a, const MarkerDetection& b) {
+  double apart_px = 0;
+  for (int i = 0; i < 4; ++i) apart_px = std::max(apart_px, (a.corners[i] - b.corners[i]).norm());
+  return a.marker == b.marker && apart_px < 4.0;
+}
+
+}  // namespace
+
+std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& window,
+                                           const std::vector<MarkerPattern>& patterns) {
+  std::vector<MarkerDetection> found;
+  for (const Quad& quad : findDarkQuads(grey, window))
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+      const auto match = patterns[i].match(grey, quad);
+      if (!match) continue;
+      const MarkerDetection detection{i, inOrderOfPrint(quad, match->turns), *match};
+      const auto same = std::find_if(found.begin(), found.end(), [&](const MarkerDetection& other) {
+        return isSamePlace(other, detection);
+      });
+      if (same == found.end())
+        found.push_back(detection);
+      else if (same->match.likeness < match->likeness)
+        *same = detection;
+    }
+  return found;
+}
+
+bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern) {
+  const auto match = pattern.match(grey, corners);
+  return match && match->turns == 0;
+}
+
+}  // namespace facenav::tracking

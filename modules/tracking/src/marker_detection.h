@@ -1,0 +1,23 @@
+#pragma once
+// Which of the coil's markers one image shows, and where (paper, section 5, steps 1 to 4).
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "marker_pattern.h"
+
+namespace facenav::tracking {
+
+struct MarkerDetection {
+  std::size_t marker;  // index into the patterns
+  Quad corners;        // in the order of the print, from top left clockwise
+  PatternMatch match;
+};
+
+/// All quadrangles of `window` that show one of the patterns; the same place is given once.
+std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& window,
+                                           const std::vector<MarkerPattern>& patterns);
+/// Whether the quadrangle shows this pattern this way up: for a place that was predicted.
+bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern);
+
+}  // namespace facenav::tracking

@@ -1,0 +1,25 @@
+#pragma once
+// Dark quadrangles on light ground (paper, section 5, steps 1 to 3): binarise, label the dark areas, pick
+// those with four corners. The threshold is the middle between the darkest and brightest grey nearby, so that
+// lamps and shadows do not matter; flat areas, where there is nothing to threshold, count as light.
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "marker_pattern.h"
+
+namespace facenav::tracking {
+
+struct QuadOptions {
+  double least_side_px = 9.0;
+  int least_contrast_grey = 14;  // between darkest and brightest nearby
+};
+
+/// 255 where dark. 8-bit, 1 channel, as large as `grey`.
+cv::Mat binariseDark(const cv::Mat& grey, const QuadOptions& options);
+
+/// Clockwise in the image, corners to about 0.3 px, in pixels of `grey` whatever the window. `window` must
+/// lie inside.
+std::vector<Quad> findDarkQuads(const cv::Mat& grey, const cv::Rect& window, const QuadOptions& options = {});
+
+}  // namespace facenav::tracking
