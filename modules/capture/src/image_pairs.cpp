@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cctype>
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "frame_pairs.h"
 #include "grey_image.h"
+#include "name_number.h"
 
 namespace facenav::capture {
 namespace fs = std::filesystem;
@@ -14,17 +14,6 @@ struct NumberedImage {
   std::int64_t number;
   fs::path path;
 };
-
-// The last run of digits in the name: 000123.png, left-7.jpg, 12_left.bmp.
-std::optional<std::int64_t> numberInName(const fs::path& path) {
-  const std::string stem = path.stem().string();
-  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  const auto last = std::find_if(stem.rbegin(), stem.rend(), is_digit);
-  const auto before = std::find_if_not(last, stem.rend(), is_digit);
-  const std::string digits(before.base(), last.base());
-  if (digits.empty() || digits.size() > 18) return std::nullopt;
-  return std::stoll(digits);
-}
 
 std::vector<NumberedImage> listImages(const fs::path& folder) {
   std::vector<NumberedImage> images;

@@ -1,0 +1,84 @@
+// facenav calibrate: chessboard pairs -> stereo.yml, with every figure that tells how far to trust it.
+
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+#include "commands/commands.h"
+#include "facenav/capture/calibration_images.h"
+#include "facenav/core/log.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/stereo/calibrate.h"
+#include "facenav/stereo/rig_file.h"
+
+namespace facenav::app {
+namespace {
+
+struct Arguments {
+  std::string board;
+  double square_mm = 0;
+  std::vector<std::string> left, right;
+  std::string output = "stereo.yml";
+};
+
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return text;
+}
+
+void printViews(const stereo::Calibration& result) {
+  std::printf("%-32s %8s %8s\n", "view", "left px", "right px");
+  for (const auto& view : result.views) {
+    const char* state = view.is_used ? "" : "not used: ";
+    std::printf("%-32s %8.3f %8.3f  %s%s\n", view.name.c_str(), view.left_rms_px, view.right_rms_px, state,
+                view.reason.c_str());
+  }
+}
+
+void printRig(const stereo::Calibration& result) {
+  const stereo::StereoRig& rig = result.rig;
+  for (const auto& model : result.models)
+    std::printf("distortion %-24s rms %.4f px, on views left out %.4f px%s\n", model.name.c_str(),
+                model.rms_px, model.held_out_rms_px, model.name == result.model ? "  <- taken" : "");
+  for (const auto& [side, camera] : {std::pair("left", &rig.left), std::pair("right", &rig.right)})
+    std::printf("%-5s f %.2f %.2f px, centre %.2f %.2f px\n", side, camera->k(0, 0), camera->k(1, 1),
+                camera->k(0, 2), camera->k(1, 2));
+  const double angle_deg = rotationAngle(rig.right_T_left.rotation()) * 180 / M_PI;
+  std::printf("baseline %.3f mm, angle between the cameras %.3f deg\n", rig.baseline_mm(), angle_deg);
+}
+
+void run(const Arguments& arguments, Context& context) {
+  const stereo::Board board = stereo::boardFromText(arguments.board, arguments.square_mm);
+  const auto pairs = capture::readCalibrationImages(arguments.left, arguments.right);
+  const stereo::Calibration result = stereo::calibrate(pairs, board, context.monitor);
+  char board_text[64];
+  std::snprintf(board_text, sizeof board_text, "%dx%d, %g mm", board.columns, board.rows, board.square_mm);
+  stereo::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow()});
+  for (const auto& warning : result.warnings) logWarning(warning);
+  if (!context.is_quiet) {
+    printViews(result);
+    printRig(result);
+  }
+  std::printf(
+      "stereo rms %.4f px (all corners of %d of %zu views, left and right), on views left out %.4f px: %s\n",
+      result.rms_px, result.usedViews(), result.views.size(), result.held_out_rms_px,
+      arguments.output.c_str());
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& app, Context& context) {
+  CLI::App* verb = app.add_subcommand("calibrate", "chessboard pairs -> stereo.yml");
+  const auto arguments = std::make_shared<Arguments>();
+  verb->add_option("--board", arguments->board, "inner corners of the chessboard, 9x6")->required();
+  verb->add_option("--square", arguments->square_mm, "side of one square, mm")->required();
+  verb->add_option("--left", arguments->left, "left images: files or a quoted pattern, 'left*.jpg'")
+      ->required();
+  verb->add_option("--right", arguments->right, "right images, in the same way")->required();
+  verb->add_option("-o,--output", arguments->output, "where the rig is written")->capture_default_str();
+  verb->callback([arguments, &context] { run(*arguments, context); });
+}
+
+}  // namespace facenav::app

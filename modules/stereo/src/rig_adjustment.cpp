@@ -1,0 +1,256 @@
+#include "rig_adjustment.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <opencv2/calib3d.hpp>
+
+#include "board_pose.h"
+#include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::stereo {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using PixelByPoint = Eigen::Matrix<double, 2, 3>;
+using PixelByPose = Eigen::Matrix<double, 2, 6>;
+using Block = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 12>;  // at most 4 + 8 columns, on the stack
+
+constexpr int kMostIterations = 60;
+constexpr double kConverged = 1e-7;  // relative fall of the cost
+
+struct State {
+  CameraModel left, right;
+  Isometry3d right_T_left = Isometry3d::Identity();
+  std::vector<Isometry3d> left_T_board;
+};
+
+// Order of parameters: left fx fy cx cy d.., right likewise, pose of the right camera, one pose a view.
+struct Layout {
+  int coefficients;
+  int camera() const { return 4 + coefficients; }
+  int pose() const { return 2 * camera(); }
+  int view(std::size_t i) const { return pose() + 6 + 6 * int(i); }
+};
+
+struct Normal {
+  MatrixXd h;
+  VectorXd g;
+  double squares_px2 = 0;
+  int residuals = 0;
+};
+
+struct Problem {
+  const std::vector<const BoardView*>& views;
+  std::vector<cv::Point3f> points;
+  Layout layout;
+};
+
+// The camera with each distortion coefficient a little larger and smaller: their difference is the
+// derivative.
+struct Neighbours {
+  explicit Neighbours(const CameraModel& camera) : middle(camera) {
+    for (int i = 0; i < int(camera.distortion.total()); ++i)
+      for (const double step : {kStep, -kStep}) {
+        around.push_back(camera);
+        around.back().distortion = camera.distortion.clone();
+        around.back().distortion.at<double>(i) += step;
+      }
+  }
+  static constexpr double kStep = 1e-5;
+  const CameraModel& middle;
+  std::vector<CameraModel> around;
+};
+
+Block byIntrinsics(const Neighbours& camera, const Vector3d& p, const Vector2d& pixel) {
+  const cv::Matx33d& k = camera.middle.k;
+  const int coefficients = int(camera.around.size() / 2);
+  Block j = Block::Zero(2, 4 + coefficients);
+  j(0, 0) = (pixel.x() - k(0, 2)) / k(0, 0);
+  j(1, 1) = (pixel.y() - k(1, 2)) / k(1, 1);
+  j(0, 2) = j(1, 3) = 1;
+  for (int i = 0; i < coefficients; ++i)
+    j.col(4 + i) =
+        (project(camera.around[2 * i], p) - project(camera.around[2 * i + 1], p)) / (2 * Neighbours::kStep);
+  return j;
+}
+
+PixelByPose byPose(const PixelByPoint& by_point, const Vector3d& moved) {
+  Eigen::Matrix<double, 3, 6> motion;
+  motion << -skew(moved), Eigen::Matrix3d::Identity();
+  return by_point * motion;
+}
+
+void addBlocks(Normal& normal, std::initializer_list<std::pair<int, Block>> blocks, const Vector2d& miss) {
+  for (const auto& [row, a] : blocks) {
+    normal.g.segment(row, a.cols()) += a.transpose() * miss;
+    for (const auto& [col, b] : blocks) normal.h.block(row, col, a.cols(), b.cols()) += a.transpose() * b;
+  }
+  normal.squares_px2 += miss.squaredNorm();
+  normal.residuals += 2;
+}
+
+Normal linearise(const Problem& problem, const State& state) {
+  const Layout& layout = problem.layout;
+  const int n = layout.view(problem.views.size());
+  const Neighbours left_camera(state.left), right_camera(state.right);
+  Normal normal{MatrixXd::Zero(n, n), VectorXd::Zero(n), 0, 0};
+  for (std::size_t v = 0; v < problem.views.size(); ++v)
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      const cv::Point3f& on_board = problem.points[i];
+      const Vector3d p = state.left_T_board[v] * Vector3d(on_board.x, on_board.y, on_board.z);
+      PixelByPoint by_point;
+      const Vector2d left = project(state.left, p, by_point);
+      const cv::Point2f &seen_left = problem.views[v]->left[i], &seen_right = problem.views[v]->right[i];
+      addBlocks(normal, {{0, byIntrinsics(left_camera, p, left)}, {layout.view(v), byPose(by_point, p)}},
+                Vector2d(seen_left.x, seen_left.y) - left);
+      const Vector3d q = state.right_T_left * p;
+      const Vector2d right = project(state.right, q, by_point);
+      addBlocks(normal,
+                {{layout.camera(), byIntrinsics(right_camera, q, right)},
+                 {layout.pose(), byPose(by_point, q)},
+                 {layout.view(v), byPose(by_point * state.right_T_left.linear(), p)}},
+                Vector2d(seen_right.x, seen_right.y) - right);
+    }
+  return normal;
+}
+
+double cost(const Problem& problem, const State& state) {
+  double squares = 0;
+  for (std::size_t v = 0; v < problem.views.size(); ++v)
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      const Vector3d p =
+          state.left_T_board[v] * Vector3d(problem.points[i].x, problem.points[i].y, problem.points[i].z);
+      const Vector3d q = state.right_T_left * p;
+      if (p.z() <= 0 || q.z() <= 0) return std::numeric_limits<double>::infinity();
+      const cv::Point2f &left = problem.views[v]->left[i], &right = problem.views[v]->right[i];
+      squares += (Vector2d(left.x, left.y) - project(state.left, p)).squaredNorm() +
+                 (Vector2d(right.x, right.y) - project(state.right, q)).squaredNorm();
+    }
+  return squares;
+}
+
+CameraModel moved(const CameraModel& camera, const VectorXd& step) {
+  CameraModel next = camera;
+  next.distortion = camera.distortion.clone();
+  next.k(0, 0) += step[0];
+  next.k(1, 1) += step[1];
+  next.k(0, 2) += step[2];
+  next.k(1, 2) += step[3];
+  for (int i = 0; i < int(step.size()) - 4; ++i) next.distortion.at<double>(i) += step[4 + i];
+  return next;
+}
+
+State moved(const Layout& layout, const State& state, const VectorXd& step) {
+  State next;
+  next.left = moved(state.left, step.head(layout.camera()));
+  next.right = moved(state.right, step.segment(layout.camera(), layout.camera()));
+  next.right_T_left = expRigid(step.segment<6>(layout.pose())) * state.right_T_left;
+  for (std::size_t v = 0; v < state.left_T_board.size(); ++v)
+    next.left_T_board.push_back(expRigid(step.segment<6>(layout.view(v))) * state.left_T_board[v]);
+  return next;
+}
+
+CameraModel startCamera(const Problem& problem, std::vector<cv::Point2f> BoardView::*side,
+                        const cv::Size& size) {
+  std::vector<std::vector<cv::Point3f>> points(problem.views.size(), problem.points);
+  std::vector<std::vector<cv::Point2f>> corners;
+  for (const BoardView* view : problem.views) corners.push_back(view->*side);
+  CameraModel camera;
+  camera.k = cv::Matx33d(cv::initCameraMatrix2D(points, corners, size, 1.0));
+  camera.distortion = cv::Mat::zeros(1, problem.layout.coefficients, CV_64F);
+  const double longest = std::max(size.width, size.height);
+  // Boards all held parallel to the image do not tell the focal length: begin with a common lens instead.
+  if (!(camera.k(0, 0) > 0.2 * longest && camera.k(0, 0) < 20 * longest))
+    camera.k(0, 0) = camera.k(1, 1) = longest;
+  return camera;
+}
+
+// The relative pose of the view whose relative pose is nearest to all others'.
+Isometry3d middlePose(const std::vector<Isometry3d>& poses) {
+  double least = std::numeric_limits<double>::infinity();
+  Isometry3d middle = poses.front();
+  for (const auto& a : poses) {
+    double sum = 0;
+    for (const auto& b : poses) sum += rotationAngle(a.linear().transpose() * b.linear());
+    if (sum < least) {
+      least = sum;
+      middle = a;
+    }
+  }
+  return middle;
+}
+
+State startState(const Problem& problem, const cv::Size& size) {
+  State state;
+  state.left = startCamera(problem, &BoardView::left, size);
+  state.right = startCamera(problem, &BoardView::right, size);
+  std::vector<Isometry3d> relative;
+  for (const BoardView* view : problem.views) {
+    state.left_T_board.push_back(solveBoardPose(state.left, problem.points, view->left));
+    relative.push_back(solveBoardPose(state.right, problem.points, view->right) *
+                       state.left_T_board.back().inverse());
+  }
+  state.right_T_left = middlePose(relative);
+  return state;
+}
+
+State minimise(const Problem& problem, State state) {
+  double now = cost(problem, state), damping = 1e-3;
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    const Normal normal = linearise(problem, state);
+    double fall = 0;
+    for (; damping < 1e10 && fall == 0; damping *= 10) {
+      MatrixXd damped = normal.h;
+      damped.diagonal() += damping * normal.h.diagonal();
+      const VectorXd step = damped.ldlt().solve(normal.g);
+      if (!step.allFinite()) continue;
+      const State next = moved(problem.layout, state, step);
+      const double after = cost(problem, next);
+      if (!(after < now)) continue;
+      fall = (now - after) / now;
+      state = next;
+      now = after;
+      damping *= 1e-2;
+    }
+    if (fall < kConverged) break;
+  }
+  return state;
+}
+
+}  // namespace
+
+RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& size, const Board& board,
+                 int coefficients) {
+  const Problem problem{views, boardPoints(board), {coefficients}};
+  const State state = minimise(problem, startState(problem, size));
+  const Normal normal = linearise(problem, state);
+  const int shared = problem.layout.view(0);
+  const double variance = normal.squares_px2 / std::max(1, normal.residuals - int(normal.g.size()));
+  const MatrixXd covariance = variance * normal.h.ldlt()
+                                             .solve(MatrixXd::Identity(normal.h.rows(), normal.h.cols()))
+                                             .topLeftCorner(shared, shared);
+  if (!covariance.allFinite() || !(state.left.k(0, 0) > 0 && state.left.k(1, 1) > 0 &&
+                                   state.right.k(0, 0) > 0 && state.right.k(1, 1) > 0))
+    throw Error("the views do not determine the cameras", {},
+                "take pairs of the board at different angles and distances");
+  RigFit fit;
+  fit.rig.width_px = size.width;
+  fit.rig.height_px = size.height;
+  fit.rig.left = state.left;
+  fit.rig.right = state.right;
+  fit.rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(state.right_T_left);
+  const int right = problem.layout.camera(), t = problem.layout.pose() + 3;
+  for (const int i : {0, 1, right, right + 1})
+    fit.focal_sigma_px = std::max(fit.focal_sigma_px, std::sqrt(std::max(0.0, covariance(i, i))));
+  const Vector3d along = state.right_T_left.translation().normalized();
+  fit.baseline_sigma_mm = std::sqrt(std::max(0.0, along.dot(covariance.block<3, 3>(t, t) * along)));
+  return fit;
+}
+
+}  // namespace facenav::stereo

@@ -1,0 +1,22 @@
+#pragma once
+// Bundle adjustment of a rig: both cameras' parameters, their relative pose and all board poses together, by
+// Levenberg-Marquardt on the reprojection error in both images (Zhang 2000; Triggs et al. 2000). Written out
+// because cv::stereoCalibrate takes a second for what 10 ms suffice, gives no parameter covariance, and
+// cross-validation solves dozens of times.
+
+#include "facenav/stereo/calibrate.h"
+
+namespace facenav::stereo {
+
+struct RigFit {
+  StereoRig rig;
+  double focal_sigma_px =
+      0;  // standard deviations from the normal equations: the larger of fx, fy, both cameras
+  double baseline_sigma_mm = 0;
+};
+
+/// `coefficients` of the distortion: 4, 5 or 8. Throws Error when the views do not determine the cameras.
+RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& image_size, const Board& board,
+                 int coefficients);
+
+}  // namespace facenav::stereo

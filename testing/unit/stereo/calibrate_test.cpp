@@ -1,0 +1,147 @@
+#include "facenav/stereo/calibrate.h"
+
+#include <gmock/gmock.h>
+
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "facenav/core/error.h"
+#include "support/matchers.h"
+#include "support/stereo_rigs.h"
+
+using namespace facenav;
+using namespace facenav::stereo;
+using ::testing::HasSubstr;
+namespace support = facenav::testing;
+
+namespace {
+
+const Board kBoard{9, 6, 20.0};
+
+// Corners of boards held at random before the rig, with Gaussian noise.
+std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double noise_px, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, noise_px);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<BoardView> views;
+  while (int(views.size()) < count) {
+    const Eigen::Matrix3d r = expRotation({0.6 * unit(random), 0.6 * unit(random), 0.4 * unit(random)});
+    const Eigen::Vector3d t(110 * unit(random), 80 * unit(random), 560 + 150 * unit(random));
+    BoardView view{"view " + std::to_string(views.size()), {}, {}};
+    bool is_inside = true;
+    for (const cv::Point3f& p : boardPoints(kBoard)) {
+      const Eigen::Vector3d q = r * Eigen::Vector3d(p.x - 80, p.y - 50, 0) + t;
+      for (const auto& [camera, point, corners] :
+           {std::tuple(&rig.left, q, &view.left),
+            std::tuple(&rig.right, Eigen::Vector3d(rig.right_T_left.isometry() * q), &view.right)}) {
+        const Eigen::Vector2d pixel = project(*camera, point);
+        is_inside &=
+            pixel.x() > 5 && pixel.y() > 5 && pixel.x() < rig.width_px - 5 && pixel.y() < rig.height_px - 5;
+        corners->emplace_back(float(pixel.x() + noise(random)), float(pixel.y() + noise(random)));
+      }
+    }
+    if (is_inside) views.push_back(view);
+  }
+  return views;
+}
+
+Calibration calibrated(const std::vector<BoardView>& views) {
+  TaskMonitor monitor;
+  return calibrateCorners(views, {640, 480}, kBoard, monitor);
+}
+
+std::string messageOf(const std::vector<CalibrationPair>& pairs) {
+  TaskMonitor monitor;
+  try {
+    calibrate(pairs, kBoard, monitor);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST(Calibrate, RecoversTheRigFromCorners) {
+  const StereoRig rig = support::convergingRig();
+  const Calibration result = calibrated(syntheticViews(rig, 14, 0.1, 3));
+  EXPECT_NEAR(result.rms_px, 0.1 * std::sqrt(2.0), 0.012);  // 2-D distance of noise of 0.1 px along each axis
+  EXPECT_EQ(result.usedViews(), 14);
+  EXPECT_NEAR(result.rig.left.k(0, 0), rig.left.k(0, 0), 2.0);
+  EXPECT_NEAR(result.rig.baseline_mm(), rig.baseline_mm(), 0.15);
+  EXPECT_THAT(result.rig.right_T_left, support::PoseNear(rig.right_T_left, 0.1, 0.8));
+  EXPECT_GT(result.held_out_rms_px, result.rms_px * 0.95);
+  // What counts in the end: the depth of a point 600 mm away, seen by the true rig, measured with the
+  // calibrated one.
+  const Eigen::Vector3d p(20, -30, 600);
+  const Eigen::Vector3d measured =
+      triangulate(result.rig, project(rig.left, p), project(rig.right, rig.right_T_left.isometry() * p)).mm;
+  EXPECT_NEAR(measured.norm(), p.norm(), 1.0);
+}
+
+TEST(Calibrate, NamesAndDropsAViewInWhichTheBoardMoved) {
+  const StereoRig rig = support::convergingRig();
+  auto views = syntheticViews(rig, 12, 0.1, 5);
+  for (auto& corner : views[4].right) corner += cv::Point2f(1.5f, 2.5f);
+  const Calibration result = calibrated(views);
+  EXPECT_EQ(result.usedViews(), 11);
+  EXPECT_FALSE(result.views[4].is_used);
+  EXPECT_THAT(result.views[4].reason, HasSubstr("disagrees"));
+  EXPECT_GT(result.views[4].right_rms_px, 0.5);
+  EXPECT_NEAR(result.rms_px, 0.1 * std::sqrt(2.0), 0.015);
+}
+
+TEST(Calibrate, TakesAFullerModelOnlyWhereViewsLeftOutGainByIt) {
+  const auto simple = calibrated(syntheticViews(support::convergingRig(), 14, 0.1, 7));
+  EXPECT_EQ(simple.model, "k1 k2 p1 p2");
+  StereoRig strong = support::convergingRig();
+  strong.left.distortion = strong.right.distortion = support::distortion({-0.35, 0.35, 0, 0, -0.9});
+  const auto fuller = calibrated(syntheticViews(strong, 20, 0.02, 7));
+  EXPECT_NE(fuller.model, "k1 k2 p1 p2");
+  EXPECT_EQ(fuller.models.size(), 3u);
+  for (const auto& model : fuller.models) EXPECT_GT(model.held_out_rms_px, 0);
+}
+
+TEST(Calibrate, WarnsOfSwappedSides) {
+  auto views = syntheticViews(support::convergingRig(), 10, 0.05, 9);
+  for (auto& view : views) std::swap(view.left, view.right);
+  const Calibration result = calibrated(views);
+  EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("swapped")));
+}
+
+TEST(Calibrate, RefusesTooLittle) {
+  EXPECT_THAT(messageOf({}), HasSubstr("no image pairs"));
+  const cv::Mat grey(480, 640, CV_8U, cv::Scalar(128)), small(240, 320, CV_8U, cv::Scalar(128));
+  EXPECT_THAT(messageOf({{"a", grey, grey}, {"b", grey, grey}}), HasSubstr("found in only 0 pairs"));
+  EXPECT_THAT(messageOf({{"a", grey, grey}, {"b", small, grey}}), HasSubstr("320 x 240"));
+}
+
+TEST(Chessboard, TextOfABoard) {
+  EXPECT_EQ(boardFromText("9x6", 25).columns, 9);
+  EXPECT_EQ(boardFromText("9x6", 25).rows, 6);
+  for (const char* text : {"", "9", "9x", "x6", "9x6x", "9.5x6", "2x6", "-9x6", "9 x 6"})
+    EXPECT_THROW(boardFromText(text, 25), Error) << text;
+  EXPECT_THROW(boardFromText("9x6", 0), Error);
+}
+
+TEST(Chessboard, CornersOfADrawnBoardAreFoundInOneOrder) {
+  const Board board{7, 4, 10};  // 8 x 5 squares of 40 px, one of the first corner's squares black
+  cv::Mat image(400, 560, CV_8U, cv::Scalar(230));
+  for (int r = 0; r < 5; ++r)
+    for (int c = 0; c < 8; ++c)
+      if ((r + c) % 2 == 0)
+        cv::rectangle(image, cv::Rect(100 + 40 * c, 100 + 40 * r, 40, 40), cv::Scalar(20), -1);
+  cv::GaussianBlur(image, image, {}, 1.0);
+  const auto corners = findCorners(image, board);
+  ASSERT_EQ(corners.size(), 28u);
+  // Square edges lie between pixels: corner (0, 0) of the board at 139.5, 139.5.
+  EXPECT_NEAR(corners[0].x, 139.5, 0.05);
+  EXPECT_NEAR(corners[0].y, 139.5, 0.05);
+  EXPECT_NEAR(corners[27].x, 139.5 + 6 * 40, 0.05);
+  cv::Mat turned;
+  cv::rotate(image, turned, cv::ROTATE_180);
+  const auto turned_corners = findCorners(turned, board);
+  ASSERT_EQ(turned_corners.size(), 28u);
+  EXPECT_NEAR(turned_corners[0].x, 559 - 139.5, 0.05);
+  EXPECT_NEAR(turned_corners[0].y, 399 - 139.5, 0.05);
+}
