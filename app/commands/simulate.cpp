@@ -1,0 +1,84 @@
+// facenav simulate SCENARIO [--case CASE | --patient mri.nii.gz] -o RECORDING: the virtual treatment room
+
+#include <cstdio>
+
+#include "commands/commands.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/room/minc_volume.h"
+#include "facenav/room/simulate.h"
+#include "facenav/volume/nifti.h"
+
+namespace facenav::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimulateRequest {
+  room::ScenarioOptions options;
+  std::optional<fs::path> case_folder, patient;
+  std::string target;
+  fs::path output;
+};
+
+/// One flag for each option field.
+struct FlagVisitor {
+  CLI::App& verb;
+  template <class Value>
+  void operator()(const Field& field, Value& value) {
+    verb.add_option("--" + field.name, value, field.help)
+        ->check(CLI::Range(field.minimum, field.maximum))
+        ->capture_default_str();
+  }
+  void operator()(const Field& field, std::uint64_t& value) {
+    verb.add_option("--" + field.name, value, field.help)->capture_default_str();
+  }
+};
+
+volume::Volume cachedPatient(const Context& context) {
+  const fs::path nifti = context.cacheFolder() / "virtual_patient" / "mri.nii.gz";
+  if (fs::exists(nifti)) return volume::readNifti(nifti).volume;
+  const fs::path fetched = context.cacheFolder() / "brainbrowser";
+  return room::readMincVolume(fetched / "structural1.mnc.header.gz", fetched / "structural1.mnc.raw.gz");
+}
+
+void run(Context& context, const SimulateRequest& request) {
+  std::optional<RigidTransform<Mri, frames::Target>> target;
+  volume::Volume mri;
+  if (request.case_folder) {
+    const auto store = casefile::CaseStore::open(*request.case_folder);
+    mri = store.mri();
+    const auto plan = store.targets();
+    if (!request.target.empty() || !plan.targets.empty())
+      target = (request.target.empty() ? plan.targets.front() : plan.find(request.target)).mri_T_target;
+  } else {
+    mri = request.patient ? volume::readNifti(*request.patient).volume : cachedPatient(context);
+  }
+  const auto patient =
+      std::make_shared<const room::VirtualPatient>(room::makePatient(mri, {}, context.monitor));
+  if (patient->landmarks68_mm.empty() && !context.is_quiet)
+    std::fprintf(stderr, "facenav: note: no whole face in this scan; the patient has plain skin\n");
+  room::simulate(request.options, patient, target, request.output, context.monitor);
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand("simulate", "the virtual treatment room -> recording with exact truth");
+  auto request = std::make_shared<SimulateRequest>();
+  std::string scenarios = "what happens:";
+  for (const auto& kind : room::scenarios()) scenarios += "\n  " + kind.name + ": " + kind.help;
+  verb->add_option("SCENARIO", request->options.name, scenarios)->required();
+  auto* of_case = verb->add_option("--case", request->case_folder,
+                                   "case folder: its MRI is the patient, its target the coil's");
+  verb->add_option("--patient", request->patient,
+                   "mri.nii.gz of another patient (default: the cached virtual patient)")
+      ->excludes(of_case);
+  verb->add_option("--target", request->target,
+                   "name of the case's target the coil is brought to (default: the first)")
+      ->needs(of_case);
+  verb->add_option("-o,--output", request->output, "recording folder to write")->required();
+  room::ScenarioOptions::visit(request->options, FlagVisitor{*verb});
+  verb->callback([&context, request] { run(context, *request); });
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,17 @@
+#pragma once
+// A MINC volume as npm's brainbrowser packs it: a JSON header (`order` from the slowest to the fastest axis;
+// start, space_length, step and direction_cosines an axis) and raw 8-bit voxels, both gzipped. World p = sum
+// over the axes of (start + index * step) * direction_cosines, x right, y anterior, z superior: RAS mm, hence
+// Mri.
+
+#include <filesystem>
+
+#include "facenav/volume/volume.h"
+
+namespace facenav::room {
+
+/// Throws Error naming the file and the key for a header that lacks one, or voxels that do not fill the grid.
+volume::Volume readMincVolume(const std::filesystem::path& header_json_gz,
+                              const std::filesystem::path& raw_gz);
+
+}  // namespace facenav::room

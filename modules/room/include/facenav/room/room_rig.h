@@ -1,0 +1,43 @@
+#pragma once
+// The room's cameras. `Room` is the frame in which scenarios are written: origin midway between the cameras,
+// x right, y down (gravity), z forward to the patient, seen from the cameras; mm. A rig may be rolled in the
+// room.
+
+#include "facenav/core/field.h"
+#include "facenav/stereo/stereo_rig.h"
+
+namespace facenav::room {
+
+struct Room {};  // frame tag
+
+struct RigOptions {
+  int width_px = 640, height_px = 480;
+  double focal_px = 800.0, baseline_mm = 120.0, convergence_deg = 10.0, roll_deg = 0.0;
+  double k1 = -0.18, k2 = 0.10, p1 = 0.0007, p2 = -0.0005, k3 = 0.0;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"width_px", "image width", 64, 8192}, self.width_px);
+    visitor(Field{"height_px", "image height", 64, 8192}, self.height_px);
+    visitor(Field{"focal_px", "focal length", 50, 20000}, self.focal_px);
+    visitor(Field{"baseline_mm", "distance between the cameras", 5, 2000}, self.baseline_mm);
+    visitor(Field{"convergence_deg", "angle between the optical axes", -30, 90}, self.convergence_deg);
+    visitor(
+        Field{"roll_deg", "roll of the whole rig about its view (90: one camera above the other)", -180, 180},
+        self.roll_deg);
+    visitor(Field{"k1", "radial distortion of the left camera; the right one's is a tenth weaker", -1, 1},
+            self.k1);
+    visitor(Field{"k2", "radial distortion, 4th order", -2, 2}, self.k2);
+    visitor(Field{"k3", "radial distortion, 6th order", -5, 5}, self.k3);
+    visitor(Field{"p1", "tangential distortion", -0.05, 0.05}, self.p1);
+    visitor(Field{"p2", "tangential distortion", -0.05, 0.05}, self.p2);
+  }
+};
+
+/// Two cameras that differ a little in focal length, principal point, distortion and roll, as real ones do.
+stereo::StereoRig makeRig(const RigOptions& options);
+
+/// Camera from Room for any rig: Room's axes are the mean of the cameras', turned back by the rig's roll.
+RigidTransform<Camera, Room> cameraFromRoom(const stereo::StereoRig& rig, double roll_deg = 0.0);
+
+}  // namespace facenav::room

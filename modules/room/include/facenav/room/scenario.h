@@ -1,0 +1,53 @@
+#pragma once
+// Scenario: what happens in the virtual treatment room, by name, as a recording that can be repeated: same
+// options and seed, same images.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/core/field.h"
+#include "facenav/core/task_monitor.h"
+#include "facenav/room/room_coil.h"
+#include "facenav/room/room_rig.h"
+#include "facenav/room/virtual_patient.h"
+
+namespace facenav::room {
+
+struct ScenarioOptions {
+  std::string name = "treatment";
+  int frames = 0;  // 0: the scenario's own length
+  double frames_per_s = 60.0;
+  std::uint64_t seed = 1;
+  double head_distance_mm = 600.0;  // cameras to face
+  double noise_grey = 1.5, blur_px = 0.6, exposure = 1.75, gamma = 1.0;
+  double motion = 1.0;  // scales the scenario's head motion
+  RigOptions rig;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"frames", "number of frames (0: the scenario's own length)", 0, 100000}, self.frames);
+    visitor(Field{"frames_per_s", "frame rate", 1, 1000}, self.frames_per_s);
+    visitor(Field{"seed", "of motion, skin and noise"}, self.seed);
+    visitor(Field{"head_distance_mm", "from the cameras to the face", 200, 3000}, self.head_distance_mm);
+    visitor(Field{"noise_grey", "standard deviation of the sensor noise, grey levels", 0, 50},
+            self.noise_grey);
+    visitor(Field{"blur_px", "standard deviation of the lens blur", 0, 10}, self.blur_px);
+    visitor(Field{"exposure", "of both cameras", 0.01, 100}, self.exposure);
+    visitor(Field{"gamma", "of the cameras' tone curve", 0.2, 5}, self.gamma);
+    visitor(Field{"motion", "scales the head's motion", 0, 5}, self.motion);
+    RigOptions::visit(self.rig, visitor);
+  }
+};
+
+struct ScenarioKind {
+  std::string name, help;
+  int frames;  // its own length
+};
+
+/// The scenarios there are.
+const std::vector<ScenarioKind>& scenarios();
+
+}  // namespace facenav::room

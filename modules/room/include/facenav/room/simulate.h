@@ -1,0 +1,21 @@
+#pragma once
+// simulate: plays a scenario into a recording folder (FORMATS.md) with its truth: truth/head.csv,
+// truth/coil.csv, coil.json (the coil's marker mount) and scenario.json (options, seed, what each frame
+// shows).
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "facenav/room/scenario.h"
+
+namespace facenav::room {
+
+/// `target`: where `treatment` brings the coil; by default over the left hand area. The recording appears
+/// whole or not at all. Throws Error for an unknown scenario (listing those there are), or a folder that
+/// cannot be written.
+void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatient> patient,
+              const std::optional<RigidTransform<Mri, frames::Target>>& target,
+              const std::filesystem::path& recording, TaskMonitor& monitor);
+
+}  // namespace facenav::room

@@ -1,0 +1,60 @@
+#pragma once
+// VirtualPatient: a head made from an MRI: its skin as a closed mesh, a photographic face laid on by
+// landmarks, and hair that stands 2-5 mm proud of the MRI's skin. The truth about the patient that scenarios
+// and tests refer to.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "facenav/core/field.h"
+#include "facenav/core/task_monitor.h"
+#include "facenav/geometry/rigid_transform.h"
+#include "facenav/surface/triangle_mesh.h"
+#include "facenav/volume/volume.h"
+
+namespace facenav::room {
+
+class SkinTexture;
+
+struct PatientOptions {
+  bool has_hair = true;
+  double hair_thinnest_mm = 2.0, hair_thickest_mm = 5.0;
+  std::uint64_t seed = 1;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"has_hair", "hair on the scalp"}, self.has_hair);
+    visitor(Field{"hair_thinnest_mm", "hair stands at least this far proud of the skin", 0, 20},
+            self.hair_thinnest_mm);
+    visitor(Field{"hair_thickest_mm", "and at most this far", 0, 30}, self.hair_thickest_mm);
+    visitor(Field{"seed", "of hair and skin"}, self.seed);
+  }
+};
+
+struct VirtualPatient {
+  surface::TriangleMesh skin;     // Mri: the true air/skin boundary
+  surface::TriangleMesh visible;  // the same triangles, raised where hair grows
+  std::vector<float> hair;        // 0..1, one per vertex
+  std::vector<float> tone;        // blotches and freckles: factor on the albedo, one per vertex
+  std::shared_ptr<const SkinTexture> texture;
+  std::vector<Eigen::Vector3d>
+      landmarks68_mm;      // iBUG 68 points on the skin, Mri; empty where the scan has no face
+  Point<Mri> head_centre;  // middle of the brain case: the pivot of head motion
+  Point<Mri> face_middle;  // between eyes and mouth, on the skin
+};
+
+/// Builds the patient from a T1. Throws Error when there is no head in it or the portrait is not installed.
+VirtualPatient makePatient(const volume::Volume& mri, const PatientOptions& options, TaskMonitor& monitor);
+/// The same from a skin mesh (a case's scalp surface).
+VirtualPatient makePatient(const surface::TriangleMesh& skin, const PatientOptions& options,
+                           TaskMonitor& monitor);
+
+/// A coil pose over the hand area of the left motor cortex, from the head's outline alone: tangent to the
+/// skin, raised by `gap_mm` (hair), handle 45 degrees to posterior-lateral. For scenarios without a planned
+/// target.
+RigidTransform<Mri, frames::Target> leftHandArea(const VirtualPatient& patient, double gap_mm = 5.0);
+
+}  // namespace facenav::room

@@ -1,0 +1,32 @@
+#pragma once
+// Look: what light does to a surface. Albedo and gloss are functions of the point in the object's own frame,
+// so the same skin shows the same pores in both cameras and in every pose.
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace facenav::room {
+
+struct Reflectance {
+  float albedo = 0.5f;  // diffuse, 0..1, linear
+  float gloss = 0.f;    // weight of the highlight
+};
+
+struct SurfacePoint {
+  Eigen::Vector3d p_object_mm;
+  int triangle = 0;
+  float u = 0.f, v = 0.f;
+};
+
+class Look {
+ public:
+  virtual ~Look() = default;
+  virtual Reflectance at(const SurfacePoint& point) const = 0;
+  /// True where the albedo has printed edges: every pixel of it is sampled densely.
+  virtual bool isPrinted() const { return false; }
+};
+
+/// One tone with a fine grain.
+std::shared_ptr<const Look> makePlainLook(float albedo, float gloss, float grain = 0.05f);
+
+}  // namespace facenav::room

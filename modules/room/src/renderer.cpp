@@ -1,0 +1,181 @@
+#include "renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "noise_field.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr int kCoarse = 2, kEdge = 3,
+              kFine = 4;         // samples along each side of a pixel: skin, silhouette, print
+constexpr float kBend_mm = 3.f;  // a larger second difference of depth over one pixel is a silhouette
+
+bool areAlike(const Hit& a, const Hit& b) {
+  return a.object == b.object && std::abs(a.distance - b.distance) < kBend_mm &&
+         a.normal.dot(b.normal) > 0.98;
+}
+
+/// Everything that stays the same while one image is made.
+struct Shot {
+  const CameraRays& rays;
+  const RayScene& scene;
+  const std::vector<std::shared_ptr<const Look>>& looks;
+  const LightMeter& meter;
+  const cv::Mat& backdrop;
+  bool has_dots;
+  float backdrop_scale;
+
+  float wall(int x, int y) const { return backdrop_scale * backdrop.at<float>(y, x); }
+
+  Eigen::Vector3d toEye(const Eigen::Vector3d& p_mm) const { return (rays.origin_mm() - p_mm).normalized(); }
+
+  float shade(const Hit& hit, const LightMeter::Falling& light, const Eigen::Vector3d& p_world_mm,
+              const Eigen::Vector3d& p_object_mm) const {
+    const Reflectance r = looks[hit.object]->at({p_object_mm, hit.triangle, hit.u, hit.v});
+    float diffuse = light.diffuse;
+    if (has_dots && light.sees_projector) diffuse += meter.dots(p_world_mm, hit.normal);
+    return r.albedo * diffuse + r.gloss * light.highlight;
+  }
+
+  /// Samples on the tangent plane of the centre's hit.
+  float smoothPixel(int x, int y, const Hit& hit, int samples) const {
+    const Eigen::Isometry3d& pose = scene.pose(hit.object);
+    const Eigen::Vector3d centre_mm = pose * hit.p_object_mm;
+    const LightMeter::Falling light = meter.falling(centre_mm, hit.normal, toEye(centre_mm));
+    const double height = hit.facet_normal.dot(centre_mm - rays.origin_mm());
+    float sum = 0.f;
+    for (int sample = 0; sample < samples * samples; ++sample) {
+      const double dx = (sample % samples + 0.5) / samples - 0.5,
+                   dy = (sample / samples + 0.5) / samples - 0.5;
+      const Eigen::Vector3d along = rays.direction(x + dx, y + dy);
+      const Eigen::Vector3d p_mm = rays.origin_mm() + height / hit.facet_normal.dot(along) * along;
+      sum += shade(hit, light, p_mm, pose.linear().transpose() * (p_mm - pose.translation()));
+    }
+    return sum / float(samples * samples);
+  }
+
+  float edgePixel(int x, int y) const {
+    float sum = 0.f;
+    std::optional<Hit> lit;  // the last hit whose light was measured: its neighbours share it
+    LightMeter::Falling light;
+    for (int sample = 0; sample < kEdge * kEdge; ++sample) {
+      // Each row is shifted against the last, so that straight edges along rows or columns meet many phases.
+      const int row = sample / kEdge, column = sample % kEdge;
+      const double dx = (column + (row + 0.5) / kEdge) / kEdge - 0.5,
+                   dy = (row + (column + 0.5) / kEdge) / kEdge - 0.5;
+      const auto hit = scene.intersect(rays.origin_mm(), rays.direction(x + dx, y + dy));
+      if (!hit) {
+        sum += wall(x, y);
+        continue;
+      }
+      const Eigen::Vector3d p_mm = scene.pose(hit->object) * hit->p_object_mm;
+      if (!lit || !areAlike(*lit, *hit)) {
+        light = meter.falling(p_mm, hit->normal, toEye(p_mm));
+        lit = hit;
+      }
+      sum += shade(*hit, light, p_mm, hit->p_object_mm);
+    }
+    return sum / float(kEdge * kEdge);
+  }
+};
+
+/// The sights of all pixel centres inside `window`.
+class Sights {
+ public:
+  Sights(const RayScene& scene, const CameraRays& rays, const cv::Rect& window)
+      : window_(window), sights_(std::size_t(window.area())) {
+    cv::parallel_for_({0, window.height}, [&](const cv::Range& rows) {
+      for (int y = rows.start; y < rows.end; ++y)
+        for (int x = 0; x < window.width; ++x)
+          sights_[std::size_t(y) * window.width + x] =
+              scene.look(rays.origin_mm(), rays.direction(window.x + x, window.y + y));
+    });
+  }
+
+  const Sight& at(int x, int y) const {
+    return sights_[std::size_t(y - window_.y) * window_.width + (x - window_.x)];
+  }
+
+  /// True where a silhouette passes within a pixel: another object beside it, or a depth that bends too
+  /// sharply.
+  bool isEdge(int x, int y) const {
+    if (x <= window_.x || y <= window_.y || x + 1 >= window_.br().x || y + 1 >= window_.br().y) return false;
+    const Sight& centre = at(x, y);
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
+      const Sight &ahead = at(x + dx, y + dy), &behind = at(x - dx, y - dy);
+      if (ahead.object != centre.object || behind.object != centre.object) return true;
+      if (std::abs(ahead.distance + behind.distance - 2.f * centre.distance) > kBend_mm) return true;
+    }
+    return false;
+  }
+
+ private:
+  cv::Rect window_;
+  std::vector<Sight> sights_;
+};
+
+/// The part of the image in which any shown object can appear, from the boxes around them.
+cv::Rect windowOf(const RayScene& scene, int objects, const CameraRays& rays) {
+  const cv::Rect image(0, 0, rays.width_px(), rays.height_px());
+  cv::Rect window;
+  for (int object = 0; object < objects; ++object) {
+    if (!scene.isShown(object)) continue;
+    const auto box = rays.boxOf(scene.bounds(object), scene.pose(object));
+    if (!box) return image;
+    window |= *box;
+  }
+  return window & image;
+}
+
+}  // namespace
+
+Renderer::Renderer(const CameraRays& rays, cv::Mat backdrop) : rays_(rays), backdrop_(std::move(backdrop)) {}
+
+View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
+                      const Lighting& lighting) const {
+  const int width = rays_.width_px(), height = rays_.height_px();
+  const LightMeter meter(lighting, scene);
+  const Shot shot{
+      rays_, scene, looks, meter, backdrop_, lighting.projector.has_value(), float(lighting.backdrop)};
+  const cv::Rect window = windowOf(scene, int(looks.size()), rays_);
+  const Sights sights(scene, rays_, window);
+  View view{backdrop_ * lighting.backdrop, cv::Mat::zeros(height, width, CV_32F),
+            cv::Mat::zeros(height, width, CV_8U)};
+  cv::parallel_for_({window.y, window.br().y}, [&](const cv::Range& rows) {
+    for (int y = rows.start; y < rows.end; ++y)
+      for (int x = window.x; x < window.br().x; ++x) {
+        const Sight& sight = sights.at(x, y);
+        std::optional<Hit> hit;
+        if (sight.object >= 0) {
+          hit = scene.refine(sight, rays_.origin_mm(), rays_.direction(x, y));
+          view.depth_mm.at<float>(y, x) = float(hit->distance);
+          view.object.at<std::uint8_t>(y, x) = std::uint8_t(hit->object + 1);
+        }
+        if (sights.isEdge(x, y))
+          view.radiance.at<float>(y, x) = shot.edgePixel(x, y);
+        else if (hit)
+          view.radiance.at<float>(y, x) =
+              shot.smoothPixel(x, y, *hit, looks[hit->object]->isPrinted() ? kFine : kCoarse);
+      }
+  });
+  return view;
+}
+
+cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm) {
+  cv::Mat image(rays.height_px(), rays.width_px(), CV_32F);
+  const Eigen::Vector3d eye = room_T_world * rays.origin_mm();
+  cv::parallel_for_({0, image.rows}, [&](const cv::Range& rows) {
+    for (int y = rows.start; y < rows.end; ++y)
+      for (int x = 0; x < image.cols; ++x) {
+        const Eigen::Vector3d along = room_T_world.linear() * rays.direction(x, y);
+        const Eigen::Vector3d p_mm = eye + (distance_mm - eye.z()) / along.z() * along;
+        const float structure = 0.05f * sharedNoise().at(p_mm, 160.0) + 0.015f * sharedNoise().at(p_mm, 30.0);
+        image.at<float>(y, x) = std::max(0.02f, 0.16f + structure + float(0.00004 * p_mm.x()));
+      }
+  });
+  return image;
+}
+
+}  // namespace facenav::room

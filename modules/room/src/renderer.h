@@ -1,0 +1,39 @@
+#pragma once
+// Renderer: what one camera sees of a RayScene, in linear light before the lens blurs it. One primary ray a
+// pixel; where the surface is smooth, four samples are taken on its tangent plane (sixteen on prints), at
+// silhouettes nine rays are cast.
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "camera_rays.h"
+#include "lighting.h"
+#include "look.h"
+#include "ray_scene.h"
+
+namespace facenav::room {
+
+struct View {
+  cv::Mat radiance;  // float, linear
+  cv::Mat depth_mm;  // float, along the camera's z at pixel centres; 0 where nothing is hit
+  cv::Mat object;    // 8-bit, object number + 1 at pixel centres; 0: backdrop
+};
+
+class Renderer {
+ public:
+  /// `backdrop`: radiance where no object is hit (float, H x W, at full light), one per camera.
+  Renderer(const CameraRays& rays, cv::Mat backdrop);
+  View render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
+              const Lighting& lighting) const;
+
+ private:
+  const CameraRays& rays_;
+  cv::Mat backdrop_;
+};
+
+/// The wall behind the patient seen by this camera: soft random structure on a plane at `distance_mm` of the
+/// room.
+cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm);
+
+}  // namespace facenav::room

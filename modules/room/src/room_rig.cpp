@@ -1,0 +1,63 @@
+#include "facenav/room/room_rig.h"
+
+#include <cmath>
+
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+Eigen::Matrix3d turn(double degrees, const Eigen::Vector3d& axis) {
+  return expRotation(degrees * kDegree * axis);
+}
+
+stereo::CameraModel camera(const RigOptions& options, double focal_scale, double dx_px, double dy_px,
+                           double bend) {
+  stereo::CameraModel model;
+  const double f = options.focal_px * focal_scale;
+  model.k = cv::Matx33d(f, 0, 0.5 * (options.width_px - 1) + dx_px, 0, 1.0015 * f,
+                        0.5 * (options.height_px - 1) + dy_px, 0, 0, 1);
+  model.distortion = (cv::Mat_<double>(1, 5) << bend * options.k1, bend * options.k2, bend * options.p1,
+                      -bend * options.p2, options.k3);
+  return model;
+}
+
+Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, double x_mm) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = rotation;
+  pose.translation().x() = x_mm;
+  return pose;
+}
+
+}  // namespace
+
+stereo::StereoRig makeRig(const RigOptions& options) {
+  const double half_deg = 0.5 * options.convergence_deg, half_mm = 0.5 * options.baseline_mm;
+  const auto middle_T_left =
+      placed(turn(half_deg, Eigen::Vector3d::UnitY()) * turn(0.35, Eigen::Vector3d::UnitZ()), -half_mm);
+  const auto middle_T_right =
+      placed(turn(-half_deg, Eigen::Vector3d::UnitY()) * turn(-0.25, Eigen::Vector3d::UnitZ()) *
+                 turn(0.2, Eigen::Vector3d::UnitX()),
+             half_mm);
+  stereo::StereoRig rig;
+  rig.width_px = options.width_px;
+  rig.height_px = options.height_px;
+  rig.left = camera(options, 1.0, 6.3, -4.2, 1.0);
+  rig.right = camera(options, 0.9925, -5.1, 3.4, 0.9);
+  rig.right_T_left =
+      RigidTransform<RightCamera, Camera>::fromIsometry(middle_T_right.inverse() * middle_T_left);
+  return rig;
+}
+
+RigidTransform<Camera, Room> cameraFromRoom(const stereo::StereoRig& rig, double roll_deg) {
+  const Eigen::Isometry3d left_T_right = rig.right_T_left.inverse().isometry();
+  const Eigen::Matrix3d mean = expRotation(0.5 * logRotation(left_T_right.linear()));
+  Eigen::Isometry3d camera_T_room = Eigen::Isometry3d::Identity();
+  camera_T_room.linear() = mean * turn(-roll_deg, Eigen::Vector3d::UnitZ());
+  camera_T_room.translation() = 0.5 * left_T_right.translation();
+  return RigidTransform<Camera, Room>::fromIsometry(camera_T_room);
+}
+
+}  // namespace facenav::room

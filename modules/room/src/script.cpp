@@ -1,0 +1,81 @@
+#include "script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
+#include "script_setting.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+/// A script made of one function.
+class FunctionScript : public Script {
+ public:
+  FunctionScript(int frames, Cast capture, MomentOf moment)
+      : frames_(frames), capture_(std::move(capture)), moment_(std::move(moment)) {}
+  int frameCount() const override { return frames_; }
+  Moment at(int frame) const override { return moment_(frame); }
+  Cast capture() const override { return capture_; }
+
+ private:
+  int frames_;
+  Cast capture_;
+  MomentOf moment_;
+};
+
+const ScenarioKind& kindOf(const std::string& name) {
+  const auto& kinds = scenarios();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.name == name; });
+  if (kind != kinds.end()) return *kind;
+  std::string names;
+  for (const auto& k : kinds) names += (names.empty() ? "" : ", ") + k.name;
+  throw Error("no scenario of this name", name, "one of: " + names);
+}
+
+MomentOf momentsOf(const Setting& setting) {
+  static const std::map<std::string, MomentOf (*)(const Setting&)> scripts{
+      {"capture", stillScript},         {"still", stillScript},
+      {"protractor", protractorScript}, {"free_motion", freeMotionScript},
+      {"occlusion", occlusionScript},   {"talking", talkingScript},
+      {"lighting", lightingScript},     {"lost", lostScript},
+      {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }}};
+  return scripts.at(setting.options.name)(setting);
+}
+
+}  // namespace
+
+RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const VirtualPatient& patient) {
+  // The patient looks at the cameras: anterior towards them, superior up, the patient's right on the image's
+  // left.
+  Eigen::Matrix3d room_R_mri;
+  room_R_mri << -1, 0, 0, 0, 0, -1, 0, -1, 0;
+  // A seat is never quite square to the rig.
+  room_R_mri = expRotation(Eigen::Vector3d(2.0, -3.0, 1.0) * kDegree) * room_R_mri;
+  const Eigen::Vector3d centre_mm(4.0, 0.07 * options.head_distance_mm, options.head_distance_mm);
+  const Eigen::Vector3d anchor = 0.6 * patient.face_middle.mm + 0.4 * patient.head_centre.mm;
+  const double depth_mm = (room_R_mri * (patient.face_middle.mm - anchor)).z();
+  return {Eigen::Quaterniond(room_R_mri), centre_mm - Eigen::Vector3d(0, 0, depth_mm) - room_R_mri * anchor};
+}
+
+std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
+                                   const RigidTransform<Mri, frames::Target>& target) {
+  const ScenarioKind& kind = kindOf(options.name);
+  Setting setting;
+  setting.options = options;
+  setting.seat = seatedHead(options, patient);
+  setting.pivot = patient.head_centre;
+  setting.face_middle = patient.face_middle;
+  setting.target = target;
+  setting.marker_T_coil = mountedCoil(target, setting.seat.rotation().transpose()).marker_T_coil;
+  setting.frames = options.frames > 0 ? options.frames : kind.frames;
+  Cast capture;
+  capture.room_T_mri = setting.seat;
+  return std::make_unique<FunctionScript>(setting.frames, capture, momentsOf(setting));
+}
+
+}  // namespace facenav::room

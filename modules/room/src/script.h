@@ -1,0 +1,36 @@
+#pragma once
+// Script: a scenario played out: the Cast of each frame, of the capture pair, and labels for scenario.json.
+
+#include <memory>
+
+#include "facenav/room/scenario.h"
+#include "stage.h"
+
+namespace facenav::room {
+
+/// What the cameras do wrong on purpose.
+enum class CameraFault { none, black_left, black_both, frozen, swapped };
+
+struct Moment {
+  Cast cast;
+  CameraFault fault = CameraFault::none;
+  std::string label;  // in words: "hold", "approach", "face away" ..
+};
+
+class Script {
+ public:
+  virtual ~Script() = default;
+  virtual int frameCount() const = 0;
+  virtual Moment at(int frame) const = 0;
+  /// The head during the capture pair (coil absent).
+  virtual Cast capture() const = 0;
+};
+
+/// Throws Error for a name that is none of scenarios().
+std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
+                                   const RigidTransform<Mri, frames::Target>& target);
+
+/// The head as it sits before anything moves, facing the middle between the cameras.
+RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const VirtualPatient& patient);
+
+}  // namespace facenav::room

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/geometry/rotation.h"
+#include "script_setting.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+/// The coil relative to its target: 150 mm off and turned at 0, on it at 1.
+RigidTransform<frames::Target, Coil> onApproach(double progress) {
+  const double left = 1.0 - ease(progress);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = expRotation(left * Eigen::Vector3d(14.0, -10.0, 18.0) * kDegree);
+  pose.translation() = left * Eigen::Vector3d(-40.0, -50.0, -135.0);
+  return RigidTransform<frames::Target, Coil>::fromIsometry(pose);
+}
+
+}  // namespace
+
+double ease(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * x * (10.0 + x * (6.0 * x - 15.0));
+}
+
+RigidTransform<Room, Mri> Setting::moved(const Eigen::Matrix<double, 6, 1>& by) const {
+  const Eigen::Vector3d pivot_mm = (seat * pivot).mm;
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  turn.linear() = expRotation(by.head<3>() * kDegree);
+  turn.translation() = pivot_mm - turn.linear() * pivot_mm + by.tail<3>();
+  return RigidTransform<Room, Mri>::fromIsometry(turn * seat.isometry());
+}
+
+Cast Setting::headMovedBy(const Eigen::Matrix<double, 6, 1>& by) const {
+  Cast cast;
+  cast.room_T_mri = moved(by);
+  return cast;
+}
+
+HeadMotion Setting::motion(MotionSize size) const {
+  size.rotation_deg *= options.motion;
+  size.shift_mm *= options.motion;
+  return HeadMotion(size, options.seed);
+}
+
+MomentOf stillScript(const Setting& setting) {
+  return [setting](int) {
+    Moment moment;
+    moment.cast.room_T_mri = setting.seat;
+    moment.label = "still";
+    return moment;
+  };
+}
+
+MomentOf protractorScript(const Setting& setting) {
+  return [setting](int frame) {
+    const int axis = std::min(2, frame / 11), step = frame % 11 - 5;
+    Eigen::Matrix<double, 6, 1> by = Eigen::Matrix<double, 6, 1>::Zero();
+    by[axis] = 2.5 * step;
+    Moment moment;
+    moment.cast = setting.headMovedBy(by);
+    char label[64];
+    std::snprintf(label, sizeof label, "turned by %.1f deg about %c", by[axis], "xyz"[axis]);
+    moment.label = label;
+    return moment;
+  };
+}
+
+MomentOf freeMotionScript(const Setting& setting) {
+  const HeadMotion motion = setting.motion({{6.0, 9.0, 5.0}, {22.0, 12.0, 18.0}, 0.45});
+  return [setting, motion](int frame) {
+    Moment moment;
+    moment.cast = setting.headMovedBy(motion.at(setting.time_s(frame)));
+    moment.label = "moving";
+    return moment;
+  };
+}
+
+MomentOf treatmentScript(Setting setting) {
+  // The head has moved a little since the capture pair.
+  Eigen::Matrix<double, 6, 1> since;
+  since << 1.0, -1.5, 0.7, 3.0, -2.0, 4.0;
+  setting.seat = setting.moved(setting.options.motion * since);
+  const HeadMotion motion = setting.motion({});
+  // The coil stays on its target for the last second (half of a shorter recording).
+  const double hold = std::min(0.5, setting.options.frames_per_s / std::max(1, setting.frames));
+  return [setting, motion, hold](int frame) {
+    Moment moment;
+    moment.cast = setting.headMovedBy(motion.at(setting.time_s(frame)));
+    const double progress = setting.part(frame) / (1.0 - hold);
+    moment.cast.room_T_coil = moment.cast.room_T_mri * setting.target * onApproach(progress);
+    moment.label = progress < 1.0 ? "approach" : "on target";
+    return moment;
+  };
+}
+
+}  // namespace facenav::room

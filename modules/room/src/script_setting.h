@@ -1,0 +1,47 @@
+#pragma once
+// What every script starts from, and the small steps they share.
+
+#include <functional>
+
+#include "head_motion.h"
+#include "script.h"
+
+namespace facenav::room {
+
+struct Setting {
+  ScenarioOptions options;
+  RigidTransform<Room, Mri> seat;  // the head before anything moves
+  Point<Mri> pivot, face_middle;
+  RigidTransform<Mri, frames::Target> target;
+  RigidTransform<Marker, Coil> marker_T_coil;
+  int frames = 1;
+
+  double time_s(int frame) const { return frame / options.frames_per_s; }
+  /// 0 at the first frame, 1 at the last.
+  double part(int frame) const { return frames > 1 ? double(frame) / (frames - 1) : 0.0; }
+  /// The head turned by a rotation vector (deg, Room axes) about its pivot and shifted (mm).
+  RigidTransform<Room, Mri> moved(const Eigen::Matrix<double, 6, 1>& by) const;
+  Cast headMovedBy(const Eigen::Matrix<double, 6, 1>& by) const;
+  HeadMotion motion(MotionSize size) const;
+  /// Middle of the seated face, Room mm.
+  Eigen::Vector3d face_mm() const { return (seat * face_middle).mm; }
+};
+
+using MomentOf = std::function<Moment(int frame)>;
+
+/// Smooth step 0..1 with zero speed and acceleration at both ends.
+double ease(double x);
+
+// script_motions.cpp: the head moves.
+MomentOf stillScript(const Setting& setting);
+MomentOf protractorScript(const Setting& setting);
+MomentOf freeMotionScript(const Setting& setting);
+MomentOf treatmentScript(Setting setting);
+// script_disturbances.cpp: what a treatment room does to trackers.
+MomentOf occlusionScript(const Setting& setting);
+MomentOf talkingScript(const Setting& setting);
+MomentOf lightingScript(const Setting& setting);
+MomentOf lostScript(const Setting& setting);
+MomentOf coilSweepScript(const Setting& setting);
+
+}  // namespace facenav::room

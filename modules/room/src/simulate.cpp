@@ -1,0 +1,76 @@
+#include "facenav/room/simulate.h"
+
+#include <nlohmann/json.hpp>
+
+#include "facenav/capture/recording.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/room/synthetic_source.h"
+
+namespace facenav::room {
+namespace {
+
+using nlohmann::json;
+
+json rows(const Eigen::Matrix4d& matrix) {
+  json numbers = json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) numbers.push_back(matrix(row, column));
+  return numbers;
+}
+
+json coilJson(const RoomCoil& coil) {
+  return {
+      {"name", coil.name},
+      {"marker", {{"dictionary", coil.dictionary}, {"id", coil.marker_id}, {"size_mm", coil.marker_size_mm}}},
+      {"marker_T_coil", rows(coil.marker_T_coil.matrix())}};
+}
+
+json frameJson(const GroundTruth& truth) {
+  return {{"frame", truth.frame},
+          {"label", truth.label},
+          {"face_visible_fraction", truth.face_visible_fraction},
+          {"must_be_lost", truth.must_be_lost},
+          {"jaw_mm", truth.jaw_mm}};
+}
+
+struct JsonVisitor {
+  json& object;
+  template <class Value>
+  void operator()(const Field& field, const Value& value) {
+    object[field.name] = value;
+  }
+};
+
+void addTruth(capture::RecordingWriter& writer, const GroundTruth& truth) {
+  std::optional<Eigen::Isometry3d> camera_T_marker;
+  if (truth.camera_T_marker) camera_T_marker = truth.camera_T_marker->isometry();
+  writer.addTruth(truth.frame, truth.camera_T_mri.isometry(), camera_T_marker);
+}
+
+}  // namespace
+
+void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatient> patient,
+              const std::optional<RigidTransform<Mri, frames::Target>>& target,
+              const std::filesystem::path& recording, TaskMonitor& monitor) {
+  SyntheticSource source(options, std::move(patient), target);
+  capture::RecordingWriter writer(recording, source.rig());
+  const std::string step = "virtual room: " + options.name;
+  monitor.report(step, 0.0);
+  writer.setCapture(source.capturePair());
+  json frames = json::array();
+  while (const auto frame = source.next()) {
+    writer.add(*frame);
+    addTruth(writer, source.truth());
+    frames.push_back(frameJson(source.truth()));
+    monitor.report(step, double(frame->number + 1) / double(*source.frameCount()));
+  }
+  json scenario{
+      {"scenario", options.name}, {"frames", frames}, {"mri_T_target", rows(source.target().matrix())}};
+  ScenarioOptions::visit(options, JsonVisitor{scenario["options"]});
+  scenario["capture_camera_T_mri"] = rows(source.captureTruth().matrix());
+  writeWholeFile(writer.temporaryFolder() / "coil.json", coilJson(source.coil()).dump(2) + "\n");
+  writeWholeFile(writer.temporaryFolder() / "scenario.json", scenario.dump(2) + "\n");
+  writer.close();
+}
+
+}  // namespace facenav::room

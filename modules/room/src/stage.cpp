@@ -1,0 +1,173 @@
+#include "stage.h"
+
+#include <cmath>
+
+#include "face_shape.h"
+#include "facenav/stereo/dot_pattern.h"
+#include "head_look.h"
+#include "marker_plate.h"
+#include "shapes.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr double kWall_mm = 2300.0;
+
+/// Every few millimetres a vertex of the skin within 65 mm of the face's middle that looks forward.
+std::vector<int> spreadOverFace(const VirtualPatient& patient) {
+  constexpr double kReach_mm = 65.0;
+  constexpr std::size_t kTaken = 400;
+  std::vector<int> near;
+  for (std::size_t i = 0; i < patient.skin.vertices_mm.size(); ++i)
+    if ((patient.skin.vertices_mm[i] - patient.face_middle.mm).norm() < kReach_mm &&
+        patient.skin.normals[i].y() > 0.3)
+      near.push_back(int(i));
+  std::vector<int> spread;
+  for (std::size_t i = 0; i < kTaken && !near.empty(); ++i) spread.push_back(near[i * near.size() / kTaken]);
+  return spread;
+}
+
+cv::Mat densePattern() { return stereo::makeDotPattern(stereo::DotPattern::dense, 1); }
+
+surface::TriangleMesh handMesh() {
+  auto mesh = ellipsoid({0, 0, 0}, {38, 48, 14}, 32);
+  for (int finger = 0; finger < 4; ++finger)
+    mesh = joined(mesh,
+                  ellipsoid({-27.0 + 18.0 * finger, -75.0 - (finger % 3 ? 8.0 : 0.0), 0}, {8.5, 42, 8}, 20));
+  mesh = joined(mesh, ellipsoid({48, -15, 0}, {30, 10, 9}, 20));
+  return joined(mesh, ellipsoid({0, 150, 0}, {30, 130, 26}, 24));
+}
+
+}  // namespace
+
+struct Stage::Implementation {
+  stereo::StereoRig rig;
+  RigidTransform<Camera, Room> camera_T_room;
+  std::shared_ptr<const VirtualPatient> patient;
+  FaceShape face;
+  std::vector<int> face_vertices;  // spread over the face: how much of it is seen is counted on them
+  RoomCoil coil;
+  FilmOptions film;
+  RayScene scene;
+  std::vector<std::shared_ptr<const Look>> looks;
+  int head = -1, coil_body = -1, plate = -1, hand = -1;
+  std::array<CameraRays, 2> rays;
+  std::array<Renderer, 2> renderers;
+  Lighting lighting;
+
+  Implementation(const stereo::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p)
+      : rig(r),
+        camera_T_room(cameraFromRoom(r, roll_deg)),
+        patient(std::move(p)),
+        face(*patient),
+        face_vertices(spreadOverFace(*patient)),
+        rays{CameraRays(r.left, r.width_px, r.height_px, Eigen::Isometry3d::Identity()),
+             CameraRays(r.right, r.width_px, r.height_px, r.right_T_left.isometry())},
+        renderers{Renderer(rays[0], renderBackdrop(rays[0], camera_T_room.inverse().isometry(), kWall_mm)),
+                  Renderer(rays[1], renderBackdrop(rays[1], camera_T_room.inverse().isometry(), kWall_mm))} {}
+
+  int add(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look) {
+    looks.push_back(std::move(look));
+    return scene.add(mesh);
+  }
+
+  Eigen::Vector3d inCamera(const Eigen::Vector3d& p_room_mm) const {
+    return camera_T_room.isometry() * p_room_mm;
+  }
+
+  void light(const Cast& cast) {
+    lighting.lamps = {
+        {inCamera(Eigen::Vector3d(-600, -900, -350) + cast.lamp_shift_mm), 0.55 * cast.lamp_scale, 1500.0},
+        {inCamera(Eigen::Vector3d(700, -500, -500) + 0.5 * cast.lamp_shift_mm), 0.30 * cast.lamp_scale,
+         1500.0}};
+    lighting.ambient = 0.40 * cast.ambient_scale;
+    lighting.up = camera_T_room.rotation() * -Eigen::Vector3d::UnitY();
+    lighting.projector.reset();
+    if (!cast.has_dots) return;
+    DotProjector projector;
+    Eigen::Isometry3d room_T_projector = Eigen::Isometry3d::Identity();
+    room_T_projector.translation() = Eigen::Vector3d(5.0, -70.0, 20.0);
+    room_T_projector.linear() = Eigen::AngleAxisd(-0.12, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    projector.projector_T_world = room_T_projector.inverse() * camera_T_room.inverse().isometry();
+    projector.pattern = densePattern();
+    lighting.projector = projector;
+    for (auto& lamp : lighting.lamps) lamp.intensity *= 0.5;  // the room is dimmed for the dots
+    lighting.ambient *= 0.5;
+  }
+};
+
+Stage::Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
+             const RoomCoil& coil, const FilmOptions& film)
+    : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient))) {
+  auto& all = *implementation_;
+  all.coil = coil;
+  all.film = film;
+  all.head = all.add(all.patient->visible, makeHeadLook(*all.patient, all.face));
+  all.coil_body = all.add(coilMesh(coil), makePlainLook(0.16f, 0.05f));
+  all.plate = all.add(plateMesh(kPlatePerMarker * coil.marker_size_mm, kPlatePerMarker * coil.marker_size_mm),
+                      makeMarkerLook(coil.dictionary, coil.marker_id, coil.marker_size_mm));
+  all.hand = all.add(handMesh(), makePlainLook(0.40f, 0.02f, 0.08f));
+  set(Cast{});
+}
+
+Stage::~Stage() = default;
+
+void Stage::set(const Cast& cast) {
+  auto& all = *implementation_;
+  if (all.face.set(cast.jaw_mm, cast.lids))
+    all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
+  all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
+  all.scene.setShown(all.coil_body, cast.room_T_coil.has_value());
+  all.scene.setShown(all.plate, cast.room_T_coil.has_value());
+  if (cast.room_T_coil) {
+    const auto camera_T_coil = all.camera_T_room * *cast.room_T_coil;
+    all.scene.setPose(all.coil_body, camera_T_coil.isometry());
+    all.scene.setPose(all.plate, (camera_T_coil * all.coil.marker_T_coil.inverse()).isometry());
+  }
+  all.scene.setShown(all.hand, cast.room_T_hand.has_value());
+  if (cast.room_T_hand) all.scene.setPose(all.hand, all.camera_T_room.isometry() * *cast.room_T_hand);
+  all.light(cast);
+  all.lighting.backdrop = 0.5 * (cast.lamp_scale + cast.ambient_scale) * (cast.has_dots ? 0.5 : 1.0);
+  all.scene.commit();
+}
+
+std::array<View, 2> Stage::view() const {
+  const auto& all = *implementation_;
+  return {all.renderers[0].render(all.scene, all.looks, all.lighting),
+          all.renderers[1].render(all.scene, all.looks, all.lighting)};
+}
+
+stereo::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
+                                      bool is_left_open, bool is_right_open) const {
+  const auto views = view();
+  stereo::StereoFrame frame;
+  frame.number = number;
+  frame.captured = Timestamp{time_s};
+  frame.left = develop(views[0].radiance * (is_left_open ? 1.0 : 0.0), implementation_->film, 2 * noise_seed);
+  frame.right =
+      develop(views[1].radiance * (is_right_open ? 1.0 : 0.0), implementation_->film, 2 * noise_seed + 1);
+  return frame;
+}
+
+double Stage::faceVisibleFraction() const {
+  const auto& all = *implementation_;
+  if (all.face_vertices.empty()) return 0.0;
+  const Eigen::Isometry3d& pose = all.scene.pose(all.head);
+  int seen = 0;
+  for (const int vertex : all.face_vertices) {
+    const Eigen::Vector3d normal = pose.linear() * all.patient->skin.normals[std::size_t(vertex)];
+    const Eigen::Vector3d p_mm = pose * all.face.vertices_mm()[std::size_t(vertex)] + 1.0 * normal;
+    bool is_seen = true;
+    for (const CameraRays& rays : all.rays)
+      is_seen = is_seen && normal.dot(rays.origin_mm() - p_mm) > 0.0 && rays.shows(p_mm) &&
+                !all.scene.isBlocked(p_mm, rays.origin_mm());
+    seen += is_seen;
+  }
+  return double(seen) / double(all.face_vertices.size());
+}
+
+const RigidTransform<Camera, Room>& Stage::camera_T_room() const { return implementation_->camera_T_room; }
+const RoomCoil& Stage::coil() const { return implementation_->coil; }
+const stereo::StereoRig& Stage::rig() const { return implementation_->rig; }
+
+}  // namespace facenav::room

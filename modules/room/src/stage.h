@@ -1,0 +1,55 @@
+#pragma once
+// Stage: the room with everything in it, ready to be photographed. A scenario says what stands where (Cast);
+// the stage turns that into a stereo pair and its truth.
+
+#include <array>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "facenav/room/room_coil.h"
+#include "facenav/room/room_rig.h"
+#include "facenav/room/virtual_patient.h"
+#include "facenav/stereo/stereo_frame.h"
+#include "film.h"
+#include "renderer.h"
+
+namespace facenav::room {
+
+/// One moment in the room.
+struct Cast {
+  RigidTransform<Room, Mri> room_T_mri;
+  std::optional<RigidTransform<Room, Coil>> room_T_coil;
+  std::optional<Eigen::Isometry3d> room_T_hand;  // a hand that hides part of the face
+  double lamp_scale = 1.0, ambient_scale = 1.0;
+  Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
+  bool has_dots = false;
+  double jaw_mm = 0.0, lids = 0.0;  // chin lowered; 0 eyes open .. 1 closed
+};
+
+class Stage {
+ public:
+  Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
+        const RoomCoil& coil, const FilmOptions& film);
+  ~Stage();
+
+  void set(const Cast& cast);
+  /// Left and right in linear light, with depth and object maps.
+  std::array<View, 2> view() const;
+  /// A camera whose shutter stays shut gives black with noise.
+  stereo::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
+                                 bool is_left_open = true, bool is_right_open = true) const;
+  /// Share of the face's skin that both cameras see, 0..1.
+  double faceVisibleFraction() const;
+
+  const RigidTransform<Camera, Room>& camera_T_room() const;
+  const RoomCoil& coil() const;
+  const stereo::StereoRig& rig() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace facenav::room

@@ -1,0 +1,121 @@
+#include "facenav/room/synthetic_source.h"
+
+#include "script.h"
+#include "stage.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr std::uint64_t kFramesPerSeed = 1000003;
+
+/// The cameras' axes in the seated patient's Mri: columns x, y, z of Room.
+Eigen::Matrix3d viewInMri(const RigidTransform<Room, Mri>& room_T_mri) {
+  return room_T_mri.rotation().transpose();
+}
+
+FilmOptions filmOf(const ScenarioOptions& options) {
+  return {options.blur_px, options.exposure, options.gamma, options.noise_grey};
+}
+
+}  // namespace
+
+struct SyntheticSource::Implementation {
+  ScenarioOptions options;
+  RigidTransform<Mri, frames::Target> target;
+  std::unique_ptr<Script> script;
+  Stage stage;
+  std::int64_t number = 0;
+  stereo::StereoFrame last;
+  GroundTruth truth;
+
+  Implementation(const ScenarioOptions& o, const std::shared_ptr<const VirtualPatient>& patient,
+                 const RigidTransform<Mri, frames::Target>& t)
+      : options(o),
+        target(t),
+        script(makeScript(o, *patient, t)),
+        stage(makeRig(o.rig), o.rig.roll_deg, patient, mountedCoil(t, viewInMri(seatedHead(o, *patient))),
+              filmOf(o)) {}
+
+  stereo::StereoFrame photograph(CameraFault fault) const {
+    if (fault == CameraFault::frozen && !last.left.empty())
+      return {last.left.clone(), last.right.clone(), number, {}};
+    auto frame = stage.photograph(number, 0.0, options.seed * kFramesPerSeed + std::uint64_t(number),
+                                  fault != CameraFault::black_left && fault != CameraFault::black_both,
+                                  fault != CameraFault::black_both);
+    if (fault == CameraFault::swapped) std::swap(frame.left, frame.right);
+    return frame;
+  }
+
+  GroundTruth truthOf(const Moment& moment) const {
+    GroundTruth now;
+    now.frame = number;
+    now.camera_T_mri = stage.camera_T_room() * moment.cast.room_T_mri;
+    if (moment.cast.room_T_coil) {
+      now.camera_T_coil = stage.camera_T_room() * *moment.cast.room_T_coil;
+      now.camera_T_marker = *now.camera_T_coil * stage.coil().marker_T_coil.inverse();
+    }
+    now.label = moment.label;
+    now.face_visible_fraction = moment.fault == CameraFault::none ? stage.faceVisibleFraction() : 0.0;
+    now.must_be_lost = moment.fault != CameraFault::none || now.face_visible_fraction < 0.05;
+    now.jaw_mm = moment.cast.jaw_mm;
+    return now;
+  }
+};
+
+SyntheticSource::SyntheticSource(const ScenarioOptions& options,
+                                 std::shared_ptr<const VirtualPatient> patient,
+                                 const std::optional<RigidTransform<Mri, frames::Target>>& target)
+    : implementation_(
+          std::make_unique<Implementation>(options, patient, target ? *target : leftHandArea(*patient))) {}
+
+SyntheticSource::~SyntheticSource() = default;
+
+const stereo::StereoRig& SyntheticSource::rig() const { return implementation_->stage.rig(); }
+
+std::shared_ptr<const stereo::StereoFrame> SyntheticSource::next() {
+  auto& all = *implementation_;
+  if (all.number >= all.script->frameCount()) return nullptr;
+  const Moment moment = all.script->at(int(all.number));
+  all.stage.set(moment.cast);
+  all.truth = all.truthOf(moment);
+  auto frame = all.photograph(moment.fault);
+  frame.number = all.number;
+  frame.captured = Timestamp{double(all.number) / all.options.frames_per_s};
+  all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured};
+  ++all.number;
+  return std::make_shared<const stereo::StereoFrame>(std::move(frame));
+}
+
+std::optional<std::int64_t> SyntheticSource::frameCount() const {
+  return implementation_->script->frameCount();
+}
+
+capture::CapturePair SyntheticSource::capturePair() {
+  auto& all = *implementation_;
+  Cast cast = all.script->capture();
+  cast.has_dots = true;
+  all.stage.set(cast);
+  const std::uint64_t seed = all.options.seed * kFramesPerSeed + 900001;
+  capture::CapturePair pair;
+  pair.pattern = all.stage.photograph(0, 0.0, seed);
+  cast.has_dots = false;
+  all.stage.set(cast);
+  pair.plain = all.stage.photograph(0, 0.0, seed + 1);
+  return pair;
+}
+
+RigidTransform<Camera, Mri> SyntheticSource::captureTruth() const {
+  return implementation_->stage.camera_T_room() * implementation_->script->capture().room_T_mri;
+}
+
+const GroundTruth& SyntheticSource::truth() const { return implementation_->truth; }
+
+DepthMaps SyntheticSource::depth() const {
+  auto views = implementation_->stage.view();
+  return {views[0].depth_mm, views[1].depth_mm, views[0].object, views[1].object};
+}
+
+const RoomCoil& SyntheticSource::coil() const { return implementation_->stage.coil(); }
+const RigidTransform<Mri, frames::Target>& SyntheticSource::target() const { return implementation_->target; }
+
+}  // namespace facenav::room
