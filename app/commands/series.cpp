@@ -35,18 +35,40 @@ std::string stateOf(const dicom::SeriesInfo& info) {
   return (info.is_recommended ? "recommended, " : "") + joined(words, "; ");
 }
 
-std::string lineOf(const dicom::SeriesInfo& info) {
-  const std::string name = info.description + (info.part.empty() ? "" : ", " + info.part);
+using Row = std::vector<std::string>;
+
+Row rowOf(const dicom::SeriesInfo& info) {
+  std::string name = info.description + (info.part.empty() ? "" : ", " + info.part);
+  if (name.empty()) name = "(no description)";
   std::string shape =
       std::to_string(info.columns) + " x " + std::to_string(info.rows) + " x " + std::to_string(info.slices);
   if (info.spacing_mm[2] > 0)
     shape += ", " + number(info.spacing_mm[0]) + " x " + number(info.spacing_mm[1]) + " x " +
              number(info.spacing_mm[2]) + " mm";
-  char start[256];
-  std::snprintf(start, sizeof start, "%c %-28.60s %-10s %-3.8s %-9.20s %-44s %-16s ",
-                info.is_recommended ? '*' : ' ', name.c_str(), info.date.c_str(), info.modality.c_str(),
-                info.contrast.c_str(), shape.c_str(), info.plane.c_str());
-  return start + stateOf(info) + "  " + info.id;
+  if (info.rows == 0) shape = "-";
+  return {info.is_recommended ? "*" : " ",
+          name,
+          info.date,
+          info.modality,
+          info.contrast,
+          shape,
+          info.plane,
+          stateOf(info),
+          info.id};
+}
+
+/// Columns as wide as their widest entry.
+void printTable(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.empty() ? 0 : rows[0].size());
+  for (const Row& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line += row[c] + std::string(widths[c] - row[c].size() + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::printf("%s\n", line.c_str());
+  }
 }
 
 nlohmann::json toJson(const dicom::SeriesInfo& info) {
@@ -97,7 +119,9 @@ void addSeries(CLI::App& app, Context& context) {
       const auto replace = nlohmann::json::error_handler_t::replace;  // file names need not be UTF-8
       std::printf("%s\n", list.dump(2, ' ', false, replace).c_str());
     } else {
-      for (const auto& info : series) std::printf("%s\n", lineOf(info).c_str());
+      std::vector<Row> rows;
+      for (const auto& info : series) rows.push_back(rowOf(info));
+      printTable(rows);
     }
   });
 }

@@ -65,7 +65,9 @@ template <class T>
 T withinStoredBits(T value, const VoxelFormat& format) {
   using Wide = std::int64_t;
   const int shift = format.high_bit + 1 - format.bits_stored;
-  if (!format.has_embedded_overlay && shift == 0) return value;
+  // Vendors that lie about other depths exist, so bits above the stored ones are cut off only where they are
+  // known to hold something else, and at 12 bits, where dcm2niix cuts them too.
+  if (!format.has_embedded_overlay && shift == 0 && format.bits_stored != 12) return value;
   Wide bits = (Wide(value) >> shift) & ((Wide(1) << format.bits_stored) - 1);
   if (format.is_signed && bits >> (format.bits_stored - 1) & 1) bits -= Wide(1) << format.bits_stored;
   return T(bits);

@@ -19,11 +19,12 @@ class Grouper {
         return isSameSort(group.images[0], image) && isSameGeometry(group.images[0], image);
       });
       if (home == groups.end())
-        groups.push_back({{image}, ""});
+        groups.push_back({{image}, "", false});
       else
         home->images.push_back(image);
     }
     takeInStrays(groups);
+    joinScattered(groups);
     nameParts(groups);
     return groups;
   }
@@ -63,6 +64,20 @@ class Grouper {
         if (stray < large) --large;
       }
     }
+  }
+
+  void joinScattered(std::vector<SeriesGroup>& groups) const {
+    constexpr std::size_t kFew = 2;
+    for (std::size_t first = 0; first < groups.size(); ++first)
+      for (std::size_t other = groups.size() - 1; other > first; --other) {
+        SeriesGroup &a = groups[first], &b = groups[other];
+        if (!(a.is_scattered || a.images.size() <= kFew) || b.images.size() > kFew) continue;
+        if (!isSameSort(a.images[0], b.images[0]) || !headerOf(a.images[0]).layout.has_pixels) continue;
+        if (isSameOrientation(placeOf(headers_, a.images[0]), placeOf(headers_, b.images[0]))) continue;
+        a.images.insert(a.images.end(), b.images.begin(), b.images.end());
+        a.is_scattered = true;
+        groups.erase(groups.begin() + std::ptrdiff_t(other));
+      }
   }
 
   void nameParts(std::vector<SeriesGroup>& groups) const {

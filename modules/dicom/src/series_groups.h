@@ -10,7 +10,8 @@ namespace facenav::dicom {
 
 struct SeriesGroup {
   std::vector<ImageRef> images;
-  std::string part;  // what tells it from the other groups of its UID; empty for the only one
+  std::string part;           // what tells it from the other groups of its UID; empty for the only one
+  bool is_scattered = false;  // single images in different directions: a localizer, projections
 };
 
 /// Groups of one UID are neighbours in the result. A few images that differ from a large group in geometry

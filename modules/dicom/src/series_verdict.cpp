@@ -12,7 +12,7 @@
 namespace facenav::dicom {
 namespace {
 
-constexpr double kFinestVoxel_mm = 1.2;  // the navigation T1's largest voxel edge
+constexpr double kFinestVoxel_mm = 1.205;  // the navigation T1's largest voxel edge, 1.2 as written
 constexpr double kMostVoxels = 1e9;
 
 bool startsWith(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
@@ -39,7 +39,11 @@ std::string objectProblem(const SliceHeader& header) {
   if (startsWith(kind, "66.")) return "segmentation or registration object, no anatomical image";
   if (kind == "4.2") return "spectroscopy, no image";
   if (startsWith(kind, "9.")) return "waveform, no image";
-  if (startsWith(kind, "7")) return "secondary capture (a screenshot), no volume";
+  if (startsWith(kind, "77.")) return "photograph, no volume";
+  // Some exports declare volumes secondary captures; those at least carry a position.
+  const bool is_capture = kind == "7" || startsWith(kind, "7.");
+  if (is_capture && !(header.images.size() > 0 && header.images[0].position_lps_mm))
+    return "secondary capture (a screenshot), no volume";
   if (!header.layout.has_pixels) return "holds no image";
   return {};
 }
@@ -91,6 +95,18 @@ void collectFiles(SeriesInfo& info, const std::vector<SliceHeader>& headers,
     is_whole &= frames.size() == headers[std::size_t(header)].images.size();
   }
   if (is_whole) info.frames.clear();
+}
+
+/// The fault, or "localizer" where images in several directions or a single one are called so by their
+/// description.
+std::string stackProblem(const StackFault& fault, const SeriesInfo& info, const SeriesGroup& group) {
+  const std::string words = lower(info.description);
+  for (const char* word : {"localizer", "localiser", "scout", "survey", "pilot", "loc"})
+    if (group.images.size() < 40 && words.find(word) != std::string::npos &&
+        (group.is_scattered || group.images.size() == 1))
+      return "localizer";
+  if (group.is_scattered) return "images in many directions (projections or a localizer), no volume";
+  return fault.what;
 }
 
 /// Drops duplicates, names what else lies at one place.
@@ -193,7 +209,8 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
       used = stack.order;
       settleCoincident(info, headers, stack);
     }
-    if (stack.fault) setProblem(info, stack.fault->what, stack.fault->file);
+    if (stack.fault) setProblem(info, stackProblem(*stack.fault, info, group), stack.fault->file);
+    if (!stack.note.empty()) info.notes.push_back(stack.note);
     if (!stack.fault) describeGeometry(info, stack.grid);
     if (double(info.rows) * info.columns * double(used.size()) > kMostVoxels)
       setProblem(info, "too large", first.file);

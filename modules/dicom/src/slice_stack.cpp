@@ -13,6 +13,8 @@ constexpr double kSpacingTolerance = 0.02;  // of the spacing: scanners write po
 constexpr double kSpacingTolerance_mm = 0.005;
 constexpr double kLargestShear_rad = 0.1 * M_PI / 180;
 constexpr double kLargestSideStep_mm = 0.1;
+constexpr double kFarOffPlace_mm = 0.05;  // least distance of a slice from its place that counts
+constexpr double kLargestDrift = 0.1;     // of the spacing: a slice off its place on the even grid
 
 using Axes = Eigen::Matrix<double, 3, 2>;
 
@@ -78,7 +80,10 @@ class Stacker {
           StackFault{"holds a single slice", fileOf(slices_[0]), "choose a series with many slices"};
     if (!result.fault) result.fault = spacingFault();
     if (!result.fault) result.fault = lineFault();
-    if (!result.fault) result.grid = grid();
+    if (!result.fault) {
+      result.note = chooseStep();
+      result.grid = grid();
+    }
     return result;
   }
 
@@ -150,6 +155,7 @@ class Stacker {
 
   std::optional<StackFault> lineFault() {
     const Placed &first = slices_.front(), &last = slices_.back();
+    first_mm_ = first.position_mm;
     step_mm_ = (last.position_mm - first.position_mm) / double(slices_.size() - 1);
     const double shear_rad = std::atan2(step_mm_.cross(normal_).norm(), step_mm_.dot(normal_));
     if (shear_rad > kLargestShear_rad) {
@@ -160,12 +166,41 @@ class Stacker {
     }
     for (std::size_t i = 0; i < slices_.size(); ++i) {
       const Eigen::Vector3d off_mm = slices_[i].position_mm - first.position_mm - double(i) * step_mm_;
-      const double aside_mm = (off_mm - normal_ * normal_.dot(off_mm)).norm();
+      const double along_mm = std::abs(normal_.dot(off_mm)),
+                   aside_mm = (off_mm - normal_ * normal_.dot(off_mm)).norm();
+      if (along_mm > std::max(kFarOffPlace_mm, kLargestDrift * step_mm_.norm()))
+        return StackFault{
+            "unequal slice spacing: slice lies " + millimetres(along_mm) + " off its place in an even stack",
+            fileOf(slices_[i]), "choose another series"};
       if (aside_mm > kLargestSideStep_mm)
         return StackFault{"slice lies " + millimetres(aside_mm) + " beside the others", fileOf(slices_[i]),
                           "choose another series"};
     }
     return std::nullopt;
+  }
+
+  /// Where the slices are even, the step that dcm2niix takes: the gap of the two slices acquired first, in 32
+  /// bits, along the normal. It differs from the mean gap by micrometres, and voxels then lie where that
+  /// program puts them. Where positions are so rounded that this would misplace a slice, the mean gap, which
+  /// does not.
+  std::string chooseStep() {
+    const auto number = [&](const Placed& slice) { return headers_[slice.image.header].instance_number; };
+    const bool is_backwards = number(slices_.front()) > number(slices_.back());
+    const std::size_t last = slices_.size() - 1, anchor = is_backwards ? last : 0;
+    const Eigen::Vector3f a = slices_[anchor].position_mm.cast<float>();
+    const Eigen::Vector3f b = slices_[is_backwards ? last - 1 : 1].position_mm.cast<float>();
+    const Eigen::Vector3d step_mm = normal_ * double((b - a).norm());
+    const Eigen::Vector3d first_mm = slices_[anchor].position_mm - double(anchor) * step_mm;
+    double worst_mm = 0;
+    for (std::size_t i = 0; i <= last; ++i)
+      worst_mm = std::max(worst_mm, (first_mm + double(i) * step_mm - slices_[i].position_mm).norm());
+    if (worst_mm > kFarOffPlace_mm)
+      return "slice positions are rounded; the mean spacing is used (dcm2niix continues the first gap, up "
+             "to " +
+             millimetres(worst_mm) + " off)";
+    step_mm_ = step_mm;
+    first_mm_ = first_mm;
+    return {};
   }
 
   volume::VoxelGrid grid() const {
@@ -176,13 +211,13 @@ class Stacker {
     Eigen::Matrix3d steps;
     steps << row_ * spacing_mm_[0], column_ * spacing_mm_[1], step_mm_;
     grid.mri_from_voxel.linear() = ras_from_lps * steps;
-    grid.mri_from_voxel.translation() = ras_from_lps * slices_.front().position_mm;
+    grid.mri_from_voxel.translation() = ras_from_lps * first_mm_;
     return grid;
   }
 
   const std::vector<SliceHeader>& headers_;
   std::vector<Placed> slices_;
-  Eigen::Vector3d row_, column_, normal_, step_mm_;
+  Eigen::Vector3d row_, column_, normal_, step_mm_, first_mm_;
   Eigen::Vector2d spacing_mm_;
 };
 

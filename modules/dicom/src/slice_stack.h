@@ -29,6 +29,7 @@ struct SliceStack {
   std::vector<std::pair<ImageRef, ImageRef>> coincident;  // images at the place of one in `order`
   volume::VoxelGrid grid;                                 // RAS mm; meaningful without a fault
   std::optional<StackFault> fault;
+  std::string note;  // positions so rounded that dcm2niix places slices elsewhere
 };
 
 SliceStack stackSlices(const std::vector<SliceHeader>& headers, const std::vector<ImageRef>& images);

@@ -127,19 +127,27 @@ int integer(const gdcm::DataSet& data, gdcm::Tag tag, int otherwise) {
   return value && std::abs(*value) < 2e9 ? int(*value) : otherwise;
 }
 
-std::size_t itemCount(const gdcm::DataSet& data, gdcm::Tag tag) {
-  if (!data.FindDataElement(tag) || data.GetDataElement(tag).IsEmpty()) return 0;
-  const auto* items = dynamic_cast<const gdcm::SequenceOfItems*>(&data.GetDataElement(tag).GetValue());
-  return items ? items->GetNumberOfItems() : 0;
+std::vector<gdcm::DataSet> items(const gdcm::DataSet& data, gdcm::Tag tag) {
+  std::vector<gdcm::DataSet> found;
+  if (!data.FindDataElement(tag) || data.GetDataElement(tag).IsEmpty()) return found;
+  const gdcm::DataElement& element = data.GetDataElement(tag);
+  gdcm::SmartPointer<gdcm::SequenceOfItems> sequence;
+  if (dynamic_cast<const gdcm::SequenceOfItems*>(&element.GetValue()) || element.GetVR() == gdcm::VR::INVALID)
+    try {
+      // Implicit VR: GDCM keeps a sequence of known length as bytes, which the walk of the lengths has
+      // checked. The bytes of a UN element were not, and stay closed.
+      sequence = element.GetValueAsSQ();
+    } catch (const std::exception&) {
+      return found;
+    }
+  for (std::size_t i = 1; sequence && i <= sequence->GetNumberOfItems(); ++i)
+    found.push_back(sequence->GetItem(i).GetNestedDataSet());
+  return found;
 }
 
-const gdcm::DataSet* item(const gdcm::DataSet& data, gdcm::Tag tag, std::size_t index) {
-  // Elements parsed from a stream own their sequence, so the item outlives this function; one converted on
-  // the fly by GetValueAsSQ (a UN element) would not, and is passed over.
-  if (itemCount(data, tag) == 0) return nullptr;
-  const auto* items = dynamic_cast<const gdcm::SequenceOfItems*>(&data.GetDataElement(tag).GetValue());
-  if (!items || index >= items->GetNumberOfItems()) return nullptr;
-  return &items->GetItem(index + 1).GetNestedDataSet();
+std::optional<gdcm::DataSet> item(const gdcm::DataSet& data, gdcm::Tag tag) {
+  const auto all = items(data, tag);
+  return all.empty() ? std::nullopt : std::optional<gdcm::DataSet>(all.front());
 }
 
 }  // namespace facenav::dicom

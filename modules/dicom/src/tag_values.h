@@ -19,9 +19,9 @@ std::vector<double> numbers(const gdcm::DataSet& data, gdcm::Tag tag);
 std::optional<double> number(const gdcm::DataSet& data, gdcm::Tag tag);
 /// The number as an int, `otherwise` where absent or out of range.
 int integer(const gdcm::DataSet& data, gdcm::Tag tag, int otherwise);
-/// Number of items of a sequence, 0 where absent.
-std::size_t itemCount(const gdcm::DataSet& data, gdcm::Tag tag);
-/// The data set of item `index` (from 0) of a sequence; null where there is none.
-const gdcm::DataSet* item(const gdcm::DataSet& data, gdcm::Tag tag, std::size_t index = 0);
+/// The data sets of a sequence's items; empty where it is absent. Copies share their values.
+std::vector<gdcm::DataSet> items(const gdcm::DataSet& data, gdcm::Tag tag);
+/// The first of them.
+std::optional<gdcm::DataSet> item(const gdcm::DataSet& data, gdcm::Tag tag);
 
 }  // namespace facenav::dicom

@@ -1,0 +1,121 @@
+// Whatever the file, reading it ends in a volume or in one facenav::Error: no crash, no other exception.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "dicom_bytes.h"
+#include "facenav/core/error.h"
+#include "facenav/dicom/import_volume.h"
+#include "mutation.h"
+#include "support/test_data.h"
+
+namespace facenav::testing {
+namespace {
+
+std::string readBytes(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Lists and loads; true when a volume came out.
+bool survives(const std::filesystem::path& input) {
+  TaskMonitor monitor;
+  bool has_volume = false;
+  try {
+    for (const auto& info : dicom::listSeries(input, monitor)) {
+      EXPECT_EQ(info.is_loadable, info.problem.empty());
+      if (!info.is_loadable) continue;
+      try {
+        has_volume |= !dicom::loadSeries(info, monitor).voxels.empty();
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      }
+    }
+    dicom::importVolume(input, std::nullopt, monitor);
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+  return has_volume;
+}
+
+TEST(DamagedFiles, OddRealFilesEndInOneLine) {
+  const auto folder = sharedData() / "dicom_variety/pydicom";
+  FACENAV_NEEDS(folder);
+  ::testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
+  survives(folder);
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path().string());
+    survives(entry.path());
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");  // GDCM and its codecs keep quiet
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(DamagedFiles, SeededMutationsOfEverySyntax) {
+  std::mt19937 random(20260101);
+  const TemporaryFolder folder;
+  int volumes = 0;
+  for (const Syntax& syntax : {explicitLittle(), implicitLittle(), explicitBig()}) {
+    Slice first;
+    first.syntax = syntax;
+    const auto slices = makeSlices(4, first);
+    writeSlices(folder.path(), slices);
+    const auto victim = folder.path() / "f7919";
+    const std::string good = readBytes(victim);
+    for (int trial = 0; trial < 300; ++trial) {
+      SCOPED_TRACE(syntax.uid + " trial " + std::to_string(trial));
+      writeBytes(victim, mutated(good, random));
+      volumes += survives(folder.path());
+    }
+    writeBytes(victim, good);
+    EXPECT_TRUE(survives(folder.path()));
+  }
+  EXPECT_GT(volumes, 50);  // some damage is harmless: the trials do reach the pixels
+}
+
+TEST(DamagedFiles, SeededMutationsOfCompressedFiles) {
+  const auto folder = sharedData() / "dicom_variety/pydicom";
+  FACENAV_NEEDS(folder);
+  std::mt19937 random(20260102);
+  const TemporaryFolder scratch;
+  for (const char* name :
+       {"MR_small_RLE.dcm", "MR_small_jp2klossless.dcm", "JPGExtended.dcm", "JPEGLSNearLossless_08.dcm",
+        "rtdose_rle_1frame.dcm", "test-SR.dcm", "priv_SQ.dcm", "no_meta.dcm"}) {
+    const std::string good = readBytes(folder / name);
+    for (int trial = 0; trial < 60; ++trial) {
+      SCOPED_TRACE(std::string(name) + " trial " + std::to_string(trial));
+      writeBytes(scratch.path() / "in", mutated(good, random));
+      survives(scratch.path() / "in");
+    }
+  }
+}
+
+TEST(DamagedFiles, LengthsThatLieAreRefusedBeforeAnythingIsAllocated) {
+  const TemporaryFolder folder;
+  Slice slice = makeSlices(1)[0];
+  DataSetBytes header = headerOf(slice);
+  // 4 GB of private data, promised by twelve bytes.
+  const std::string lie = header.bytes() + std::string("\x09\x50\x10\x10OB\0\0\xFE\xFF\xFF\xFF", 12);
+  writeBytes(folder.path() / "in", std::string(128, '\0') + "DICM" + lie);
+  TaskMonitor monitor;
+  EXPECT_THROW(dicom::importVolume(folder.path() / "in", std::nullopt, monitor), Error);
+}
+
+TEST(DamagedFiles, SequencesNestedWithoutEndAreRefused) {
+  const TemporaryFolder folder;
+  DataSetBytes deep(explicitLittle());
+  for (int depth = 0; depth < 2000; ++depth) {
+    DataSetBytes outer(explicitLittle());
+    deep = outer.sequence(0x00081140, {deep});
+  }
+  writeBytes(folder.path() / "in", fileOf(deep));
+  TaskMonitor monitor;
+  EXPECT_THROW(dicom::listSeries(folder.path(), monitor), Error);
+}
+
+}  // namespace
+}  // namespace facenav::testing
