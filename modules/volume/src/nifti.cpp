@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -26,18 +27,42 @@ Eigen::Affine3d toAffine(const mat44& m) {
   return affine;
 }
 
+/// niftiio itself fills what a truncated file lacks with zeros and says nothing, hence this.
+void readVoxels(nifti_image& image, const std::filesystem::path& path) {
+  constexpr double kMostCompression = 1040;  // deflate's limit is 1032
+  const auto refuse = [&] {
+    throw Error("NIfTI file is truncated or damaged", path.string(), "copy or export it again");
+  };
+  const std::size_t size = image.nvox * std::size_t(image.nbyper);
+  std::error_code error;
+  const bool is_compressed = nifti_is_gzfile(image.iname);
+  const auto file_size = double(std::filesystem::file_size(image.iname, error));
+  if (error || size == 0 || file_size * (is_compressed ? kMostCompression : 1.0) < double(size)) refuse();
+  image.data = std::malloc(size);  // freed by nifti_image_free
+  if (!image.data) throw Error("not enough memory for this volume", path.string());
+  znzFile file = znzopen(image.iname, "rb", is_compressed);
+  if (znz_isnull(file)) refuse();
+  const bool is_whole = image.iname_offset >= 0 && znzseek(file, image.iname_offset, SEEK_SET) >= 0 &&
+                        znzread(image.data, 1, size, file) == size;
+  Xznzclose(&file);
+  if (!is_whole) refuse();
+  if (image.swapsize > 1 && image.byteorder != nifti_short_order())
+    nifti_swap_Nbytes(size / std::size_t(image.swapsize), image.swapsize, image.data);
+}
+
 ImagePtr readImage(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
   nifti_set_debug_level(0);
   if (is_nifti_file(path.c_str()) < 0)
     throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
-  ImagePtr image(nifti_image_read(path.c_str(), 1));
-  if (!image || !image->data)
-    throw Error("NIfTI file is truncated or damaged", path.string(), "copy or export it again");
+  ImagePtr image(nifti_image_read(path.c_str(), 0));
+  if (!image || !image->iname)
+    throw Error("NIfTI header is damaged", path.string(), "copy or export it again");
   if (image->nx < 1 || image->ny < 1 || image->nz < 1 ||
       image->nvox != std::size_t(image->nx) * image->ny * image->nz)
     throw Error("holds " + std::to_string(image->ndim) + " dimensions, one 3-D volume was expected",
                 path.string(), "extract the T1 volume first");
+  readVoxels(*image, path);
   return image;
 }
 

@@ -14,14 +14,16 @@ double Mask::volume_ml() const {
 }
 
 float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside) {
+  constexpr double kRounding = 1e-6;  // voxels: a grid resampled onto itself keeps its border
   const auto& n = volume.grid.size;
   for (int a = 0; a < 3; ++a)
-    if (!(ijk[a] >= 0 && ijk[a] <= n[a] - 1)) return outside;
+    if (!(ijk[a] >= -kRounding && ijk[a] <= n[a] - 1 + kRounding)) return outside;
   const int i = std::min(int(ijk[0]), std::max(0, n[0] - 2)),
             j = std::min(int(ijk[1]), std::max(0, n[1] - 2)),
             k = std::min(int(ijk[2]), std::max(0, n[2] - 2));
   const int di = n[0] > 1, dj = n[1] > 1, dk = n[2] > 1;
-  const float x = float(ijk[0] - i), y = float(ijk[1] - j), z = float(ijk[2] - k);
+  const auto within = [](double t) { return float(std::clamp(t, 0.0, 1.0)); };
+  const float x = within(ijk[0] - i), y = within(ijk[1] - j), z = within(ijk[2] - k);
   const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
   const auto row = [&](int jj, int kk) { return mix(volume.at(i, jj, kk), volume.at(i + di, jj, kk), x); };
   return mix(mix(row(j, k), row(j + dj, k), y), mix(row(j, k + dk), row(j + dj, k + dk), y), z);

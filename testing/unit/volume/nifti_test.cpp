@@ -1,0 +1,180 @@
+#include "facenav/volume/nifti.h"
+
+#include <gmock/gmock.h>
+#include <nifti1.h>
+#include <nifti1_io.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
+#include "support/matchers.h"
+#include "support/test_data.h"
+#include "volumes.h"
+
+namespace facenav::testing {
+namespace {
+
+/// The header of a written file, to be altered and written back.
+struct Raw {
+  std::filesystem::path path;
+  nifti_1_header header;
+  std::string bytes;
+
+  explicit Raw(const std::filesystem::path& at) : path(at), bytes(readWholeFile(at)) {
+    std::memcpy(&header, bytes.data(), sizeof header);
+  }
+  void save() {
+    std::memcpy(bytes.data(), &header, sizeof header);
+    writeWholeFile(path, bytes);
+  }
+};
+
+TEST(Nifti, RoundTripKeepsValuesAndPlaces) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.nii", "a.nii.gz"}) {
+    volume::writeNifti(numberedVolume(), folder.path() / name);
+    const auto read = volume::readNifti(folder.path() / name);
+    EXPECT_EQ(read.volume.voxels, numberedVolume().voxels);
+    EXPECT_TRUE(read.volume.grid.matches(numberedVolume().grid));
+    EXPECT_EQ(read.volume.orientation_source, "sform");
+    EXPECT_FALSE(read.warning) << *read.warning;
+  }
+}
+
+TEST(Nifti, ValueTypeIsTheSmallestThatHoldsAll) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  for (const auto& [value, type] :
+       {std::pair{-5.f, DT_INT16}, {60000.f, DT_UINT16}, {0.5f, DT_FLOAT32}, {1e6f, DT_FLOAT32}}) {
+    auto volume = numberedVolume();
+    volume.voxels[3] = value;
+    volume::writeNifti(volume, path);
+    EXPECT_EQ(Raw(path).header.datatype, type) << value;
+    EXPECT_EQ(volume::readNifti(path).volume.voxels, volume.voxels);
+  }
+}
+
+TEST(Nifti, QformServesWithoutSformAndIsNamed) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  raw.header.sform_code = 0;
+  raw.save();
+  const auto read = volume::readNifti(path);
+  EXPECT_EQ(read.volume.orientation_source, "qform");
+  EXPECT_TRUE(read.volume.grid.matches(numberedVolume().grid));
+}
+
+TEST(Nifti, DisagreementOfSformAndQformIsSaid) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  raw.header.srow_x[3] += 11.5f;
+  raw.save();
+  const auto read = volume::readNifti(path);
+  ASSERT_TRUE(read.warning);
+  EXPECT_THAT(*read.warning, ::testing::HasSubstr("12 mm"));
+  EXPECT_NEAR(read.volume.grid.toMri({0, 0, 0}).mm.x(), 1.5, 1e-5);  // the sform's
+}
+
+TEST(Nifti, NeitherSformNorQformIsRefusedSinceLeftAndRightAreUnknown) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  raw.header.sform_code = raw.header.qform_code = 0;
+  raw.save();
+  EXPECT_THROW(volume::readNifti(path), Error);
+}
+
+TEST(Nifti, SlopeAndInterceptAreApplied) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  raw.header.scl_slope = 2;
+  raw.header.scl_inter = -3;
+  raw.save();
+  EXPECT_EQ(volume::readNifti(path).volume.at(1, 2, 3), 2 * 321.f - 3);
+}
+
+TEST(Nifti, LeftHandedFilesKeepTheirWorld) {
+  const TemporaryFolder folder;
+  auto volume = numberedVolume();
+  volume.grid.mri_from_voxel.linear().col(0) *= -1;  // radiological order: i runs to the left
+  volume::writeNifti(volume, folder.path() / "a.nii");
+  const auto read = volume::readNifti(folder.path() / "a.nii");
+  EXPECT_TRUE(read.volume.grid.matches(volume.grid));
+  EXPECT_FALSE(read.warning);
+}
+
+TEST(Nifti, DamagedFilesAreRefusedInOneLine) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  const std::string good = readWholeFile(path);
+  for (const std::size_t length : {std::size_t(0), std::size_t(100), std::size_t(348), good.size() - 50}) {
+    writeWholeFile(path, good.substr(0, length));
+    EXPECT_THROW(volume::readNifti(path), Error) << length;
+  }
+  Raw raw((writeWholeFile(path, good), path));
+  raw.header.srow_x[0] = std::nanf("");
+  raw.save();
+  EXPECT_THROW(volume::readNifti(path), Error);
+  EXPECT_THROW(volume::readNifti(folder.path() / "absent.nii"), Error);
+}
+
+TEST(Nifti, TruncatedCompressedFileIsRefused) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii.gz";
+  volume::writeNifti(numberedVolume(), path);
+  const std::string good = readWholeFile(path);
+  writeWholeFile(path, good.substr(0, good.size() * 3 / 4));
+  EXPECT_THROW(volume::readNifti(path), Error);
+}
+
+TEST(Nifti, BigEndianFileIsRead) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  const auto offset = std::size_t(raw.header.vox_offset);
+  swap_nifti_header(&raw.header, 1);
+  for (std::size_t i = offset; i + 1 < raw.bytes.size(); i += 2) std::swap(raw.bytes[i], raw.bytes[i + 1]);
+  raw.save();
+  EXPECT_EQ(volume::readNifti(path).volume.voxels, numberedVolume().voxels);
+}
+
+TEST(Nifti, DimensionsThatLieAreRefusedWithoutAllocating) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  for (int a = 1; a <= 3; ++a) raw.header.dim[a] = 32000;
+  raw.save();
+  EXPECT_THROW(volume::readNifti(path), Error);
+}
+
+TEST(Nifti, MaskRoundTrip) {
+  const TemporaryFolder folder;
+  volume::Mask mask{numberedVolume().grid, std::vector<std::uint8_t>(210, 0)};
+  mask.voxels[17] = mask.voxels[100] = 1;
+  volume::writeMask(mask, folder.path() / "m.nii.gz");
+  EXPECT_EQ(volume::readMask(folder.path() / "m.nii.gz").voxels, mask.voxels);
+}
+
+TEST(Nifti, RealColin27StandsUprightInRas) {
+  FACENAV_NEEDS(colin27());
+  const auto volume = volume::readNifti(colin27()).volume;
+  // MNI space: the plane x = 0 is the midline, and the left thalamus is brighter than half of all voxels.
+  EXPECT_NEAR(volume.grid.toVoxel(Point<Mri>(0, 0, 0))[0] / volume.grid.size[0], 0.5, 0.02);
+  EXPECT_GT(volume::sampleLinear(volume, volume.grid.toVoxel(Point<Mri>(-10, -20, 8))),
+            volume::percentile(volume, 0.5));
+}
+
+}  // namespace
+}  // namespace facenav::testing
