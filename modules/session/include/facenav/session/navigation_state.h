@@ -1,0 +1,46 @@
+#pragma once
+// NavigationState: everything known at one frame, immutable once published; what the window, the recorder and
+// the tables read. Poses in Camera (mm); a lost pose has no value (Tracked), and guidance is lost with it.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "facenav/core/timestamp.h"
+#include "facenav/core/tracked.h"
+#include "facenav/guidance/guidance.h"
+#include "facenav/stereo/stereo_frame.h"
+#include "facenav/tracking/coil_tracker.h"
+#include "facenav/tracking/head_tracker.h"
+
+namespace facenav::session {
+
+struct NavigationState {
+  std::int64_t frame = -1;  // -1: none yet
+  Timestamp captured;       // the source's clock
+  Timestamp arrived;        // steady clock, when the frame came in
+  std::shared_ptr<const stereo::StereoFrame> images;
+
+  Tracked<tracking::HeadPose> head = Lost{LostReason::stale};
+  Tracked<tracking::CoilPose> coil = Lost{LostReason::stale};
+  Tracked<RigidTransform<Camera, Mri>> camera_T_mri = Lost{LostReason::stale};
+  Tracked<RigidTransform<Camera, Coil>> camera_T_coil = Lost{LostReason::stale};
+
+  bool is_aligned = false;  // false: camera_T_mri is never tracked
+  std::string target;       // name; empty: none chosen
+  guidance::GuidanceState guidance;
+
+  double processing_ms = 0.0;  // head + coil + guidance
+  double latency_ms = 0.0;     // from the frame's arrival to this state
+  std::uint64_t dropped = 0;   // frames overwritten before they were tracked, since the start
+  std::string failure;         // an Error that ended the session, in words
+};
+
+/// The same state with every pose lost for `reason` and guidance blanked; images stay, to be seen.
+NavigationState blanked(const NavigationState& state, LostReason reason);
+
+/// What to tell the user when something is lost, head first: "FACE HIDDEN: move the coil or hand aside".
+/// Empty when both are tracked.
+std::string lossInWords(const NavigationState& state);
+
+}  // namespace facenav::session

@@ -1,0 +1,57 @@
+#pragma once
+// Navigator: one stereo frame in, one NavigationState out (the TREAT arrow of the data flow), synchronous;
+// the CLI, the demo and the live thread use this same one. Head = Camera at the reference frame, so
+// head_T_mri equals camera_T_mri at that moment and stays fixed; per frame camera_T_mri = camera_T_head *
+// head_T_mri.
+
+#include <memory>
+#include <optional>
+
+#include "facenav/guidance/guidance.h"
+#include "facenav/session/navigation_state.h"
+#include "facenav/stereo/stereo_rig.h"
+
+namespace facenav::session {
+
+struct NavigatorSetup {
+  stereo::StereoRig rig;
+  tracking::HeadReference reference;
+  /// Of the reference frame's moment; none: the head is tracked, but not placed in the MRI.
+  std::optional<RigidTransform<Camera, Mri>> camera_T_mri_at_reference;
+  tracking::CoilModel coil;
+  guidance::Tolerance tolerance;
+};
+
+/// The chosen target with the alignment's predicted error there (mm, 0: unknown).
+struct ChosenTarget {
+  guidance::Target target;
+  double predicted_error_mm = 0.0;
+};
+
+class Navigator {
+ public:
+  /// Starts both trackers. Throws Error when no face is found in the reference frame.
+  Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::HeadTracker> head,
+            std::unique_ptr<tracking::CoilTracker> coil);
+
+  void setTarget(std::optional<ChosenTarget> target);
+  const stereo::StereoRig& rig() const { return rig_; }
+  /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
+  /// ("camera").
+  NavigationState process(std::shared_ptr<const stereo::StereoFrame> frame);
+
+ private:
+  void place(NavigationState& state) const;
+  void guide(NavigationState& state);
+
+  stereo::StereoRig rig_;
+  std::optional<RigidTransform<Head, Mri>> head_T_mri_;
+  RigidTransform<Marker, Coil> marker_T_coil_;
+  guidance::Tolerance tolerance_;
+  std::unique_ptr<tracking::HeadTracker> head_;
+  std::unique_ptr<tracking::CoilTracker> coil_;
+  std::optional<ChosenTarget> target_;
+  guidance::GuidanceState previous_;
+};
+
+}  // namespace facenav::session

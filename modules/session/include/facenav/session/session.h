@@ -1,0 +1,59 @@
+#pragma once
+// Session: the live loop of ARCHITECTURE.md. Capture thread: FrameSource -> LatestValue<frame> (recorded
+// sources are paced by their time stamps). Tracking thread: newest frame -> Navigator ->
+// LatestValue<NavigationState>. Old frames are overwritten, never queued, and counted. The consumer asks
+// latest() at its own rate. Past the age limit, or after a fault or the recording's end, latest() is blanked:
+// the last pose is never left standing.
+
+#include <memory>
+#include <optional>
+
+#include "facenav/capture/frame_source.h"
+#include "facenav/core/field.h"
+#include "facenav/session/navigator.h"
+#include "facenav/session/recorder.h"
+
+namespace facenav::session {
+
+struct SessionOptions {
+  double age_limit_s = 0.25;  // beyond it a state is stale
+  bool is_paced = true;       // recordings: frames come when their time stamps say; false for live cameras
+  double speed = 1.0;         // of a paced source, relative to real time
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"age_limit_s", "a pose older than this is not shown", 0.02, 5.0}, self.age_limit_s);
+    visitor(Field{"is_paced", "play a recording by its time stamps"}, self.is_paced);
+    visitor(Field{"speed", "playing speed of a recording, 1 = as recorded", 0.05, 20.0}, self.speed);
+  }
+};
+
+class Session {
+ public:
+  /// `recorder` may be null. Nothing runs before start().
+  Session(std::unique_ptr<capture::FrameSource> source, std::unique_ptr<Navigator> navigator,
+          const SessionOptions& options, std::unique_ptr<Recorder> recorder = nullptr);
+  /// Stops and joins.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void start();
+  /// Both threads end after the frame they are at; returns when they have. Safe to call twice.
+  void stop();
+  /// The newest state, blanked ("stale") when older than the age limit. Never null; before the first frame:
+  /// stale.
+  std::shared_ptr<const NavigationState> latest() const;
+  /// Waits for a state not taken before; null on time-out or at the end. Not blanked.
+  std::shared_ptr<const NavigationState> take(std::chrono::milliseconds timeout);
+  /// True once the source has ended and its last frame was tracked, or a fault stopped the session.
+  bool hasEnded() const;
+  void setTarget(std::optional<ChosenTarget> target);
+  const Recorder* recorder() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace facenav::session

@@ -1,0 +1,89 @@
+#include "facenav/session/align_from_capture.h"
+
+#include <cmath>
+
+#include "facenav/core/error.h"
+
+namespace facenav::session {
+namespace {
+
+/// The face's box grown to hold forehead, chin and temples; nothing where no face was found.
+std::optional<cv::Rect> region(const FaceInSpace& face, const stereo::StereoRig& rig) {
+  if (!face.left) return std::nullopt;
+  const cv::Rect& box = face.left->face;
+  const int grow_x = box.width / 2, grow_y = int(0.6 * box.height);
+  const cv::Rect grown(box.x - grow_x, box.y - grow_y, box.width + 2 * grow_x, box.height + 2 * grow_y);
+  const cv::Rect inside = grown & cv::Rect(0, 0, rig.width_px, rig.height_px);
+  if (inside.area() <= 0) return std::nullopt;
+  return inside;
+}
+
+stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const stereo::StereoRig& rig) {
+  stereo::FaceCloudOptions options;
+  options.left_roi = region(face, rig);
+  if (face.centre) {
+    options.nearest_mm = std::max(100.0, face.centre->mm.z() - 180.0);
+    options.farthest_mm = face.centre->mm.z() + 220.0;
+  }
+  return options;
+}
+
+tracking::HeadReference makeReference(const stereo::StereoFrame& plain, const stereo::FaceCloud& face,
+                                      const registration::AlignmentResult& result) {
+  tracking::HeadReference reference;
+  reference.frame = plain;
+  const bool has_pixels = face.left_px.size() == face.cloud.size();
+  const bool has_flags = result.is_inlier.size() == face.cloud.size();
+  const bool has_normals = face.cloud.normals.size() == face.cloud.size();
+  for (std::size_t i = 0; has_pixels && i < face.cloud.size(); ++i) {
+    if (has_flags && !result.is_inlier[i]) continue;  // hair and coil move apart from the skull, or away
+    reference.surface.points_mm.push_back(face.cloud.points_mm[i]);
+    if (has_normals) reference.surface.normals.push_back(face.cloud.normals[i]);
+    reference.surface_left_px.push_back(face.left_px[i]);
+  }
+  return reference;
+}
+
+}  // namespace
+
+registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {
+  registration::SkinModel skin;
+  skin.points.points_mm = scalp.mesh.vertices_mm;
+  skin.points.normals = scalp.mesh.normals;
+  skin.triangles = scalp.mesh.triangles;
+  skin.field_of_view = scalp.field_of_view;
+  return skin;
+}
+
+casefile::StoredAlignment AlignmentOutcome::stored() const {
+  casefile::StoredAlignment alignment;
+  alignment.camera_T_mri = result.camera_T_mri;
+  alignment.rms_mm = result.rms_mm;
+  alignment.max_mm = result.max_mm;
+  alignment.inlier_fraction = result.inlier_fraction;
+  alignment.points = result.points;
+  alignment.predicted_tre_mm = predicted_tre_mm;
+  return alignment;
+}
+
+AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                                  const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
+                                  const tracking::FaceDetector& detector,
+                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor) {
+  if (!scalp.has_face)
+    throw Error("not aligned: this scan holds no face to align to", {},
+                scalp.findings.empty() ? "use a scan of the whole head" : scalp.findings.front());
+  monitor.report("finding the face", 0.0);
+  AlignmentOutcome outcome;
+  outcome.landmarks = findFace(rig, capture.plain, detector);
+  const auto cloud =
+      stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
+  outcome.face = cutFace(cloud, outcome.landmarks);
+  outcome.result = aligner.align(skinModel(scalp), outcome.face.cloud, outcome.landmarks.start, monitor);
+  outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
+  for (const auto& target : targets)
+    outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);
+  return outcome;
+}
+
+}  // namespace facenav::session

@@ -1,0 +1,76 @@
+#include "facenav/session/navigator.h"
+
+namespace facenav::session {
+namespace {
+
+bool isUsable(const stereo::StereoFrame& frame, const stereo::StereoRig& rig) {
+  const auto fits = [&](const cv::Mat& image) {
+    return image.type() == CV_8UC1 && image.cols == rig.width_px && image.rows == rig.height_px;
+  };
+  return fits(frame.left) && fits(frame.right);
+}
+
+}  // namespace
+
+Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::HeadTracker> head,
+                     std::unique_ptr<tracking::CoilTracker> coil)
+    : rig_(setup.rig),
+      marker_T_coil_(setup.coil.marker_T_coil()),
+      tolerance_(setup.tolerance),
+      head_(std::move(head)),
+      coil_(std::move(coil)) {
+  if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
+    head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
+  head_->start(rig_, setup.reference);
+  coil_->start(rig_, setup.coil);
+}
+
+void Navigator::setTarget(std::optional<ChosenTarget> target) {
+  target_ = std::move(target);
+  previous_ = {};
+}
+
+NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> frame) {
+  FACENAV_EXPECT(frame != nullptr, "a frame is needed");
+  const Timestamp begin = Timestamp::now();
+  NavigationState state;
+  state.frame = frame->number;
+  state.captured = frame->captured;
+  state.arrived = begin;
+  state.is_aligned = head_T_mri_.has_value();
+  state.target = target_ ? target_->target.name : "";
+  if (isUsable(*frame, rig_)) {
+    state.head = head_->track(*frame);
+    state.coil = coil_->track(*frame);
+    place(state);
+    state.images = std::move(frame);
+    guide(state);
+  } else {
+    state.images = std::move(frame);
+    state = blanked(state, LostReason::camera);
+  }
+  state.processing_ms = state.latency_ms = (Timestamp::now() - begin) * 1e3;
+  return state;
+}
+
+void Navigator::place(NavigationState& state) const {
+  if (!state.head)
+    state.camera_T_mri = Lost{state.head.reason()};
+  else if (head_T_mri_)
+    state.camera_T_mri = {state.head->camera_T_head * *head_T_mri_, state.head.quality()};
+  if (state.coil)
+    state.camera_T_coil = {state.coil->camera_T_marker * marker_T_coil_, state.coil.quality()};
+  else
+    state.camera_T_coil = Lost{state.coil.reason()};
+}
+
+void Navigator::guide(NavigationState& state) {
+  if (target_)
+    state.guidance = guidance::evaluate(target_->target, state.camera_T_mri, state.camera_T_coil, tolerance_,
+                                        target_->predicted_error_mm, previous_);
+  const std::string loss = lossInWords(state);
+  if (!loss.empty()) state.guidance.instruction = loss;
+  previous_ = state.guidance;
+}
+
+}  // namespace facenav::session

@@ -1,0 +1,89 @@
+#include "facenav/session/preparation.h"
+
+#include <cmath>
+#include <future>
+#include <mutex>
+
+#include "facenav/core/error.h"
+
+namespace facenav::session {
+namespace {
+
+constexpr double kBrainLow_ml = 900.0, kBrainHigh_ml = 1900.0;  // adults, sexes together, with margin
+
+struct HeadPart {
+  volume::Mask mask;
+  surface::ScalpSurface scalp;
+  std::vector<std::string> warnings;
+};
+struct BrainPart {
+  std::optional<volume::Mask> mask;
+  std::optional<surface::BrainModel> model;
+  std::vector<std::string> findings;
+};
+
+HeadPart prepareHead(const volume::Volume& mri, const segmentation::Segmenter& segmenter,
+                     TaskMonitor& monitor) {
+  auto result = segmenter.segment(mri, monitor);
+  auto scalp = surface::extractScalp(mri, result.mask, monitor);
+  return {std::move(result.mask), std::move(scalp), std::move(result.warnings)};
+}
+
+BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter& segmenter,
+                       TaskMonitor& monitor) {
+  BrainPart part;
+  try {
+    auto result = segmenter.segment(mri, monitor);
+    part.model = surface::buildBrainModel(mri, result.mask, {}, monitor);
+    part.findings = std::move(result.warnings);
+    const double volume_ml = result.mask.volume_ml();
+    const std::string figure = "brain " + std::to_string(std::lround(volume_ml)) + " ml";
+    if (volume_ml < kBrainLow_ml || volume_ml > kBrainHigh_ml)
+      part.findings.push_back(figure + ", outside the usual 900-1900 ml of adults: check the mask");
+    part.mask = std::move(result.mask);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    part = {};
+    part.findings.push_back(std::string("no brain model: ") + error.what() +
+                            "; the case holds the scalp alone");
+  }
+  return part;
+}
+
+/// A monitor for one of two threads: passes reports on, one at a time, and the parent's cancellation back.
+TaskMonitor::Listener forwardTo(TaskMonitor& parent, std::mutex& mutex) {
+  return [&parent, &mutex](const std::string& step, double fraction) {
+    std::lock_guard lock(mutex);
+    parent.report(step, fraction);
+  };
+}
+
+}  // namespace
+
+casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Segmenter& head,
+                               const segmentation::Segmenter& brain, TaskMonitor& monitor) {
+  std::mutex one_report;
+  TaskMonitor head_monitor(forwardTo(monitor, one_report)), brain_monitor(forwardTo(monitor, one_report));
+  auto brain_task = std::async(std::launch::async, [&] { return prepareBrain(mri, brain, brain_monitor); });
+  casefile::PreparedCase prepared;
+  try {
+    HeadPart part = prepareHead(mri, head, head_monitor);
+    prepared.head_mask = std::move(part.mask);
+    prepared.scalp = std::move(part.scalp);
+    prepared.findings = std::move(part.warnings);
+  } catch (...) {
+    brain_monitor.cancel();  // then the other thread ends at its next report
+    brain_task.wait();
+    throw;
+  }
+  BrainPart part = brain_task.get();
+  prepared.mri = mri;
+  prepared.brain_mask = std::move(part.mask);
+  prepared.brain = std::move(part.model);
+  for (const auto* more : {&prepared.scalp.findings, &part.findings})
+    prepared.findings.insert(prepared.findings.end(), more->begin(), more->end());
+  return prepared;
+}
+
+}  // namespace facenav::session

@@ -1,0 +1,176 @@
+#include "facenav/session/session.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "facenav/core/latest_value.h"
+#include "facenav/core/log.h"
+
+namespace facenav::session {
+namespace {
+
+struct ArrivedFrame {
+  std::shared_ptr<const stereo::StereoFrame> frame;
+  Timestamp arrived;
+};
+
+}  // namespace
+
+struct Session::Implementation {
+  std::unique_ptr<capture::FrameSource> source;
+  std::unique_ptr<Navigator> navigator;
+  SessionOptions options;
+  std::unique_ptr<Recorder> recorder;
+  LatestValue<ArrivedFrame> frames;
+  LatestValue<NavigationState> states;
+  std::atomic<bool> is_stopping{false}, has_ended{false};
+  std::mutex mutex;  // of what follows
+  std::condition_variable stop_requested;
+  std::optional<std::optional<ChosenTarget>> new_target;
+  std::string failure;
+  std::thread capture_thread, tracking_thread;
+
+  void capture();
+  void track();
+  void publishFailure();
+  void requestStop();
+  void waitUntil(double steady_s);
+  template <class Body>
+  void guarded(Body body);
+};
+
+/// One of the three places that catch Error: the fault becomes a state that the consumer shows.
+template <class Body>
+void Session::Implementation::guarded(Body body) {
+  try {
+    body();
+  } catch (const std::exception& error) {
+    logWarning(std::string("session stopped: ") + error.what());
+    std::lock_guard lock(mutex);
+    if (failure.empty()) failure = error.what();
+  }
+}
+
+/// The last thing the tracking thread does, so that no pose comes after it.
+void Session::Implementation::publishFailure() {
+  std::lock_guard lock(mutex);
+  if (failure.empty()) return;
+  const auto last = states.latest();
+  NavigationState state = last ? *last : NavigationState{};
+  state.failure = failure;
+  state.arrived = Timestamp::now();
+  states.publish(std::make_shared<NavigationState>(blanked(state, LostReason::camera)));
+}
+
+void Session::Implementation::requestStop() {
+  {
+    std::lock_guard lock(mutex);
+    is_stopping = true;
+  }
+  stop_requested.notify_all();
+  frames.close();
+}
+
+void Session::Implementation::waitUntil(double steady_s) {
+  std::unique_lock lock(mutex);
+  const double wait_s = steady_s - Timestamp::now().s;
+  if (wait_s > 0)
+    stop_requested.wait_for(lock, std::chrono::duration<double>(wait_s),
+                            [this] { return is_stopping.load(); });
+}
+
+void Session::Implementation::capture() {
+  std::optional<double> first_s;
+  const double begin_s = Timestamp::now().s;
+  while (!is_stopping) {
+    auto frame = source->next();
+    if (!frame) break;
+    if (options.is_paced) {
+      if (!first_s) first_s = frame->captured.s;
+      waitUntil(begin_s + (frame->captured.s - *first_s) / options.speed);
+      if (is_stopping) break;
+    }
+    if (recorder) recorder->add(frame);
+    frames.publish(std::make_shared<ArrivedFrame>(ArrivedFrame{frame, Timestamp::now()}));
+  }
+}
+
+void Session::Implementation::track() {
+  while (!is_stopping) {
+    auto next = frames.take(std::chrono::milliseconds(50));
+    if (!next) {
+      if (frames.isClosed()) break;
+      continue;
+    }
+    {
+      std::lock_guard lock(mutex);
+      if (new_target) navigator->setTarget(std::move(*new_target));
+      new_target.reset();
+    }
+    auto state = std::make_shared<NavigationState>(navigator->process(next->frame));
+    state->arrived = next->arrived;
+    state->latency_ms = (Timestamp::now() - next->arrived) * 1e3;
+    state->dropped = frames.dropped();
+    states.publish(std::move(state));
+  }
+}
+
+Session::Session(std::unique_ptr<capture::FrameSource> source, std::unique_ptr<Navigator> navigator,
+                 const SessionOptions& options, std::unique_ptr<Recorder> recorder)
+    : implementation_(std::make_unique<Implementation>()) {
+  implementation_->source = std::move(source);
+  implementation_->navigator = std::move(navigator);
+  implementation_->options = options;
+  implementation_->recorder = std::move(recorder);
+}
+
+Session::~Session() { stop(); }
+
+void Session::start() {
+  auto& s = *implementation_;
+  FACENAV_EXPECT(!s.capture_thread.joinable(), "a session starts once");
+  s.capture_thread = std::thread([&s] {
+    s.guarded([&s] { s.capture(); });
+    s.frames.close();
+  });
+  s.tracking_thread = std::thread([&s] {
+    s.guarded([&s] { s.track(); });
+    s.requestStop();  // a fault here ends the capture, too
+    s.publishFailure();
+    s.has_ended = true;
+    s.states.close();
+  });
+}
+
+void Session::stop() {
+  auto& s = *implementation_;
+  s.requestStop();
+  for (std::thread* thread : {&s.capture_thread, &s.tracking_thread})
+    if (thread->joinable()) thread->join();
+  if (s.recorder) s.recorder->close();
+}
+
+std::shared_ptr<const NavigationState> Session::latest() const {
+  auto state = implementation_->states.latest();
+  if (!state) return std::make_shared<NavigationState>(blanked({}, LostReason::stale));
+  const bool is_old = Timestamp::now() - state->arrived > implementation_->options.age_limit_s;
+  if (!is_old || !state->failure.empty()) return state;
+  return std::make_shared<NavigationState>(blanked(*state, LostReason::stale));
+}
+
+std::shared_ptr<const NavigationState> Session::take(std::chrono::milliseconds timeout) {
+  return implementation_->states.take(timeout);
+}
+
+bool Session::hasEnded() const { return implementation_->has_ended; }
+
+void Session::setTarget(std::optional<ChosenTarget> target) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->new_target = std::move(target);
+}
+
+const Recorder* Session::recorder() const { return implementation_->recorder.get(); }
+
+}  // namespace facenav::session

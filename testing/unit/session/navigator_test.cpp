@@ -1,0 +1,100 @@
+#include "facenav/session/navigator.h"
+
+#include <gtest/gtest.h>
+
+#include "session_fakes.h"
+#include "support/matchers.h"
+
+namespace facenav::session {
+namespace {
+
+using ::facenav::testing::PoseNear;
+
+const RigidTransform<Camera, Head> kMoved(Eigen::Quaterniond(Eigen::AngleAxisd(0.2,
+                                                                               Eigen::Vector3d::UnitY())),
+                                          {5, 6, 7});
+const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond(Eigen::AngleAxisd(0.7,
+                                                                                  Eigen::Vector3d::UnitX())),
+                                             {20, -60, 550});
+
+Navigator makeNavigator(const NavigatorSetup& setup, fakes::Head::Pose head, bool has_coil = true) {
+  return Navigator(setup, std::make_unique<fakes::Head>(std::move(head)),
+                   std::make_unique<fakes::Coil>(has_coil ? std::optional(kMarker) : std::nullopt));
+}
+
+TEST(Navigator, AtTheReferenceTheHeadStandsWhereItWasAligned) {
+  auto navigator = makeNavigator(fakes::setup(), [](auto) { return RigidTransform<Camera, Head>(); });
+  const auto state = navigator.process(fakes::frame(3, 0.05));
+  ASSERT_TRUE(state.camera_T_mri);
+  EXPECT_THAT(*state.camera_T_mri, PoseNear(fakes::cameraAtReference(), 1e-9, 1e-9));
+  EXPECT_EQ(state.frame, 3);
+  EXPECT_DOUBLE_EQ(state.captured.s, 0.05);
+}
+
+TEST(Navigator, ChainsHeadMotionWithTheAlignment) {
+  auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
+  const auto state = navigator.process(fakes::frame(0, 0));
+  const auto expected =
+      RigidTransform<Camera, Mri>::fromIsometry(kMoved.isometry() * fakes::cameraAtReference().isometry());
+  ASSERT_TRUE(state.camera_T_mri);
+  EXPECT_THAT(*state.camera_T_mri, PoseNear(expected, 1e-9, 1e-9));
+}
+
+TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {
+  auto setup = fakes::setup();
+  const RigidTransform<Coil, Marker> coil_T_marker(Eigen::Quaterniond::Identity(), {0, 80, -30});
+  setup.coil.markers[0].coil_T_marker = coil_T_marker;
+  auto navigator = makeNavigator(setup, [](auto) { return kMoved; });
+  const auto state = navigator.process(fakes::frame(0, 0));
+  ASSERT_TRUE(state.camera_T_coil);
+  EXPECT_THAT(*state.camera_T_coil, PoseNear(kMarker * coil_T_marker.inverse(), 1e-9, 1e-9));
+}
+
+TEST(Navigator, IsOnTargetWhereTheTargetWasPlannedAndFollowsTheHead) {
+  bool has_moved = false;
+  auto navigator = makeNavigator(fakes::setup(),
+                                 [&](auto) { return has_moved ? kMoved : RigidTransform<Camera, Head>(); });
+  navigator.setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));  // identity marker_T_coil
+  auto state = navigator.process(fakes::frame(0, 0));
+  EXPECT_EQ(state.guidance.state, guidance::State::on_target);
+  ASSERT_TRUE(state.guidance.values);
+  EXPECT_NEAR(state.guidance.values->distance_mm, 0.0, 1e-9);
+  has_moved = true;  // the coil stays behind
+  state = navigator.process(fakes::frame(1, 0.02));
+  EXPECT_EQ(state.guidance.state, guidance::State::adjust);
+}
+
+TEST(Navigator, GivesNoPoseAndNoGuidanceWhenTheFaceIsLost) {
+  auto navigator = makeNavigator(fakes::setup(), [](auto) { return std::nullopt; });
+  navigator.setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+  const auto state = navigator.process(fakes::frame(0, 0));
+  EXPECT_FALSE(state.camera_T_mri);
+  EXPECT_EQ(state.camera_T_mri.reason(), LostReason::no_face);
+  EXPECT_EQ(state.guidance.state, guidance::State::lost);
+  EXPECT_FALSE(state.guidance.values);
+  EXPECT_NE(state.guidance.instruction.find("FACE"), std::string::npos);
+}
+
+TEST(Navigator, WithoutAnAlignmentTheHeadIsTrackedButNotPlaced) {
+  auto setup = fakes::setup();
+  setup.camera_T_mri_at_reference.reset();
+  auto navigator = makeNavigator(setup, [](auto) { return kMoved; });
+  navigator.setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+  const auto state = navigator.process(fakes::frame(0, 0));
+  EXPECT_TRUE(state.head);
+  EXPECT_FALSE(state.camera_T_mri);
+  EXPECT_EQ(state.guidance.state, guidance::State::lost);
+}
+
+TEST(Navigator, AFrameOfAnotherSizeIsACameraFault) {
+  auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
+  auto wrong = std::make_shared<stereo::StereoFrame>(*fakes::frame(0, 0));
+  wrong->right = cv::Mat(10, 10, CV_8UC1, cv::Scalar(1));
+  const auto state = navigator.process(wrong);
+  ASSERT_FALSE(state.head);
+  EXPECT_EQ(state.head.reason(), LostReason::camera);
+  EXPECT_FALSE(state.camera_T_coil);
+}
+
+}  // namespace
+}  // namespace facenav::session

@@ -1,0 +1,110 @@
+#pragma once
+// Stand-ins for cameras and trackers: known frames, known poses, losses on demand.
+
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include "facenav/capture/frame_source.h"
+#include "facenav/session/navigator.h"
+
+namespace facenav::session::fakes {
+
+inline stereo::StereoRig rig() {
+  stereo::StereoRig r;
+  r.width_px = 64, r.height_px = 48;
+  r.left.k = r.right.k = cv::Matx33d(80, 0, 32, 0, 80, 24, 0, 0, 1);
+  r.right_T_left = RigidTransform<RightCamera, Camera>(Eigen::Quaterniond::Identity(), {-120, 0, 0});
+  return r;
+}
+
+inline std::shared_ptr<const stereo::StereoFrame> frame(std::int64_t number, double captured_s) {
+  auto f = std::make_shared<stereo::StereoFrame>();
+  f->left = cv::Mat(48, 64, CV_8UC1, cv::Scalar(100));
+  f->right = f->left.clone();
+  f->number = number;
+  f->captured = {captured_s};
+  return f;
+}
+
+class Source : public capture::FrameSource {
+ public:
+  Source(int frames, double interval_s, int fails_at = -1)
+      : frames_(frames), interval_s_(interval_s), fails_at_(fails_at) {}
+  const stereo::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const stereo::StereoFrame> next() override {
+    if (number_ == fails_at_) throw Error("the frame cannot be read", "left/000005.png");
+    if (number_ >= frames_) return nullptr;
+    const int n = number_++;
+    return frame(n, n * interval_s_);
+  }
+
+ private:
+  stereo::StereoRig rig_ = fakes::rig();
+  int frames_, number_ = 0;
+  double interval_s_;
+  int fails_at_;
+};
+
+/// The head's pose is a function of the frame; an empty answer is a loss.
+class Head : public tracking::HeadTracker {
+ public:
+  using Pose = std::function<std::optional<RigidTransform<Camera, facenav::Head>>(std::int64_t)>;
+  explicit Head(Pose pose, int work_ms = 0) : pose_(std::move(pose)), work_ms_(work_ms) {}
+  void start(const stereo::StereoRig&, const tracking::HeadReference&) override {}
+  Tracked<tracking::HeadPose> track(const stereo::StereoFrame& f) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(work_ms_));
+    const auto pose = pose_(f.number);
+    if (!pose) return Lost{LostReason::no_face};
+    tracking::HeadPose head;
+    head.camera_T_head = *pose;
+    return {head, 0.8};
+  }
+
+ private:
+  Pose pose_;
+  int work_ms_;
+};
+
+class Coil : public tracking::CoilTracker {
+ public:
+  explicit Coil(std::optional<RigidTransform<Camera, Marker>> pose) : pose_(std::move(pose)) {}
+  void start(const stereo::StereoRig&, const tracking::CoilModel&) override {}
+  Tracked<tracking::CoilPose> track(const stereo::StereoFrame&) override {
+    if (!pose_) return Lost{LostReason::no_marker};
+    tracking::CoilPose coil;
+    coil.camera_T_marker = *pose_;
+    for (auto* corners : {&coil.left_corners_px, &coil.right_corners_px})
+      *corners = {Eigen::Vector2d(20, 10), Eigen::Vector2d(40, 10), Eigen::Vector2d(40, 30),
+                  Eigen::Vector2d(20, 30)};
+    return {coil, 0.9};
+  }
+
+ private:
+  std::optional<RigidTransform<Camera, Marker>> pose_;
+};
+
+inline RigidTransform<Camera, Mri> cameraAtReference() {
+  return {Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 3).normalized())), {10, -20, 600}};
+}
+
+inline NavigatorSetup setup() {
+  NavigatorSetup s;
+  s.rig = rig();
+  s.camera_T_mri_at_reference = cameraAtReference();
+  s.coil.markers.resize(1);
+  return s;
+}
+
+/// A target whose wanted pose is where `camera_T_coil` is when the head stands at the reference.
+inline ChosenTarget targetAt(const RigidTransform<Camera, facenav::Coil>& camera_T_coil) {
+  ChosenTarget chosen;
+  chosen.target.name = "spot";
+  const auto mri_T_coil = cameraAtReference().inverse() * camera_T_coil;
+  chosen.target.mri_T_target = mri_T_coil.reframe<Mri, Target>();  // the wanted pose of Coil
+  chosen.target.scalp_point = mri_T_coil * Point<facenav::Coil>(0, 0, 0);
+  chosen.target.cortex_point = mri_T_coil * Point<facenav::Coil>(0, 0, 15);
+  return chosen;
+}
+
+}  // namespace facenav::session::fakes
