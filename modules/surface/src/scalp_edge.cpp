@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStep_mm = 0.25;
 constexpr double kSignificant =
-    0.4;  // of the steepest slope in reach: what an outer edge must have to be the skin's
+    0.3;  // of the steepest slope in reach: what an outer edge must have to be the skin's
 
 /// Profiles of all vertices, `length` samples each from the inside out.
 struct Profiles {
@@ -93,20 +93,55 @@ std::vector<float> slopeKernel(double sigma_mm) {
 }
 
 struct Edge {
-  double offset_mm = 0.0, slope = 0.0;
+  double offset_mm = 0.0, slope = 0.0;  // slope 0: none found
+  double foot_mm = 0.0;                 // where the fall-off sets in, seen from outside
 };
 
-/// The outermost local maximum of the fall-off that is steep enough; slope 0 when there is none.
-Edge outermostEdge(const std::vector<float>& fall, double first_mm) {
-  const float steepest = *std::max_element(fall.begin(), fall.end());
-  for (int s = int(fall.size()) - 2; s > 0; --s) {
-    if (fall[s] < fall[s - 1] || fall[s] <= fall[s + 1] || fall[s] < kSignificant * steepest || fall[s] <= 0)
-      continue;
-    const double curvature = fall[s - 1] - 2.0 * fall[s] + fall[s + 1];
-    const double shift = curvature < 0 ? 0.5 * (fall[s - 1] - fall[s + 1]) / curvature : 0.0;
-    return {first_mm + (s + std::clamp(shift, -0.5, 0.5)) * kStep_mm, fall[s]};
+/// Sub-sample place and height of the outermost local maximum of at least `least`; height 0 when there is
+/// none.
+std::pair<double, double> outermostMaximum(const std::vector<float>& f, float least) {
+  for (int s = int(f.size()) - 2; s > 0; --s) {
+    if (f[s] < f[s - 1] || f[s] <= f[s + 1] || f[s] < least || f[s] <= 0) continue;
+    const double curvature = f[s - 1] - 2.0 * f[s] + f[s + 1];
+    const double shift = curvature < 0 ? 0.5 * (f[s - 1] - f[s + 1]) / curvature : 0.0;
+    return {s + std::clamp(shift, -0.5, 0.5), f[s]};
   }
-  return {};
+  return {0.0, 0.0};
+}
+
+/// The outermost local maximum of the fall-off that is steep enough, and the foot outside it, where the
+/// fall-off grows fastest.
+Edge outermostEdge(const std::vector<float>& fall, double first_mm) {
+  std::vector<float> growth(fall.size(), 0.f);
+  for (std::size_t s = 1; s + 1 < fall.size(); ++s) growth[s] = fall[s - 1] - fall[s + 1];
+  const auto [peak, slope] =
+      outermostMaximum(fall, kSignificant * *std::max_element(fall.begin(), fall.end()));
+  const auto [foot, height] =
+      outermostMaximum(growth, kSignificant * *std::max_element(growth.begin(), growth.end()));
+  if (slope <= 0 || height <= 0) return {};
+  return {first_mm + peak * kStep_mm, slope, first_mm + foot * kStep_mm};
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Where a dark dermis runs into bright fat without a step, the maximum lies in the fat: its foot is then too
+/// far out. There the edge is put as far inside the foot as it is elsewhere on this head (the scan's own
+/// sharpness).
+void leanOnFoot(std::vector<Edge>& edges) {
+  constexpr double kAsElsewhere_mm = 0.5, kLessSure = 0.5;
+  std::vector<double> gaps;
+  for (const Edge& edge : edges)
+    if (edge.slope > 0) gaps.push_back(edge.foot_mm - edge.offset_mm);
+  const double usual_mm = medianOf(gaps);
+  for (Edge& edge : edges) {
+    if (edge.slope <= 0 || std::abs(edge.foot_mm - edge.offset_mm - usual_mm) < kAsElsewhere_mm) continue;
+    edge.offset_mm = edge.foot_mm - usual_mm;
+    edge.slope *= kLessSure;
+  }
 }
 
 std::vector<Edge> findEdges(const TriangleMesh& mesh, const MeshNeighbours& neighbours, const Sampler& sample,
@@ -126,16 +161,8 @@ std::vector<Edge> findEdges(const TriangleMesh& mesh, const MeshNeighbours& neig
     }
     edges[v] = outermostEdge(fall, -search.inwards_mm);
   }
+  leanOnFoot(edges);
   return edges;
-}
-
-double medianSlope(const std::vector<Edge>& edges) {
-  std::vector<double> slopes;
-  for (const Edge& edge : edges)
-    if (edge.slope > 0) slopes.push_back(edge.slope);
-  if (slopes.empty()) return 0.0;
-  std::nth_element(slopes.begin(), slopes.begin() + slopes.size() / 2, slopes.end());
-  return slopes[slopes.size() / 2];
 }
 
 /// Minimises sum weight (d - measured)^2 + stiffness |grad d|^2 by Gauss-Seidel sweeps.
@@ -159,7 +186,10 @@ void moveOntoEdge(TriangleMesh& mesh, const MeshNeighbours& neighbours, const vo
                   const EdgeSearch& search) {
   const Sampler sample(volume);
   const std::vector<Edge> edges = findEdges(mesh, neighbours, sample, search);
-  const double typical = medianSlope(edges);
+  std::vector<double> slopes;
+  for (const Edge& edge : edges)
+    if (edge.slope > 0) slopes.push_back(edge.slope);
+  const double typical = medianOf(slopes);
   std::vector<double> weight(edges.size()), offset(edges.size());
   for (std::size_t v = 0; v < edges.size(); ++v) {
     const double clarity = typical > 0 ? std::min(1.0, edges[v].slope / typical) : 0.0;

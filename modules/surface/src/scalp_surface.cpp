@@ -39,9 +39,9 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   monitor.report("scalp", 0.3);
   moveOntoEdge(scalp.mesh, neighbours, volume, {4.0, 2.5, 0.7, 4, 2.0});
   monitor.report("scalp", 0.5);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {1.5, 1.5, 0.6, 3, 1.0});
+  moveOntoEdge(scalp.mesh, neighbours, volume, {2.0, 2.0, 0.6, 3, 1.0});
   monitor.report("scalp", 0.7);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {1.0, 1.0, 0.5, 3, 0.7});
+  moveOntoEdge(scalp.mesh, neighbours, volume, {1.75, 1.75, 0.5, 3, 0.7});
   scalp.field_of_view = endsOf(volume.grid);
   const FaceCheck face = checkFace(scalp.mesh, neighbours, volume, head);
   scalp.has_face = face.has_face;
