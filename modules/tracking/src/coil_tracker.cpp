@@ -19,7 +19,10 @@ using CoilToCamera = RigidTransform<Camera, Coil>;
 // When a fit counts as the coil. The misfit of a side's mean (bias) is what a wrong pair, a moved camera or a
 // swapped pair make; calibrations leave 0.1-0.3 px of it.
 constexpr double kMostBias_px = 0.6, kMostRms_px = 0.8, kLeastInlierFraction = 0.6;
-constexpr double kMostSizeError = 0.05, kMostShrink_px = 1.5;
+// The print's inner edges tell its size from what blur and gamma do, so a size that is off means a wrong
+// depth (a camera turned along the epipolar lines shows in nothing else). Before the fit, corners tell it
+// less well.
+constexpr double kMostSizeError = 0.02, kMostSizeErrorOfCorners = 0.04, kMostShrink_px = 1.5;
 constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
 constexpr double kLeastDepth_mm = 50.0, kMostDepth_mm = 5000.0;
 
@@ -235,7 +238,7 @@ std::optional<CoilToCamera> MarkerCoilTracker::triangulatedPose(const MarkerDete
   for (int i = 0; i < 4; ++i) seen_mm += (to_mm[(i + 1) % 4] - to_mm[i]).norm() / 4;
   const double nominal_mm = coil_.markers[left.marker].size_mm;
   const double side_px = std::min(longestSide_px(left.corners), longestSide_px(right.corners));
-  if (std::abs(seen_mm / nominal_mm - 1.0) > kMostSizeError + 2.5 / side_px) return std::nullopt;
+  if (std::abs(seen_mm / nominal_mm - 1.0) > kMostSizeErrorOfCorners + 2.5 / side_px) return std::nullopt;
   const auto pose = RigidTransform<Camera, Marker>::fromIsometry(fitRigidPoints(from_mm, to_mm).to_T_from);
   return pose * coil_.markers[left.marker].coil_T_marker.inverse();
 }

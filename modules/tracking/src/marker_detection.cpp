@@ -17,12 +17,10 @@ bool isSamePlace(const MarkerDetection& a, const MarkerDetection& b) {
   return a.marker == b.marker && apart_px < 4.0;
 }
 
-}  // namespace
-
-std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& window,
-                                           const std::vector<MarkerPattern>& patterns) {
+std::vector<MarkerDetection> detect(const cv::Mat& grey, const cv::Rect& window,
+                                    const std::vector<MarkerPattern>& patterns, const QuadOptions& options) {
   std::vector<MarkerDetection> found;
-  for (const Quad& quad : findDarkQuads(grey, window))
+  for (const Quad& quad : findDarkQuads(grey, window, options))
     for (std::size_t i = 0; i < patterns.size(); ++i) {
       const auto match = patterns[i].match(grey, quad);
       if (!match) continue;
@@ -36,6 +34,19 @@ std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& 
         *same = detection;
     }
   return found;
+}
+
+}  // namespace
+
+std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& window,
+                                           const std::vector<MarkerPattern>& patterns) {
+  QuadOptions options;
+  const auto found = detect(grey, window, patterns, options);
+  if (!found.empty()) return found;
+  options.least_contrast_grey = 10;
+  options.dark_share = 0.33;  // paper darker than the bright wall behind it must still count as light
+  options.is_smoothed = true;
+  return detect(grey, window, patterns, options);
 }
 
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern) {

@@ -14,7 +14,8 @@ struct MarkerDetection {
   PatternMatch match;
 };
 
-/// All quadrangles of `window` that show one of the patterns; the same place is given once.
+/// All quadrangles of `window` that show one of the patterns; the same place is given once. Where none does,
+/// low contrast (dim light) is tried too.
 std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& window,
                                            const std::vector<MarkerPattern>& patterns);
 /// Whether the quadrangle shows this pattern this way up: for a place that was predicted.

@@ -15,8 +15,8 @@ constexpr int kParameters = 9;  // rotation, translation, size factor, shrink le
 using Vector9 = Eigen::Matrix<double, kParameters, 1>;
 using Matrix9 = Eigen::Matrix<double, kParameters, kParameters>;
 
-constexpr double kSizeSigma = 0.01, kShrinkSigma_px = 0.5;  // what is believed before looking
-constexpr double kSpacing_px = 2.0;                         // between edge points
+constexpr double kSizeSigma = 0.01, kShrinkSigma_px = 0.5;   // what is believed before looking
+constexpr double kSpacing_px = 2.0, kFirstSpacing_px = 4.0;  // between edge points; in the first rounds
 constexpr double kLongestHalf_px = 4.5, kShortestHalf_px = 1.8;
 constexpr double kCornerGap_px = 3.0;  // blur reaches this far round a corner
 constexpr double kLeastContrast_grey = 8.0;
@@ -47,8 +47,9 @@ struct View {
 
 class EdgeSampler {
  public:
-  EdgeSampler(const View& view, int image, const State& state, const Eigen::Vector3d& centre_mm)
-      : view_(view), image_(image), state_(state), centre_mm_(centre_mm) {}
+  EdgeSampler(const View& view, int image, const State& state, const Eigen::Vector3d& centre_mm,
+              double spacing_px)
+      : view_(view), image_(image), state_(state), centre_mm_(centre_mm), spacing_px_(spacing_px) {}
 
   void sample(const SeenMarker& marker, const PrintedEdge& edge, int side, Observations& observations) const {
     const Eigen::Isometry3d camera_T_marker = state_.camera_T_coil * marker.coil_T_marker.isometry();
@@ -60,7 +61,7 @@ class EdgeSampler {
       return stereo::project(view_.camera, view_.view_T_camera * (camera_T_marker.translation() + plane * p));
     };
     const double length_px = (pixel(edge.b) - pixel(edge.a)).norm();
-    const int count = int((length_px - 2 * kCornerGap_px) / kSpacing_px);
+    const int count = int((length_px - 2 * kCornerGap_px) / spacing_px_);
     if (count < 2) return;
     for (int i = 0; i < count; ++i) {
       const double t = (kCornerGap_px + (i + 0.5) * (length_px - 2 * kCornerGap_px) / count) / length_px;
@@ -99,6 +100,7 @@ class EdgeSampler {
   int image_;
   const State& state_;
   Eigen::Vector3d centre_mm_;
+  double spacing_px_;
 };
 
 Eigen::Vector3d centre(const std::vector<SeenMarker>& markers, const Eigen::Isometry3d& camera_T_coil) {
@@ -108,11 +110,11 @@ Eigen::Vector3d centre(const std::vector<SeenMarker>& markers, const Eigen::Isom
 }
 
 Observations observe(const std::array<View, 2>& views, const std::vector<SeenMarker>& markers,
-                     const State& state) {
+                     const State& state, double spacing_px) {
   Observations observations;
   const Eigen::Vector3d centre_mm = centre(markers, state.camera_T_coil);
   for (int image = 0; image < 2; ++image) {
-    const EdgeSampler sampler(views[image], image, state, centre_mm);
+    const EdgeSampler sampler(views[image], image, state, centre_mm, spacing_px);
     int side = 0;
     for (const SeenMarker& marker : markers)
       for (const PrintedEdge& edge : marker.pattern->edges())
@@ -197,13 +199,12 @@ double biasOverSides_px(const std::vector<Observation>& list, double limit_px) {
   return count > 0 ? std::sqrt(squares / count) : 0.0;
 }
 
-bool isEnough(const Observations& observations) {
+bool isEnough(const Observations& observations, int least) {
   std::array<int, 2> found{0, 0};
   for (const auto& o : observations.list) ++found[o.image];
-  return found[0] >= 12 && found[1] >= 12;
+  return found[0] >= least && found[1] >= least;
 }
 
-/// `before`: observations at the state fitted.
 MarkerFit summarise(const Observations& at_end, const State& state, const std::vector<SeenMarker>& markers) {
   const double sigma_px = spread_px(at_end.list);
   const Normal normal = normalEquations(at_end.list, state, sigma_px);
@@ -244,17 +245,18 @@ std::optional<MarkerFit> fitMarkers(const stereo::StereoRig& rig, const stereo::
   state.camera_T_coil = start.isometry();
   Observations observations;
   for (int round = 0; round < 8; ++round) {
-    observations = observe(views, markers, state);
-    if (!isEnough(observations)) return std::nullopt;
-    const double sigma_px = std::max(spread_px(observations.list), round < 2 ? 0.3 : 0.03);
+    const bool is_first = round < 2;
+    observations = observe(views, markers, state, is_first ? kFirstSpacing_px : kSpacing_px);
+    if (!isEnough(observations, is_first ? 6 : 12)) return std::nullopt;
+    const double sigma_px = std::max(spread_px(observations.list), is_first ? 0.3 : 0.03);
     const Normal normal = normalEquations(observations.list, state, sigma_px);
     const Vector9 step = normal.matrix.ldlt().solve(normal.right);
     if (!step.allFinite()) return std::nullopt;
     state = moved(state, step, centre(markers, state.camera_T_coil));
     if (round >= 2 && step.head<3>().norm() < 1e-5 && step.segment<3>(3).norm() < 2e-3) break;
   }
-  observations = observe(views, markers, state);
-  if (!isEnough(observations)) return std::nullopt;
+  observations = observe(views, markers, state, kSpacing_px);
+  if (!isEnough(observations, 12)) return std::nullopt;
   return summarise(observations, state, markers);
 }
 

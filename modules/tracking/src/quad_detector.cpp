@@ -130,7 +130,9 @@ std::optional<Quad> toQuad(Contour contour, double least_side_px) {
 
 }  // namespace
 
-cv::Mat binariseDark(const cv::Mat& grey, const QuadOptions& options) {
+cv::Mat binariseDark(const cv::Mat& image, const QuadOptions& options) {
+  cv::Mat grey = image;
+  if (options.is_smoothed) cv::blur(image, grey, {3, 3});
   const int tile_px = grey.cols * grey.rows > 1000 * 800 ? 6 : 4;
   const TileRange range = tileRange(grey, tile_px);
   cv::Mat dark(grey.size(), CV_8U);
@@ -139,7 +141,9 @@ cv::Mat binariseDark(const cv::Mat& grey, const QuadOptions& options) {
     for (int x = 0; x < grey.cols; ++x) {
       const int low = range.low.at<uchar>(tile_row, x / tile_px),
                 high = range.high.at<uchar>(tile_row, x / tile_px);
-      threshold[x] = high - low < options.least_contrast_grey ? 0 : uchar((low + high + 1) / 2);
+      threshold[x] = high - low < options.least_contrast_grey
+                         ? 0
+                         : uchar(std::lround(low + options.dark_share * (high - low)));
     }
     for (int y = tile_row * tile_px; y < std::min((tile_row + 1) * tile_px, grey.rows); ++y) {
       const uchar* in = grey.ptr<uchar>(y);

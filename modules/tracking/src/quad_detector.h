@@ -12,7 +12,9 @@ namespace facenav::tracking {
 
 struct QuadOptions {
   double least_side_px = 9.0;
-  int least_contrast_grey = 14;  // between darkest and brightest nearby
+  int least_contrast_grey = 24;  // between darkest and brightest nearby
+  double dark_share = 0.5;       // of the range between darkest and brightest that counts as dark
+  bool is_smoothed = false;  // 3 x 3 mean first: for low contrast, where noise would make thousands of areas
 };
 
 /// 255 where dark. 8-bit, 1 channel, as large as `grey`.
