@@ -39,7 +39,7 @@ std::optional<CodestreamSize> jpegSize(std::string_view s) {
 std::optional<CodestreamSize> jpeg2000Size(std::string_view s) {
   const std::size_t start = s.substr(0, 4096).find("\xFF\x4F\xFF\x51");
   if (start == std::string_view::npos || start + 45 > s.size()) return std::nullopt;
-  const std::size_t siz = start + 8;  // Rsiz
+  const std::size_t siz = start + 6;  // Rsiz
   const long components = long(bigEndian(s, siz + 34, 2));
   const bool is_full_resolution = s[siz + 37] == 1 && s[siz + 38] == 1;
   const auto extent = [&](std::size_t size, std::size_t origin) {

@@ -12,6 +12,7 @@
 
 #include "codestream_size.h"
 #include "facenav/core/error.h"
+#include "isolated_codec.h"
 
 namespace facenav::dicom {
 namespace {
@@ -183,19 +184,17 @@ PixelDecoder::Raw PixelDecoder::raw(int frame) const {
     const auto size = coding == Coding::jpeg_2000 ? jpeg2000Size(stream) : jpegSize(stream);
     if (!size || size->width != v.columns || size->height != v.rows || size->components != 1)
       refuse("compressed pixel data is damaged or of another size than its header says");
-    gdcm::JPEGCodec jpeg;
-    gdcm::JPEGLSCodec jpeg_ls;
-    gdcm::JPEG2000Codec jpeg_2000;
-    gdcm::ImageCodec& codec = coding == Coding::jpeg      ? static_cast<gdcm::ImageCodec&>(jpeg)
-                              : coding == Coding::jpeg_ls ? static_cast<gdcm::ImageCodec&>(jpeg_ls)
-                                                          : jpeg_2000;
-    try {
-      raw.owned = decompress(codec, v, header_.layout.transfer_syntax, stream);
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception&) {
-      raw.owned.clear();  // said below
-    }
+    const std::string& syntax = header_.layout.transfer_syntax;
+    const auto decode = [&]() -> std::string {
+      gdcm::JPEGCodec jpeg;
+      gdcm::JPEGLSCodec jpeg_ls;
+      gdcm::JPEG2000Codec jpeg_2000;
+      if (coding == Coding::jpeg) return decompress(jpeg, v, syntax, stream);
+      if (coding == Coding::jpeg_ls) return decompress(jpeg_ls, v, syntax, stream);
+      return decompress(jpeg_2000, v, syntax, stream);
+    };
+    constexpr std::size_t kWidestVoxel = 4;
+    raw.owned = runIsolated(decode, voxels * kWidestVoxel);
   }
   for (const int bits : {8, 16, 32})
     if (raw.owned.size() / voxels == std::size_t(bits / 8)) raw.bits = bits;

@@ -3,6 +3,9 @@
 
 #include <random>
 #include <string>
+#include <vector>
+
+#include "dicom_bytes.h"
 
 namespace facenav::testing {
 
@@ -32,6 +35,18 @@ inline std::string mutated(std::string bytes, std::mt19937& random) {
     }
   }
   return bytes;
+}
+
+/// Slices that all carry the encapsulated pixels of one real file, so that damage reaches the codecs.
+inline std::vector<std::string> compressedSlices(const std::string& file, Slice first,
+                                                 const std::string& syntax, int count) {
+  const std::size_t at = file.rfind(std::string("\xE0\x7F\x10\0O", 5));
+  std::vector<std::string> files;
+  if (at == std::string::npos) return files;
+  first.syntax.uid = syntax;
+  for (const Slice& s : makeSlices(count, first))
+    files.push_back(fileOf(headerOf(s).raw(0x7FE00010, "OB", file.substr(at + 12), true)));
+  return files;
 }
 
 }  // namespace facenav::testing
