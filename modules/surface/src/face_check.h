@@ -14,7 +14,8 @@ struct FaceCheck {
   std::vector<std::string> findings;  // plain words, most important first
 };
 
-FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const volume::Volume& volume,
-                    const volume::Mask& head);
+/// `grid`: of the scan, for where it ends.
+FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
+                    const volume::VoxelGrid& grid);
 
 }  // namespace facenav::surface

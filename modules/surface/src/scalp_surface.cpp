@@ -43,7 +43,7 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   monitor.report("scalp", 0.7);
   moveOntoEdge(scalp.mesh, neighbours, volume, {1.75, 1.75, 0.5, 3, 0.7});
   scalp.field_of_view = endsOf(volume.grid);
-  const FaceCheck face = checkFace(scalp.mesh, neighbours, volume, head);
+  const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
   scalp.has_face = face.has_face;
   scalp.findings = face.findings;
   monitor.report("scalp", 1.0);
