@@ -7,7 +7,8 @@
 namespace facenav::tracking::testing {
 namespace {
 
-constexpr int kRays = 5;  // per pixel and direction
+constexpr int kRays =
+    25;  // per pixel, on a lattice: no two share a row or column, so edges are not quantised
 
 struct CameraView {
   const stereo::CameraModel& camera;
@@ -54,17 +55,16 @@ void drawPrint(const CameraView& view, const PlacedPrint& placed, const SceneOpt
       const Eigen::Vector2d by_u = stereo::undistort(view.camera, {u + 0.5, double(v)}) - n;
       const Eigen::Vector2d by_v = stereo::undistort(view.camera, {double(u), v + 0.5}) - n;
       double sum = 0;
-      for (int j = 0; j < kRays; ++j)
-        for (int i = 0; i < kRays; ++i) {
-          const double du = (i + 0.5) / kRays - 0.5, dv = (j + 0.5) / kRays - 0.5;
-          const Eigen::Vector3d ray =
-              marker_T_view.linear() * (n + 2 * du * by_u + 2 * dv * by_v).homogeneous();
-          const Eigen::Vector3d hit_mm = eye_mm - ray * (eye_mm.z() / ray.z());
-          const double light = lightAt(placed, hit_mm.x(), hit_mm.y());
-          sum += light < 0 ? image(v, u)
-                           : options.black_grey + light * (options.white_grey - options.black_grey);
-        }
-      image(v, u) = float(sum / (kRays * kRays));
+      for (int ray_number = 0; ray_number < kRays; ++ray_number) {
+        const double du = (ray_number + 0.5) / kRays - 0.5, dv = (ray_number * 7 % kRays + 0.5) / kRays - 0.5;
+        const Eigen::Vector3d ray =
+            marker_T_view.linear() * (n + 2 * du * by_u + 2 * dv * by_v).homogeneous();
+        const Eigen::Vector3d hit_mm = eye_mm - ray * (eye_mm.z() / ray.z());
+        const double light = lightAt(placed, hit_mm.x(), hit_mm.y());
+        sum +=
+            light < 0 ? image(v, u) : options.black_grey + light * (options.white_grey - options.black_grey);
+      }
+      image(v, u) = float(sum / kRays);
     }
 }
 

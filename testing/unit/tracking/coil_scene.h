@@ -1,5 +1,5 @@
 #pragma once
-// A stereo pair of a printed marker with exact truth: every pixel is the mean of 5 x 5 rays to the plane of
+// A stereo pair of a printed marker with exact truth: every pixel is the mean of 25 rays to the plane of
 // the print, then blur, camera gamma and noise. No code is shared with the tracker but the camera model's
 // undistort().
 
