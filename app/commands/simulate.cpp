@@ -1,5 +1,6 @@
 // facenav simulate SCENARIO [--case CASE | --patient mri.nii.gz] -o RECORDING: the virtual treatment room
 
+#include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
@@ -20,17 +21,24 @@ struct SimulateRequest {
   fs::path output;
 };
 
+/// frames_per_s -> --frames-per-s
+std::string flag(const Field& field) {
+  std::string name = field.name;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
 /// One flag for each option field.
 struct FlagVisitor {
   CLI::App& verb;
   template <class Value>
   void operator()(const Field& field, Value& value) {
-    verb.add_option("--" + field.name, value, field.help)
+    verb.add_option(flag(field), value, field.help)
         ->check(CLI::Range(field.minimum, field.maximum))
         ->capture_default_str();
   }
   void operator()(const Field& field, std::uint64_t& value) {
-    verb.add_option("--" + field.name, value, field.help)->capture_default_str();
+    verb.add_option(flag(field), value, field.help)->capture_default_str();
   }
 };
 

@@ -5,7 +5,7 @@
 namespace facenav::room {
 
 cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed) {
-  cv::Mat light = radiance, grey;
+  cv::Mat light = radiance.clone(), grey;  // Mat operators below work in place
   if (options.blur_px > 0.0)
     cv::GaussianBlur(radiance, light, {}, options.blur_px, options.blur_px, cv::BORDER_REPLICATE);
   light = light * options.exposure;

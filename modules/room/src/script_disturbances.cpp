@@ -69,7 +69,7 @@ MomentOf occlusionScript(const Setting& setting) {
     if (part > 0.15 && part < 0.55) {
       // A hand comes in from the image's right, covers cheek and mouth side, and goes.
       const double in = hill((part - 0.15) / 0.4);
-      const Eigen::Vector3d at_mm = face_mm + Eigen::Vector3d(185.0 - 150.0 * in, 35.0, -75.0);
+      const Eigen::Vector3d at_mm = face_mm + Eigen::Vector3d(185.0 - 130.0 * in, 35.0, -75.0);
       moment.cast.room_T_hand = placed(expRotation(Eigen::Vector3d(0.15, 0.0, -0.5)), at_mm);
       moment.label = "hand before the face";
     } else if (part > 0.6) {
@@ -125,7 +125,7 @@ MomentOf lostScript(const Setting& setting) {
     moment.label = now->label;
     moment.fault = faultOf(moment.label);
     Vector6 by = sway(setting.time_s(frame), setting.options.motion);
-    if (moment.label == "head turns away and back") by[1] += 110.0 * hill(inside);
+    if (moment.label == "head turns away and back") by[1] += 160.0 * hill(inside);
     if (moment.label == "head leaves the view and returns") by[3] += 700.0 * hill(inside);
     moment.cast = setting.headMovedBy(by);
     return moment;
@@ -136,10 +136,13 @@ MomentOf coilSweepScript(const Setting& setting) {
   return [setting](int frame) {
     const double part = setting.part(frame);
     Moment moment;
-    moment.cast = setting.headMovedBy(sway(setting.time_s(frame), setting.options.motion));
+    Vector6 by = sway(setting.time_s(frame), setting.options.motion);
+    by.tail<3>() += Eigen::Vector3d(-80.0, 20.0, 120.0);  // aside, so that the marker passes it
+    moment.cast = setting.headMovedBy(by);
     const double depth_mm = 400.0 + 500.0 * part, tilt_deg = 60.0 * std::abs(std::sin(2 * M_PI * 2.5 * part));
     const double about = 2 * M_PI * 0.7 * part + 0.4;
-    const Eigen::Vector3d at_mm(0.12 * depth_mm * std::sin(2 * M_PI * part), -0.14 * depth_mm, depth_mm);
+    const Eigen::Vector3d at_mm(0.22 * depth_mm,
+                                0.08 * depth_mm * std::sin(2 * M_PI * part) - 0.04 * depth_mm, depth_mm);
     moment.cast.room_T_coil =
         coilWithMarkerAt(setting, at_mm, tilt_deg * Eigen::Vector3d(std::cos(about), std::sin(about), 0.0));
     char label[64];

@@ -18,7 +18,10 @@
 namespace facenav::room {
 namespace {
 
-constexpr int kPad = 4;  // voxels of air around the scan: nose and ears may touch its edge
+constexpr int kClosing = 3;  // voxels: narrower openings of the skin are closed over
+// Voxels of air around the scan: nose and ears may touch its edge, and smoothing and closing must not reach
+// the rim.
+constexpr int kPad = 2 * kClosing + 2;
 constexpr double kSmallestHead_ml = 800.0;
 
 using Cells = std::vector<float>;
@@ -54,6 +57,7 @@ Cells smoothed(const volume::VoxelGrid& grid, const Cells& in) {
 /// Otsu's threshold of the values.
 float otsu(const Cells& values) {
   const float top = *std::max_element(values.begin(), values.end());
+  if (!(top > 0.f)) return 1.f;
   std::vector<double> histogram(256, 0.0);
   for (const float value : values) ++histogram[std::clamp(int(255.f * value / top), 0, 255)];
   double total = 0.0, sum = 0.0;
@@ -129,11 +133,11 @@ Flags inverted(Flags flags) {
 /// Head without inner air: sinuses, throat and ear canals are closed over (openings up to twice `kClosing`
 /// voxels).
 Flags solidHead(const volume::VoxelGrid& grid, const Cells& values, float threshold) {
-  constexpr int kClosing = 3;
   Flags tissue(values.size());
   std::transform(values.begin(), values.end(), tissue.begin(),
                  [&](float v) { return std::uint8_t(v > threshold); });
   tissue = largestPiece(grid, std::move(tissue));
+  if (tissue.empty()) return Flags(values.size(), 0);
   const Flags sealed = dilated(grid, tissue, kClosing);
   const Flags outside = flood(grid, sealed, 0, {0});
   // Inside the sealed skin and deeper than the closing reached: solid; plus the tissue itself.
@@ -254,7 +258,8 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   monitor.report("virtual patient: skin", 0.0);
   const volume::Volume scan = padded(input);
   Cells field = smoothed(scan.grid, scan.voxels);
-  const float threshold = 0.5f * otsu(field);
+  const float threshold =
+      0.50037f * otsu(field);  // never exactly a voxel's value: that would degenerate triangles
   const Flags solid = solidHead(scan.grid, field, threshold);
   const double volume_ml =
       std::accumulate(solid.begin(), solid.end(), 0.0) * scan.grid.voxelVolume_mm3() / 1000.0;

@@ -22,7 +22,7 @@ struct ScenarioOptions {
   double frames_per_s = 60.0;
   std::uint64_t seed = 1;
   double head_distance_mm = 600.0;  // cameras to face
-  double noise_grey = 1.5, blur_px = 0.6, exposure = 1.75, gamma = 1.0;
+  double noise_grey = 1.5, blur_px = 0.6, exposure = 1.3, gamma = 1.0;
   double motion = 1.0;  // scales the scenario's head motion
   RigOptions rig;
 

@@ -1,0 +1,130 @@
+#include "script.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "egg_patient.h"
+#include "facenav/core/error.h"
+#include "support/matchers.h"
+
+namespace facenav::room {
+namespace {
+
+ScenarioOptions named(const char* name, int frames = 0) {
+  ScenarioOptions options;
+  options.name = name;
+  options.frames = frames;
+  return options;
+}
+
+struct Played {
+  std::shared_ptr<const VirtualPatient> patient = testing::eggPatient();
+  RigidTransform<Mri, frames::Target> target = leftHandArea(*patient);
+  std::unique_ptr<Script> operator()(const ScenarioOptions& options) const {
+    return makeScript(options, *patient, target);
+  }
+};
+
+TEST(Scenario, EachOfTheTableCanBePlayedToItsEnd) {
+  const Played played;
+  for (const auto& kind : scenarios()) {
+    const auto script = played(named(kind.name.c_str()));
+    EXPECT_EQ(script->frameCount(), kind.frames);
+    for (int frame = 0; frame < kind.frames; ++frame)
+      EXPECT_FALSE(script->at(frame).label.empty()) << kind.name;
+  }
+}
+
+TEST(Scenario, UnknownNameIsAnErrorThatListsTheOthers) {
+  try {
+    Played()(named("treatmnt"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("free_motion"), std::string::npos);
+  }
+}
+
+TEST(Treatment, HoldsTheTargetForTheLastSecond) {
+  const Played played;
+  const auto options = named("treatment", 150);
+  const auto script = played(options);
+  for (int frame = 150 - int(options.frames_per_s) + 1; frame < 150; ++frame) {
+    const auto cast = script->at(frame).cast;
+    const auto mri_T_coil = cast.room_T_mri.inverse() * *cast.room_T_coil;
+    EXPECT_LT((mri_T_coil.translation_mm() - played.target.translation_mm()).norm(), 1e-6) << frame;
+    EXPECT_LT(rotationAngle(mri_T_coil.rotation().transpose() * played.target.rotation()), 1e-7) << frame;
+  }
+  const auto start = script->at(0).cast;
+  const double away_mm =
+      ((start.room_T_mri.inverse() * *start.room_T_coil).translation_mm() - played.target.translation_mm())
+          .norm();
+  EXPECT_NEAR(away_mm, 150.0, 5.0);
+}
+
+TEST(Protractor, TurnsBy25DegInElevenStepsAboutEachAxis) {
+  const Played played;
+  const auto script = played(named("protractor"));
+  const auto seat = script->capture().room_T_mri;
+  for (int frame = 0; frame < 33; ++frame) {
+    const auto room_T_mri = script->at(frame).cast.room_T_mri;
+    const Eigen::Vector3d turned_deg =
+        logRotation(room_T_mri.rotation() * seat.rotation().transpose()) * 180.0 / M_PI;
+    Eigen::Vector3d expected = Eigen::Vector3d::Zero();
+    expected[frame / 11] = 2.5 * (frame % 11 - 5);
+    EXPECT_THAT(turned_deg, testing::EigenNear(expected, 1e-9)) << frame;
+    EXPECT_LT(
+        ((room_T_mri * played.patient->head_centre).mm - (seat * played.patient->head_centre).mm).norm(),
+        1e-9);
+  }
+}
+
+TEST(FreeMotion, StaysWithinAHeadsSpeed) {
+  const Played played;
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
+    auto options = named("free_motion", 300);
+    options.seed = seed;
+    const auto script = played(options);
+    double fastest_mm_s = 0.0;
+    for (int frame = 1; frame < 300; ++frame) {
+      const auto before = script->at(frame - 1).cast.room_T_mri * played.patient->face_middle;
+      const auto after = script->at(frame).cast.room_T_mri * played.patient->face_middle;
+      fastest_mm_s = std::max(fastest_mm_s, (after.mm - before.mm).norm() * options.frames_per_s);
+    }
+    EXPECT_GT(fastest_mm_s, 40.0) << seed;
+    EXPECT_LT(fastest_mm_s, 220.0) << seed;
+  }
+}
+
+TEST(Lost, ShowsEveryFaultAndSaysSo) {
+  const auto script = Played()(named("lost"));
+  std::set<CameraFault> faults;
+  for (int frame = 0; frame < script->frameCount(); ++frame) faults.insert(script->at(frame).fault);
+  EXPECT_EQ(faults.size(), 5u);
+  EXPECT_EQ(script->at(0).fault, CameraFault::none);
+  EXPECT_EQ(script->at(script->frameCount() - 1).label, "face in view");
+}
+
+TEST(SeatedHead, HasThePatientsRightOnTheImagesLeft) {
+  const auto patient = testing::eggPatient();
+  const auto room_T_mri = seatedHead(ScenarioOptions{}, *patient);
+  const Eigen::Vector3d right = room_T_mri.rotation() * Eigen::Vector3d::UnitX(),
+                        up = room_T_mri.rotation() * Eigen::Vector3d::UnitZ();
+  EXPECT_LT(right.x(), -0.9);
+  EXPECT_LT(up.y(), -0.9) << "Room's y points down";
+  EXPECT_NEAR((room_T_mri * patient->face_middle).mm.z(), 600.0, 1.0);
+}
+
+TEST(LeftHandArea, LiesLeftAboveAndLooksInwards) {
+  const auto patient = testing::eggPatient();
+  const auto target = leftHandArea(*patient, 5.0);
+  const Eigen::Vector3d from_centre = target.translation_mm() - patient->head_centre.mm;
+  EXPECT_LT(from_centre.x(), -30.0) << "left is -x in RAS";
+  EXPECT_GT(from_centre.z(), 30.0);
+  EXPECT_LT(target.rotation().col(2).dot(from_centre.normalized()), -0.8) << "+z into the head";
+  EXPECT_GT(target.rotation().col(1).y(), 0.4) << "+y away from the handle: forwards";
+  EXPECT_GT(target.rotation().col(1).x(), 0.2) << "and towards the midline";
+}
+
+}  // namespace
+}  // namespace facenav::room
