@@ -253,7 +253,7 @@ std::optional<MarkerFit> fitMarkers(const stereo::StereoRig& rig, const stereo::
     const Vector9 step = normal.matrix.ldlt().solve(normal.right);
     if (!step.allFinite()) return std::nullopt;
     state = moved(state, step, centre(markers, state.camera_T_coil));
-    if (round >= 2 && step.head<3>().norm() < 1e-5 && step.segment<3>(3).norm() < 2e-3) break;
+    if (!is_first && step.head<3>().norm() < 5e-5 && step.segment<3>(3).norm() < 5e-3) break;
   }
   observations = observe(views, markers, state, kSpacing_px);
   if (!isEnough(observations, 12)) return std::nullopt;
