@@ -56,4 +56,15 @@ inline stereo::StereoRig fullyDistortedRig() {
   return rig;
 }
 
+/// The middle 320 x 240 pixels of a rig's images: the same pixels, a quarter of the work.
+inline stereo::StereoRig cropped(stereo::StereoRig rig) {
+  for (stereo::CameraModel* camera : {&rig.left, &rig.right}) {
+    camera->k(0, 2) -= 160;
+    camera->k(1, 2) -= 120;
+  }
+  rig.width_px = 320;
+  rig.height_px = 240;
+  return rig;
+}
+
 }  // namespace facenav::testing

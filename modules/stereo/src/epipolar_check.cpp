@@ -3,8 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <vector>
+
+#include "disparity_search.h"
 
 namespace facenav::stereo {
 namespace {
@@ -12,32 +15,42 @@ namespace {
 constexpr int kHalf_px = 7, kStep_px = 6;
 constexpr std::size_t kFewest = 30;
 
-// Least squares for the row shift (with disparity, gain and offset free) of the right window at its matched
-// place.
+// Two steps of least squares for the row shift (with disparity, gain and offset free) of the right window at
+// its matched place.
 std::optional<double> rowDifference(const RectifiedPair& pair, const Rectification& r, int x, int y,
                                     float disparity, float slope_x, float slope_y) {
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
-  for (int v = -kHalf_px; v <= kHalf_px; ++v)
-    for (int u = -kHalf_px; u <= kHalf_px; ++u) {
-      const float at =
-          (float(x + u + r.disparities) - disparity - slope_x * float(u) - slope_y * float(v)) * kFineSteps;
-      const int i = int(at);
-      if (at < 0 || i + 1 >= pair.right_fine.cols) return std::nullopt;
-      const float f = at - float(i);
-      const auto right = [&](int row) {
-        const float* p = pair.right_fine.ptr<float>(row);
-        return p[i] + f * (p[i + 1] - p[i]);
-      };
-      const float* p = pair.right_fine.ptr<float>(y + v);
-      const Eigen::Vector4d j(0.5 * (right(y + v + 1) - right(y + v - 1)), kFineSteps * (p[i + 1] - p[i]),
-                              right(y + v), 1);
-      normal += j * j.transpose();
-      rhs += j * double(pair.left.at<float>(y + v, x + u));
-    }
-  const Eigen::Vector4d solution = normal.ldlt().solve(rhs);
-  if (!solution.allFinite() || std::abs(solution[2]) < 0.2) return std::nullopt;
-  return solution[0] / solution[2];
+  double shift = 0, along = 0;
+  for (int step = 0; step < 2; ++step) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
+    const int whole = int(std::floor(shift));
+    const float part = float(shift - whole);
+    if (y - kHalf_px - 1 + whole < 0 || y + kHalf_px + 2 + whole >= pair.right_fine.rows) return std::nullopt;
+    for (int v = -kHalf_px; v <= kHalf_px; ++v)
+      for (int u = -kHalf_px; u <= kHalf_px; ++u) {
+        const float at = (float(x + u + r.disparities) - disparity - slope_x * float(u) - slope_y * float(v) +
+                          float(along)) *
+                         kFineSteps;
+        const int i = int(at);
+        if (at < 0 || i + 1 >= pair.right_fine.cols) return std::nullopt;
+        const float f = at - float(i);
+        const auto in_row = [&](int row) {
+          const float* p = pair.right_fine.ptr<float>(row + whole);
+          return p[i] + f * (p[i + 1] - p[i]);
+        };
+        const auto right = [&](int row) { return in_row(row) * (1 - part) + in_row(row + 1) * part; };
+        const float* p = pair.right_fine.ptr<float>(y + v + whole);
+        const Eigen::Vector4d j(0.5 * (right(y + v + 1) - right(y + v - 1)), kFineSteps * (p[i + 1] - p[i]),
+                                right(y + v), 1);
+        normal += j * j.transpose();
+        rhs += j * double(pair.left.at<float>(y + v, x + u));
+      }
+    const Eigen::Vector4d solution = normal.ldlt().solve(rhs);
+    if (!solution.allFinite() || std::abs(solution[2]) < 0.2) return std::nullopt;
+    shift += std::clamp(solution[0] / solution[2], -1.0, 1.0);
+    along += std::clamp(solution[1] / solution[2], -1.0, 1.0);
+  }
+  return shift;
 }
 
 }  // namespace
@@ -60,6 +73,30 @@ double epipolarMedian(const Rectification& rectification, const RectifiedPair& p
   const auto middle = differences_px.begin() + std::ptrdiff_t(differences_px.size() / 2);
   std::nth_element(differences_px.begin(), middle, differences_px.end());
   return *middle;
+}
+
+double bestRowShift(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options) {
+  const Rectification rectification =
+      rectify(rig, {options.nearest_mm, options.farthest_mm}, options.left_roi.value_or(cv::Rect()));
+  const RectifiedPair pair = applyRectification(rectification, frame);
+  const auto matched = [&](int rows) {
+    const cv::Mat by = (cv::Mat_<double>(2, 3) << 1, 0, 0, 0, 1, rows);
+    RectifiedPair shifted = pair;
+    shifted.right.release();  // not in place: the buffer is shared
+    cv::warpAffine(pair.right, shifted.right, by, pair.right.size(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
+    return cv::countNonZero(searchDisparities(rectification, shifted, options.match.window_px) >= 0);
+  };
+  constexpr int kFarthest_rows = 10;
+  const int unshifted = matched(0);
+  int best = 0, most = std::max(2 * unshifted, int(pair.left.total() / 50));
+  for (int rows = -kFarthest_rows; rows <= kFarthest_rows; ++rows) {
+    const int count = matched(rows);
+    if (count > most) {
+      most = count;
+      best = rows;
+    }
+  }
+  return best;
 }
 
 }  // namespace facenav::stereo

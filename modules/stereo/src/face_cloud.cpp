@@ -1,6 +1,8 @@
 #include "facenav/stereo/face_cloud.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <opencv2/core.hpp>
 
 #include "cloud_normals.h"
@@ -11,7 +13,10 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr int kFewestPoints = 500;
+constexpr std::size_t kFewestPoints = 500;
+constexpr double kSuspicious_px =
+    0.12;                          // row disagreement of a pair that fits its calibration: 0.02 .. 0.05 px
+constexpr double kMoved_px = 0.6;  // no calibration is that bad: the cameras have moved
 constexpr double kBlack_grey =
     6.0;  // brightest percent of an image below this: no light, lens cap, dead camera
 
@@ -60,25 +65,53 @@ FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, c
   return face;
 }
 
+FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
+                      TaskMonitor& monitor) {
+  const auto matcher = makeDenseMatcher(options.matcher);
+  monitor.report("rectify", 0.0);
+  const Rectification rectification =
+      rectify(rig, {options.nearest_mm, options.farthest_mm}, options.left_roi.value_or(cv::Rect()));
+  const RectifiedPair pair = applyRectification(rectification, frame);
+  monitor.report("match", 0.2);
+  const DisparityMap map = matcher->match(rectification, pair, options.match);
+  monitor.report("triangulate", 0.9);
+  FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map));
+  face.epipolar_median_px = epipolarMedian(rectification, pair, map);
+  monitor.report("triangulate", 1.0);
+  return face;
+}
+
+// Swapped images of a converging pair match in places, at depths that look likely, and turn a face inside
+// out. Rows then disagree a little; the images put right match far better.
+void refuseSwapped(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
+                   const FaceCloud& face, TaskMonitor& monitor) {
+  StereoFrame swapped = frame;
+  std::swap(swapped.left, swapped.right);
+  const FaceCloud other = measureOnce(rig, swapped, options, monitor);
+  if (other.cloud.size() > kFewestPoints && other.cloud.size() > face.cloud.size() &&
+      other.epipolar_median_px < 0.5 * std::max(face.epipolar_median_px, kSuspicious_px))
+    throw Error("left and right images look swapped", {}, "exchange the cameras or the files");
+}
+
 }  // namespace
 
 FaceCloud measureFace(const StereoRig& rig, const StereoFrame& with_dots, const FaceCloudOptions& options,
                       TaskMonitor& monitor) {
   requireUsable(rig, with_dots);
-  const auto matcher = makeDenseMatcher(options.matcher);
-  monitor.report("rectify", 0.0);
-  const Rectification rectification =
-      rectify(rig, {options.nearest_mm, options.farthest_mm}, options.left_roi.value_or(cv::Rect()));
-  const RectifiedPair pair = applyRectification(rectification, with_dots);
-  monitor.report("match", 0.2);
-  const DisparityMap map = matcher->match(rectification, pair, options.match);
-  monitor.report("triangulate", 0.9);
-  FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map));
-  if (face.cloud.size() < kFewestPoints)
+  FaceCloud face = measureOnce(rig, with_dots, options, monitor);
+  const bool is_too_few = face.cloud.size() < kFewestPoints;
+  if (is_too_few || face.epipolar_median_px > kSuspicious_px)
+    refuseSwapped(rig, with_dots, options, face, monitor);
+  const double row_shift_px = is_too_few ? bestRowShift(rig, with_dots, options) : face.epipolar_median_px;
+  if (std::abs(row_shift_px) > kMoved_px) {
+    char text[96];
+    std::snprintf(text, sizeof text, "the images disagree with the calibration by %.1f px across the rows",
+                  std::abs(row_shift_px));
+    throw Error(text, {}, "the cameras have moved: calibrate again");
+  }
+  if (is_too_few)
     throw Error("no dots found: only " + std::to_string(face.cloud.size()) + " points match in both images",
-                {}, "check projector, exposure, that left and right are not swapped, and the calibration");
-  face.epipolar_median_px = epipolarMedian(rectification, pair, map);
-  monitor.report("triangulate", 1.0);
+                {}, "check projector, exposure, depth range and calibration");
   return face;
 }
 

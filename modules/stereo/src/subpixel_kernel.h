@@ -21,15 +21,38 @@ struct Images {
 };
 
 struct Limits {
-  float largest_sigma_px, least_correlation, largest_slope;
+  float largest_sigma_px, least_correlation, largest_slope, largest_lever_px, least_centre_texture;
 };
 
-struct Row {
-  const std::int16_t* start;                     // whole-pixel disparity, -1: none
-  float *disparity, *slope_x, *slope_y, *sigma;  // disparity NaN where no fit holds
+struct Plane {
+  float d, a, b;  // disparity at the pixel, its slopes along x and y
 };
 
-void fitRowBase(const Images& images, const Limits& limits, int y, const Row& row);
-void fitRowAvx2(const Images& images, const Limits& limits, int y, const Row& row);
+struct Fit {
+  Plane plane;
+  float sigma, correlation;
+  bool is_good;
+};
+
+/// Result images, float, one stride (in elements) for all; disparity NaN where no fit holds.
+struct Field {
+  float *disparity, *slope_x, *slope_y, *sigma;
+  int stride;
+};
+
+/// One set of these for each instruction set.
+struct Kernel {
+  /// Fits every pixel of row y that has a start (whole-pixel disparity, -1: none); neighbours hand on their
+  /// planes.
+  void (*fit_row)(const Images&, const Limits&, int y, const std::int16_t* start, const Field&);
+  /// Fits one pixel from a plane carried over from a neighbour.
+  Fit (*fit_at)(const Images&, const Limits&, int x, int y, Plane start);
+  /// Fits row y once more, now with the shape that `seen` gives the surface inside the window in place of a
+  /// plane: a plane cuts off ridges and fills up hollows.
+  void (*refine_row)(const Images&, const Limits&, int y, const Field& seen, const Field& refined);
+};
+
+Kernel baseKernel();
+Kernel avx2Kernel();
 
 }  // namespace facenav::stereo::subpixel

@@ -6,20 +6,12 @@ constexpr float kConverged_px = 0.01f, kConvergedSlope = 0.004f;
 constexpr float kFarthestFromStart_px = 1.6f;
 constexpr float kLeastNoise_grey = 0.5f;  // quantisation to 8 bits and interpolation
 constexpr float kSlopePrior = 1.0f;       // standard deviation of a slope before anything is seen
-constexpr int kFine = 4;                  // = kFineSteps
-
-struct Plane {
-  float d, a, b;
-};
+constexpr float kSameSurface_px = 1.5f;
+constexpr int kFine = 4;  // = kFineSteps
 
 struct Window {
   float left[kLargestWindow][kLanes], right[kLargestWindow][kLanes], gradient[kLargestWindow][kLanes];
-};
-
-struct Fit {
-  Plane plane;
-  float sigma, correlation;
-  bool is_good;
+  float shape[kLargestWindow][kLanes];  // what the surface's disparity has beyond the plane
 };
 
 inline float sum(const float* lanes, int n) {
@@ -43,7 +35,7 @@ inline void loadRight(const Images& im, int x, int y, const Plane& plane, Window
     const float* row = im.right_fine + (y + v - half) * im.right_stride;
     const float start = float(x + im.right_shift) - plane.d - plane.b * float(v - half);
     for (int u = 0; u < kLanes; ++u) {
-      float at = float(kFine) * (start + (1.0f - plane.a) * float(u - half));
+      float at = float(kFine) * (start + (1.0f - plane.a) * float(u - half) - w.shape[v][u]);
       at = at < 0.0f ? 0.0f : at;
       at = at > last ? last : at;
       const int i = int(at);
@@ -91,7 +83,8 @@ inline Photometry fitPhotometry(const Window& w, int n, const Moments& left) {
 struct Normal {
   float h[6];  // dd, da, db, aa, ab, bb
   float g[3];
-  float residual;  // sum of squares
+  float residual;        // sum of squares
+  float centre_texture;  // mean squared gradient of the middle 5 x 5
 };
 
 inline Normal normalEquations(const Window& w, int n, const Photometry& photometry) {
@@ -125,6 +118,9 @@ inline Normal normalEquations(const Window& w, int n, const Photometry& photomet
     out.g[2] += e1[u];
   }
   out.residual = sum(rr, n);
+  for (int v = half - 2; v <= half + 2; ++v)
+    for (int u = half - 2; u <= half + 2; ++u)
+      out.centre_texture += w.gradient[v][u] * w.gradient[v][u] * photometry.gain * photometry.gain / 25;
   return out;
 }
 
@@ -147,18 +143,34 @@ inline float limited(float value, float bound) {
 }
 inline float magnitude(float value) { return value < 0 ? -value : value; }
 
-inline Fit fitWindow(const Images& im, const Limits& limits, int x, int y, Plane plane) {
-  Window w;
+inline void clearShape(Window& w) {
+  for (int v = 0; v < kLargestWindow; ++v)
+    for (int u = 0; u < kLanes; ++u) w.shape[v][u] = 0;
+}
+
+// Does the fit rest on texture round the pixel itself? Beside a silhouette it rests on the object next to the
+// pixel, and the disparity found is that object's: its texture lies to one side, the middle of the window is
+// bare.
+inline bool isSupported(const Normal& q, int n, const Limits& limits) {
+  const float x = q.h[1] / q.h[0], y = q.h[2] / q.h[0], mean_texture = q.h[0] / float(n * n);
+  return x * x + y * y <= limits.largest_lever_px * limits.largest_lever_px &&
+         q.centre_texture >= limits.least_centre_texture * mean_texture;
+}
+
+// `w` holds the shape; the rest of it is filled here.
+inline Fit fitWindow(const Images& im, const Limits& limits, int x, int y, Plane plane, Window& w) {
   Fit fit = {plane, 0, 0, false};
   const int n = im.window;
   const float start = plane.d;
   loadLeft(im, x, y, w);
   const Moments left = leftMoments(w, n);
+  bool is_supported = false;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     loadRight(im, x, y, plane, w);
     const Photometry photometry = fitPhotometry(w, n, left);
     if (!(photometry.correlation > 0.2f)) return fit;
     Normal q = normalEquations(w, n, photometry);
+    is_supported = isSupported(q, n, limits);
     const float noise = q.residual / float(n * n - 5) + kLeastNoise_grey * kLeastNoise_grey;
     const float prior = noise / (kSlopePrior * kSlopePrior);
     q.h[3] += prior;
@@ -181,7 +193,8 @@ inline Fit fitWindow(const Images& im, const Limits& limits, int x, int y, Plane
     if (iteration == kMostIterations - 1 && magnitude(step.d) > 0.1f) return fit;
   }
   fit.plane = plane;
-  fit.is_good = fit.sigma <= limits.largest_sigma_px && fit.correlation >= limits.least_correlation;
+  fit.is_good =
+      is_supported && fit.sigma <= limits.largest_sigma_px && fit.correlation >= limits.least_correlation;
   return fit;
 }
 
@@ -200,26 +213,64 @@ inline bool isInside(const Images& im, int x, int y, float disparity) {
   return true;
 }
 
-inline void fitRow(const Images& im, const Limits& limits, int y, const Row& row) {
+inline Fit fitAt(const Images& im, const Limits& limits, int x, int y, Plane start) {
+  if (!isInside(im, x, y, start.d)) return {start, 0, 0, false};
+  Window w;
+  clearShape(w);
+  return fitWindow(im, limits, x, y, start, w);
+}
+
+inline void store(const Field& field, int x, int y, const Fit& fit) {
+  const int i = y * field.stride + x;
+  field.disparity[i] = fit.is_good ? fit.plane.d : __builtin_nanf("");
+  field.slope_x[i] = fit.plane.a;
+  field.slope_y[i] = fit.plane.b;
+  field.sigma[i] = fit.sigma;
+}
+
+inline void fitRow(const Images& im, const Limits& limits, int y, const std::int16_t* start,
+                   const Field& field) {
   Fit last = {{0, 0, 0}, 0, 0, false};
   for (int x = 0; x < im.width; ++x) {
-    row.disparity[x] = __builtin_nanf("");
-    row.slope_x[x] = row.slope_y[x] = row.sigma[x] = 0;
-    const float whole = float(row.start[x]);
+    const float whole = float(start[x]);
     Fit fit = {{0, 0, 0}, 0, 0, false};
-    if (row.start[x] >= 0 && isInside(im, x, y, whole)) {
+    if (start[x] >= 0) {
       // The neighbour's plane carried over is the better start, as long as the search agrees with it.
       const float carried = last.plane.d + last.plane.a;
       if (last.is_good && magnitude(carried - whole) < 1.2f)
-        fit = fitWindow(im, limits, x, y, {carried, last.plane.a, last.plane.b});
-      if (!fit.is_good) fit = fitWindow(im, limits, x, y, {whole, 0, 0});
+        fit = fitAt(im, limits, x, y, {carried, last.plane.a, last.plane.b});
+      if (!fit.is_good) fit = fitAt(im, limits, x, y, {whole, 0, 0});
     }
-    if (fit.is_good) {
-      row.disparity[x] = fit.plane.d;
-      row.slope_x[x] = fit.plane.a;
-      row.slope_y[x] = fit.plane.b;
-      row.sigma[x] = fit.sigma;
-    }
+    store(field, x, y, fit);
     last = fit;
+  }
+}
+
+inline void loadShape(const Images& im, int x, int y, const Plane& plane, const Field& seen, Window& w) {
+  const int half = im.window / 2;
+  clearShape(w);
+  for (int v = -half; v <= half; ++v)
+    for (int u = -half; u <= half; ++u) {
+      const float beyond =
+          seen.disparity[(y + v) * seen.stride + x + u] - plane.d - plane.a * float(u) - plane.b * float(v);
+      // NaN (unseen) and another surface: the plane is all that is known there.
+      if (magnitude(beyond) < kSameSurface_px) w.shape[v + half][u + half] = beyond;
+    }
+}
+
+inline void refineRow(const Images& im, const Limits& limits, int y, const Field& seen,
+                      const Field& refined) {
+  for (int x = 0; x < im.width; ++x) {
+    const int i = y * seen.stride + x;
+    const Plane plane = {seen.disparity[i], seen.slope_x[i], seen.slope_y[i]};
+    Fit fit = {plane, seen.sigma[i], 0, false};
+    if (plane.d == plane.d && isInside(im, x, y, plane.d)) {
+      Window w;
+      loadShape(im, x, y, plane, seen, w);
+      fit = fitWindow(im, limits, x, y, plane, w);
+      // A fit that the refinement spoils (at an edge) stays as it was.
+      if (!fit.is_good) fit = {plane, seen.sigma[i], 0, true};
+    }
+    store(refined, x, y, fit);
   }
 }

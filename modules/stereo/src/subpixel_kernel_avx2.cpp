@@ -7,8 +7,6 @@ namespace {
 #include "subpixel_kernel.inl"
 }  // namespace
 
-void fitRowAvx2(const Images& images, const Limits& limits, int y, const Row& row) {
-  fitRow(images, limits, y, row);
-}
+Kernel avx2Kernel() { return {fitRow, fitAt, refineRow}; }
 
 }  // namespace facenav::stereo::subpixel

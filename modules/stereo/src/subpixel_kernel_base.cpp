@@ -7,8 +7,6 @@ namespace {
 #include "subpixel_kernel.inl"
 }  // namespace
 
-void fitRowBase(const Images& images, const Limits& limits, int y, const Row& row) {
-  fitRow(images, limits, y, row);
-}
+Kernel baseKernel() { return {fitRow, fitAt, refineRow}; }
 
 }  // namespace facenav::stereo::subpixel

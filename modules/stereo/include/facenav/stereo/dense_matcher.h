@@ -22,9 +22,13 @@ struct MatchOptions {
   int window_px = 11;  // odd, 5 .. 15
   double largest_sigma_px =
       0.25;  // predicted standard deviation of the disparity above which a pixel is dropped
-  double least_correlation = 0.75;  // of the fitted windows
-  double largest_slope = 1.0;       // |d(disparity)/dx| of a surface still believed
-  int smallest_patch_px = 150;      // connected patches below this many pixels are dropped as speckles
+  double least_correlation = 0.75;     // of the fitted windows
+  double largest_slope = 1.0;          // |d(disparity)/dx| of a surface still believed
+  double largest_lever_px = 4.0;       // distance of the window\'s texture centre from its middle
+  double least_centre_texture = 0.1;  // squared gradient of the middle 5 x 5 by that of the window
+  int refined_window_px = 7;           // side of the window in the refinement
+  int refinements = 1;                 // fits with the surface\'s own shape in the window in place of a plane
+  int smallest_patch_px = 150;         // connected patches below this many pixels are dropped as speckles
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -34,6 +38,13 @@ struct MatchOptions {
     visitor(Field{"least_correlation", "least correlation of the fitted windows", 0, 1},
             self.least_correlation);
     visitor(Field{"largest_slope", "steepest disparity slope believed", 0.1, 2}, self.largest_slope);
+    visitor(Field{"largest_lever_px", "farthest centre of texture from the window's middle", 0.5, 6},
+            self.largest_lever_px);
+    visitor(Field{"least_centre_texture", "texture of the window's middle by that of all of it", 0, 1},
+            self.least_centre_texture);
+    visitor(Field{"refined_window_px", "side of the window in the refinement, odd", 5, 11},
+            self.refined_window_px);
+    visitor(Field{"refinements", "fits with the surface's own shape in the window", 0, 5}, self.refinements);
     visitor(Field{"smallest_patch_px", "smaller connected patches are dropped", 0, 100000},
             self.smallest_patch_px);
   }
