@@ -52,6 +52,7 @@ registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {
   skin.points.normals = scalp.mesh.normals;
   skin.triangles = scalp.mesh.triangles;
   skin.field_of_view = scalp.field_of_view;
+  skin.has_face = scalp.has_face;
   return skin;
 }
 

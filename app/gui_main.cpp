@@ -1,0 +1,126 @@
+// facenav-gui: the workstation window. Composition only: the implementations and steps of the command line,
+// handed to the window as functions.
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QTimer>
+#include <cstdio>
+
+#include "appearance.h"
+#include "context.h"
+#include "facenav/core/error.h"
+#include "facenav/scene/display.h"
+#include "main_window.h"
+#include "pipeline.h"
+#include "stored_capture.h"
+
+namespace {
+
+using namespace facenav;
+
+struct Arguments {
+  std::string case_folder, recording, workspace, screenshot;
+  double after_s = 3.0;
+};
+
+app::Context makeContext(TaskMonitor& monitor) {
+  return app::Context{app::makeRegistrations(), monitor, std::filesystem::read_symlink("/proc/self/exe"),
+                      false};
+}
+
+capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording) {
+  if (recording.capture) return *recording.capture;
+  if (auto stored = app::readStoredCapture(store.folder(), recording.rig)) return *stored;
+  throw Error("not aligned: the recording has no capture pair", recording.folder.string(),
+              "record one with the dots projected (capture/ in the recording)");
+}
+
+ui::Services makeServices() {
+  ui::Services services;
+  services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
+    return dicom::listSeries(folder, monitor);
+  };
+  services.prepareCase = [](const ui::PrepareOrder& order, TaskMonitor& monitor) {
+    auto context = makeContext(monitor);
+    app::PrepareRequest request;
+    request.input = order.input;
+    request.case_folder = order.case_folder;
+    request.series_uid = order.series_uid;
+    request.head_segmenter = context.registrations.head_segmenters.defaultName();
+    request.brain_segmenter = context.registrations.brain_segmenters.defaultName();
+    request.replace = std::filesystem::exists(order.case_folder / "case.json");
+    app::prepareCase(context, request);
+  };
+  services.align = [](const casefile::CaseStore& store, const capture::Recording& recording,
+                      TaskMonitor& monitor) {
+    auto context = makeContext(monitor);
+    return app::alignCase(context, store, recording.rig, captureOf(store, recording),
+                          context.registrations.aligners.defaultName());
+  };
+  services.makeNavigator = [](const session::NavigatorSetup& setup) {
+    const auto all = app::makeRegistrations();
+    return std::make_unique<session::Navigator>(setup,
+                                                all.head_trackers.create(all.head_trackers.defaultName()),
+                                                all.coil_trackers.create(all.coil_trackers.defaultName()));
+  };
+  services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
+  return services;
+}
+
+void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
+  QTimer::singleShot(int(arguments.after_s * 1000), &window, [&window, arguments] {
+    const bool is_saved = window.grab().save(QString::fromStdString(arguments.screenshot));
+    if (!is_saved)
+      std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n",
+                   arguments.screenshot.c_str());
+    QApplication::exit(is_saved ? 0 : 1);
+  });
+}
+
+int runWindow(int argc, char** argv, const Arguments& arguments) {
+  if (!scene::hasDisplay()) {
+    std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
+    return 1;
+  }
+  ui::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("FaceNav");
+  QApplication::setApplicationName("FaceNav");
+  ui::applyAppearance(application);
+  ui::MainWindow window(makeServices());
+  if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
+    window.restoreLast();
+  if (!arguments.case_folder.empty()) window.openCase(QString::fromStdString(arguments.case_folder));
+  if (!arguments.recording.empty()) window.play(QString::fromStdString(arguments.recording));
+  if (arguments.workspace == "plan") window.setWorkspace(ui::Workspace::plan);
+  if (arguments.workspace == "treat" || (arguments.workspace.empty() && !arguments.recording.empty()))
+    window.setWorkspace(ui::Workspace::treat);
+  window.show();
+  if (!arguments.screenshot.empty()) takeScreenshotLater(window, arguments);
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App cli("FaceNav: the workstation window", "facenav-gui");
+  cli.add_option("--case", arguments.case_folder, "case folder to open");
+  cli.add_option("--play", arguments.recording, "recording to align with and to play live");
+  cli.add_option("--workspace", arguments.workspace, "prepare, plan or treat")
+      ->check(CLI::IsMember({"prepare", "plan", "treat"}));
+  cli.add_option("--screenshot", arguments.screenshot, "save a picture of the window (PNG) and quit");
+  cli.add_option("--after", arguments.after_s, "seconds to wait before the screenshot")
+      ->check(CLI::Range(0.1, 600.0));
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return runWindow(argc, argv, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "facenav-gui: %s\n", error.what());
+    return 1;
+  }
+}

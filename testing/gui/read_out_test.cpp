@@ -1,0 +1,71 @@
+#include "presenters/read_out.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "widgets/figures_panel.h"
+
+namespace facenav::ui {
+namespace {
+
+session::NavigationState trackedState() {
+  session::NavigationState state;
+  state.frame = 7;
+  state.images = std::make_shared<stereo::StereoFrame>();
+  state.is_aligned = true;
+  state.head = {tracking::HeadPose{}, 0.9};
+  state.coil = {tracking::CoilPose{}, 0.9};
+  state.camera_T_mri = {RigidTransform<Camera, Mri>(), 0.9};
+  state.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
+  state.target = "spot";
+  guidance::Target target;
+  const RigidTransform<Mri, Coil> coil(Eigen::Quaterniond::Identity(), {2.4, 0.0, -1.0});
+  state.guidance = {
+      guidance::State::adjust, guidance::Action::move, {}, guidance::evaluate(target, coil), 0.8, "move"};
+  return state;
+}
+
+TEST(ReadOut, GivesMillimetresWithOneDecimalAndWholeDegrees) {
+  const ReadOut out = makeReadOut(trackedState());
+  EXPECT_EQ(out.across, "2.4");
+  EXPECT_EQ(out.depth, "-1.0");
+  EXPECT_EQ(out.tilt, QString("0") + QChar(0xb0));
+  EXPECT_TRUE(out.instruction.startsWith("ADJUST"));
+  EXPECT_TRUE(out.predicted.contains("0.8 mm"));
+  EXPECT_EQ(out.face.level, Level::good);
+}
+
+TEST(ReadOut, BlanksEveryFigureWhenLostOrStale) {
+  for (auto reason : {LostReason::no_face, LostReason::few_features, LostReason::camera, LostReason::stale}) {
+    const ReadOut out = makeReadOut(session::blanked(trackedState(), reason));
+    const QString dash(QChar(0x2013));
+    EXPECT_EQ(out.across, dash);
+    EXPECT_EQ(out.depth, dash);
+    EXPECT_EQ(out.tilt, dash);
+    EXPECT_EQ(out.twist, dash);
+    EXPECT_TRUE(out.predicted.isEmpty());
+    EXPECT_EQ(out.level, Level::lost);
+    EXPECT_FALSE(out.instruction.isEmpty());
+  }
+}
+
+TEST(FiguresPanel, FiguresAreLegibleFromTwoMetres) {
+  FiguresPanel panel;
+  panel.ensurePolished();
+  int figures = 0;
+  for (const QLabel* label : panel.findChildren<QLabel*>()) {
+    if (!label->objectName().startsWith("figure")) continue;
+    label->ensurePolished();
+    EXPECT_GE(label->font().pointSize(), 48);
+    ++figures;
+  }
+  EXPECT_EQ(figures, 4);
+  panel.set(makeReadOut(trackedState()));
+  EXPECT_EQ(panel.figures()[0], "2.4");
+  panel.set(makeReadOut(session::blanked(trackedState(), LostReason::stale)));
+  EXPECT_EQ(panel.figures()[0], QString(QChar(0x2013)));
+}
+
+}  // namespace
+}  // namespace facenav::ui

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <set>
+
+#include "facenav/scene/display.h"
+#include "gui_fixtures.h"
+#include "main_window.h"
+#include "views/scene_view.h"
+#include "views/slice_view.h"
+
+#define FACENAV_NEEDS_DISPLAY() \
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run"
+
+namespace facenav::ui {
+namespace {
+
+int distinctColours(const QImage& image) {
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); y += 3)
+    for (int x = 0; x < image.width(); x += 3) colours.insert(image.pixel(x, y) & 0xfffcfcfc);
+  return int(colours.size());
+}
+
+/// Share of pixels with skin's excess of red over blue.
+double warmShare(const QImage& image) {
+  int warm = 0, all = 0;
+  for (int y = 0; y < image.height(); y += 2)
+    for (int x = 0; x < image.width(); x += 2, ++all)
+      warm += qRed(image.pixel(x, y)) - qBlue(image.pixel(x, y)) > 6;
+  return double(warm) / all;
+}
+
+template <class View>
+QImage pictureOf(MainWindow& window) {
+  for (View* view : window.findChildren<View*>())
+    if (view->isVisible()) {
+      const QPoint at = view->mapTo(&window, QPoint(0, 0));
+      return window.grab(QRect(at, view->size())).toImage();
+    }
+  return {};
+}
+
+TEST(MainWindow, ShowsACaseInEveryWorkspace) {
+  FACENAV_NEEDS_DISPLAY();
+  testing::TemporaryFolder folder;
+  const auto case_folder = fixtures::writeBallCase(folder.path());
+  MainWindow window{Services{}};
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  for (auto workspace : {Workspace::prepare, Workspace::plan, Workspace::treat}) {
+    window.setWorkspace(workspace);
+    QApplication::processEvents();
+    const QImage scene = pictureOf<SceneView>(window);
+    ASSERT_FALSE(scene.isNull());
+    EXPECT_GT(distinctColours(scene), 30) << int(workspace);
+    EXPECT_GT(warmShare(scene), 0.05) << int(workspace);  // the head's skin is there
+  }
+  window.setWorkspace(Workspace::prepare);
+  QApplication::processEvents();
+  const QImage slice = pictureOf<SliceView>(window);
+  ASSERT_FALSE(slice.isNull());
+  EXPECT_GT(qGreen(slice.pixel(slice.width() / 2 + 15, slice.height() / 2 + 15)), 120);  // tissue
+  EXPECT_LT(qGreen(slice.pixel(4, slice.height() - 4)), 40);                             // air
+}
+
+TEST(MainWindow, AMissingCaseIsSaidInWordsAndTheWindowLives) {
+  FACENAV_NEEDS_DISPLAY();
+  MainWindow window{Services{}};
+  window.show();
+  QString words;
+  QObject::connect(&window.tasks(), &TaskRunner::failed, [&](const QString& w) { words = w; });
+  window.openCase("/nowhere/case");
+  ASSERT_TRUE(fixtures::waitFor([&] { return !words.isEmpty(); }));
+  EXPECT_TRUE(words.contains("/nowhere/case"));
+  window.setWorkspace(Workspace::treat);
+  QApplication::processEvents();
+}
+
+TEST(MainWindow, EveryButtonSaysWhatItDoes) {
+  FACENAV_NEEDS_DISPLAY();
+  MainWindow window{Services{}};
+  window.show();
+  QApplication::processEvents();
+  for (const auto* button : window.findChildren<QAbstractButton*>())
+    if (button->isVisible()) EXPECT_FALSE(button->text().isEmpty() && button->toolTip().isEmpty());
+}
+
+}  // namespace
+}  // namespace facenav::ui

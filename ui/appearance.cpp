@@ -1,0 +1,45 @@
+#include "appearance.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QApplication>
+#include <QFile>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QSurfaceFormat>
+
+/// A static library's resources are dropped by the linker unless asked for (the macro needs the global
+/// namespace).
+static void initialiseResources() { Q_INIT_RESOURCE(facenav); }
+
+namespace facenav::ui {
+
+void prepareSurfaceFormat() {
+  auto format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);  // the scenes smooth their own edges
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+void applyAppearance(QApplication& application) {
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QPalette palette;
+  palette.setColor(QPalette::Window, QColor(16, 20, 26));
+  palette.setColor(QPalette::WindowText, QColor(237, 241, 245));
+  palette.setColor(QPalette::Base, QColor(11, 13, 16));
+  palette.setColor(QPalette::AlternateBase, QColor(21, 25, 31));
+  palette.setColor(QPalette::Text, QColor(237, 241, 245));
+  palette.setColor(QPalette::Button, QColor(32, 39, 48));
+  palette.setColor(QPalette::ButtonText, QColor(237, 241, 245));
+  palette.setColor(QPalette::Highlight, QColor(38, 92, 140));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::ToolTipBase, QColor(32, 39, 48));
+  palette.setColor(QPalette::ToolTipText, QColor(237, 241, 245));
+  palette.setColor(QPalette::Disabled, QPalette::ButtonText, QColor(110, 118, 128));
+  palette.setColor(QPalette::Disabled, QPalette::Text, QColor(110, 118, 128));
+  QApplication::setPalette(palette);
+  initialiseResources();
+  QFile sheet(":/facenav/dark.qss");
+  if (sheet.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,231 @@
+#include "main_window.h"
+
+#include <QApplication>
+#include <QButtonGroup>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QScreen>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/status_chip.h"
+#include "widgets/task_bar.h"
+#include "workspaces/plan_workspace.h"
+#include "workspaces/prepare_workspace.h"
+#include "workspaces/treat_workspace.h"
+
+namespace facenav::ui {
+
+MainWindow::MainWindow(const Services& services, QWidget* parent)
+    : QMainWindow(parent),
+      services_(services),
+      prepare_(services_, model_, tasks_),
+      plan_(model_),
+      treat_(services_, model_, tasks_),
+      stack_(new QStackedWidget(this)) {
+  setWindowTitle(tr("FaceNav"));
+  setAcceptDrops(true);
+  prepare_workspace_ = new PrepareWorkspace(prepare_, model_, stack_);
+  auto* treat_workspace = new TreatWorkspace(treat_, model_, stack_);
+  stack_->addWidget(prepare_workspace_);
+  stack_->addWidget(new PlanWorkspace(plan_, model_, stack_));
+  stack_->addWidget(treat_workspace);
+  task_bar_ = new TaskBar(tasks_, this);
+  auto* centre = new QWidget(this);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(makeHeader());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(makeNavigation());
+  row->addWidget(stack_, 1);
+  column->addLayout(row, 1);
+  column->addWidget(task_bar_);
+  setCentralWidget(centre);
+  addMenus();
+  const QSize room = QApplication::primaryScreen()->availableSize();
+  resize(std::min(1480, room.width()), std::min(920, room.height()));
+  connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
+  connect(&model_, &CaseModel::alignmentChanged, this, &MainWindow::showCaseWords);
+  connect(&plan_, &PlanPresenter::refused, this,
+          [this](const QString& words) { task_bar_->showMessage(words, true); });
+  connect(treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
+  connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnPlaying);
+  connect(&tasks_, &TaskRunner::failed, this, [this] { to_play_.clear(); });
+  setWorkspace(Workspace::prepare);
+  showCaseWords();
+  task_bar_->showMessage(tr("Drop a DICOM folder, a NIfTI file or a case anywhere."), false);
+}
+
+MainWindow::~MainWindow() = default;
+
+QWidget* MainWindow::makeHeader() {
+  auto* header = new QFrame(this);
+  header->setObjectName("header");
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(16, 8, 16, 8);
+  auto* name = new QLabel(tr("FaceNav"), header);
+  name->setObjectName("name");
+  case_words_ = new QLabel(header);
+  case_words_->setObjectName("muted");
+  case_words_->setSizePolicy(QSizePolicy::Ignored,
+                             QSizePolicy::Preferred);  // long words give way to the state
+  timing_ = new QLabel(header);
+  timing_->setObjectName("muted");
+  timing_->setToolTip(
+      tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
+  cameras_ = new StatusChip(header);
+  face_ = new StatusChip(header);
+  coil_ = new StatusChip(header);
+  row->addWidget(name);
+  row->addSpacing(12);
+  row->addWidget(case_words_, 1);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(cameras_), static_cast<QWidget*>(face_), static_cast<QWidget*>(coil_)})
+    row->addWidget(widget);
+  row->addWidget(timing_);
+  return header;
+}
+
+QWidget* MainWindow::makeNavigation() {
+  auto* bar = new QFrame(this);
+  bar->setObjectName("navigation");
+  auto* column = new QVBoxLayout(bar);
+  column->setContentsMargins(8, 12, 8, 12);
+  navigation_ = new QButtonGroup(this);
+  const QString names[3] = {tr("\u25a3\nPrepare"), tr("\u25ce\nPlan"), tr("\u271a\nTreat")};
+  const QString tips[3] = {tr("MRI to case: series, masks, brain (Ctrl+1)"),
+                           tr("targets on the cortex (Ctrl+2)"), tr("align and guide the coil (Ctrl+3)")};
+  for (int i = 0; i < 3; ++i) {
+    auto* button = new QToolButton(bar);
+    button->setText(names[i]);
+    button->setToolTip(tips[i]);
+    button->setCheckable(true);
+    button->setShortcut(QKeySequence(Qt::CTRL + Qt::Key_1 + i));
+    button->setFixedSize(84, 68);
+    navigation_->addButton(button, i);
+    column->addWidget(button);
+  }
+  column->addStretch(1);
+  connect(navigation_, &QButtonGroup::idClicked, this, [this](int id) { setWorkspace(Workspace(id)); });
+  return bar;
+}
+
+void MainWindow::addMenus() {
+  auto* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(
+      tr("&Open case\u2026"), this,
+      [this] {
+        const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a case"));
+        if (!folder.isEmpty()) openCase(folder);
+      },
+      QKeySequence::Open);
+  file->addAction(
+      tr("&Read DICOM folder\u2026"), this,
+      [this] {
+        setWorkspace(Workspace::prepare);
+        prepare_workspace_->chooseInput();
+      },
+      Qt::CTRL + Qt::Key_I);
+  file->addSeparator();
+  file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+  auto* view = menuBar()->addMenu(tr("&View"));
+  auto* full = view->addAction(tr("&Full screen"), this,
+                               [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  full->setShortcut(Qt::Key_F11);
+}
+
+void MainWindow::setWorkspace(Workspace workspace) {
+  stack_->setCurrentIndex(int(workspace));
+  navigation_->button(int(workspace))->setChecked(true);
+  for (QWidget* widget : {static_cast<QWidget*>(cameras_), static_cast<QWidget*>(face_),
+                          static_cast<QWidget*>(coil_), static_cast<QWidget*>(timing_)})
+    widget->setVisible(workspace == Workspace::treat);
+}
+
+void MainWindow::openCase(const QString& folder) {
+  QSettings().setValue("last/case", QFileInfo(folder).absoluteFilePath());
+  prepare_.openCase(folder);
+}
+
+void MainWindow::play(const QString& recording) {
+  to_play_ = recording;
+  goOnPlaying();
+}
+
+/// Case opened -> recording opened -> aligned and started: each step begins when the one before has ended.
+void MainWindow::goOnPlaying() {
+  if (to_play_.isEmpty() || tasks_.isRunning()) return;
+  if (!treat_.hasRecording()) {
+    treat_.openRecording(to_play_);
+  } else if (model_.isOpen()) {
+    to_play_.clear();
+    treat_.align(true);
+  }
+}
+
+void MainWindow::restoreLast() {
+  const QSettings settings;
+  restoreGeometry(settings.value("last/geometry").toByteArray());
+  const QString folder = settings.value("last/case").toString();
+  if (!folder.isEmpty() && QFileInfo::exists(folder)) openCase(folder);
+  setWorkspace(Workspace(std::clamp(settings.value("last/workspace", 0).toInt(), 0, 2)));
+}
+
+void MainWindow::showCaseWords() {
+  if (!model_.isOpen()) {
+    case_words_->setText(tr("no case open"));
+    return;
+  }
+  const auto& c = model_.current();
+  QString words = tr("case %1").arg(c.id);
+  if (c.alignment) words += tr("  \u00b7  aligned %1 mm rms").arg(c.alignment->rms_mm, 0, 'f', 2);
+  for (const auto& [name, error_mm] :
+       c.alignment ? c.alignment->predicted_tre_mm : std::map<std::string, double>())
+    words += tr("  \u00b7  \u00b1%1 mm at %2").arg(error_mm, 0, 'f', 1).arg(QString::fromStdString(name));
+  case_words_->setText(words);
+}
+
+void MainWindow::showLive(const ReadOut& read_out) {
+  cameras_->set(read_out.cameras);
+  face_->set(read_out.face);
+  coil_->set(read_out.coil);
+  timing_->setText(read_out.timing);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = event->mimeData()->urls().value(0).toLocalFile();
+  if (path.isEmpty()) return;
+  const QFileInfo info(path);
+  if (QFileInfo::exists(path + "/case.json")) return openCase(path);
+  if (QFileInfo::exists(path + "/stereo.yml")) {
+    setWorkspace(Workspace::treat);
+    return treat_.openRecording(path);
+  }
+  setWorkspace(Workspace::prepare);
+  prepare_.openInput(info.isFile() && !path.contains(".nii") ? info.absolutePath() : path);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  treat_.stop();
+  QSettings settings;
+  settings.setValue("last/geometry", saveGeometry());
+  settings.setValue("last/workspace", stack_->currentIndex());
+  event->accept();
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,191 @@
+#include "presenters/plan_presenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/error.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr double kUsualHandle_rad = M_PI / 4;
+
+Point<Mri> nearestVertex(const surface::TriangleMesh& mesh, const Point<Mri>& p) {
+  Eigen::Vector3d best = p.mm;
+  double least = 1e300;
+  for (const auto& v : mesh.vertices_mm)
+    if (const double d = (v - p.mm).squaredNorm(); d < least) least = d, best = v;
+  return Point<Mri>(best);
+}
+
+}  // namespace
+
+PlanPresenter::PlanPresenter(CaseModel& model, QObject* parent) : QObject(parent), model_(model) {
+  connect(&model_, &CaseModel::opened, this, [this] {
+    undo_.clear();
+    redo_.clear();
+    active_ = plan().targets.empty() ? QString() : QString::fromStdString(plan().targets.front().name);
+    emit changed();
+  });
+}
+
+const guidance::TreatmentPlan& PlanPresenter::plan() const {
+  static const guidance::TreatmentPlan kNone;
+  return model_.isOpen() ? model_.current().plan : kNone;
+}
+
+const guidance::Target* PlanPresenter::active() const {
+  for (const auto& target : plan().targets)
+    if (target.name == active_.toStdString()) return &target;
+  return nullptr;
+}
+
+void PlanPresenter::setActive(const QString& name) {
+  if (name == active_) return;
+  active_ = name;
+  emit changed();
+}
+
+QString PlanPresenter::freeName() const {
+  for (int n = 1;; ++n) {
+    const QString name = tr("Target %1").arg(n);
+    const auto has = [&](const guidance::Target& t) { return t.name == name.toStdString(); };
+    if (std::none_of(plan().targets.begin(), plan().targets.end(), has)) return name;
+  }
+}
+
+void PlanPresenter::apply(const guidance::TreatmentPlan& plan_, const QString& active) {
+  const auto before = plan();
+  try {
+    model_.setPlan(plan_);
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return;
+  }
+  undo_.push_back(before);
+  redo_.clear();
+  active_ = active;
+  emit changed();
+}
+
+void PlanPresenter::addTarget(const Point<Mri>& cortex_point) {
+  if (!model_.isOpen()) return;
+  try {
+    auto next = plan();
+    const QString name = freeName();
+    next.targets.push_back(
+        guidance::planTarget(name.toStdString(), *model_.current().scalp, cortex_point, kUsualHandle_rad));
+    apply(next, name);
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+}
+
+void PlanPresenter::addTargetAtScalp(const Point<Mri>& scalp_point) {
+  if (!model_.isOpen()) return;
+  if (!model_.current().brain) {
+    emit refused(tr("no brain model: click on the slice where the target lies"));
+    return;
+  }
+  addTarget(nearestVertex(model_.current().brain->mesh, scalp_point));
+}
+
+void PlanPresenter::removeActive() {
+  if (!active()) return;
+  auto next = plan();
+  const auto is_active = [&](const guidance::Target& t) { return t.name == active_.toStdString(); };
+  next.targets.erase(std::remove_if(next.targets.begin(), next.targets.end(), is_active), next.targets.end());
+  apply(next, next.targets.empty() ? QString() : QString::fromStdString(next.targets.back().name));
+}
+
+void PlanPresenter::replaceActive(const guidance::Target& target) {
+  auto next = plan();
+  for (auto& t : next.targets)
+    if (t.name == active_.toStdString()) t = target;
+  apply(next, QString::fromStdString(target.name));
+}
+
+void PlanPresenter::renameActive(const QString& name) {
+  const auto* target = active();
+  const QString wanted = name.trimmed();
+  if (!target || wanted.isEmpty() || wanted == active_) return;
+  for (const auto& other : plan().targets)
+    if (other.name == wanted.toStdString()) {
+      emit refused(tr("there is a target '%1' already").arg(wanted));
+      emit changed();
+      return;
+    }
+  auto renamed = *target;
+  renamed.name = wanted.toStdString();
+  replaceActive(renamed);
+}
+
+void PlanPresenter::turnActive(double degrees) {
+  const auto* target = active();
+  if (!target) return;
+  auto turned = *target;
+  const RigidTransform<Target, Target> about_z(
+      Eigen::Quaterniond(Eigen::AngleAxisd(degrees * M_PI / 180.0, Eigen::Vector3d::UnitZ())),
+      Eigen::Vector3d::Zero());
+  turned.mri_T_target = target->mri_T_target * about_z;
+  replaceActive(turned);
+}
+
+void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
+  const auto* target = active();
+  if (!target) return;
+  try {
+    const double angle_deg = handleAngle_deg(*target);
+    const Eigen::Vector3d step = target->mri_T_target.rotation() * Eigen::Vector3d(x_mm, y_mm, 0.0);
+    auto moved = guidance::planTarget(target->name, *model_.current().scalp,
+                                      Point<Mri>(target->cortex_point.mm + step), angle_deg * M_PI / 180.0);
+    moved.note = target->note;
+    replaceActive(moved);
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+}
+
+void PlanPresenter::undo() {
+  if (undo_.empty()) return;
+  const auto earlier = undo_.back();
+  auto undone = undo_;
+  undone.pop_back();
+  auto redone = redo_;
+  redone.push_back(plan());
+  apply(earlier, earlier.targets.empty() ? QString() : QString::fromStdString(earlier.targets.back().name));
+  undo_ = undone;
+  redo_ = redone;
+  emit changed();
+}
+
+void PlanPresenter::redo() {
+  if (redo_.empty()) return;
+  const auto later = redo_.back();
+  auto redone = redo_;
+  redone.pop_back();
+  apply(later, later.targets.empty() ? QString() : QString::fromStdString(later.targets.back().name));
+  redo_ = redone;
+  emit changed();
+}
+
+double PlanPresenter::handleAngle_deg(const guidance::Target& target) {
+  const Eigen::Vector3d z = target.mri_T_target.rotation().col(2), y = target.mri_T_target.rotation().col(1);
+  const Eigen::Vector3d anterior(0, 1, 0);
+  const Eigen::Vector3d tangent = anterior - anterior.dot(z) * z;
+  if (tangent.norm() < 1e-6) return 0.0;
+  return std::acos(std::clamp(y.dot(tangent.normalized()), -1.0, 1.0)) * 180.0 / M_PI;
+}
+
+QString PlanPresenter::describe(const guidance::Target& target) {
+  const Eigen::Vector3d& c = target.cortex_point.mm;
+  const auto side = [](double mm, const QString& positive, const QString& negative) {
+    return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
+  };
+  return tr("%1 %2 %3 mm\n%4 mm below the skin\nhandle %5\u00b0 from anterior")
+      .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
+      .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
+      .arg(handleAngle_deg(target), 0, 'f', 0);
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,56 @@
+#pragma once
+// PlanPresenter: targets on the cortex: made by a click, turned, renamed, removed; every step can be undone
+// and is saved in the case at once.
+
+#include <QObject>
+
+#include "presenters/case_model.h"
+
+namespace facenav::ui {
+
+class PlanPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PlanPresenter(CaseModel& model, QObject* parent = nullptr);
+
+  /// A new target under the scalp at a point of the cortex, the handle at 45 degrees; it becomes the active
+  /// one.
+  void addTarget(const Point<Mri>& cortex_point);
+  /// A click on the scalp means the brain surface nearest below it.
+  void addTargetAtScalp(const Point<Mri>& scalp_point);
+  void removeActive();
+  void renameActive(const QString& name);
+  /// Turns the handle; > 0 as seen along the coil's z, clockwise.
+  void turnActive(double degrees);
+  /// Moves the active target along the scalp (Coil x and y, mm).
+  void nudgeActive(double x_mm, double y_mm);
+  void undo();
+  void redo();
+
+  bool canUndo() const { return !undo_.empty(); }
+  bool canRedo() const { return !redo_.empty(); }
+  const guidance::TreatmentPlan& plan() const;
+  void setActive(const QString& name);
+  QString activeName() const { return active_; }
+  const guidance::Target* active() const;
+  /// Angle of the handle from anterior in the tangent plane, 0..180 degrees.
+  static double handleAngle_deg(const guidance::Target& target);
+  /// "RAS -37 -21 58   gap 14 mm   handle 45 deg".
+  static QString describe(const guidance::Target& target);
+
+ signals:
+  void changed();
+  void refused(const QString& words);
+
+ private:
+  void apply(const guidance::TreatmentPlan& plan, const QString& active);
+  void replaceActive(const guidance::Target& target);
+  QString freeName() const;
+
+  CaseModel& model_;
+  QString active_;
+  std::vector<guidance::TreatmentPlan> undo_, redo_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,102 @@
+#include "presenters/prepare_presenter.h"
+
+#include <QFileInfo>
+
+namespace facenav::ui {
+namespace {
+
+bool isNifti(const QString& path) {
+  return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) ||
+         path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
+}
+
+std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdString()); }
+
+}  // namespace
+
+PreparePresenter::PreparePresenter(const Services& services, CaseModel& model, TaskRunner& tasks,
+                                   QObject* parent)
+    : QObject(parent), services_(services), model_(model), tasks_(tasks) {}
+
+void PreparePresenter::openInput(const QString& path) {
+  if (isNifti(path)) {
+    input_ = path;
+    series_.clear();
+    lines_ = {{QFileInfo(path).fileName(), tr("NIfTI volume"), true, true}};
+    emit linesChanged();
+    return;
+  }
+  tasks_.start(tr("Looking for series"), [this, path](TaskMonitor& monitor) -> TaskRunner::Delivery {
+    auto series = services_.listSeries(toPath(path), monitor);
+    return [this, path, series = std::move(series)] { setSeries(path, series); };
+  });
+}
+
+void PreparePresenter::setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series) {
+  input_ = input;
+  series_ = series;
+  lines_.clear();
+  for (const auto& s : series) {
+    SeriesLine line;
+    line.title = s.description.empty() ? tr("(no description)") : QString::fromStdString(s.description);
+    line.detail = tr("%1  %2  %3 x %4 x %5  %6 mm  %7")
+                      .arg(QString::fromStdString(s.modality), QString::fromStdString(s.plane))
+                      .arg(s.columns)
+                      .arg(s.rows)
+                      .arg(s.slices)
+                      .arg(s.spacing_mm.maxCoeff(), 0, 'f', 2)
+                      .arg(QString::fromStdString(s.date));
+    if (!s.is_loadable) line.detail = tr("not usable: %1").arg(QString::fromStdString(s.problem));
+    line.is_usable = s.is_loadable;
+    line.is_recommended = s.is_recommended;
+    lines_.push_back(line);
+  }
+  emit linesChanged();
+}
+
+int PreparePresenter::recommendedLine() const {
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    if (lines_[i].is_recommended) return int(i);
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    if (lines_[i].is_usable) return int(i);
+  return -1;
+}
+
+void PreparePresenter::prepare(int line, const QString& case_folder) {
+  if (line < 0 || std::size_t(line) >= lines_.size() || !lines_[std::size_t(line)].is_usable) return;
+  PrepareOrder order{toPath(input_), toPath(case_folder), std::nullopt};
+  if (!series_.empty()) order.series_uid = series_[std::size_t(line)].series_uid;
+  tasks_.start(tr("Preparing the case"), [this, order](TaskMonitor& monitor) -> TaskRunner::Delivery {
+    services_.prepareCase(order, monitor);
+    auto loaded = loadCase(order.case_folder, monitor);
+    return [this, loaded] { model_.open(loaded); };
+  });
+}
+
+void PreparePresenter::openCase(const QString& folder) {
+  tasks_.start(tr("Opening the case"), [this, folder](TaskMonitor& monitor) -> TaskRunner::Delivery {
+    auto loaded = loadCase(toPath(folder), monitor);
+    return [this, loaded] { model_.open(loaded); };
+  });
+}
+
+std::vector<FindingLine> PreparePresenter::findings() const {
+  std::vector<FindingLine> lines;
+  if (!model_.isOpen()) return lines;
+  const auto& c = model_.current();
+  const Eigen::Vector3d spacing_mm = c.mri->grid.spacing_mm();
+  lines.push_back({tr("voxels %1 x %2 x %3 mm")
+                       .arg(spacing_mm.x(), 0, 'f', 2)
+                       .arg(spacing_mm.y(), 0, 'f', 2)
+                       .arg(spacing_mm.z(), 0, 'f', 2),
+                   spacing_mm.maxCoeff() > 1.3});
+  lines.push_back(
+      {c.scalp->has_face ? tr("a face to align to") : tr("no face to align to"), !c.scalp->has_face});
+  if (c.brain_mask)
+    lines.push_back(
+        {tr("brain %1 ml (usual 900-1900 ml)").arg(std::lround(c.brain_mask->volume_ml())), false});
+  for (const auto& finding : c.findings) lines.push_back({QString::fromStdString(finding), true});
+  return lines;
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,61 @@
+#include "presenters/read_out.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace facenav::ui {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
+
+template <class T>
+Chip chip(const QString& name, const Tracked<T>& tracked) {
+  if (!tracked)
+    return {tr("%1 LOST").arg(name), QString::fromStdString(toString(tracked.reason())), Level::lost};
+  const bool is_weak = tracked.quality() < 0.4;
+  return {is_weak ? tr("%1 weak").arg(name) : tr("%1 tracked").arg(name),
+          tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
+}
+
+QString whole(double degrees, bool is_signed) {
+  const long value = std::lround(degrees);
+  return (is_signed && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value) + QChar(0x00b0);
+}
+
+}  // namespace
+
+ReadOut makeReadOut(const session::NavigationState& state) {
+  ReadOut out;
+  const QString dash(QChar(0x2013));
+  out.across = out.depth = out.tilt = out.twist = dash;
+  const bool has_images = state.images != nullptr && state.failure.empty();
+  const bool is_stale =
+      !state.head && (state.head.reason() == LostReason::stale || state.head.reason() == LostReason::camera);
+  out.cameras = {has_images && !is_stale ? tr("CAMERAS on") : tr("CAMERAS no images"), QString(),
+                 has_images && !is_stale ? Level::good : Level::lost};
+  out.face = chip(tr("FACE"), state.head);
+  out.coil = chip(tr("COIL"), state.coil);
+  out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));
+  const auto& g = state.guidance;
+  const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
+  if (has_values) {
+    out.across = QString::number(g.values->lateral_mm, 'f', 1);
+    out.depth = (g.values->depth_mm >= 0.05 ? QStringLiteral("+") : QString()) +
+                QString::number(g.values->depth_mm, 'f', 1);
+    out.tilt = whole(g.values->tilt_rad * 180 / M_PI, false);
+    out.twist = whole(g.values->twist_rad * 180 / M_PI, true);
+    if (g.predicted_error_mm > 0)
+      out.predicted = tr("\u00b1%1 mm at the target").arg(g.predicted_error_mm, 0, 'f', 1);
+    out.level = g.state == guidance::State::on_target ? Level::good : Level::caution;
+    const QString words = QString::fromStdString(g.instruction);
+    out.instruction = out.level == Level::good ? tr("ON TARGET: %1").arg(words) : tr("ADJUST: %1").arg(words);
+  } else {
+    const QString loss = QString::fromStdString(session::lossInWords(state));
+    out.instruction = !loss.isEmpty()        ? loss
+                      : state.target.empty() ? tr("choose a target")
+                                             : QString::fromStdString(g.instruction);
+  }
+  return out;
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,29 @@
+#pragma once
+// ReadOut: a NavigationState in the words and figures that the Treat workspace shows. Lost: every figure is
+// blank.
+
+#include <QString>
+
+#include "facenav/session/navigation_state.h"
+
+namespace facenav::ui {
+
+enum class Level { good, caution, lost };
+
+struct Chip {
+  QString words, tip;
+  Level level = Level::lost;
+};
+
+struct ReadOut {
+  QString across, depth, tilt, twist;  // "2.4", "+1.0", "3\u00b0"; a dash when there is none
+  QString predicted;                   // "\u00b10.8 mm at the target", or empty
+  QString instruction;
+  Level level = Level::lost;
+  Chip cameras, face, coil;
+  QString timing;  // "4.1 ms   0 dropped"
+};
+
+ReadOut makeReadOut(const session::NavigationState& state);
+
+}  // namespace facenav::ui

@@ -1,0 +1,40 @@
+#pragma once
+// Services: the steps that the window asks for, as functions handed in by app/gui_main (the only place that
+// names implementations). They run on worker threads, throw Error, and are the same code as the command
+// line's verbs.
+
+#include <QString>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/dicom/series.h"
+#include "facenav/session/align_from_capture.h"
+#include "facenav/session/session.h"
+
+namespace facenav::ui {
+
+struct PrepareOrder {
+  std::filesystem::path input, case_folder;
+  std::optional<std::string> series_uid;
+};
+
+struct Services {
+  std::function<std::vector<dicom::SeriesInfo>(const std::filesystem::path&, TaskMonitor&)> listSeries;
+  /// Makes the case folder; replaces the model of a case that exists.
+  std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
+  /// Aligns from a recording's capture pair, or the one stored with the case, and stores the result in the
+  /// case.
+  std::function<session::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
+                                          TaskMonitor&)>
+      align;
+  std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
+  std::function<tracking::CoilModel(const std::filesystem::path&)> readCoil;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,138 @@
+#include "presenters/treat_presenter.h"
+
+#include <QFileInfo>
+
+namespace facenav::ui {
+
+TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
+    : QObject(parent), services_(services), model_(model), tasks_(tasks), coil_(tracking::defaultCoil()) {
+  connect(&model_, &CaseModel::opened, this, [this] {
+    stop();
+    outcome_.reset();
+    const auto& targets = model_.current().plan.targets;
+    target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
+    emit changed();
+  });
+  connect(&model_, &CaseModel::planChanged, this, [this] {
+    if (!target())
+      target_ = model_.current().plan.targets.empty()
+                    ? QString()
+                    : QString::fromStdString(model_.current().plan.targets.front().name);
+    chooseTarget(target_);
+  });
+}
+
+TreatPresenter::~TreatPresenter() = default;
+
+void TreatPresenter::openRecording(const QString& folder) {
+  tasks_.start(tr("Opening the recording"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
+    const std::filesystem::path path(folder.toStdString());
+    auto recording = std::make_shared<capture::Recording>(capture::openRecording(path));
+    const auto coil_file = path / "coil.json";
+    auto coil = std::make_shared<tracking::CoilModel>(
+        std::filesystem::exists(coil_file) ? services_.readCoil(coil_file) : tracking::defaultCoil());
+    return [this, recording, coil] {
+      stop();
+      recording_ = *recording;
+      coil_ = *coil;
+      outcome_.reset();
+      emit changed();
+    };
+  });
+}
+
+void TreatPresenter::align(bool then_start) {
+  if (!model_.isOpen() || !recording_) return;
+  tasks_.start(tr("Aligning the head"),
+               [this, then_start, store = model_.current().store,
+                recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                 auto outcome =
+                     std::make_shared<session::AlignmentOutcome>(services_.align(store, recording, monitor));
+                 return [this, outcome, then_start] {
+                   outcome_ = outcome;
+                   model_.setAlignment(outcome->stored());
+                   emit changed();
+                   if (then_start) start();
+                 };
+               });
+}
+
+void TreatPresenter::start() {
+  if (!recording_ || !outcome_ || isRunning()) return;
+  session::NavigatorSetup setup;
+  setup.rig = recording_->rig;
+  setup.reference = outcome_->reference;
+  setup.camera_T_mri_at_reference = outcome_->result.camera_T_mri;
+  setup.coil = coil_;
+  tasks_.start(tr("Starting the trackers"), [this, setup](TaskMonitor&) -> TaskRunner::Delivery {
+    std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
+    return [this, navigator] { startNavigator(navigator); };
+  });
+}
+
+void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator) {
+  navigator->setTarget(chosen());
+  session_ = std::make_unique<session::Session>(capture::makeSource(*recording_),
+                                                std::make_unique<session::Navigator>(std::move(*navigator)),
+                                                session::SessionOptions{});
+  session_->start();
+  emit changed();
+}
+
+void TreatPresenter::stop() {
+  session_.reset();
+  emit changed();
+}
+
+void TreatPresenter::chooseTarget(const QString& name) {
+  target_ = name;
+  if (session_) session_->setTarget(chosen());
+  emit changed();
+}
+
+const guidance::Target* TreatPresenter::target() const {
+  if (!model_.isOpen()) return nullptr;
+  for (const auto& t : model_.current().plan.targets)
+    if (t.name == target_.toStdString()) return &t;
+  return nullptr;
+}
+
+std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
+  const auto* t = target();
+  if (!t) return std::nullopt;
+  return session::ChosenTarget{*t, outcome_ ? outcome_->result.predictedError_mm(t->cortex_point) : 0.0};
+}
+
+QString TreatPresenter::recordingWords() const {
+  if (!recording_) return tr("no recording opened");
+  return tr("%1: %2 frames, %3 per s%4")
+      .arg(QString::fromStdString(recording_->folder.filename().string()))
+      .arg(qlonglong(recording_->frame_count))
+      .arg(recording_->frames_per_s, 0, 'f', 0)
+      .arg(recording_->has_timestamps ? QString() : tr(" (assumed)"));
+}
+
+QString TreatPresenter::alignmentWords() const {
+  if (!outcome_) return tr("not aligned in this session");
+  QString words = tr("aligned: %1 mm rms over %2 points")
+                      .arg(outcome_->result.rms_mm, 0, 'f', 2)
+                      .arg(outcome_->result.points);
+  if (const auto* t = target())
+    words += tr(", \u00b1%1 mm at %2")
+                 .arg(outcome_->result.predictedError_mm(t->cortex_point), 0, 'f', 1)
+                 .arg(target_);
+  return words;
+}
+
+std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
+  if (session_) return session_->latest();
+  return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
+}
+
+session::CameraOverlay TreatPresenter::overlay(const session::NavigationState& state) const {
+  if (!recording_) return {};
+  const auto* t = target();
+  return session::drawOverlay(recording_->rig, state, t ? std::optional<guidance::Target>(*t) : std::nullopt);
+}
+
+}  // namespace facenav::ui

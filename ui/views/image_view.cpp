@@ -1,0 +1,36 @@
+#include "views/image_view.h"
+
+#include <QPainter>
+
+namespace facenav::ui {
+
+QImage toQImage(const RgbImage& image) {
+  if (image.empty()) return {};
+  return QImage(image.rgb.data(), image.width_px, image.height_px, image.width_px * 3, QImage::Format_RGB888)
+      .copy();
+}
+
+ImageView::ImageView(const QString& when_empty, QWidget* parent) : QWidget(parent), when_empty_(when_empty) {
+  setMinimumSize(200, 150);
+}
+
+void ImageView::set(const RgbImage& image) {
+  image_ = toQImage(image);
+  update();
+}
+
+void ImageView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(11, 13, 16));
+  if (image_.isNull()) {
+    painter.setPen(QColor(158, 171, 184));
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, when_empty_);
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  const QSize size = image_.size().scaled(rect().size(), Qt::KeepAspectRatio);
+  painter.drawImage(QRect(QPoint((width() - size.width()) / 2, (height() - size.height()) / 2), size),
+                    image_);
+}
+
+}  // namespace facenav::ui

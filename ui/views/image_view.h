@@ -1,0 +1,28 @@
+#pragma once
+// ImageView: an RgbImage, scaled to the widget with its aspect kept (the camera views).
+
+#include <QImage>
+#include <QWidget>
+
+#include "facenav/core/rgb_image.h"
+
+namespace facenav::ui {
+
+QImage toQImage(const RgbImage& image);
+
+class ImageView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImageView(const QString& when_empty, QWidget* parent = nullptr);
+  void set(const RgbImage& image);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QImage image_;
+  QString when_empty_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,38 @@
+#pragma once
+// LinkedViews: three slice views and the 3-D view of one case, linked by one crosshair.
+
+#include <QWidget>
+#include <array>
+#include <memory>
+
+#include "presenters/case_model.h"
+#include "views/scene_view.h"
+#include "views/slice_view.h"
+
+namespace facenav::ui {
+
+class LinkedViews : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LinkedViews(QWidget* parent = nullptr);
+  void show(const LoadedCase& loaded);
+  void setTargets(const guidance::TreatmentPlan& plan, const std::string& active);
+  void setMasksShown(bool are_shown);
+  void setCrosshair(const Point<Mri>& at);
+  SceneView& sceneView() { return *scene_view_; }
+
+ signals:
+  /// Double click on a slice, or click on brain or scalp.
+  void chosen(double x_mm, double y_mm, double z_mm, bool is_scalp);
+
+ private:
+  void refreshSlices();
+
+  std::array<SliceView*, 3> slices_;
+  SceneView* scene_view_;
+  std::shared_ptr<scene::SliceScene> slice_scene_;
+  std::vector<scene::SliceContour> contours_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,130 @@
+#include "views/slice_view.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "views/image_view.h"
+
+namespace facenav::ui {
+namespace {
+
+QString nameOf(volume::Anatomical orientation) {
+  switch (orientation) {
+    case volume::Anatomical::axial:
+      return SliceView::tr("axial");
+    case volume::Anatomical::coronal:
+      return SliceView::tr("coronal");
+    case volume::Anatomical::sagittal:
+      return SliceView::tr("sagittal");
+  }
+  return {};
+}
+
+}  // namespace
+
+SliceView::SliceView(volume::Anatomical orientation, QWidget* parent)
+    : QWidget(parent), orientation_(orientation) {
+  setMinimumSize(160, 140);
+  setFocusPolicy(Qt::ClickFocus);
+  setToolTip(
+      tr("left: crosshair   wheel: slice   right: zoom   middle: pan   Ctrl+left: window/level   double "
+         "click: choose"));
+}
+
+void SliceView::setScene(std::shared_ptr<scene::SliceScene> scene) {
+  scene_ = std::move(scene);
+  zoom_ = 1.0;
+  pan_mm_.setZero();
+  refresh();
+}
+
+void SliceView::refresh() {
+  is_outdated_ = true;
+  update();
+}
+
+volume::SlicePlane SliceView::plane() const {
+  const auto& grid = scene_->mri->grid;
+  const Point<Mri> through = scene_->crosshair.value_or(grid.centre());
+  volume::SlicePlane plane = volume::anatomicalPlane(grid, orientation_, through);
+  const double whole_width_mm = plane.width, whole_height_mm = plane.height;
+  const Eigen::Vector3d centre = plane.toMri(0.5 * (plane.width - 1), 0.5 * (plane.height - 1)).mm +
+                                 pan_mm_.x() * plane.right.v + pan_mm_.y() * plane.down.v;
+  plane.width = std::max(16, width());
+  plane.height = std::max(16, height());
+  plane.spacing_mm = std::max(whole_width_mm / plane.width, whole_height_mm / plane.height) * 1.04 / zoom_;
+  plane.origin = Point<Mri>(centre - plane.spacing_mm * (0.5 * (plane.width - 1) * plane.right.v +
+                                                         0.5 * (plane.height - 1) * plane.down.v));
+  return plane;
+}
+
+Point<Mri> SliceView::pointAt(const QPoint& position) const {
+  return plane().toMri(position.x(), position.y());
+}
+
+void SliceView::moveCrosshair(const Point<Mri>& to) { emit crosshairMoved(to.mm.x(), to.mm.y(), to.mm.z()); }
+
+void SliceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(0, 0, 0));
+  if (!scene_ || !scene_->mri) {
+    painter.setPen(QColor(120, 130, 140));
+    painter.drawText(rect(), Qt::AlignCenter, nameOf(orientation_));
+    return;
+  }
+  if (is_outdated_) picture_ = toQImage(scene_->picture(plane()));
+  is_outdated_ = false;
+  painter.drawImage(0, 0, picture_);
+  painter.setPen(QColor(158, 171, 184));
+  painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignLeft | Qt::AlignTop, nameOf(orientation_));
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  last_ = event->pos();
+  if (scene_ && scene_->mri && event->button() == Qt::LeftButton &&
+      !(event->modifiers() & Qt::ControlModifier))
+    moveCrosshair(pointAt(event->pos()));
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  if (!scene_ || !scene_->mri) return;
+  const QPoint step = event->pos() - last_;
+  last_ = event->pos();
+  if (event->buttons() & Qt::LeftButton && event->modifiers() & Qt::ControlModifier) {
+    const double range = std::max(1e-3, scene_->white - scene_->black);
+    const double width = range * (1.0 + 0.005 * step.x());
+    const double level = 0.5 * (scene_->white + scene_->black) + range * 0.003 * step.y();
+    scene_->black = level - 0.5 * width;
+    scene_->white = level + 0.5 * width;
+    emit windowChanged();
+  } else if (event->buttons() & Qt::LeftButton) {
+    moveCrosshair(pointAt(event->pos()));
+  } else if (event->buttons() & Qt::RightButton) {
+    zoom_ = std::clamp(zoom_ * (1.0 - 0.01 * step.y()), 0.5, 12.0);
+    refresh();
+  } else if (event->buttons() & Qt::MiddleButton) {
+    pan_mm_ -= plane().spacing_mm * Eigen::Vector2d(step.x(), step.y());
+    refresh();
+  }
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (!scene_ || !scene_->mri) return;
+  const auto p = pointAt(event->pos());
+  emit chosen(p.mm.x(), p.mm.y(), p.mm.z());
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  if (!scene_ || !scene_->mri) return;
+  const auto p = plane();
+  const Eigen::Vector3d normal = p.right.v.cross(p.down.v);
+  const double step_mm = event->angleDelta().y() > 0 ? 1.0 : -1.0;
+  const Eigen::Vector3d from = scene_->crosshair.value_or(scene_->mri->grid.centre()).mm;
+  moveCrosshair(Point<Mri>(from - step_mm * normal));
+}
+
+void SliceView::resizeEvent(QResizeEvent*) { refresh(); }
+
+}  // namespace facenav::ui

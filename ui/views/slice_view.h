@@ -1,0 +1,53 @@
+#pragma once
+// SliceView: one anatomical plane through the crosshair. Left: crosshair, wheel: slice, right: zoom, middle:
+// pan, Ctrl+left: window and level, double click: a point is chosen. The picture comes from
+// scene::SliceScene.
+
+#include <QImage>
+#include <QPoint>
+#include <QWidget>
+#include <memory>
+
+#include "facenav/scene/slice_scene.h"
+
+namespace facenav::ui {
+
+class SliceView : public QWidget {
+  Q_OBJECT
+
+ public:
+  SliceView(volume::Anatomical orientation, QWidget* parent = nullptr);
+  /// Shared by the linked views; null: empty.
+  void setScene(std::shared_ptr<scene::SliceScene> scene);
+  /// Draws again after the scene's content changed.
+  void refresh();
+
+ signals:
+  void crosshairMoved(double x_mm, double y_mm, double z_mm);
+  void chosen(double x_mm, double y_mm, double z_mm);
+  /// The scene's window changed; the linked views draw again.
+  void windowChanged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  volume::SlicePlane plane() const;
+  Point<Mri> pointAt(const QPoint& position) const;
+  void moveCrosshair(const Point<Mri>& to);
+
+  volume::Anatomical orientation_;
+  std::shared_ptr<scene::SliceScene> scene_;
+  QImage picture_;
+  bool is_outdated_ = true;
+  double zoom_ = 1.0;
+  Eigen::Vector2d pan_mm_ = Eigen::Vector2d::Zero();
+  QPoint last_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,64 @@
+#include "widgets/figures_panel.h"
+
+#include <QGridLayout>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace facenav::ui {
+
+FiguresPanel::FiguresPanel(QWidget* parent)
+    : QFrame(parent), banner_(new QLabel(this)), predicted_(new QLabel(this)) {
+  setObjectName("panel");
+  auto* column = new QVBoxLayout(this);
+  banner_->setObjectName("banner");
+  banner_->setWordWrap(true);
+  banner_->setAlignment(Qt::AlignCenter);
+  banner_->setMinimumHeight(84);
+  column->addWidget(banner_);
+  auto* grid = new QGridLayout;
+  const QString names[4] = {tr("across, mm"), tr("depth, mm"), tr("tilt"), tr("twist")};
+  const QString tips[4] = {tr("distance of the coil's centre from the target, across the target's axis"),
+                           tr("along the target's axis: + too deep, - stands off"),
+                           tr("angle between the coil's axis and the target's"),
+                           tr("turn of the handle that is left, about the axis")};
+  for (int i = 0; i < 4; ++i) {
+    auto* value = values_[std::size_t(i)] = new QLabel(QString(QChar(0x2013)), this);
+    value->setObjectName(i == 0 ? "figure_main" : "figure");
+    value->setToolTip(tips[i]);
+    value->setAccessibleName(names[i]);
+    auto* name = new QLabel(names[i], this);
+    name->setObjectName("muted");
+    name->setToolTip(tips[i]);
+    grid->addWidget(value, i / 2 * 2, i % 2, Qt::AlignCenter);
+    grid->addWidget(name, i / 2 * 2 + 1, i % 2, Qt::AlignCenter);
+  }
+  column->addLayout(grid, 1);
+  predicted_->setObjectName("muted");
+  predicted_->setAlignment(Qt::AlignCenter);
+  predicted_->setToolTip(tr("predicted error of the alignment at the target (one standard deviation)"));
+  column->addWidget(predicted_);
+}
+
+void FiguresPanel::set(const ReadOut& read_out) {
+  const char* level = read_out.level == Level::good      ? "good"
+                      : read_out.level == Level::caution ? "caution"
+                                                         : "lost";
+  if (banner_->property("level").toString() != level) {
+    banner_->setProperty("level", level);
+    banner_->style()->unpolish(banner_);
+    banner_->style()->polish(banner_);
+  }
+  banner_->setText(read_out.instruction);
+  values_[0]->setText(read_out.across);
+  values_[1]->setText(read_out.depth);
+  values_[2]->setText(read_out.tilt);
+  values_[3]->setText(read_out.twist);
+  predicted_->setText(read_out.predicted);
+}
+
+std::array<QString, 4> FiguresPanel::figures() const {
+  return {values_[0]->text(), values_[1]->text(), values_[2]->text(), values_[3]->text()};
+}
+
+}  // namespace facenav::ui

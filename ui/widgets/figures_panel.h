@@ -1,0 +1,29 @@
+#pragma once
+// FiguresPanel: the read-out of the Treat workspace, legible from two metres: instruction, then across,
+// depth, tilt and twist at 48 pt and more. Lost: dashes.
+
+#include <QFrame>
+#include <QLabel>
+#include <array>
+
+#include "presenters/read_out.h"
+
+namespace facenav::ui {
+
+class FiguresPanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FiguresPanel(QWidget* parent = nullptr);
+  void set(const ReadOut& read_out);
+  /// What stands there now (for tests and screen readers): across, depth, tilt, twist.
+  std::array<QString, 4> figures() const;
+  QString instruction() const { return banner_->text(); }
+
+ private:
+  QLabel* banner_;
+  std::array<QLabel*, 4> values_;
+  QLabel* predicted_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,67 @@
+#include "widgets/task_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+#include <QVariant>
+#include <algorithm>
+
+#include "presenters/task_runner.h"
+
+namespace facenav::ui {
+
+TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
+    : QFrame(parent),
+      words_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  setObjectName("taskbar");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 4, 14, 4);
+  row->addWidget(words_, 1);
+  row->addWidget(bar_);
+  row->addWidget(cancel_);
+  bar_->setFixedWidth(260);
+  bar_->setRange(0, 1000);
+  cancel_->setToolTip(tr("stop this step; nothing half-done is kept (Esc)"));
+  cancel_->setShortcut(Qt::Key_Escape);
+  setBusy(false);
+  connect(cancel_, &QPushButton::clicked, &tasks, &TaskRunner::cancel);
+  connect(&tasks, &TaskRunner::started, this, [this](const QString& title) {
+    title_ = title;
+    elapsed_.start();
+    showProgress({}, 0.0);
+    setBusy(true);
+  });
+  connect(&tasks, &TaskRunner::progressed, this,
+          [this](const QString& step, double f) { showProgress(step, f); });
+  connect(&tasks, &TaskRunner::succeeded, this, [this] { showMessage(tr("%1: done").arg(title_), false); });
+  connect(&tasks, &TaskRunner::cancelled, this,
+          [this] { showMessage(tr("%1: cancelled").arg(title_), false); });
+  connect(&tasks, &TaskRunner::failed, this, [this](const QString& words) { showMessage(words, true); });
+}
+
+void TaskBar::setBusy(bool is_busy) {
+  bar_->setVisible(is_busy);
+  cancel_->setVisible(is_busy);
+}
+
+void TaskBar::showProgress(const QString& step, double fraction) {
+  bar_->setValue(int(1000 * std::clamp(fraction, 0.0, 1.0)));
+  words_->setProperty("level", "none");
+  words_->setText(step.isEmpty() ? title_ + QChar(0x2026)
+                                 : tr("%1: %2  (%3 s)").arg(title_, step).arg(elapsed_.elapsed() / 1000));
+}
+
+void TaskBar::showMessage(const QString& words, bool is_failure) {
+  setBusy(false);
+  words_->setProperty("level", is_failure ? "caution" : "none");
+  words_->style()->unpolish(words_);
+  words_->style()->polish(words_);
+  words_->setText(is_failure ? tr("Could not be done: %1").arg(words) : words);
+  words_->setToolTip(words);
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,33 @@
+#pragma once
+// TaskBar: step, percentage, time left and Cancel of the running task; else the last message.
+
+#include <QElapsedTimer>
+#include <QFrame>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace facenav::ui {
+
+class TaskRunner;
+
+class TaskBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  TaskBar(TaskRunner& tasks, QWidget* parent = nullptr);
+  void showMessage(const QString& words, bool is_failure);
+
+ private:
+  void setBusy(bool is_busy);
+  void showProgress(const QString& step, double fraction);
+
+  QLabel* words_;
+  QProgressBar* bar_;
+  QPushButton* cancel_;
+  QElapsedTimer elapsed_;
+  QString title_;
+};
+
+}  // namespace facenav::ui

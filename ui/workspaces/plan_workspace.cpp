@@ -1,0 +1,141 @@
+#include "workspaces/plan_workspace.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+#include "views/linked_views.h"
+
+namespace facenav::ui {
+
+PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, CaseModel& model, QWidget* parent)
+    : QWidget(parent), presenter_(presenter), model_(model), views_(new LinkedViews(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(10, 10, 10, 10);
+  row->addWidget(views_, 1);
+  row->addWidget(makeTargetsPanel());
+  addKeys();
+  connect(&model_, &CaseModel::opened, this, [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  });
+  connect(&presenter_, &PlanPresenter::changed, this, &PlanWorkspace::showPlan);
+  connect(views_, &LinkedViews::chosen, this, [this](double x, double y, double z, bool is_scalp) {
+    is_scalp ? presenter_.addTargetAtScalp({x, y, z}) : presenter_.addTarget({x, y, z});
+  });
+}
+
+QWidget* PlanWorkspace::makeTargetsPanel() {
+  auto* panel = new QFrame(this);
+  panel->setObjectName("panel");
+  panel->setFixedWidth(290);
+  auto* column = new QVBoxLayout(panel);
+  auto* heading = new QLabel(tr("Targets"), panel);
+  heading->setObjectName("heading");
+  targets_ = new QListWidget(panel);
+  targets_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  targets_->setToolTip(tr("double click or F2: rename"));
+  detail_ = new QLabel(panel);
+  detail_->setWordWrap(true);
+  auto* hint = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target."), panel);
+  hint->setObjectName("muted");
+  hint->setWordWrap(true);
+  column->addWidget(heading);
+  column->addWidget(hint);
+  column->addWidget(targets_, 1);
+  column->addWidget(detail_);
+  column->addWidget(makeHandleRow());
+  auto* edit = new QHBoxLayout;
+  undo_ = new QPushButton(tr("Undo"), panel);
+  redo_ = new QPushButton(tr("Redo"), panel);
+  remove_ = new QPushButton(tr("Delete"), panel);
+  undo_->setToolTip(tr("Ctrl+Z"));
+  redo_->setToolTip(tr("Ctrl+Shift+Z"));
+  remove_->setToolTip(tr("Del"));
+  for (auto* button : {undo_, redo_, remove_}) edit->addWidget(button);
+  column->addLayout(edit);
+  connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
+  connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
+  connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
+  connect(targets_, &QListWidget::currentTextChanged, this, [this](const QString& name) {
+    if (!is_filling_) presenter_.setActive(name);
+  });
+  connect(targets_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (!is_filling_) presenter_.renameActive(item->text());
+  });
+  return panel;
+}
+
+QWidget* PlanWorkspace::makeHandleRow() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* left = new QPushButton(tr("\u21ba 5\u00b0"), box);
+  auto* right = new QPushButton(tr("\u21bb 5\u00b0"), box);
+  left->setToolTip(tr("turn the handle anticlockwise, seen from above the coil (Q)"));
+  right->setToolTip(tr("turn the handle clockwise, seen from above the coil (E)"));
+  auto* words = new QLabel(tr("handle"), box);
+  words->setObjectName("muted");
+  row->addWidget(words);
+  row->addWidget(left);
+  row->addWidget(right);
+  connect(left, &QPushButton::clicked, this, [this] { presenter_.turnActive(-5); });
+  connect(right, &QPushButton::clicked, this, [this] { presenter_.turnActive(5); });
+  return box;
+}
+
+void PlanWorkspace::addKeys() {
+  const auto key = [this](const QKeySequence& keys, auto action) {
+    auto* shortcut = new QShortcut(keys, this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, action);
+  };
+  key(Qt::Key_Q, [this] { presenter_.turnActive(-5); });
+  key(Qt::Key_E, [this] { presenter_.turnActive(5); });
+  key(QKeySequence::Undo, [this] { presenter_.undo(); });
+  key(QKeySequence::Redo, [this] { presenter_.redo(); });
+  key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
+  // Seen from above the coil its +x points to the left.
+  key(Qt::ALT + Qt::Key_Left, [this] { presenter_.nudgeActive(1, 0); });
+  key(Qt::ALT + Qt::Key_Right, [this] { presenter_.nudgeActive(-1, 0); });
+  key(Qt::ALT + Qt::Key_Up, [this] { presenter_.nudgeActive(0, 1); });
+  key(Qt::ALT + Qt::Key_Down, [this] { presenter_.nudgeActive(0, -1); });
+}
+
+void PlanWorkspace::showCase() {
+  if (!is_outdated_ || !model_.isOpen()) return;
+  is_outdated_ = false;
+  views_->show(model_.current());
+  views_->setMasksShown(false);
+  showPlan();
+  if (const auto* target = presenter_.active()) views_->setCrosshair(target->cortex_point);
+  views_->sceneView().scene().setView(scene::ViewPreset::target);
+}
+
+void PlanWorkspace::showPlan() {
+  is_filling_ = true;
+  targets_->clear();
+  for (const auto& target : presenter_.plan().targets) {
+    auto* item = new QListWidgetItem(QString::fromStdString(target.name), targets_);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    if (item->text() == presenter_.activeName()) targets_->setCurrentItem(item);
+  }
+  is_filling_ = false;
+  const auto* active = presenter_.active();
+  detail_->setText(active ? PlanPresenter::describe(*active) : tr("no target chosen"));
+  undo_->setEnabled(presenter_.canUndo());
+  redo_->setEnabled(presenter_.canRedo());
+  remove_->setEnabled(active != nullptr);
+  if (is_outdated_ || !model_.isOpen()) return;
+  auto& scene = views_->sceneView().scene();
+  scene.setCoilGhost(active ? std::optional(active->mri_T_target) : std::nullopt);
+  views_->setTargets(presenter_.plan(), presenter_.activeName().toStdString());
+  if (active) views_->setCrosshair(active->cortex_point);
+}
+
+void PlanWorkspace::showEvent(QShowEvent*) { showCase(); }
+
+}  // namespace facenav::ui

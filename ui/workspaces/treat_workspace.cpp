@@ -1,0 +1,177 @@
+#include "workspaces/treat_workspace.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "views/bulls_eye_view.h"
+#include "views/image_view.h"
+#include "views/scene_view.h"
+#include "widgets/figures_panel.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr int kRefresh_ms = 33;
+
+}  // namespace
+
+TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
+    : QWidget(parent), presenter_(presenter), model_(model), scene_(new SceneView(this)) {
+  auto* row = new QHBoxLayout;
+  auto* middle = new QVBoxLayout;
+  middle->addWidget(scene_, 3);
+  middle->addWidget(makeCameraRow(), 2);
+  row->addLayout(middle, 3);
+  row->addWidget(makeSide(), 2);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 10, 10, 10);
+  column->addLayout(row, 1);
+  column->addWidget(makeSteps());
+  timer_.setInterval(kRefresh_ms);
+  connect(&timer_, &QTimer::timeout, this, &TreatWorkspace::refresh);
+  connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
+  const auto markOutdated = [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  };
+  connect(&model_, &CaseModel::opened, this, markOutdated);
+  connect(&model_, &CaseModel::planChanged, this, markOutdated);
+  showSteps();
+}
+
+QWidget* TreatWorkspace::makeCameraRow() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  left_ = new ImageView(tr("left camera"), box);
+  right_ = new ImageView(tr("right camera"), box);
+  row->addWidget(left_);
+  row->addWidget(right_);
+  return box;
+}
+
+QWidget* TreatWorkspace::makeSide() {
+  auto* side = new QWidget(this);
+  side->setMinimumWidth(400);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  bulls_eye_ = new BullsEyeView(side);
+  figures_ = new FiguresPanel(side);
+  column->addWidget(bulls_eye_, 4);
+  column->addWidget(figures_, 5);
+  return side;
+}
+
+QWidget* TreatWorkspace::makeSteps() {
+  auto* bar = new QFrame(this);
+  bar->setObjectName("panel");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(10, 6, 10, 6);
+  cameras_ = new QPushButton(bar);
+  align_ = new QPushButton(bar);
+  guide_ = new QPushButton(bar);
+  cameras_->setToolTip(tr("open a recording (Ctrl+R)"));
+  cameras_->setShortcut(Qt::CTRL + Qt::Key_R);
+  align_->setToolTip(tr("measure the face and fit it to the scan; no click is needed (Ctrl+L)"));
+  align_->setShortcut(Qt::CTRL + Qt::Key_L);
+  guide_->setToolTip(tr("start or stop guidance (Space)"));
+  guide_->setShortcut(Qt::Key_Space);
+  guide_->setObjectName("primary");
+  target_ = new QComboBox(bar);
+  target_->setMinimumWidth(160);
+  target_->setToolTip(tr("the target to guide to"));
+  words_ = new QLabel(bar);
+  words_->setObjectName("muted");
+  for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
+  row->addWidget(words_, 1);
+  row->addWidget(target_);
+  connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::chooseRecording);
+  connect(align_, &QPushButton::clicked, this, [this] { presenter_.align(false); });
+  connect(guide_, &QPushButton::clicked, this,
+          [this] { presenter_.isRunning() ? presenter_.stop() : presenter_.start(); });
+  connect(target_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { presenter_.chooseTarget(target_->currentText()); });
+  return bar;
+}
+
+void TreatWorkspace::chooseRecording() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a recording"));
+  if (!folder.isEmpty()) presenter_.openRecording(folder);
+}
+
+void TreatWorkspace::showSteps() {
+  const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
+  cameras_->setText(tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
+  align_->setText(tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
+  guide_->setText(presenter_.isRunning() ? tr("3 Guide %1  stop").arg(live)
+                                         : tr("3 Guide %1  start").arg(open));
+  align_->setEnabled(presenter_.hasRecording() && model_.isOpen());
+  guide_->setEnabled(presenter_.isAligned());
+  words_->setText(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
+                                  : tr("open a case first (Ctrl+O)"));
+  target_->clear();
+  if (model_.isOpen())
+    for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));
+  target_->setCurrentText(presenter_.targetName());
+  if (!is_outdated_ && model_.isOpen()) {
+    scene_->scene().setTargets(model_.current().plan.targets, presenter_.targetName().toStdString());
+    scene_->scene().setView(scene::ViewPreset::target);
+    frame_ = -2;
+  }
+}
+
+void TreatWorkspace::showCase() {
+  if (!is_outdated_ || !model_.isOpen()) return;
+  is_outdated_ = false;
+  scene_->show(model_.current());
+  showSteps();
+}
+
+void TreatWorkspace::refresh() {
+  const auto state = presenter_.state();
+  ReadOut read_out = makeReadOut(*state);
+  const bool was_started = presenter_.isRunning() || state->frame >= 0;
+  if (!was_started) {
+    read_out.instruction = presenter_.isAligned() ? tr("READY: start guidance") : tr("NOT ALIGNED");
+    read_out.timing.clear();
+  }
+  const bool is_new = state->frame != frame_ || read_out.instruction != last_instruction_;
+  frame_ = state->frame;
+  if (is_new) {
+    auto& scene = scene_->scene();
+    if (was_started) {
+      scene.setHeadPose(state->camera_T_mri);
+      scene.setCoilPose(state->camera_T_coil);
+    } else {
+      scene.setLive(false);
+    }
+    scene.setOnTarget(read_out.level == Level::good);
+    scene.setBanner(was_started && read_out.level == Level::lost ? read_out.instruction.toStdString()
+                                                                 : std::string());
+    scene_->refresh();
+    const auto overlay = presenter_.overlay(*state);
+    left_->set(overlay.left);
+    right_->set(overlay.right);
+    bulls_eye_->set(state->guidance);
+    figures_->set(read_out);
+    const bool has_just_lost =
+        was_started && read_out.level == Level::lost && read_out.instruction != last_instruction_;
+    if (has_just_lost) QApplication::beep();
+    last_instruction_ = read_out.instruction;
+  }
+  emit shown(read_out);
+}
+
+void TreatWorkspace::showEvent(QShowEvent*) {
+  showCase();
+  timer_.start();
+}
+
+void TreatWorkspace::hideEvent(QHideEvent*) { timer_.stop(); }
+
+}  // namespace facenav::ui

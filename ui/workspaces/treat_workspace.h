@@ -1,0 +1,60 @@
+#pragma once
+// Treat: 3-D scene, both cameras with overlays, bull's eye, read-out legible from two metres; steps 1
+// Cameras, 2 Align, 3 Guide. Takes the newest state about 30 times a second; lost or old: figures blank,
+// scene grey, words say why.
+
+#include <QTimer>
+#include <QWidget>
+
+#include "presenters/treat_presenter.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace facenav::ui {
+
+class BullsEyeView;
+class FiguresPanel;
+class ImageView;
+class SceneView;
+
+class TreatWorkspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent = nullptr);
+
+ signals:
+  /// After each refresh, for the window's header.
+  void shown(const facenav::ui::ReadOut& read_out);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QWidget* makeCameraRow();
+  QWidget* makeSide();
+  QWidget* makeSteps();
+  void showCase();
+  void showSteps();
+  void refresh();
+  void chooseRecording();
+
+  TreatPresenter& presenter_;
+  CaseModel& model_;
+  SceneView* scene_;
+  ImageView *left_, *right_;
+  BullsEyeView* bulls_eye_;
+  FiguresPanel* figures_;
+  QComboBox* target_;
+  QPushButton *cameras_, *align_, *guide_;
+  QLabel* words_;
+  QTimer timer_;
+  bool is_outdated_ = false;
+  std::int64_t frame_ = -2;
+  QString last_instruction_;
+};
+
+}  // namespace facenav::ui
