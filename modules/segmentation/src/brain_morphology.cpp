@@ -44,17 +44,33 @@ struct LineTransform {
   }
 };
 
+/// All lines of `n` values `stride` apart that start at `first` + 0 .. `lines` - 1, a block of neighbours at
+/// a time, so that a fetched cache line is used whole.
+void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t stride, int n,
+              LineTransform& line) {
+  constexpr int kBlock = 16;
+  std::vector<float> block(std::size_t(n) * kBlock);
+  for (int start = 0; start < lines; start += kBlock) {
+    const int width = std::min(kBlock, lines - start);
+    for (int q = 0; q < n; ++q)
+      std::copy_n(&d[first + start + q * stride], width, &block[std::size_t(q) * kBlock]);
+    for (int l = 0; l < width; ++l) line.run(&block[l], kBlock, n);
+    for (int q = 0; q < n; ++q)
+      std::copy_n(&block[std::size_t(q) * kBlock], width, &d[first + start + q * stride]);
+  }
+}
+
 std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
   const auto& n = mask.grid.size;
   std::vector<float> d(mask.voxels.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = (mask.voxels[i] != 0) == (target != 0) ? 0.f : kFar;
   LineTransform line(*std::max_element(n.begin(), n.end()));
-  for (int k = 0; k < n[2]; ++k)
+  for (int k = 0; k < n[2]; ++k) {
     for (int j = 0; j < n[1]; ++j) line.run(&d[mask.grid.index(0, j, k)], 1, n[0]);
-  for (int k = 0; k < n[2]; ++k)
-    for (int i = 0; i < n[0]; ++i) line.run(&d[mask.grid.index(i, 0, k)], n[0], n[1]);
+    runLines(d, mask.grid.index(0, 0, k), n[0], n[0], n[1], line);
+  }
   for (int j = 0; j < n[1]; ++j)
-    for (int i = 0; i < n[0]; ++i) line.run(&d[mask.grid.index(i, j, 0)], std::size_t(n[0]) * n[1], n[2]);
+    runLines(d, mask.grid.index(0, j, 0), n[0], std::size_t(n[0]) * n[1], n[2], line);
   return d;
 }
 

@@ -1,10 +1,42 @@
 #include "brain_refinement.h"
 
+#include <algorithm>
+#include <array>
+
 #include "brain_morphology.h"
 
 namespace facenav::segmentation {
+namespace {
 
 using volume::Mask;
+using volume::Volume;
+
+/// One pass of the kernel 1-2-1 along each axis (sigma 0.7 voxels).
+Volume smoothed(const Volume& image) {
+  Volume out = image;
+  const auto& n = image.grid.size;
+  const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<float> from = out.voxels;
+    for (std::size_t i = stride[a]; i + stride[a] < from.size(); ++i)
+      out.voxels[i] = 0.25f * (from[i - stride[a]] + 2 * from[i] + from[i + stride[a]]);
+  }
+  return out;
+}
+
+/// The connected body of white matter: what the neck's muscles, which look like grey matter, do not have.
+Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue, double tear_mm) {
+  const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
+  const float high =
+      float(tissue.white.mean + std::max(3 * tissue.white.deviation, 0.15 * tissue.white.mean));
+  const Volume smooth = smoothed(flat);
+  Mask white = first;
+  for (std::size_t v = 0; v < white.voxels.size(); ++v)
+    white.voxels[v] &= smooth.voxels[v] > low && smooth.voxels[v] < high;
+  return largestPart(erode(white, tear_mm));
+}
+
+}  // namespace
 
 volume::Mask refineBrain(const volume::Volume& flat, const Mask& first, const TissueModel& tissue,
                          const RefinementOptions& options) {
@@ -13,6 +45,8 @@ volume::Mask refineBrain(const volume::Volume& flat, const Mask& first, const Ti
   Mask near = dilate(first, options.search_mm);
   for (std::size_t v = 0; v < near.voxels.size(); ++v)
     near.voxels[v] &= flat.voxels[v] > low && flat.voxels[v] < high;
+  near = intersection(near,
+                      dilate(whiteCore(flat, first, tissue, options.white_tear_mm), options.white_reach_mm));
   const Mask core = largestPart(erode(near, options.tear_mm));
   Mask brain = intersection(dilate(core, options.regrow_mm), near);
   const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);

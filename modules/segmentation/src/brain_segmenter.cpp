@@ -15,7 +15,7 @@ using volume::Volume;
 using volume::VoxelGrid;
 
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
-constexpr double kCore_mm = 5;     // this deep in the first mask there is nothing but brain
+constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
 
 /// The part of the grid that holds the mask, with a margin.
 VoxelGrid gridAround(const Mask& mask, double margin_mm) {

@@ -17,14 +17,28 @@ constexpr double kBiasScale_mm = 80;  // half a head: keeps the polynomial's ter
 constexpr int kRounds = 4, kEmSteps = 40;
 constexpr double kMaxLogGain = 1.2;  // outside the brain the polynomial is not trusted further than this
 
+Eigen::Vector4d powers(double x) { return {1, x, x * x, x * x * x}; }
+
+/// x^i y^j z^k with i + j + k <= 3, in the order in which `alongRow` reads them.
 Basis basis(const Eigen::Vector3d& p) {
+  const Eigen::Vector4d x = powers(p.x()), y = powers(p.y()), z = powers(p.z());
   Basis b;
   int at = 0;
   for (int i = 0; i <= 3; ++i)
     for (int j = 0; i + j <= 3; ++j)
-      for (int k = 0; i + j + k <= 3; ++k)
-        b[at++] = std::pow(p.x(), i) * std::pow(p.y(), j) * std::pow(p.z(), k);
+      for (int k = 0; i + j + k <= 3; ++k) b[at++] = x[i] * y[j] * z[k];
   return b;
+}
+
+/// The polynomial on a row of constant y and z, as a cubic in x.
+Eigen::Vector4d alongRow(const Basis& bias, double y_scaled, double z_scaled) {
+  const Eigen::Vector4d y = powers(y_scaled), z = powers(z_scaled);
+  Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
+  int at = 0;
+  for (int i = 0; i <= 3; ++i)
+    for (int j = 0; i + j <= 3; ++j)
+      for (int k = 0; i + j + k <= 3; ++k) cubic[i] += bias[at++] * y[j] * z[k];
+  return cubic;
 }
 
 struct Sample {
@@ -59,31 +73,66 @@ double density(const TissueClass& c, double x) {
   return c.share / c.deviation * std::exp(-0.5 * z * z);
 }
 
-/// Expectation maximisation over a histogram of the values; `c` is the start and the result.
-void fitClasses(const std::vector<double>& values, std::array<TissueClass, 3>& c) {
-  const double low = quantile(values, 0.002), high = quantile(values, 0.998);
-  std::array<double, 256> histogram{};
-  for (double v : values)
-    if (v >= low && v <= high) histogram[std::min(255, int((v - low) / (high - low) * 256))] += 1;
-  const double least = 0.02 * (high - low);
+using Classes = std::array<TissueClass, 3>;
+constexpr int kBins = 128;
+
+struct Histogram {
+  explicit Histogram(const std::vector<double>& values)
+      : low(quantile(values, 0.002)), high(quantile(values, 0.998)) {
+    for (double v : values)
+      if (v >= low && v <= high) count[std::min(kBins - 1, int((v - low) / (high - low) * kBins))] += 1;
+  }
+  double centre(int bin) const { return low + (bin + 0.5) * (high - low) / kBins; }
+  TissueClass between(int from, int to) const {
+    double n = 0, sum = 0, squares = 0;
+    for (int b = from; b < to; ++b)
+      n += count[b], sum += count[b] * centre(b), squares += count[b] * centre(b) * centre(b);
+    if (n == 0) return {centre(from), least_deviation(), 0};
+    return {sum / n, std::max(least_deviation(), std::sqrt(std::max(0.0, squares / n - sum * sum / n / n))),
+            n};
+  }
+  double least_deviation() const { return 0.02 * (high - low); }
+  double low, high;
+  std::array<double, kBins> count{};
+};
+
+/// The two thresholds with the least variance within the three classes (Otsu 1979).
+Classes otsuClasses(const Histogram& h) {
+  Classes best{};
+  double least = 1e300;
+  for (int first = 4; first < kBins - 8; first += 2)
+    for (int second = first + 4; second < kBins - 4; second += 2) {
+      const Classes c{h.between(0, first), h.between(first, second), h.between(second, kBins)};
+      double within = 0;
+      for (const auto& k : c) within += k.share * k.deviation * k.deviation;
+      if (within < least) least = within, best = c;
+    }
+  const double total = best[0].share + best[1].share + best[2].share;
+  for (auto& k : best) k.share /= total;
+  return best;
+}
+
+Classes maximiseExpectation(const Histogram& h, Classes c) {
   for (int step = 0; step < kEmSteps; ++step) {
     std::array<double, 3> n{}, sum{}, squares{};
-    for (int bin = 0; bin < 256; ++bin) {
-      const double x = low + (bin + 0.5) * (high - low) / 256;
-      std::array<double, 3> p{density(c[0], x), density(c[1], x), density(c[2], x)};
+    for (int bin = 0; bin < kBins; ++bin) {
+      const double x = h.centre(bin);
+      const std::array<double, 3> p{density(c[0], x), density(c[1], x), density(c[2], x)};
       const double total = p[0] + p[1] + p[2] + 1e-12;
       for (int k = 0; k < 3; ++k) {
-        const double w = histogram[bin] * p[k] / total;
+        const double w = h.count[bin] * p[k] / total;
         n[k] += w, sum[k] += w * x, squares[k] += w * x * x;
       }
     }
     for (int k = 0; k < 3; ++k) {
       if (n[k] < 1) continue;
       c[k].mean = sum[k] / n[k];
-      c[k].deviation = std::max(least, std::sqrt(std::max(0.0, squares[k] / n[k] - c[k].mean * c[k].mean)));
+      c[k].deviation =
+          std::max(h.least_deviation(), std::sqrt(std::max(0.0, squares[k] / n[k] - c[k].mean * c[k].mean)));
       c[k].share = n[k] / (n[0] + n[1] + n[2]);
     }
   }
+  return c;
 }
 
 }  // namespace
@@ -95,17 +144,12 @@ TissueModel fitTissue(const Volume& image, const Mask& core) {
   model.centre_mm = image.grid.centre().mm;
   const auto samples = samplesOf(image, core, model);
   if (samples.size() < 1000) return model;
-  std::array<TissueClass, 3> c;
+  Classes c;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> values;
     for (const auto& s : samples) values.push_back(s.value * std::exp(-model.bias.dot(s.at)));
-    if (round == 0) {
-      const double middle = quantile(values, 0.5), top = quantile(values, 0.98);
-      c = {TissueClass{0.45 * middle, 0.12 * middle, 0.1},
-           TissueClass{quantile(values, 0.35), 0.1 * middle, 0.5},
-           TissueClass{0.5 * (quantile(values, 0.75) + top), 0.1 * middle, 0.4}};
-    }
-    fitClasses(values, c);
+    const Histogram histogram(values);
+    c = maximiseExpectation(histogram, round == 0 ? otsuClasses(histogram) : c);
     if (round + 1 == kRounds) break;
     Eigen::Matrix<double, 20, 20> normal = Eigen::Matrix<double, 20, 20>::Zero();
     Basis right = Basis::Zero();
@@ -129,14 +173,19 @@ TissueModel fitTissue(const Volume& image, const Mask& core) {
 Volume corrected(const Volume& image, const TissueModel& model) {
   Volume out = image;
   const auto& n = image.grid.size;
+  const double step = image.grid.spacing_mm().x() / kBiasScale_mm;
   std::size_t at = 0;
   for (int k = 0; k < n[2]; ++k)
-    for (int j = 0; j < n[1]; ++j)
+    for (int j = 0; j < n[1]; ++j) {
+      const Eigen::Vector3d row =
+          (image.grid.toMri({0, double(j), double(k)}).mm - model.centre_mm) / kBiasScale_mm;
+      const Eigen::Vector4d c = alongRow(model.bias, row.y(), row.z());
       for (int i = 0; i < n[0]; ++i, ++at) {
-        const Eigen::Vector3d p = image.grid.toMri({double(i), double(j), double(k)}).mm;
-        const double gain = model.bias.dot(basis((p - model.centre_mm) / kBiasScale_mm));
-        out.voxels[at] = float(image.voxels[at] * std::exp(-std::clamp(gain, -kMaxLogGain, kMaxLogGain)));
+        const double x = row.x() + i * step;
+        const double gain = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+        out.voxels[at] = image.voxels[at] * float(std::exp(-std::clamp(gain, -kMaxLogGain, kMaxLogGain)));
       }
+    }
   return out;
 }
 

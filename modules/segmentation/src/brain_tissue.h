@@ -25,7 +25,7 @@ struct TissueModel {
 
 /// `core`: safely inside the brain (a first mask, eroded). Air must be 0.
 TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core);
-/// The image with the bias taken off.
+/// The image (axis-aligned, cubic voxels) with the bias taken off.
 volume::Volume corrected(const volume::Volume& image, const TissueModel& model);
 
 }  // namespace facenav::segmentation
