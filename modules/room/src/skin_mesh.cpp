@@ -204,16 +204,16 @@ void faceOutwards(surface::TriangleMesh& mesh) {
 /// Offset (mm, along the normal) of the steepest fall of intensity within reach of the vertex.
 double steepestOffset(const volume::Volume& field, const Eigen::Vector3d& p_mm,
                       const Eigen::Vector3d& normal) {
-  constexpr double kReach_mm = 2.0, kStep_mm = 0.25;
+  constexpr double kReach_mm = 2.0, kStep_mm = 0.125;
   constexpr int kSteps = int(2 * kReach_mm / kStep_mm);
   double values[kSteps + 1];
   for (int i = 0; i <= kSteps; ++i)
     values[i] = volume::sampleLinear(
         field, field.grid.toVoxel(Point<Mri>(p_mm + (i * kStep_mm - kReach_mm) * normal)));
   double best = 0.0, at = 0.0;
-  for (int i = 2; i + 2 <= kSteps; ++i) {
+  for (int i = 4; i + 4 <= kSteps; ++i) {
     const double offset = i * kStep_mm - kReach_mm;
-    const double fall = (values[i - 2] - values[i + 2]) * std::exp(-0.5 * offset * offset);
+    const double fall = (values[i - 4] - values[i + 4]) * std::exp(-0.125 * offset * offset);
     if (fall > best) best = fall, at = offset;
   }
   return at;
@@ -258,6 +258,7 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   monitor.report("virtual patient: skin", 0.0);
   const volume::Volume scan = padded(input);
   Cells field = smoothed(scan.grid, scan.voxels);
+  volume::Volume smooth_scan{scan.grid, field, scan.modality, scan.orientation_source};
   const float threshold =
       0.50037f * otsu(field);  // never exactly a voxel's value: that would degenerate triangles
   const Flags solid = solidHead(scan.grid, field, threshold);
@@ -276,8 +277,8 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   faceOutwards(mesh);
   mesh.normals = vertexNormals(mesh.vertices_mm, mesh.triangles);
   monitor.report("virtual patient: skin", 0.8);
-  volume::Volume smooth_scan{scan.grid, std::move(field), scan.modality, scan.orientation_source};
-  settleOnSteepestEdge(mesh, smooth_scan);
+  // Twice: the first surface lies on a low level, outside the edge, and its normals are those of that level.
+  for (int round = 0; round < 2; ++round) settleOnSteepestEdge(mesh, smooth_scan);
   monitor.report("virtual patient: skin", 1.0);
   return mesh;
 }
