@@ -67,14 +67,22 @@ ui::Services makeServices() {
   return services;
 }
 
+void saveScreenshot(ui::MainWindow& window, const std::string& path) {
+  const bool is_saved = window.grab().save(QString::fromStdString(path));
+  if (!is_saved) std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n", path.c_str());
+  QApplication::exit(is_saved ? 0 : 1);
+}
+
+/// The wait begins when what was asked for on the command line is on the screen.
 void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
-  QTimer::singleShot(int(arguments.after_s * 1000), &window, [&window, arguments] {
-    const bool is_saved = window.grab().save(QString::fromStdString(arguments.screenshot));
-    if (!is_saved)
-      std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n",
-                   arguments.screenshot.c_str());
-    QApplication::exit(is_saved ? 0 : 1);
+  auto* poll = new QTimer(&window);
+  QObject::connect(poll, &QTimer::timeout, &window, [&window, arguments, poll] {
+    if (!window.isSettled()) return;
+    poll->stop();
+    QTimer::singleShot(int(arguments.after_s * 1000), &window,
+                       [&window, arguments] { saveScreenshot(window, arguments.screenshot); });
   });
+  poll->start(30);
 }
 
 int runWindow(int argc, char** argv, const Arguments& arguments) {
@@ -110,7 +118,8 @@ int main(int argc, char** argv) {
   cli.add_option("--workspace", arguments.workspace, "prepare, plan or treat")
       ->check(CLI::IsMember({"prepare", "plan", "treat"}));
   cli.add_option("--screenshot", arguments.screenshot, "save a picture of the window (PNG) and quit");
-  cli.add_option("--after", arguments.after_s, "seconds to wait before the screenshot")
+  cli.add_option("--after", arguments.after_s,
+                 "seconds to wait before the screenshot, from when case and recording are shown")
       ->check(CLI::Range(0.1, 600.0));
   try {
     cli.parse(argc, argv);

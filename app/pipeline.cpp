@@ -23,46 +23,54 @@ struct Start {
 };
 
 /// The first frame in which both cameras see a face; tracking without an alignment starts there.
-std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(const capture::Recording& recording,
-                                                              TaskMonitor& monitor) {
-  const auto detector = tracking::makeFaceDetector();
+std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(Context& context,
+                                                              const capture::Recording& recording) {
+  const auto detector = context.registrations.face_detector();
   const auto source = capture::makeSource(recording);
   for (std::int64_t i = 0; auto frame = source->next(); ++i) {
-    monitor.report("looking for a face",
-                   double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
+    context.monitor.report("looking for a face",
+                           double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
     if (detector->detect(frame->left) && detector->detect(frame->right)) return frame;
   }
   throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
               recording.folder.string(), "check that both cameras see the whole face, upright and lit");
 }
 
-Start startWithoutCase(const capture::Recording& recording, TaskMonitor& monitor) {
-  return {{*firstFrameWithFace(recording, monitor), {}, {}}, std::nullopt};
+Start startWithoutCase(Context& context, const capture::Recording& recording) {
+  return {{*firstFrameWithFace(context, recording), {}, {}}, std::nullopt};
 }
 
 /// An alignment.json of another tool, without the images it was made from: nothing ties it to this recording
 /// but the user's word that the head sits in the first frame as it sat then.
-Start startFromStoredPose(const casefile::CaseStore& store, const capture::Recording& recording,
-                          TaskMonitor& monitor) {
+Start startFromStoredPose(Context& context, const casefile::CaseStore& store,
+                          const capture::Recording& recording) {
   const auto alignment = store.alignment();
   if (!alignment)
     throw Error("case is not aligned and the recording has no capture/ pair to align from",
                 store.folder().string(), "run 'facenav align' with a capture first");
   logWarning("no capture pair: the head is taken to sit in the first frame as it sat at the alignment");
-  Start start = startWithoutCase(recording, monitor);
+  Start start = startWithoutCase(context, recording);
   start.camera_T_mri = alignment->camera_T_mri;
   return start;
 }
 
 Start startOf(Context& context, const TrackRequest& request, const capture::Recording& recording,
               TrackOutcome& outcome) {
-  if (!request.case_folder) return startWithoutCase(recording, context.monitor);
+  if (!request.case_folder) return startWithoutCase(context, recording);
   const auto store = casefile::CaseStore::open(*request.case_folder);
   std::optional<capture::CapturePair> capture = recording.capture;
   if (!capture) capture = readStoredCapture(store.folder(), recording.rig);
-  if (!capture) return startFromStoredPose(store, recording, context.monitor);
+  if (!capture) return startFromStoredPose(context, store, recording);
   outcome.alignment = alignCase(context, store, recording.rig, *capture, request.aligner);
   return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri};
+}
+
+/// What alignment.json says of a target; 0 where it says nothing.
+double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
+  const auto alignment = store.alignment();
+  if (!alignment) return 0.0;
+  const auto found = alignment->predicted_tre_mm.find(target);
+  return found == alignment->predicted_tre_mm.end() ? 0.0 : found->second;
 }
 
 session::Navigator makeNavigator(Context& context, const TrackRequest& request,
@@ -73,12 +81,8 @@ session::Navigator makeNavigator(Context& context, const TrackRequest& request,
                                context.registrations.coil_trackers.create(request.coil_tracker));
   if (!request.target.empty()) {
     const auto store = casefile::CaseStore::open(request.case_folder.value());
-    const auto alignment = store.alignment();
-    const auto& target = store.targets().find(request.target);
-    const auto predicted = alignment ? alignment->predicted_tre_mm.find(request.target)
-                                     : decltype(alignment->predicted_tre_mm.end()){};
-    const bool is_known = alignment && predicted != alignment->predicted_tre_mm.end();
-    navigator.setTarget(session::ChosenTarget{target, is_known ? predicted->second : 0.0});
+    navigator.setTarget(session::ChosenTarget{store.targets().find(request.target),
+                                              predictedError_mm(store, request.target)});
   }
   return navigator;
 }
@@ -137,7 +141,7 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
 session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore& store,
                                     const stereo::StereoRig& rig, const capture::CapturePair& capture,
                                     const std::string& aligner) {
-  const auto detector = tracking::makeFaceDetector();
+  const auto detector = context.registrations.face_detector();
   auto outcome =
       session::alignFromCapture(rig, capture, store.scalp(), *context.registrations.aligners.create(aligner),
                                 *detector, store.targets().targets, context.monitor);
@@ -180,10 +184,7 @@ std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
                                               const std::string& target_name) {
   const auto plan = store.targets();
   const auto& target = plan.find(target_name);
-  const auto alignment = store.alignment();
-  double predicted_mm = 0.0;
-  if (alignment && alignment->predicted_tre_mm.count(target_name))
-    predicted_mm = alignment->predicted_tre_mm.at(target_name);
+  const double predicted_mm = predictedError_mm(store, target_name);
 
   std::map<std::int64_t, std::pair<const casefile::PoseRow*, const casefile::PoseRow*>> frames;
   for (const auto& row : poses)

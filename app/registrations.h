@@ -7,6 +7,7 @@
 #include "facenav/registration/aligner.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/tracking/coil_tracker.h"
+#include "facenav/tracking/face_landmarks.h"
 #include "facenav/tracking/head_tracker.h"
 
 namespace facenav::app {
@@ -17,6 +18,8 @@ struct Registrations {
   Registry<registration::Aligner> aligners{"aligner"};
   Registry<tracking::HeadTracker> head_trackers{"head tracker"};
   Registry<tracking::CoilTracker> coil_trackers{"coil tracker"};
+  /// The program's one face detector (its landmark model takes 100 MB), made when first asked for.
+  std::function<std::shared_ptr<const tracking::FaceDetector>()> face_detector;
 };
 
 Registrations makeRegistrations();
