@@ -61,6 +61,17 @@ Profiles sampleProfiles(const TriangleMesh& mesh, const Sampler& sample, double 
   return out;
 }
 
+/// Was the air set to one value? Then the edges' outer tails are cut short and tell nothing.
+bool isMaskedOutside(const Profiles& profiles) {
+  std::size_t same = 0;
+  const std::size_t count = profiles.values.size() / profiles.length;
+  for (std::size_t v = 0; v < count; ++v) {
+    const float* end = profiles.of(v) + profiles.length;
+    same += end[-1] == end[-2] && end[-2] == end[-3];
+  }
+  return 2 * same > count;
+}
+
 void averageOverRings(Profiles& profiles, const MeshNeighbours& neighbours, int rings) {
   Profiles next = profiles;
   for (int ring = 0; ring < rings; ++ring) {
@@ -95,52 +106,74 @@ std::vector<float> slopeKernel(double sigma_mm) {
 struct Edge {
   double offset_mm = 0.0, slope = 0.0;  // slope 0: none found
   double foot_mm = 0.0;                 // where the fall-off sets in, seen from outside
+  double gap_mm = kNoPeak_mm;           // from the foot in to the maximum
+  double tail_mm = kNoPeak_mm;  // standard deviation of the blurred edge, from the fall-off outside the foot
+  static constexpr double kNoPeak_mm = 1e3;
 };
 
-/// Sub-sample place and height of the outermost local maximum of at least `least`; height 0 when there is
-/// none.
-std::pair<double, double> outermostMaximum(const std::vector<float>& f, float least) {
+/// Sub-sample place of the outermost local maximum of at least `least`, in samples; -1 when there is none.
+double outermostMaximum(const std::vector<float>& f, float least) {
   for (int s = int(f.size()) - 2; s > 0; --s) {
     if (f[s] < f[s - 1] || f[s] <= f[s + 1] || f[s] < least || f[s] <= 0) continue;
     const double curvature = f[s - 1] - 2.0 * f[s] + f[s + 1];
-    const double shift = curvature < 0 ? 0.5 * (f[s - 1] - f[s + 1]) / curvature : 0.0;
-    return {s + std::clamp(shift, -0.5, 0.5), f[s]};
+    return s + (curvature < 0 ? std::clamp(0.5 * (f[s - 1] - f[s + 1]) / curvature, -0.5, 0.5) : 0.0);
   }
-  return {0.0, 0.0};
+  return -1;
 }
 
-/// The outermost local maximum of the fall-off that is steep enough, and the foot outside it, where the
-/// fall-off grows fastest.
+/// Standard deviation of the Gaussian that the fall-off follows outside its foot: minus the second derivative
+/// of its logarithm is 1 / sigma^2, and what lies deeper does not reach that far.
+double tailSigma_mm(const std::vector<float>& fall, int foot) {
+  constexpr int kReach = 2;  // samples
+  if (foot < 0 || foot + 2 * kReach >= int(fall.size()) || fall[foot + 2 * kReach] < 0.05f * fall[foot] ||
+      fall[foot] <= 0)
+    return Edge::kNoPeak_mm;
+  const double bend =
+      std::log(fall[foot]) - 2 * std::log(fall[foot + kReach]) + std::log(fall[foot + 2 * kReach]);
+  return bend < 0 ? kReach * kStep_mm / std::sqrt(-bend) : Edge::kNoPeak_mm;
+}
+
+/// The foot, where the fall-off grows fastest, outermost; and the outermost maximum of the fall-off inside
+/// it.
 Edge outermostEdge(const std::vector<float>& fall, double first_mm) {
   std::vector<float> growth(fall.size(), 0.f);
   for (std::size_t s = 1; s + 1 < fall.size(); ++s) growth[s] = fall[s - 1] - fall[s + 1];
-  const auto [peak, slope] =
-      outermostMaximum(fall, kSignificant * *std::max_element(fall.begin(), fall.end()));
-  const auto [foot, height] =
+  Edge edge;
+  const double foot =
       outermostMaximum(growth, kSignificant * *std::max_element(growth.begin(), growth.end()));
-  if (slope <= 0 || height <= 0) return {};
-  return {first_mm + peak * kStep_mm, slope, first_mm + foot * kStep_mm};
+  if (foot < 0) return edge;
+  edge.foot_mm = first_mm + foot * kStep_mm;
+  edge.slope = fall[int(foot)];
+  edge.tail_mm = tailSigma_mm(fall, int(std::lround(foot)));
+  const double peak = outermostMaximum(fall, kSignificant * *std::max_element(fall.begin(), fall.end()));
+  if (peak >= 0 && peak < foot) edge.gap_mm = (foot - peak) * kStep_mm, edge.slope = fall[int(peak)];
+  return edge;
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
+double quantileOf(std::vector<double> values, double fraction) {
+  values.erase(std::remove(values.begin(), values.end(), Edge::kNoPeak_mm), values.end());
+  if (values.empty()) return Edge::kNoPeak_mm;
+  const auto at = values.begin() + std::size_t(fraction * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
-/// Where a dark dermis runs into bright fat without a step, the maximum lies in the fat: its foot is then too
-/// far out. There the edge is put as far inside the foot as it is elsewhere on this head (the scan's own
-/// sharpness).
-void leanOnFoot(std::vector<Edge>& edges) {
-  constexpr double kAsElsewhere_mm = 0.5, kLessSure = 0.5;
-  std::vector<double> gaps;
-  for (const Edge& edge : edges)
-    if (edge.slope > 0) gaps.push_back(edge.foot_mm - edge.offset_mm);
-  const double usual_mm = medianOf(gaps);
+/// A blurred step has its maximum one sigma of the blur inside its foot. Where a dark dermis and the brighter
+/// fat below are not resolved, the maximum lies deeper, in the fat: there the edge is put one sigma inside
+/// the foot. The scan's sigma is told by the sharp edges of this head and by how the edges fall off outside
+/// (thin dermis all over).
+void leanOnFoot(std::vector<Edge>& edges, bool has_tails) {
+  constexpr double kAsSharp_mm = 0.25, kLessSure = 0.7;
+  std::vector<double> gaps, tails;
+  for (const Edge& edge : edges) gaps.push_back(edge.gap_mm), tails.push_back(edge.tail_mm);
+  constexpr double kUnresolved = 1.2;
+  const double gap_mm = quantileOf(gaps, 0.2), tail_mm = quantileOf(tails, 0.3);
+  const double sigma_mm = !has_tails || gap_mm < kUnresolved * tail_mm ? gap_mm : tail_mm;
   for (Edge& edge : edges) {
-    if (edge.slope <= 0 || std::abs(edge.foot_mm - edge.offset_mm - usual_mm) < kAsElsewhere_mm) continue;
-    edge.offset_mm = edge.foot_mm - usual_mm;
-    edge.slope *= kLessSure;
+    if (edge.slope <= 0) continue;
+    const bool is_resolved = edge.gap_mm < sigma_mm + kAsSharp_mm;
+    edge.offset_mm = edge.foot_mm - (is_resolved ? edge.gap_mm : sigma_mm);
+    if (!is_resolved) edge.slope *= kLessSure;
   }
 }
 
@@ -151,6 +184,7 @@ std::vector<Edge> findEdges(const TriangleMesh& mesh, const MeshNeighbours& neig
   const int window = int(std::lround((search.inwards_mm + search.outwards_mm) / kStep_mm)) + 1;
   Profiles profiles =
       sampleProfiles(mesh, sample, -search.inwards_mm - radius * kStep_mm, window + 2 * radius);
+  const bool has_tails = !isMaskedOutside(profiles);
   averageOverRings(profiles, neighbours, search.rings);
   std::vector<Edge> edges(mesh.vertices_mm.size());
   std::vector<float> fall(window);
@@ -161,7 +195,7 @@ std::vector<Edge> findEdges(const TriangleMesh& mesh, const MeshNeighbours& neig
     }
     edges[v] = outermostEdge(fall, -search.inwards_mm);
   }
-  leanOnFoot(edges);
+  leanOnFoot(edges, has_tails);
   return edges;
 }
 
@@ -189,7 +223,7 @@ void moveOntoEdge(TriangleMesh& mesh, const MeshNeighbours& neighbours, const vo
   std::vector<double> slopes;
   for (const Edge& edge : edges)
     if (edge.slope > 0) slopes.push_back(edge.slope);
-  const double typical = medianOf(slopes);
+  const double typical = slopes.empty() ? 0.0 : quantileOf(slopes, 0.5);
   std::vector<double> weight(edges.size()), offset(edges.size());
   for (std::size_t v = 0; v < edges.size(); ++v) {
     const double clarity = typical > 0 ? std::min(1.0, edges[v].slope / typical) : 0.0;

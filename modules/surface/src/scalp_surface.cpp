@@ -37,11 +37,11 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
     throw Error("no scalp: the head mask is empty", {}, "redo the head mask");
   const MeshNeighbours neighbours = neighboursOf(scalp.mesh);
   monitor.report("scalp", 0.3);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {4.0, 2.5, 0.7, 4, 2.0});
+  moveOntoEdge(scalp.mesh, neighbours, volume, {4.0, 3.0, 0.7, 4, 2.0});
   monitor.report("scalp", 0.5);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {2.0, 2.0, 0.6, 3, 1.0});
+  moveOntoEdge(scalp.mesh, neighbours, volume, {3.0, 3.0, 0.6, 3, 1.0});
   monitor.report("scalp", 0.7);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {1.75, 1.75, 0.5, 3, 0.7});
+  moveOntoEdge(scalp.mesh, neighbours, volume, {3.0, 3.0, 0.5, 3, 0.7});
   scalp.field_of_view = endsOf(volume.grid);
   const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
   scalp.has_face = face.has_face;

@@ -1,0 +1,153 @@
+#include "facenav/surface/scalp_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "facenav/core/error.h"
+#include "support/skin_phantom.h"
+#include "support/test_data.h"
+
+namespace facenav::surface {
+namespace {
+
+using facenav::testing::SkinPhantom;
+using facenav::testing::TemporaryFolder;
+
+const Eigen::Vector3d kFrontLow(-90, 0, -75),
+    kFrontHigh(90, 118, 15);  // a slab with the nose: quick, and cut on four sides
+
+/// The head mask as truth has it, a voxel generous, as masks are.
+volume::Mask maskOf(const SkinPhantom& phantom, const volume::VoxelGrid& grid) {
+  volume::Mask mask{grid, std::vector<std::uint8_t>(grid.count())};
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i)
+        mask.voxels[grid.index(i, j, k)] =
+            phantom.toSkin(grid.toMri({double(i), double(j), double(k)}).mm) < 0.7;
+  return mask;
+}
+
+struct Placement {
+  double mean_mm, rms_mm, nose_mean_mm;
+};
+/// Distances to the true skin, away from the phantom's crease and 3 voxels from the scan's ends.
+Placement placement(const SkinPhantom& phantom, const ScalpSurface& scalp, const volume::VoxelGrid& grid) {
+  double sum = 0, squares = 0, nose = 0;
+  int n = 0, n_nose = 0;
+  for (const auto& v : scalp.mesh.vertices_mm) {
+    const Eigen::Vector3d ijk = grid.toVoxel(Point<Mri>(v));
+    bool is_inside = !phantom.isNearCrease(v);
+    for (int a = 0; a < 3; ++a) is_inside = is_inside && ijk[a] > 3 && ijk[a] < grid.size[a] - 4;
+    if (!is_inside) continue;
+    const double d = phantom.toSkin(v);
+    sum += d, squares += d * d, ++n;
+    if (phantom.toNose(v) < 2) nose += d, ++n_nose;
+  }
+  return {sum / n, std::sqrt(squares / n), nose / std::max(1, n_nose)};
+}
+
+Placement placed(const SkinPhantom& phantom, const Eigen::Vector3d& spacing_mm) {
+  TaskMonitor monitor;
+  const auto scan = phantom.scan(spacing_mm, kFrontLow, kFrontHigh);
+  return placement(phantom, extractScalp(scan, maskOf(phantom, scan.grid), monitor), scan.grid);
+}
+
+TEST(ScalpSurface, LiesOnTheSkinThoughFatBelowADarkDermisIsBrighter) {
+  // 2 mm of dermis at 3/8 of the fat's level: half of the fat's maximum would lie 1.6 mm deep, its steepest
+  // slope 2 mm.
+  for (const Eigen::Vector3d& spacing :
+       {Eigen::Vector3d(0.67, 0.7, 0.67), Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1.4, 0.9, 1.1)})
+    for (const double dermis_level : {45.0, 90.0}) {
+      SkinPhantom phantom;
+      phantom.dermis_level = dermis_level;
+      const Placement p = placed(phantom, spacing);
+      EXPECT_NEAR(p.mean_mm, 0.0, 0.12) << spacing.transpose() << " mm, dermis " << dermis_level;
+      EXPECT_NEAR(p.nose_mean_mm, 0.0, 0.15) << spacing.transpose() << " mm, dermis " << dermis_level;
+      EXPECT_LT(p.rms_mm, 0.2) << spacing.transpose() << " mm, dermis " << dermis_level;
+    }
+}
+
+TEST(ScalpSurface, IntensityScaleOffsetAndNoiseDoNotMoveIt) {
+  SkinPhantom phantom;
+  phantom.dermis_mm = 0;
+  phantom.noise = 5;
+  EXPECT_NEAR(placed(phantom, {1, 1, 1}).mean_mm, 0.0, 0.06);
+  phantom.scale = 0.01;
+  phantom.offset = -7;
+  EXPECT_NEAR(placed(phantom, {1, 1, 1}).mean_mm, 0.0, 0.06);
+}
+
+TEST(ScalpSurface, DermisThatNoVoxelResolvesPullsItLessThanItsThickness) {
+  SkinPhantom phantom;
+  phantom.dermis_mm = 1.0;
+  const Placement p = placed(phantom, {1, 1, 1});
+  EXPECT_GT(p.mean_mm, -0.8);
+  EXPECT_LT(p.mean_mm, 0.1);
+}
+
+TEST(ScalpSurface, NormalsPointOutwardsAndTrianglesAgree) {
+  for (const bool is_flipped : {false, true}) {
+    SkinPhantom phantom;
+    auto scan = phantom.scan({1.5, 1.5, 1.5});
+    if (is_flipped) {  // the same head stored with i running to the left: a left-handed grid
+      for (int k = 0; k < scan.grid.size[2]; ++k)
+        for (int j = 0; j < scan.grid.size[1]; ++j)
+          std::reverse(&scan.voxels[scan.grid.index(0, j, k)],
+                       &scan.voxels[scan.grid.index(0, j, k)] + scan.grid.size[0]);
+      scan.grid.mri_from_voxel.translation() = scan.grid.toMri({scan.grid.size[0] - 1.0, 0, 0}).mm;
+      scan.grid.mri_from_voxel.linear().col(0) *= -1;
+    }
+    TaskMonitor monitor;
+    const auto scalp = extractScalp(scan, maskOf(phantom, scan.grid), monitor);
+    double six_volumes = 0, worst = 1;
+    for (const auto& t : scalp.mesh.triangles)
+      six_volumes +=
+          scalp.mesh.vertices_mm[t[0]].dot(scalp.mesh.vertices_mm[t[1]].cross(scalp.mesh.vertices_mm[t[2]]));
+    for (std::size_t v = 0; v < scalp.mesh.normals.size(); ++v)
+      if (!phantom.isNearCrease(scalp.mesh.vertices_mm[v]))
+        worst = std::min(worst, scalp.mesh.normals[v].dot(scalp.mesh.vertices_mm[v].normalized()));
+    EXPECT_NEAR(six_volumes / 6 / 1000, 4.0 / 3 * M_PI * 75 * 95 * 115 / 1000, 150)
+        << "ml, flipped: " << is_flipped;
+    EXPECT_GT(worst, 0.0);
+  }
+}
+
+TEST(ScalpSurface, IsOpenWhereTheScanEnds) {
+  SkinPhantom phantom;
+  TaskMonitor monitor;
+  const auto scan = phantom.scan({1.5, 1.5, 1.5}, kFrontLow, kFrontHigh);
+  const auto scalp = extractScalp(scan, maskOf(phantom, scan.grid), monitor);
+  ASSERT_EQ(scalp.field_of_view.size(), 6u);
+  int on_an_end = 0;
+  for (const auto& [point, normal] : scalp.field_of_view) {
+    EXPECT_LT((scan.grid.centre().mm - point.mm).dot(normal.v), 0) << "normals point out of the scan";
+    for (std::size_t v = 0; v < scalp.mesh.vertices_mm.size(); ++v)
+      on_an_end += std::abs((scalp.mesh.vertices_mm[v] - point.mm).dot(normal.v)) < 0.5 &&
+                   scalp.mesh.normals[v].dot(normal.v) > 0.9;
+  }
+  EXPECT_EQ(on_an_end, 0) << "no cap over the cut";
+}
+
+TEST(ScalpSurface, SurvivesTheFile) {
+  SkinPhantom phantom;
+  TaskMonitor monitor;
+  const auto scan = phantom.scan({2, 2, 2}, kFrontLow, kFrontHigh);
+  auto scalp = extractScalp(scan, maskOf(phantom, scan.grid), monitor);
+  scalp.has_face = true;
+  scalp.findings = {"nose tip cut by the scan's edge", "an ear is cut"};
+  TemporaryFolder folder;
+  writeScalp(scalp, folder.path() / "scalp.vtp");
+  const auto read = readScalp(folder.path() / "scalp.vtp");
+  EXPECT_TRUE(read.has_face);
+  EXPECT_EQ(read.findings, scalp.findings);
+  EXPECT_EQ(read.mesh.triangles, scalp.mesh.triangles);
+  ASSERT_EQ(read.mesh.vertices_mm.size(), scalp.mesh.vertices_mm.size());
+  EXPECT_LT((read.mesh.vertices_mm[100] - scalp.mesh.vertices_mm[100]).norm(), 1e-6);
+  ASSERT_EQ(read.field_of_view.size(), 6u);
+  EXPECT_LT((read.field_of_view[3].first.mm - scalp.field_of_view[3].first.mm).norm(), 1e-9);
+  EXPECT_THROW(readScalp(folder.path() / "absent.vtp"), Error);
+}
+
+}  // namespace
+}  // namespace facenav::surface
