@@ -40,7 +40,7 @@ SyntheticFace::SyntheticFace(const cv::Mat& portrait, Eigen::Vector2d left_eye_p
 }
 
 SyntheticFace SyntheticFace::astronaut() {
-  return SyntheticFace(cv::imread(portraitPath(), cv::IMREAD_GRAYSCALE), {195, 114}, {253, 106});
+  return SyntheticFace(cv::imread(portraitPath(), cv::IMREAD_GRAYSCALE), {195, 100}, {259, 104});
 }
 
 SyntheticFace SyntheticFace::stranger() {
@@ -68,8 +68,12 @@ double SyntheticFace::height(double x, double y) const {
 
 Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray,
                                    bool& is_hit) const {
-  double t = (kFace_mm.z() - 30 - origin.z()) / ray.z();
   is_hit = false;
+  const double to_axis = (kFace_mm - origin).dot(ray), middle = kFace_mm.z() + 50;
+  if (to_axis <= 0 || ray.z() <= 0.1) return {};
+  const Eigen::Vector3d across = origin + (middle - origin.z()) / ray.z() * ray - kFace_mm;
+  if (across.head<2>().norm() > 165) return {};
+  double t = (kFace_mm.z() - 30 - origin.z()) / ray.z();
   for (int i = 0; i < 60; ++i) {
     const Eigen::Vector3d p = origin + t * ray - kFace_mm;
     const double gap = height(p.x(), p.y()) - p.z();
@@ -83,15 +87,30 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
   return origin + t * ray - kFace_mm;
 }
 
+// The rays of all pixels of a camera; undistorting is what takes most of a picture's time.
+const cv::Mat2d& SyntheticFace::raysOf(const stereo::CameraModel& camera, cv::Size size) const {
+  for (const auto& [k, rays] : rays_)
+    if (cv::norm(k - camera.k) == 0 && rays.size() == size) return rays;
+  cv::Mat2d rays(size);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const Eigen::Vector2d n = stereo::undistort(camera, {double(x), double(y)});
+      rays(y, x) = {n.x(), n.y()};
+    }
+  rays_.emplace_back(camera.k, rays);
+  return rays_.back().second;
+}
+
 cv::Mat SyntheticFace::image(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_left,
                              cv::Size size, const SyntheticView& view, std::uint64_t seed) const {
   cv::Mat1f shaded(size);
+  const cv::Mat2d& rays = raysOf(camera, size);
   const Eigen::Isometry3d head_T_camera = (camera_T_left * view.motion).inverse();
   const Eigen::Vector3d lamp = Eigen::Vector3d(view.lamp_x, -0.4, -1).normalized(),
                         origin = head_T_camera.translation();
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
-      const Eigen::Vector2d n = stereo::undistort(camera, {double(x), double(y)});
+      const Eigen::Vector2d n(rays(y, x)[0], rays(y, x)[1]);
       bool is_hit = false;
       const Eigen::Vector3d p = hit(origin, (head_T_camera.linear() * n.homogeneous()).normalized(), is_hit);
       if (!is_hit) {

@@ -4,6 +4,7 @@
 // only.
 
 #include <cstdint>
+#include <list>
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -41,9 +42,11 @@ class SyntheticFace {
  private:
   cv::Mat image(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_left, cv::Size size,
                 const SyntheticView& view, std::uint64_t seed) const;
+  const cv::Mat2d& raysOf(const stereo::CameraModel& camera, cv::Size size) const;
   double height(double x, double y) const;
   Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit) const;
 
+  mutable std::list<std::pair<cv::Matx33d, cv::Mat2d>> rays_;
   cv::Mat1f portrait_;
   Eigen::Vector2d texture_centre_px_;
   double texture_px_per_mm_;

@@ -29,8 +29,11 @@ double median(std::vector<double> values) {
 double LocalSurface::inverseDepth(const Eigen::Vector2d& px) const { return c.dot(basis(px - centre_px)); }
 
 FaceSurface::FaceSurface(const std::vector<Eigen::Vector2f>& left_px, const std::vector<float>& depth_mm,
-                         cv::Size size)
-    : columns_(size.width / kCell_px + 1), rows_(size.height / kCell_px + 1), cells_(columns_ * rows_) {
+                         cv::Size size, double least_radius_px)
+    : columns_(size.width / kCell_px + 1),
+      rows_(size.height / kCell_px + 1),
+      least_radius_px_(least_radius_px),
+      cells_(columns_ * rows_) {
   for (std::size_t i = 0; i < left_px.size(); ++i) {
     const int x = int(left_px[i].x()) / kCell_px, y = int(left_px[i].y()) / kCell_px;
     if (left_px[i].x() < 0 || left_px[i].y() < 0 || x >= columns_ || y >= rows_ || !(depth_mm[i] > 0))
@@ -54,7 +57,8 @@ std::vector<int> FaceSurface::near(const Eigen::Vector2d& px, double radius_px) 
   return found;
 }
 
-std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, double radius_px) const {
+std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, double wanted_radius_px) const {
+  const double radius_px = std::max(wanted_radius_px, least_radius_px_);
   const auto points = near(px, radius_px);
   if (points.size() < 12) return std::nullopt;
   LocalSurface surface;

@@ -24,7 +24,9 @@ struct LocalSurface {
 
 class FaceSurface {
  public:
-  FaceSurface(const std::vector<Eigen::Vector2f>& left_px, const std::vector<float>& depth_mm, cv::Size size);
+  /// `least_radius_px`: no quadric is fitted to a smaller neighbourhood (noisy depths want a larger one).
+  FaceSurface(const std::vector<Eigen::Vector2f>& left_px, const std::vector<float>& depth_mm, cv::Size size,
+              double least_radius_px = 0.0);
 
   /// The quadric through the points within `radius_px`, outliers left out; nothing where too few lie there,
   /// on one side only, or too rough.
@@ -35,6 +37,7 @@ class FaceSurface {
 
   static constexpr int kCell_px = 8;
   int columns_, rows_;
+  double least_radius_px_;
   std::vector<std::vector<int>> cells_;
   std::vector<Eigen::Vector2f> px_;
   std::vector<float> inverse_depth_;

@@ -127,6 +127,7 @@ Step solve(const PatchLevel& level, const std::vector<double>& trust, PatchSight
         if (sight.weight <= 0) continue;
         const Eigen::Vector2d e = sight.displacement - view.jacobian * step.xi;
         sight.distance = std::sqrt(std::max(0.0, e.dot(view.information * e)));
+        sight.residual_px = e.norm();
         distances.push_back(sight.distance);
       }
     step.scale = std::max(1.0, medianDistance(distances) / 1.177);  // of a 2-D normal error's length

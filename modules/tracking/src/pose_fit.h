@@ -18,8 +18,11 @@ struct PatchSight {
   float ncc = 0.f, expected_ncc = 0.f;           // expected: with noise alone
   double weight = 0.0;                           // 0..1, after the fit
   double distance = 0.0;                         // of the fit, in standard deviations
+  double residual_px = 0.0;                      // the same in pixels of the level
   Eigen::Vector2d px = Eigen::Vector2d::Zero();  // of the centre in the current image
-  bool isGood() const { return is_visible && weight > 0.25 && ncc > 0.7f * expected_ncc; }
+  bool isGood() const {
+    return is_visible && weight > 0.25 && residual_px < 1.0 && ncc > 0.7f * expected_ncc;
+  }
 };
 using PatchSights = std::vector<std::array<PatchSight, 2>>;
 

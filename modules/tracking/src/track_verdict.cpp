@@ -10,10 +10,10 @@ namespace {
 constexpr int kLeastGood = 15;            // patches in each camera
 constexpr double kLeastGoodShare = 0.25;  // of the telling patches in view
 constexpr double kWidestRatio = 3.5;      // between the cameras' shares
-constexpr double kWorstSigma_mm = 0.5;    // of the face's centre
-constexpr double kWorstSigma_rad = 0.4 * M_PI / 180;
-constexpr double kWorstScale = 4.0;
-constexpr double kCorrelation = 4.0;  // neighbouring patches err alike: variance is this much larger
+constexpr double kWorstSigma_mm = 0.8;    // of the face's centre
+constexpr double kWorstSigma_rad = 0.7 * M_PI / 180;
+constexpr double kWorstScale = 6.0;
+constexpr double kCorrelation = 2.0;  // neighbouring patches err alike: variance is this much larger
 
 struct Count {
   int telling = 0, good = 0;

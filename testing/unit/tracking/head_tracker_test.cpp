@@ -1,0 +1,269 @@
+// Both head trackers on a synthetic face with known motion, and what must be lost.
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "facenav/core/error.h"
+#include "facenav/geometry/pose_error.h"
+#include "facenav/tracking/head_tracker.h"
+#include "support/matchers.h"
+#include "support/synthetic_face.h"
+#include "support/test_data.h"
+
+namespace facenav {
+namespace {
+
+using testing::SyntheticFace;
+using testing::SyntheticView;
+
+constexpr double kDegree = M_PI / 180;
+const Point<Head> kCortex(0, -60, 690);  // some 90 mm behind the face
+
+std::shared_ptr<const tracking::FaceDetector> detector() {
+  static const std::shared_ptr<const tracking::FaceDetector> shared = tracking::makeFaceDetector();
+  return shared;
+}
+
+std::unique_ptr<tracking::HeadTracker> make(bool is_model) {
+  return is_model ? tracking::makeModelHeadTracker(detector()) : tracking::makeFeatureHeadTracker(detector());
+}
+
+Eigen::Isometry3d motionAt(double phase, double yaw_deg) {
+  Vector6d xi;
+  xi << 0.4 * yaw_deg * kDegree * std::sin(phase), yaw_deg * kDegree * std::sin(phase + 0.3),
+      0.3 * yaw_deg * kDegree * std::cos(phase), 20 * std::sin(phase), 10 * std::cos(phase) - 10,
+      15 * std::sin(2 * phase);
+  return Eigen::Translation3d(0, 0, 640) * expRigid(xi) * Eigen::Translation3d(0, 0, -640);
+}
+
+SyntheticView viewAt(int frame, double yaw_deg) {
+  SyntheticView view;
+  view.motion = motionAt(2 * M_PI * frame / 60.0, yaw_deg);
+  view.seed = std::uint64_t(frame) + 1;
+  view.time_s = frame / 30.0;
+  return view;
+}
+
+SyntheticView stillView(int frame) {
+  SyntheticView view;
+  view.seed = std::uint64_t(frame) + 1;
+  view.time_s = frame / 30.0;
+  return view;
+}
+
+struct Errors {
+  int frames = 0, lost = 0;
+  double target_rms_mm = 0, rotation_rms_deg = 0, worst_mm = 0;
+};
+
+PoseError errorOf(const tracking::HeadPose& pose, const SyntheticView& view) {
+  return poseError(pose.camera_T_head, RigidTransform<Camera, Head>::fromIsometry(view.motion), kCortex);
+}
+
+class HeadTrackers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(SyntheticFace::portraitPath()))
+      GTEST_SKIP() << "no portrait (python3-skimage)";
+    rig_ = testing::convergingRig();
+    face_ = std::make_unique<SyntheticFace>(SyntheticFace::astronaut());
+  }
+  void start(tracking::HeadTracker& tracker, bool with_surface) const {
+    SyntheticView view;
+    view.seed = 99;
+    tracker.start(rig_, face_->reference(rig_, with_surface, view));
+  }
+  Errors follow(tracking::HeadTracker& tracker, const std::vector<SyntheticView>& views) const {
+    Errors errors;
+    for (const auto& view : views) {
+      ++errors.frames;
+      const auto pose = tracker.track(face_->render(rig_, view));
+      if (!pose) {
+        ++errors.lost;
+        continue;
+      }
+      const auto error = errorOf(*pose, view);
+      errors.target_rms_mm += error.at_point_mm * error.at_point_mm;
+      errors.rotation_rms_deg += std::pow(error.rotation_rad / kDegree, 2);
+      errors.worst_mm = std::max(errors.worst_mm, error.at_point_mm);
+    }
+    const double n = std::max(1, errors.frames - errors.lost);
+    errors.target_rms_mm = std::sqrt(errors.target_rms_mm / n);
+    errors.rotation_rms_deg = std::sqrt(errors.rotation_rms_deg / n);
+    return errors;
+  }
+  static std::vector<SyntheticView> sweep(double yaw_deg, int step, int frames = 60) {
+    std::vector<SyntheticView> views;
+    for (int frame = 0; frame < frames; frame += step) views.push_back(viewAt(frame, yaw_deg));
+    return views;
+  }
+
+  stereo::StereoRig rig_;
+  std::unique_ptr<SyntheticFace> face_;
+};
+
+TEST_F(HeadTrackers, Features7FollowsWithinTwoMillimetresAtTheCortex) {
+  const auto tracker = tracking::makeFeatureHeadTracker(detector());
+  start(*tracker, false);
+  const Errors errors = follow(*tracker, sweep(8, 6));
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LT(errors.target_rms_mm, 2.0);
+  EXPECT_LT(errors.rotation_rms_deg, 1.2);
+  EXPECT_LT(errors.worst_mm, 3.0);
+}
+
+TEST_F(HeadTrackers, ModelFollowsWithinTwoTenthsOfAMillimetreAtTheCortex) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  const Errors errors = follow(*tracker, sweep(15, 5));
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LT(errors.target_rms_mm, 0.2);
+  EXPECT_LT(errors.rotation_rms_deg, 0.1);
+}
+
+TEST_F(HeadTrackers, ModelReachesThirtyDegreesOfYaw) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  const Errors errors = follow(*tracker, sweep(30, 2, 50));
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LT(errors.target_rms_mm, 0.35);
+}
+
+TEST_F(HeadTrackers, ModelLearnsDepthFromThePlainPairWhereThereIsNoCloud) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, false);
+  const Errors errors = follow(*tracker, sweep(10, 5));
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LT(errors.target_rms_mm, 0.4);
+  EXPECT_LT(errors.rotation_rms_deg, 0.25);
+}
+
+TEST_F(HeadTrackers, ModelHoldsAStillHeadWithinAFewHundredthsOfAMillimetre) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  std::vector<SyntheticView> views;
+  for (int i = 0; i < 8; ++i) views.push_back(stillView(i));
+  EXPECT_LT(follow(*tracker, views).target_rms_mm, 0.08);
+}
+
+TEST_F(HeadTrackers, ModelBearsOtherLightAMovingJawAndACoveredCheek) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  std::vector<SyntheticView> views;
+  for (int i = 0; i < 8; ++i) {
+    SyntheticView view = viewAt(i, 10);
+    view.gain = 1.0 + 0.4 * (i % 2 ? 1 : -1) * std::min(1.0, i / 4.0);
+    view.lamp_x = -0.3 + 0.1 * i;
+    view.jaw_drop_mm = 1.0 * (i % 4);
+    if (i > 2) view.cover_mm = cv::Rect2d(15, -80, 60, 75);
+    views.push_back(view);
+  }
+  const Errors errors = follow(*tracker, views);
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LT(errors.worst_mm, 1.0);
+}
+
+TEST_F(HeadTrackers, FirstFrameMayBeFarFromTheReference) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  SyntheticView view = viewAt(12, 12);
+  view.motion.pretranslate(Eigen::Vector3d(-30, 25, 50));
+  const auto pose = tracker->track(face_->render(rig_, view));
+  ASSERT_TRUE(pose.isTracked());
+  EXPECT_LT(errorOf(*pose, view).at_point_mm, 0.3);
+}
+
+// What either tracker must refuse, after some good frames. Each case damages a good frame.
+struct Damage {
+  const char* name;
+  std::function<void(stereo::StereoFrame&)> apply;
+};
+
+void fillNoise(cv::Mat& image, int seed) {
+  cv::RNG random(static_cast<std::uint64_t>(seed));
+  random.fill(image, cv::RNG::UNIFORM, 0, 255);
+}
+
+const Damage kDamages[] = {
+    {"BlackLeft", [](auto& f) { f.left.setTo(2); }},
+    {"BlackRight", [](auto& f) { f.right.setTo(0); }},
+    {"Blank", [](auto& f) { f.left.setTo(128), f.right.setTo(128); }},
+    {"Noise", [](auto& f) { fillNoise(f.left, 1), fillNoise(f.right, 2); }},
+    {"SwappedSides", [](auto& f) { std::swap(f.left, f.right); }},
+    {"Mirrored", [](auto& f) { cv::flip(f.left, f.left, 1), cv::flip(f.right, f.right, 1); }},
+    {"SameImageTwice", [](auto& f) { f.right = f.left.clone(); }},
+    {"OtherSize", [](auto& f) { f.left = f.left.colRange(0, 320).clone(); }},
+    {"Empty", [](auto& f) { f.left = cv::Mat(); }},
+    {"RightShiftedByTenLines",
+     [](auto& f) {
+       cv::Mat moved;
+       cv::warpAffine(f.right, moved, cv::Matx23d(1, 0, 0, 0, 1, 10), f.right.size());
+       f.right = moved;
+     }},
+};
+
+TEST_F(HeadTrackers, RefuseEveryDamagedFrameAndGoOnAfterIt) {
+  for (bool is_model : {true, false}) {
+    const auto tracker = make(is_model);
+    start(*tracker, true);
+    int frame = 0;
+    for (const auto& damage : kDamages) {
+      ASSERT_TRUE(tracker->track(face_->render(rig_, viewAt(frame++, 8))).isTracked())
+          << "not found again, before " << damage.name;
+      auto damaged = face_->render(rig_, viewAt(frame++, 8));
+      damage.apply(damaged);
+      EXPECT_FALSE(tracker->track(damaged).isTracked())
+          << damage.name << (is_model ? ", model" : ", features7");
+    }
+  }
+}
+
+TEST_F(HeadTrackers, AnotherPersonIsNotTracked) {
+  const SyntheticFace stranger = SyntheticFace::stranger();
+  for (bool is_model : {true, false}) {
+    const auto tracker = make(is_model);
+    start(*tracker, true);
+    ASSERT_TRUE(tracker->track(face_->render(rig_, stillView(0))).isTracked());
+    for (int frame = 1; frame < 4; ++frame)
+      EXPECT_FALSE(tracker->track(stranger.render(rig_, stillView(frame))).isTracked())
+          << (is_model ? "model" : "features7");
+  }
+}
+
+TEST_F(HeadTrackers, AFaceLostIsFoundAgainElsewhereAtOnce) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  ASSERT_TRUE(tracker->track(face_->render(rig_, viewAt(0, 10))).isTracked());
+  SyntheticView hidden = viewAt(1, 10);
+  hidden.cover_mm = cv::Rect2d(-200, -200, 400, 400);
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(tracker->track(face_->render(rig_, hidden)).isTracked());
+  const SyntheticView back = viewAt(25, 10);
+  const auto pose = tracker->track(face_->render(rig_, back));
+  ASSERT_TRUE(pose.isTracked());
+  EXPECT_LT(errorOf(*pose, back).at_point_mm, 0.3);
+}
+
+TEST_F(HeadTrackers, TheSameFramesGiveTheSamePoses) {
+  const auto frame = face_->render(rig_, viewAt(5, 10));
+  Eigen::Matrix4d poses[2];
+  for (auto& matrix : poses) {
+    const auto tracker = tracking::makeModelHeadTracker(detector());
+    start(*tracker, true);
+    const auto pose = tracker->track(frame);
+    ASSERT_TRUE(pose.isTracked());
+    matrix = pose->camera_T_head.matrix();
+  }
+  EXPECT_EQ((poses[0] - poses[1]).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST_F(HeadTrackers, RefuseToStartWithoutAFace) {
+  tracking::HeadReference nothing;
+  nothing.frame.left = cv::Mat(480, 640, CV_8U, cv::Scalar(90));
+  nothing.frame.right = nothing.frame.left.clone();
+  EXPECT_THROW(tracking::makeModelHeadTracker(detector())->start(rig_, nothing), Error);
+  EXPECT_THROW(tracking::makeFeatureHeadTracker(detector())->start(rig_, nothing), Error);
+}
+
+}  // namespace
+}  // namespace facenav
