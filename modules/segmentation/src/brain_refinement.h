@@ -1,7 +1,8 @@
 #pragma once
 // From BET's smooth surface to tissue with closed sulci: what has the intensity of grey or white matter near
-// that surface, torn off from dura, eyes, vessels and muscle by erosion, grown back where it is tissue, then
-// sulci and ventricles closed.
+// that surface and not far from the connected body of white matter (BET leaks into the neck where the skull
+// base is thin or blurred, but muscle has no such body), torn off from dura, eyes and vessels by erosion,
+// grown back where it is tissue; then sulci and ventricles are closed.
 
 #include "brain_tissue.h"
 
@@ -16,9 +17,9 @@ struct RefinementOptions {
   double tear_mm = 2.5;        // bridges thinner than twice this are torn
   double regrow_mm = 4.5;      // from the torn core back, through tissue
   double sulcus_mm = 4;        // sulci up to twice this wide are closed
-  double hull_mm = 10,
-         deep_mm = 5;      // what lies this deep within a coarse closing is inside: ventricles, fissures
-  double smooth_mm = 1.5;  // spikes thinner than twice this are cut
+  double hull_mm = 10;         // radius of a coarse closing, within which ..
+  double deep_mm = 5;          // .. what lies this deep is inside: ventricles, fissures
+  double smooth_mm = 1.5;      // spikes thinner than twice this are cut
 };
 
 /// `flat`: bias-corrected, cubic voxels; `first` on its grid. May be empty.
