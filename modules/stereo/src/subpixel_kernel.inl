@@ -268,8 +268,11 @@ inline void refineRow(const Images& im, const Limits& limits, int y, const Field
       Window w;
       loadShape(im, x, y, plane, seen, w);
       fit = fitWindow(im, limits, x, y, plane, w);
-      // A fit that the refinement spoils (at an edge) stays as it was.
-      if (!fit.is_good) fit = {plane, seen.sigma[i], 0, true};
+      // Where window and plane do not suit the surface (creases, edges) both fits disagree by more than
+      // noise: said in the deviation, and refused where it grows too large.
+      const float change = fit.plane.d - plane.d;
+      fit.sigma = std::sqrt(fit.sigma * fit.sigma + change * change);
+      fit.is_good = fit.is_good && fit.sigma <= limits.largest_sigma_px;
     }
     store(refined, x, y, fit);
   }
