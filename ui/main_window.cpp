@@ -61,7 +61,10 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
           [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnPlaying);
-  connect(&tasks_, &TaskRunner::failed, this, [this] { to_play_.clear(); });
+  connect(&tasks_, &TaskRunner::failed, this, [this] {
+    to_play_.clear();
+    is_starting_ = false;
+  });
   setWorkspace(Workspace::prepare);
   showCaseWords();
   task_bar_->showMessage(tr("Drop a DICOM folder, a NIfTI file or a case anywhere."), false);
@@ -82,6 +85,7 @@ QWidget* MainWindow::makeHeader() {
                              QSizePolicy::Preferred);  // long words give way to the state
   timing_ = new QLabel(header);
   timing_->setObjectName("muted");
+  timing_->setMinimumWidth(170);
   timing_->setToolTip(
       tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
   cameras_ = new StatusChip(header);
@@ -170,8 +174,14 @@ void MainWindow::goOnPlaying() {
     treat_.openRecording(to_play_);
   } else if (model_.isOpen()) {
     to_play_.clear();
+    is_starting_ = true;
     treat_.align(true);
   }
+}
+
+bool MainWindow::isSettled() const {
+  return !tasks_.isRunning() && to_play_.isEmpty() &&
+         (!is_starting_ || treat_.isRunning() || treat_.hasEnded());
 }
 
 void MainWindow::restoreLast() {

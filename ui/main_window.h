@@ -33,6 +33,8 @@ class MainWindow : public QMainWindow {
   void play(const QString& recording);
   /// What was open when the window was closed last (QSettings).
   void restoreLast();
+  /// No task runs, and what play() was asked for has begun or failed.
+  bool isSettled() const;
   const TaskRunner& tasks() const { return tasks_; }
 
  protected:
@@ -61,6 +63,7 @@ class MainWindow : public QMainWindow {
   StatusChip *cameras_, *face_, *coil_;
   TaskBar* task_bar_;
   QString to_play_;
+  bool is_starting_ = false;
 };
 
 }  // namespace facenav::ui

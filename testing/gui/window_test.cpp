@@ -84,7 +84,9 @@ TEST(MainWindow, EveryButtonSaysWhatItDoes) {
   window.show();
   QApplication::processEvents();
   for (const auto* button : window.findChildren<QAbstractButton*>())
-    if (button->isVisible()) EXPECT_FALSE(button->text().isEmpty() && button->toolTip().isEmpty());
+    if (button->isVisible()) {
+      EXPECT_FALSE(button->text().isEmpty() && button->toolTip().isEmpty());
+    }
 }
 
 }  // namespace

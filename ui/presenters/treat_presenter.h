@@ -31,6 +31,8 @@ class TreatPresenter : public QObject {
   bool hasRecording() const { return recording_.has_value(); }
   bool isAligned() const { return outcome_ != nullptr; }
   bool isRunning() const { return session_ != nullptr && !session_->hasEnded(); }
+  /// The recording has been played to its end, or a fault stopped it.
+  bool hasEnded() const { return session_ != nullptr && session_->hasEnded(); }
   QString recordingWords() const;
   QString alignmentWords() const;
   QString targetName() const { return target_; }

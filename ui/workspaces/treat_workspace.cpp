@@ -108,8 +108,8 @@ void TreatWorkspace::showSteps() {
   const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
   cameras_->setText(tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
   align_->setText(tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
-  guide_->setText(presenter_.isRunning() ? tr("3 Guide %1  stop").arg(live)
-                                         : tr("3 Guide %1  start").arg(open));
+  shows_running_ = presenter_.isRunning();
+  guide_->setText(shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
   align_->setEnabled(presenter_.hasRecording() && model_.isOpen());
   guide_->setEnabled(presenter_.isAligned());
   words_->setText(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
@@ -134,11 +134,18 @@ void TreatWorkspace::showCase() {
 
 void TreatWorkspace::refresh() {
   const auto state = presenter_.state();
+  if (presenter_.isRunning() != shows_running_) showSteps();
   ReadOut read_out = makeReadOut(*state);
   const bool was_started = presenter_.isRunning() || state->frame >= 0;
   if (!was_started) {
     read_out.instruction = presenter_.isAligned() ? tr("READY: start guidance") : tr("NOT ALIGNED");
     read_out.timing.clear();
+    read_out.cameras = {
+        presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::lost};
+    read_out.face = {tr("FACE idle"), {}, Level::lost};
+    read_out.coil = {tr("COIL idle"), {}, Level::lost};
+  } else if (presenter_.hasEnded() && state->failure.empty()) {
+    read_out.instruction = tr("RECORDING ENDED: start again");
   }
   const bool is_new = state->frame != frame_ || read_out.instruction != last_instruction_;
   frame_ = state->frame;

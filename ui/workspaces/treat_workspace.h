@@ -52,7 +52,7 @@ class TreatWorkspace : public QWidget {
   QPushButton *cameras_, *align_, *guide_;
   QLabel* words_;
   QTimer timer_;
-  bool is_outdated_ = false;
+  bool is_outdated_ = false, shows_running_ = false;
   std::int64_t frame_ = -2;
   QString last_instruction_;
 };
