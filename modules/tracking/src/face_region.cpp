@@ -59,6 +59,22 @@ FaceRegion::FaceRegion(const FaceLandmarks& face, cv::Size size) : rigidity_perc
   box_ = inside.empty() ? cv::Rect() : cv::boundingRect(inside);
 }
 
+FaceRegion::FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size size)
+    : rigidity_percent_(size, uchar(0)) {
+  for (const auto& px : cloud_px) {
+    const cv::Point at = toPoint(px.cast<double>());
+    if (cv::Rect({}, size).contains(at)) rigidity_percent_(at) = kSkull;
+  }
+  const auto disc = [](int radius) {
+    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
+  };
+  cv::morphologyEx(rigidity_percent_, rigidity_percent_, cv::MORPH_CLOSE, disc(4));
+  cv::erode(rigidity_percent_, rigidity_percent_, disc(8));  // the outline moves over the background
+  std::vector<cv::Point> inside;
+  cv::findNonZero(rigidity_percent_, inside);
+  box_ = inside.empty() ? cv::Rect() : cv::boundingRect(inside);
+}
+
 bool FaceRegion::contains(const Eigen::Vector2d& px) const { return rigidity(px) > 0; }
 
 double FaceRegion::rigidity(const Eigen::Vector2d& px) const {

@@ -13,6 +13,9 @@ class FaceRegion {
  public:
   /// From the landmarks; from the cascade's box alone (an ellipse, all parts alike) where there are none.
   FaceRegion(const FaceLandmarks& face, cv::Size size);
+  /// From the pixels at which the dense cloud was measured, all parts alike: for a face that no detector
+  /// finds.
+  FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size size);
 
   bool contains(const Eigen::Vector2d& px) const;
   /// 0..1, prior trust in the skin at `px`.

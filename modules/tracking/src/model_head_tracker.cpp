@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "coarse_search.h"
 #include "facenav/tracking/head_tracker.h"
 #include "frame_guard.h"
 #include "patch_model.h"
@@ -26,11 +27,13 @@ class ModelHeadTracker : public HeadTracker {
 
   void start(const stereo::StereoRig& rig, const HeadReference& reference) override {
     const auto face = findStereoFace(*detector_, rig, reference.frame);
-    if (!face)
+    if (!face && reference.surface.empty())
       throw Error("no face is found in both images of the reference frame", {},
                   "let the face look towards the cameras, lit evenly");
-    const FaceRegion region(face->left, reference.frame.left.size());
-    const FaceSurface surface = measureSurface(rig, reference, region, depthOf(rig, *face));
+    const cv::Size size = reference.frame.left.size();
+    const FaceRegion region =
+        face ? FaceRegion(face->left, size) : FaceRegion(reference.surface_left_px, size);
+    const FaceSurface surface = measureSurface(rig, reference, region, face ? depthOf(rig, *face) : 0.0);
     const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
                                              ImagePyramid(reference.frame.right)};
     model_ = learnPatches(rig, key, region, surface);
@@ -38,8 +41,9 @@ class ModelHeadTracker : public HeadTracker {
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
     rig_ = rig;
-    reference_face_ = seen_face_ = *face;
-    left_box_ = face->left.face, right_box_ = face->right.face;
+    reference_face_ = seen_face_ = face.value_or(StereoFace{});
+    coarse_ = CoarseSearch(rig, key, model_);
+    left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
     lost_frames_ = 0;
@@ -97,15 +101,25 @@ class ModelHeadTracker : public HeadTracker {
 
   Tracked<HeadPose> relocalise(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
                                LostReason reason) {
-    auto face = findStereoFace(*detector_, rig_, frame, &seen_face_);
-    if (!face) face = searchFace(frame);
-    if (!face) return lost(reason);
-    seen_face_ = *face;
-    const auto motion = motionOfLandmarks(reference_face_.points_mm, face->points_mm);
-    if (!motion) return lost(LostReason::high_residual);
-    const PoseFit fit = fitPose(rig_, model_, now, *motion, 3, trust());
+    const auto start = startOf(frame, now);
+    if (!start) return lost(reason);
+    const PoseFit fit = fitPose(rig_, model_, now, *start, 3, trust());
     const Verdict verdict = judge(rig_, model_, fit);
     return verdict.isTracked() ? accepted(frame, fit, verdict) : lost(*verdict.lost);
+  }
+
+  // From landmarks where a face is detected, else from the looks of the whole face.
+  std::optional<Eigen::Isometry3d> startOf(const stereo::StereoFrame& frame,
+                                           const std::array<ImagePyramid, 2>& now) {
+    if (!reference_face_.points_mm.empty() && lost_frames_ % 4 != 3) {
+      auto face = findStereoFace(*detector_, rig_, frame, &seen_face_);
+      if (!face) face = searchFace(frame);
+      if (face) {
+        seen_face_ = *face;
+        if (const auto motion = motionOfLandmarks(reference_face_.points_mm, face->points_mm)) return motion;
+      }
+    }
+    return coarse_.find(rig_, now);
   }
 
   // The whole image at one roll per frame: upright as in the reference, then leaning to either side.
@@ -177,6 +191,7 @@ class ModelHeadTracker : public HeadTracker {
   stereo::StereoRig rig_;
   PatchModel model_;
   StereoFace reference_face_, seen_face_;
+  CoarseSearch coarse_;
   FrameGuard guard_;
   std::optional<Last> last_;
   std::vector<double> wander_;  // per patch of level 0: mean square distance beyond the expected
