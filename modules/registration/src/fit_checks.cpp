@@ -17,6 +17,7 @@ constexpr double kSupport_mm = 1.2;
 constexpr double kWrongHead_mm = 0.9, kLeastClose = 0.4;
 constexpr double kMirrored = 1.1;  // support of the mirrored skin over that of the skin
 constexpr double kRival = 0.9;
+constexpr double kLeastExtent_mm = 45.0;  // a whole face has 120, forehead to mid-nose 80
 constexpr double kLargestError_mm = 2.5;
 
 std::string oneDecimal(double value) {
@@ -38,6 +39,16 @@ Eigen::Isometry3d settle(const PoseFitter& fitter, Eigen::Isometry3d pose, doubl
   for (double reach_mm = from_mm; reach_mm > 1.0; reach_mm *= 0.6)
     pose = fitter.fit(pose, {reach_mm, 0.75 * reach_mm, 6, false});
   return fitter.fit(pose, {1.2, 1.0, 8, false});
+}
+
+/// Four standard deviations across or up the face, the smaller.
+double facialExtent_mm(const std::vector<Eigen::Vector3d>& points_mri_mm) {
+  if (points_mri_mm.empty()) return 0.0;
+  Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
+  for (const auto& p : points_mri_mm) sum += p.array(), squares += p.array().square();
+  const double n = double(points_mri_mm.size());
+  const Eigen::Array3d extent = 4 * (squares / n - (sum / n).square()).max(0.0).sqrt();
+  return std::min(extent.x(), extent.z());
 }
 
 /// The best support that the mirrored skin finds near the pose.
@@ -62,13 +73,15 @@ FitEvidence gatherEvidence(const SkinField& skin, const PointCloud<Camera>& face
   const PointCloud<Camera> head = pick(face, nearHead(skin, face, mri_T_camera, 30.0));
   const PoseFitter fitter(skin, pick(head, thinOut(head, 3.0, 4000)));
   std::vector<double> core;
+  std::vector<Eigen::Vector3d> close_mm;
   for (const PointMatch& m : fitter.match(mri_T_camera, true)) {
     if (!m.is_valid || std::abs(m.residual_mm) > 15) continue;
     ++evidence.face_points;
-    evidence.close_fraction += std::abs(m.residual_mm) < 1.5;
+    if (std::abs(m.residual_mm) < 1.5) close_mm.push_back(m.at_mri_mm);
     if (std::abs(m.residual_mm) < 6) core.push_back(std::abs(m.residual_mm));
   }
-  evidence.close_fraction /= std::max<double>(1.0, double(evidence.face_points));
+  evidence.close_fraction = double(close_mm.size()) / std::max<double>(1.0, double(evidence.face_points));
+  evidence.extent_mm = facialExtent_mm(close_mm);
   if (!core.empty()) {
     std::nth_element(core.begin(), core.begin() + core.size() / 2, core.end());
     evidence.core_residual_mm = core[core.size() / 2];
@@ -91,7 +104,7 @@ void requireTrust(const FitEvidence& evidence) {
   const auto refuse = [](const std::string& why, const std::string& remedy) {
     throw Error("not aligned: " + why, {}, remedy);
   };
-  if (evidence.face_points < 300)
+  if (evidence.face_points < 300 || evidence.extent_mm < kLeastExtent_mm)
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
   if (evidence.mirrored_support > kMirrored * evidence.support &&
       evidence.mirrored_support > 0.5 * double(evidence.face_points))

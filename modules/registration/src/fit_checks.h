@@ -12,6 +12,7 @@ struct FitEvidence {
   std::size_t face_points = 0;      // points with a counterpart on skin that faces the camera, within 15 mm
   double close_fraction = 0.0;      // of these: within 1.5 mm of the skin
   double core_residual_mm = 0.0;    // median |residual| of face points within 6 mm
+  double extent_mm = 0.0;           // four sigma of the close points across or up the face, the smaller
   double predicted_error_mm = 0.0;  // at the middle of the head
   double support = 0.0, mirrored_support = 0.0, rival_support = 0.0;
 };

@@ -68,7 +68,8 @@ class IcpAligner : public Aligner {
       if (fit.mean_square_mm2 < best.mean_square_mm2) best = fit;
     }
     const PointCloud<Camera> head = pick(face, nearHead(skin, face, best.mri_T_camera, 30.0));
-    best = iterate(skin, pick(head, thinOut(head, 2.0, 12000)), best.mri_T_camera, kKept, 60);
+    best = iterate(skin, pick(head, thinOut(head, 3.0, 5000)), best.mri_T_camera, kKept,
+                   400);  // it slides slowly
     const auto matches = PoseFitter(skin, head).match(best.mri_T_camera, true);
     return report(skin, face, {best.mri_T_camera, inlierLimit_mm(matches, 3.0)}, tried);
   }
