@@ -103,9 +103,11 @@ struct Truth {
   std::map<std::int64_t, Eigen::Isometry3d> head, coil;  // camera_T_mri, camera_T_coil
 };
 
+/// A recording without a coil (the protractor) has no truth of it.
 Truth readRoomTruth(const fs::path& recording) {
-  Truth truth{capture::readTruth(recording / "truth/head.csv"),
-              capture::readTruth(recording / "truth/coil.csv")};
+  Truth truth{capture::readTruth(recording / "truth/head.csv"), {}};
+  if (!fs::exists(recording / "truth/coil.csv")) return truth;
+  truth.coil = capture::readTruth(recording / "truth/coil.csv");
   const auto marker_T_coil = tracking::readCoil(recording / "coil.json").marker_T_coil();
   for (auto& [frame, pose] : truth.coil) pose = pose * marker_T_coil.isometry();
   return truth;
@@ -174,7 +176,7 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
 
   TrackRequest track{folder / "protractor",
                      store.folder(),
-                     folder / "protractor/coil.json",
+                     std::nullopt,
                      context.registrations.aligners.defaultName(),
                      context.registrations.head_trackers.defaultName(),
                      context.registrations.coil_trackers.defaultName(),
