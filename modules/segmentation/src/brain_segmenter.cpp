@@ -17,6 +17,8 @@ using volume::VoxelGrid;
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
 constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
 
+constexpr double kSafeShare = 0.9;  // of the first guess's ball, for the rough bias
+
 /// The part of the grid that holds the mask, with a margin.
 VoxelGrid gridAround(const Mask& mask, double margin_mm) {
   const auto& n = mask.grid.size;
@@ -35,12 +37,20 @@ VoxelGrid gridAround(const Mask& mask, double margin_mm) {
   return grid;
 }
 
+/// BET's one median and threshold for the whole head need a field that is about even.
+Volume withoutRoughBias(const Volume& working) {
+  const Volume coarse = halved(working);
+  const BrainStart start = findBrainStart(coarse);
+  return corrected(working, fitRoughBias(coarse, start.sphere.centre_mm, kSafeShare * start.sphere.radius_mm,
+                                         start.intensities.t));
+}
+
 class BrainSegmenter : public Segmenter {
  public:
   SegmentationResult segment(const Volume& volume, TaskMonitor& monitor) const override {
     requireBrainScan(volume);
     monitor.report("looking for the brain", 0);
-    const Volume working = workingVolume(volume, 1.0), coarse = halved(working);
+    const Volume working = withoutRoughBias(workingVolume(volume, 1.0)), coarse = halved(working);
     const BrainStart start = findBrainStart(coarse);
     const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, BetOptions(), monitor);
     const Mask whole = enclosed(surface, working.grid);

@@ -139,6 +139,47 @@ Classes maximiseExpectation(const Histogram& h, Classes c) {
 
 double TissueModel::contrast() const { return white.mean > 0 ? (white.mean - grey.mean) / white.mean : 0; }
 
+TissueModel fitRoughBias(const Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm, float air) {
+  constexpr int kTrims = 12, kWide = 3;
+  constexpr double kWide_log = 0.8, kBelow_log = 0.15,
+                   kAbove_log = 0.3;  // the last trims keep white matter alone
+  TissueModel model;
+  model.centre_mm = centre_mm;
+  Mask ball{image.grid, std::vector<std::uint8_t>(image.voxels.size())};
+  std::size_t at = 0;
+  for (int k = 0; k < image.grid.size[2]; ++k)
+    for (int j = 0; j < image.grid.size[1]; ++j)
+      for (int i = 0; i < image.grid.size[0]; ++i, ++at)
+        ball.voxels[at] =
+            image.voxels[at] > air &&
+            (image.grid.toMri({double(i), double(j), double(k)}).mm - centre_mm).norm() < radius_mm;
+  const auto samples = samplesOf(image, ball, model);
+  if (samples.size() < 1000) return model;
+  std::vector<double> logs;
+  for (const auto& s : samples) logs.push_back(std::log(s.value));
+  const double middle = quantile(logs, 0.6);
+  for (int trim = 0; trim < kTrims; ++trim) {
+    Eigen::Matrix<double, 20, 20> normal = Eigen::Matrix<double, 20, 20>::Zero();
+    Basis right = Basis::Zero();
+    const double below = trim < kWide ? kWide_log : kBelow_log, above = trim < kWide ? kWide_log : kAbove_log;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double residual = logs[i] - middle - model.bias.dot(samples[i].at);
+      if (residual < -below || residual > above) continue;
+      normal.noalias() += samples[i].at * samples[i].at.transpose();
+      right += (logs[i] - middle) * samples[i].at;
+    }
+    const double scale = normal.trace() / 20;
+    int term = 0;
+    for (int i = 0; i <= 3; ++i)
+      for (int j = 0; i + j <= 3; ++j)
+        for (int k = 0; i + j + k <= 3; ++k, ++term)
+          normal(term, term) += scale * (i + j + k == 3 ? 1e3 : 1e-3);
+    model.bias = normal.ldlt().solve(right);
+  }
+  model.bias[0] = 0;  // the overall gain stays as it is
+  return model;
+}
+
 TissueModel fitTissue(const Volume& image, const Mask& core) {
   TissueModel model;
   model.centre_mm = image.grid.centre().mm;

@@ -23,6 +23,12 @@ struct TissueModel {
   double contrast() const;
 };
 
+/// Only the bias, before any mask is known: a polynomial of the second order fitted to the logarithm of the
+/// values within a ball that lies well inside the brain, fluid and bright vessels rejected by their
+/// residuals.
+TissueModel fitRoughBias(const volume::Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm,
+                         float air);
+
 /// `core`: safely inside the brain (a first mask, eroded). Air must be 0.
 TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core);
 /// The image (axis-aligned, cubic voxels) with the bias taken off.

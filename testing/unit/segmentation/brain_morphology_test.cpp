@@ -1,0 +1,78 @@
+#include "brain_morphology.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace facenav::segmentation {
+namespace {
+
+volume::Mask emptyMask(int n, double spacing_mm = 1.0) {
+  volume::Mask mask;
+  mask.grid.size = {n, n, n};
+  mask.grid.mri_from_voxel.linear() *= spacing_mm;
+  mask.voxels.assign(mask.grid.count(), 0);
+  return mask;
+}
+
+volume::Mask ball(int n, double radius) {
+  volume::Mask mask = emptyMask(n);
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        mask.voxels[mask.grid.index(i, j, k)] = std::hypot(i - n / 2, j - n / 2, k - n / 2) <= radius;
+  return mask;
+}
+
+std::size_t countOf(const volume::Mask& mask) {
+  return std::count(mask.voxels.begin(), mask.voxels.end(), 1);
+}
+
+TEST(BrainMorphology, DistanceEqualsTheBruteForceSearch) {
+  volume::Mask mask = emptyMask(14, 0.8);
+  std::mt19937 random(5);
+  for (int n = 0; n < 12; ++n) mask.voxels[random() % mask.voxels.size()] = 1;
+  const auto distance = distanceTo(mask);
+  const auto& g = mask.grid;
+  for (int k = 0; k < 14; ++k)
+    for (int j = 0; j < 14; ++j)
+      for (int i = 0; i < 14; ++i) {
+        double nearest = 1e9;
+        for (int c = 0; c < 14; ++c)
+          for (int b = 0; b < 14; ++b)
+            for (int a = 0; a < 14; ++a)
+              if (mask.at(a, b, c)) nearest = std::min(nearest, 0.8 * std::hypot(i - a, j - b, k - c));
+        ASSERT_NEAR(distance[g.index(i, j, k)], nearest, 1e-4);
+      }
+}
+
+TEST(BrainMorphology, ErosionUndoesDilationOfABall) {
+  const auto small = ball(41, 8), large = ball(41, 12);
+  EXPECT_GE(volume::overlap(dilate(small, 4), large).dice, 0.95);
+  EXPECT_GE(volume::overlap(erode(large, 4), small).dice, 0.95);
+}
+
+TEST(BrainMorphology, ClosingFillsASlitAndOpeningCutsAThread) {
+  volume::Mask slit = ball(41, 14);
+  for (int k = 20; k < 41; ++k)
+    for (int j = 0; j < 41; ++j)
+      for (int i = 19; i <= 21; ++i) slit.voxels[slit.grid.index(i, j, k)] = 0;
+  EXPECT_TRUE(close(slit, 2.5).at(20, 20, 26));
+  volume::Mask thread = ball(41, 10);
+  for (int k = 0; k < 41; ++k) thread.voxels[thread.grid.index(20, 20, k)] = 1;
+  EXPECT_FALSE(open(thread, 2).at(20, 20, 2));
+  EXPECT_TRUE(open(thread, 2).at(20, 20, 20));
+}
+
+TEST(BrainMorphology, KeepsTheLargestPartAndFillsHoles) {
+  volume::Mask mask = ball(41, 9);
+  mask.voxels[mask.grid.index(1, 1, 1)] = 1;
+  mask.voxels[mask.grid.index(20, 20, 20)] = 0;
+  const std::size_t whole = countOf(mask);
+  EXPECT_EQ(countOf(largestPart(mask)), whole - 1);
+  EXPECT_EQ(countOf(fillHoles(mask)), whole + 1);
+}
+
+}  // namespace
+}  // namespace facenav::segmentation

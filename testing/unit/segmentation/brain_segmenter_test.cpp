@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "facenav/core/error.h"
+#include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/nifti.h"
+#include "facenav/volume/regrid.h"
+#include "head_phantom.h"
+#include "support/test_data.h"
+
+// The brain's mask against known answers: the phantom's ellipsoids, Colin27's brain, masks of an independent
+// network.
+
+namespace facenav {
+namespace {
+
+using segmentation::makeBetSegmenter;
+using segmentation::makeBrainSegmenter;
+using testing::HeadPhantom;
+using testing::makeHeadPhantom;
+using testing::PhantomOptions;
+
+volume::Mask brainOf(const volume::Volume& volume) {
+  TaskMonitor monitor;
+  return makeBrainSegmenter()->segment(volume, monitor).mask;
+}
+
+std::string messageOf(const volume::Volume& volume, const segmentation::Segmenter& segmenter) {
+  TaskMonitor monitor;
+  try {
+    segmenter.segment(volume, monitor);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+struct Found {
+  HeadPhantom head;
+  volume::Mask brain;
+};
+
+/// Segmented once, compared with by several tests.
+const Found& plainPhantom() {
+  static const Found found = [] {
+    HeadPhantom head = makeHeadPhantom();
+    volume::Mask brain = brainOf(head.volume);
+    return Found{std::move(head), std::move(brain)};
+  }();
+  return found;
+}
+
+TEST(BrainSegmenter, FindsThePhantomsBrainAboveALongNeck) {
+  const auto& [head, brain] = plainPhantom();
+  ASSERT_TRUE(brain.grid.matches(head.volume.grid));
+  const auto overlap = volume::overlap(brain, head.brain);
+  EXPECT_GE(overlap.dice, 0.98);
+  EXPECT_GE(overlap.inside, 0.98);
+}
+
+TEST(BrainSegmenter, FindsAChildsBrainInABiasField) {
+  PhantomOptions child;
+  child.size = 0.85, child.bias = 0.3, child.noise = 0.05;
+  const HeadPhantom head = makeHeadPhantom(child);
+  EXPECT_GE(volume::overlap(brainOf(head.volume), head.brain).dice, 0.95);
+}
+
+TEST(BrainSegmenter, GivesTheSameMaskForAnyAxisOrderGainAndOffset) {
+  const HeadPhantom& head = plainPhantom().head;
+  volume::Volume turned;
+  turned.grid.size = {head.volume.grid.size[2], head.volume.grid.size[0], head.volume.grid.size[1]};
+  Eigen::Matrix3d order;  // turned (a, b, c) = original (-b, c, -a), flipped where negative
+  order << 0, -1, 0, 0, 0, 1, -1, 0, 0;
+  const Eigen::Vector3d first(head.volume.grid.size[0] - 1, 0, head.volume.grid.size[2] - 1);
+  turned.grid.mri_from_voxel =
+      head.volume.grid.mri_from_voxel * (Eigen::Translation3d(first) * Eigen::Affine3d(order));
+  for (int c = 0; c < turned.grid.size[2]; ++c)
+    for (int b = 0; b < turned.grid.size[1]; ++b)
+      for (int a = 0; a < turned.grid.size[0]; ++a)
+        turned.voxels.push_back(head.volume.at(int(first.x()) - b, c, int(first.z()) - a));
+  for (float& v : turned.voxels) v = 37 * v - 1500;
+  const auto found = brainOf(turned);
+  ASSERT_TRUE(found.grid.matches(turned.grid));
+  EXPECT_GE(volume::overlap(volume::resample(found, head.volume.grid), plainPhantom().brain).dice, 0.995);
+}
+
+TEST(BrainSegmenter, RefusesAComputedTomogramInWords) {
+  HeadPhantom head = plainPhantom().head;
+  head.volume.modality = "CT";
+  EXPECT_NE(messageOf(head.volume, *makeBrainSegmenter()).find("no brain can be modelled: this is a CT"),
+            std::string::npos);
+  EXPECT_NE(messageOf(head.volume, *makeBetSegmenter()).find("no brain can be modelled: this is a CT"),
+            std::string::npos);
+}
+
+TEST(BrainSegmenter, RefusesAHeadWithoutTissueContrast) {
+  PhantomOptions flat;
+  flat.has_tissue = false, flat.noise = 0.01;
+  EXPECT_NE(messageOf(makeHeadPhantom(flat).volume, *makeBrainSegmenter()).find("no brain can be modelled"),
+            std::string::npos);
+}
+
+TEST(BrainSegmenter, RefusesVolumesWithoutAHead) {
+  volume::Volume volume = plainPhantom().head.volume;
+  std::fill(volume.voxels.begin(), volume.voxels.end(), 7.f);
+  EXPECT_NE(messageOf(volume, *makeBrainSegmenter()).find("no brain can be modelled"), std::string::npos);
+  std::mt19937 random(3);
+  for (float& v : volume.voxels) v = float(random() % 1000);
+  EXPECT_NE(messageOf(volume, *makeBrainSegmenter()).find("no brain can be modelled"), std::string::npos);
+}
+
+TEST(BrainSegmenter, WarnsOfABrainCutByTheScansEdge) {
+  const HeadPhantom& head = plainPhantom().head;
+  volume::VoxelGrid lower = head.volume.grid;  // ends 35 mm below the brain's top
+  lower.size[2] -= int((100 - 33) / head.volume.grid.spacing_mm().z());
+  TaskMonitor monitor;
+  const auto result = makeBrainSegmenter()->segment(volume::resample(head.volume, lower), monitor);
+  std::string all;
+  for (const auto& warning : result.warnings) all += warning + "; ";
+  EXPECT_NE(all.find("cut by the scan's edge at the top"), std::string::npos) << all;
+}
+
+TEST(BrainSegmenter, StopsWhenCancelled) {
+  TaskMonitor monitor;
+  monitor.cancel();
+  EXPECT_THROW(makeBrainSegmenter()->segment(plainPhantom().head.volume, monitor), Cancelled);
+}
+
+TEST(BrainSegmenter, AgreesWithColin27sBrain) {
+  FACENAV_NEEDS(testing::colin27());
+  const auto colin = volume::readNifti(testing::colin27()).volume;
+  const auto truth = volume::readMask(testing::colin27Brain());
+  // ch2bet leaves the sulci open: half the brain's surface. Bare overlap is enough here: all of it lies
+  // inside.
+  const auto found = brainOf(colin);
+  EXPECT_GE(volume::overlap(truth, found).inside, 0.975);
+  EXPECT_NEAR(found.volume_ml(), 1768, 50);  // ch2bet closed by 2 voxels and filled
+}
+
+TEST(BrainSegmenter, LiesInsideTheMaskWithFluidOfAWholeHead) {
+  FACENAV_NEEDS(testing::virtualPatientMri());
+  const auto reference = testing::sharedData() / "masks/brainbrowser_structural1_with_csf.nii.gz";
+  FACENAV_NEEDS(reference);
+  const auto head = volume::readNifti(testing::virtualPatientMri()).volume;
+  const auto overlap =
+      volume::overlap(brainOf(head), volume::resample(volume::readMask(reference), head.grid));
+  EXPECT_GE(overlap.inside, 0.985);
+  EXPECT_GE(overlap.dice, 0.92);
+}
+
+TEST(BetSegmenter, FindsThePhantomsBrainAboveALongNeck) {
+  const HeadPhantom& head = plainPhantom().head;
+  TaskMonitor monitor;
+  EXPECT_GE(volume::overlap(makeBetSegmenter()->segment(head.volume, monitor).mask, head.brain).dice, 0.88);
+}
+
+}  // namespace
+}  // namespace facenav
