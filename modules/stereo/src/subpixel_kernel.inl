@@ -1,6 +1,9 @@
 // Body of fitRow..., included by subpixel_kernel_base.cpp and subpixel_kernel_avx2.cpp inside an anonymous
 // namespace.
 
+// Not unrolled: GCC unrolls short loops before it looks for SIMD in them, and then finds none.
+#define FACENAV_LANES(u) _Pragma("GCC unroll 1") for (int u = 0; u < kLanes; ++u)
+
 constexpr int kMostIterations = 6;
 constexpr float kConverged_px = 0.01f, kConvergedSlope = 0.004f;
 constexpr float kFarthestFromStart_px = 1.6f;
@@ -24,7 +27,7 @@ inline void loadLeft(const Images& im, int x, int y, Window& w) {
   const int half = im.window / 2;
   for (int v = 0; v < im.window; ++v) {
     const float* row = im.left + (y + v - half) * im.left_stride + x - half;
-    for (int u = 0; u < kLanes; ++u) w.left[v][u] = u < im.window ? row[u] : 0.0f;
+    FACENAV_LANES(u) w.left[v][u] = u < im.window ? row[u] : 0.0f;
   }
 }
 
@@ -34,13 +37,23 @@ inline void loadRight(const Images& im, int x, int y, const Plane& plane, Window
   for (int v = 0; v < im.window; ++v) {
     const float* row = im.right_fine + (y + v - half) * im.right_stride;
     const float start = float(x + im.right_shift) - plane.d - plane.b * float(v - half);
-    for (int u = 0; u < kLanes; ++u) {
+    // Three loops, since only the middle one cannot be SIMD without a gather.
+    int index[kLanes];
+    float fraction[kLanes], here[kLanes], next[kLanes];
+    FACENAV_LANES(u) {
       float at = float(kFine) * (start + (1.0f - plane.a) * float(u - half) - w.shape[v][u]);
       at = at < 0.0f ? 0.0f : at;
       at = at > last ? last : at;
-      const int i = int(at);
-      const float here = row[i], step = row[i + 1] - here;
-      w.right[v][u] = here + (at - float(i)) * step;
+      index[u] = int(at);
+      fraction[u] = at - float(index[u]);
+    }
+    for (int u = 0; u < kLanes; ++u) {
+      here[u] = row[index[u]];
+      next[u] = row[index[u] + 1];
+    }
+    FACENAV_LANES(u) {
+      const float step = next[u] - here[u];
+      w.right[v][u] = here[u] + fraction[u] * step;
       w.gradient[v][u] = float(kFine) * step;
     }
   }
@@ -52,8 +65,7 @@ struct Moments {
 
 inline Moments leftMoments(const Window& w, int n) {
   float s[kLanes] = {}, ss[kLanes] = {};
-  for (int v = 0; v < n; ++v)
-    for (int u = 0; u < kLanes; ++u) {
+  for (int v = 0; v < n; ++v) FACENAV_LANES(u) {
       s[u] += w.left[v][u];
       ss[u] += w.left[v][u] * w.left[v][u];
     }
@@ -67,8 +79,7 @@ struct Photometry {
 
 inline Photometry fitPhotometry(const Window& w, int n, const Moments& left) {
   float s[kLanes] = {}, ss[kLanes] = {}, sl[kLanes] = {};
-  for (int v = 0; v < n; ++v)
-    for (int u = 0; u < kLanes; ++u) {
+  for (int v = 0; v < n; ++v) FACENAV_LANES(u) {
       s[u] += w.right[v][u];
       ss[u] += w.right[v][u] * w.right[v][u];
       sl[u] += w.right[v][u] * w.left[v][u];
@@ -92,7 +103,7 @@ inline Normal normalEquations(const Window& w, int n, const Photometry& photomet
   const int half = n / 2;
   for (int v = 0; v < n; ++v) {
     const float fv = float(v - half);
-    for (int u = 0; u < kLanes; ++u) {
+    FACENAV_LANES(u) {
       const float r = w.left[v][u] - photometry.gain * w.right[v][u] - photometry.offset;
       const float g = -photometry.gain * w.gradient[v][u];
       const float gg = g * g, gr = g * r;
@@ -144,8 +155,7 @@ inline float limited(float value, float bound) {
 inline float magnitude(float value) { return value < 0 ? -value : value; }
 
 inline void clearShape(Window& w) {
-  for (int v = 0; v < kLargestWindow; ++v)
-    for (int u = 0; u < kLanes; ++u) w.shape[v][u] = 0;
+  for (int v = 0; v < kLargestWindow; ++v) FACENAV_LANES(u) w.shape[v][u] = 0;
 }
 
 // Does the fit rest on texture round the pixel itself? Beside a silhouette it rests on the object next to the
