@@ -125,7 +125,11 @@ QString TreatPresenter::alignmentWords() const {
 }
 
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
-  if (session_) return session_->latest();
+  if (session_) {
+    const auto latest = session_->latest();
+    if (!session_->hasEnded() || !latest->failure.empty()) return latest;
+    return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));
+  }
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
 }
 

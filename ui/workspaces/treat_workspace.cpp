@@ -121,7 +121,7 @@ void TreatWorkspace::showSteps() {
   if (!is_outdated_ && model_.isOpen()) {
     scene_->scene().setTargets(model_.current().plan.targets, presenter_.targetName().toStdString());
     scene_->scene().setView(scene::ViewPreset::target);
-    frame_ = -2;
+    signature_.clear();
   }
 }
 
@@ -147,8 +147,19 @@ void TreatWorkspace::refresh() {
   } else if (presenter_.hasEnded() && state->failure.empty()) {
     read_out.instruction = tr("RECORDING ENDED: start again");
   }
-  const bool is_new = state->frame != frame_ || read_out.instruction != last_instruction_;
-  frame_ = state->frame;
+  // Drawn anew whenever anything that is shown has changed: a blanked state must replace the last one at
+  // once.
+  const QString signature = QStringList{QString::number(state->frame),
+                                        read_out.instruction,
+                                        read_out.across,
+                                        read_out.depth,
+                                        read_out.tilt,
+                                        read_out.twist,
+                                        read_out.face.words,
+                                        read_out.coil.words}
+                                .join('|');
+  const bool is_new = signature != signature_;
+  signature_ = signature;
   if (is_new) {
     auto& scene = scene_->scene();
     if (was_started) {

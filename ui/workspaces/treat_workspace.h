@@ -53,8 +53,7 @@ class TreatWorkspace : public QWidget {
   QLabel* words_;
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false;
-  std::int64_t frame_ = -2;
-  QString last_instruction_;
+  QString signature_, last_instruction_;
 };
 
 }  // namespace facenav::ui

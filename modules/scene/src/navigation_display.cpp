@@ -210,7 +210,8 @@ void NavigationDisplay::Implementation::setGuidance(const guidance::GuidanceStat
                                : is_on_target ? palette::kBlue
                                               : palette::kOrange;
   banner->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-  instruction->SetInput(g.instruction.c_str());
+  const std::string state_words = !has_values ? "" : is_on_target ? "ON TARGET: " : "ADJUST: ";
+  instruction->SetInput((state_words + g.instruction).c_str());
   bulls_eye.set(g);
 }
 
