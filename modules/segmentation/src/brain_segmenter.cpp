@@ -17,6 +17,7 @@ using volume::VoxelGrid;
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
 constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
 
+constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
 constexpr double kSafeShare = 0.9;  // of the first guess's ball, for the rough bias
 
 /// The part of the grid that holds the mask, with a margin.
@@ -45,6 +46,16 @@ Volume withoutRoughBias(const Volume& working) {
                                          start.intensities.t));
 }
 
+/// BET's threshold as a share of white matter, set between this scan's own fluid and grey matter: where grey
+/// matter is dark, Smith's 0.5 would stop inside it.
+double fractionalThreshold(const Volume& coarse, const BrainStart& start) {
+  const TissueModel tissue =
+      fitTissue(coarse, ballOf(coarse.grid, start.sphere.centre_mm, kSafeShare * start.sphere.radius_mm));
+  const double level = 0.5 * (tissue.fluid.mean + tissue.grey.mean), dark = start.intensities.t2;
+  return std::clamp((level - dark) / std::max(1e-6, tissue.white.mean - dark), kLeastThreshold,
+                    kSmithsThreshold);
+}
+
 class BrainSegmenter : public Segmenter {
  public:
   SegmentationResult segment(const Volume& volume, TaskMonitor& monitor) const override {
@@ -52,7 +63,9 @@ class BrainSegmenter : public Segmenter {
     monitor.report("looking for the brain", 0);
     const Volume working = withoutRoughBias(workingVolume(volume, 1.0)), coarse = halved(working);
     const BrainStart start = findBrainStart(coarse);
-    const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, BetOptions(), monitor);
+    BetOptions bet;
+    bet.fractional_threshold = fractionalThreshold(coarse, start);
+    const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, bet, monitor);
     const Mask whole = enclosed(surface, working.grid);
     const VoxelGrid grid = gridAround(whole, kMargin_mm);
     const Mask first = volume::resample(whole, grid);

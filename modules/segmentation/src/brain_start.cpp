@@ -23,6 +23,9 @@ constexpr double kGirthFrom_mm = 100,
 constexpr double kLeastGirth_mm = 50, kMostGirth_mm = 125;
 constexpr double kRoundness = 0.98,
                  kBrainShare = 0.81;  // height of the centre, radius of the brain's ball, per girth
+constexpr double kSkull_mm = 6;       // closes the skull where the scalp over it is missed
+constexpr double kSkullShare = 1.2,
+                 kDarkest = 0.03;  // where the darkest share of values is sought, per brain radius
 
 [[noreturn]] void noBrain(const std::string& reason) {
   throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
@@ -52,6 +55,26 @@ Mask headOf(const Volume& working, float threshold) {
   Mask head{working.grid, std::vector<std::uint8_t>(working.voxels.size())};
   for (std::size_t v = 0; v < head.voxels.size(); ++v) head.voxels[v] = working.voxels[v] > threshold;
   return largestPart(open(head, 3.0));
+}
+
+/// The value of the skull: what is darkest within the head around the brain. BET's robust minimum of the
+/// whole scan is that of air, which says nothing about how dark the gap between brain and scalp is where
+/// contrast is low.
+float darkest(const Volume& working, const Mask& head, const BetSphere& sphere) {
+  const Mask filled = fillHoles(close(head, kSkull_mm));
+  std::vector<float> values;
+  std::size_t at = 0;
+  for (int k = 0; k < working.grid.size[2]; ++k)
+    for (int j = 0; j < working.grid.size[1]; ++j)
+      for (int i = 0; i < working.grid.size[0]; ++i, ++at)
+        if (filled.voxels[at] &&
+            (working.grid.toMri({double(i), double(j), double(k)}).mm - sphere.centre_mm).norm() <
+                kSkullShare * sphere.radius_mm)
+          values.push_back(working.voxels[at]);
+  if (values.empty()) return 0;
+  const auto low = values.begin() + std::ptrdiff_t(kDarkest * double(values.size()));
+  std::nth_element(values.begin(), low, values.end());
+  return std::max(0.f, *low);
 }
 
 }  // namespace
@@ -122,7 +145,7 @@ BrainStart findBrainStart(const Volume& working) {
   centre.z() = top - below_top_mm / spacing_mm;
   BrainStart start;
   start.sphere = {working.grid.toMri(centre).mm, kBrainShare * girth_mm};
-  start.intensities = betIntensities(working, start.sphere, 0, t98);
+  start.intensities = betIntensities(working, start.sphere, darkest(working, head, start.sphere), t98);
   if (!(start.intensities.median > 0)) noBrain("there is nothing where the brain should be");
   return start;
 }

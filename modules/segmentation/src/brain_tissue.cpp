@@ -139,20 +139,24 @@ Classes maximiseExpectation(const Histogram& h, Classes c) {
 
 double TissueModel::contrast() const { return white.mean > 0 ? (white.mean - grey.mean) / white.mean : 0; }
 
+Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre_mm, double radius_mm) {
+  Mask ball{grid, std::vector<std::uint8_t>(grid.count())};
+  std::size_t at = 0;
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i, ++at)
+        ball.voxels[at] = (grid.toMri({double(i), double(j), double(k)}).mm - centre_mm).norm() < radius_mm;
+  return ball;
+}
+
 TissueModel fitRoughBias(const Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm, float air) {
   constexpr int kTrims = 12, kWide = 3;
   constexpr double kWide_log = 0.8, kBelow_log = 0.15,
                    kAbove_log = 0.3;  // the last trims keep white matter alone
   TissueModel model;
   model.centre_mm = centre_mm;
-  Mask ball{image.grid, std::vector<std::uint8_t>(image.voxels.size())};
-  std::size_t at = 0;
-  for (int k = 0; k < image.grid.size[2]; ++k)
-    for (int j = 0; j < image.grid.size[1]; ++j)
-      for (int i = 0; i < image.grid.size[0]; ++i, ++at)
-        ball.voxels[at] =
-            image.voxels[at] > air &&
-            (image.grid.toMri({double(i), double(j), double(k)}).mm - centre_mm).norm() < radius_mm;
+  Mask ball = ballOf(image.grid, centre_mm, radius_mm);
+  for (std::size_t v = 0; v < ball.voxels.size(); ++v) ball.voxels[v] &= image.voxels[v] > air;
   const auto samples = samplesOf(image, ball, model);
   if (samples.size() < 1000) return model;
   std::vector<double> logs;

@@ -23,6 +23,8 @@ struct TissueModel {
   double contrast() const;
 };
 
+volume::Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre_mm, double radius_mm);
+
 /// Only the bias, before any mask is known: a polynomial of the second order fitted to the logarithm of the
 /// values within a ball that lies well inside the brain, fluid and bright vessels rejected by their
 /// residuals.
