@@ -22,7 +22,9 @@ void expectRefused(const CommandResult& result, const std::string& named, const 
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("facenav: "));
   EXPECT_THAT(result.errors, HasSubstr(named));
-  if (!product.empty()) EXPECT_FALSE(fs::exists(product)) << product;
+  if (!product.empty()) {
+    EXPECT_FALSE(fs::exists(product)) << product;
+  }
 }
 
 class CommandLine : public ::testing::Test {

@@ -1,0 +1,52 @@
+// The whole path through the command line, as the README's demo runs it but shorter: DICOM -> case -> plan ->
+// recording -> alignment -> poses -> guidance -> report. The figures are checked against the room's own
+// truth.
+
+#include <gmock/gmock.h>
+
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/casefile/poses_csv.h"
+#include "facenav/evaluation/tracking_evaluation.h"
+#include "support/command_line.h"
+
+namespace facenav::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<evaluation::PoseEstimate> headEstimates(const fs::path& csv) {
+  std::vector<evaluation::PoseEstimate> estimates;
+  for (const auto& row : casefile::readPoses(csv))
+    if (row.object == casefile::PoseObject::head)
+      estimates.push_back(
+          {row.frame, row.pose.has_value(), row.pose.value_or(Eigen::Isometry3d::Identity())});
+  return estimates;
+}
+
+TEST(DemoPath, RunsEndToEndAndBeatsThePaper) {
+  FACENAV_NEEDS(cache() / "brainbrowser/structural1.mnc.raw.gz");
+  const TemporaryFolder folder;
+  const fs::path result = folder.path() / "demo";
+  const auto run = runFacenav("demo --no-window --frames 60 -o " + result.string(), 280);
+  ASSERT_EQ(run.status, 0) << run.errors;
+  for (const char* file :
+       {"report.html", "poses.csv", "guidance.csv", "navigation_1.png", "brain.png", "alignment_sagittal.png",
+        "protractor_error.svg", "case/case.json", "case/alignment.json", "case/targets.json"})
+    EXPECT_TRUE(fs::exists(result / file)) << file;
+
+  const auto store = casefile::CaseStore::open(result / "case");
+  const guidance::Target target = store.targets().find("M1 hand L");
+  const auto head = evaluation::evaluateTracking(headEstimates(result / "poses.csv"),
+                                                 capture::readTruth(result / "recording/truth/head.csv"),
+                                                 target.cortex_point.mm);
+  EXPECT_EQ(head.frames, 60);
+  EXPECT_EQ(head.wrong_as_tracked, 0);
+  EXPECT_GE(head.tracked, 57);
+  EXPECT_LE(head.at_point_mm.p95, 1.0);       // alignment included; the paper's tracking alone: 5.0 mm
+  EXPECT_LE(head.rotation_deg.p95, 0.4);      // the paper's: 1.1 degrees
+  EXPECT_LE(store.alignment()->max_mm, 3.0);  // the paper's: 6.0 mm
+}
+
+}  // namespace
+}  // namespace facenav::testing
