@@ -88,7 +88,7 @@ FitEvidence gatherEvidence(const SkinField& skin, const PointCloud<Camera>& face
   }
   evidence.support = support(fitter, mri_T_camera);
   evidence.mirrored_support = mirroredSupport(skin, fitter.cloud(), mri_T_camera);
-  const PoseFitter everything(skin, pick(face, thinOut(face, 5.0, 2000)));
+  const PoseFitter everything(skin, pick(face, thinOut(face, 5.0, 4000)));
   for (const Candidate& rival : rivals) {
     const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0);
     if (!areDistinct(pose, mri_T_camera, fitter.pivot_mri_mm(), 3 * M_PI / 180.0, 5.0)) continue;

@@ -56,7 +56,7 @@ class IcpAligner : public Aligner {
     requireMaterial(skin_model, face);
     monitor.report("distance field", 0.0);
     const SkinField skin(skin_model);
-    const auto starts = findStarts(skin, face, start, {true, 12, false}, monitor);
+    const auto starts = findStarts(skin, face, start, {true, 12, false, false}, monitor);
     IcpFit best{starts.front().mri_T_camera};
     std::vector<Candidate> tried;
     for (std::size_t s = 0; s < starts.size(); ++s) {

@@ -57,8 +57,10 @@ Matrix6d poseCovariance(const std::vector<PointMatch>& matches, const std::vecto
       std::max(squares / std::max(total, 1e-9) / freedom, model.least_patch_mm * model.least_patch_mm);
   Matrix6d spread = Matrix6d::Zero();
   for (const auto& entry : patches)
-    spread += variance * entry.second.gradient * entry.second.gradient.transpose();
-  spread += model.common_offset_mm * model.common_offset_mm * offset * offset.transpose();
+    spread += model.alike * variance * entry.second.gradient * entry.second.gradient.transpose();
+  // Where patches are off by so much, the skin as a whole may be, too.
+  const double common = model.common_offset_mm * model.common_offset_mm + variance;
+  spread += common * offset * offset.transpose();
   const Matrix6d inverse = information.completeOrthogonalDecomposition().pseudoInverse();
   const Matrix6d carry = toCameraIncrement(mri_T_camera.linear().transpose());
   return carry * (inverse * spread * inverse) * carry.transpose();

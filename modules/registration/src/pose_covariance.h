@@ -10,7 +10,8 @@
 namespace facenav::registration {
 
 struct UncertaintyModel {
-  double patch_mm = 15.0;         // residuals farther apart count as independent
+  double patch_mm = 30.0;         // residuals farther apart count as independent
+  double alike = 2.0;             // variance factor: misfit of neighbouring patches is alike
   double common_offset_mm = 0.2;  // one sigma of a bias of the whole skin along its normals
   double least_patch_mm = 0.1;    // no patch is trusted further
 };

@@ -38,12 +38,15 @@ PointMatch PoseFitter::matchOne(std::size_t point, const Eigen::Isometry3d& mri_
   match.at_mri_mm = mri_T_camera * cloud_.points_mm[point];
   Eigen::Vector3d query = match.at_mri_mm;
   if (mirror_x_mm_) query.x() = 2 * *mirror_x_mm_ - query.x();
+  // Background and what lies beyond the scan's end: a look-up tells.
+  constexpr double kFar_mm = 45.0;
+  match.residual_mm = skin_.roughDistance_mm(query);
+  if (match.residual_mm > kFar_mm) return match;
   const SkinContact contact = is_exact ? skin_.nearestSkin(query) : skin_.nearestVertex(query);
   match.normal_mri = contact.normal;
   if (mirror_x_mm_) match.normal_mri.x() *= -1;
   match.residual_mm = contact.distance_mm;
   match.vertex = contact.vertex;
-  match.is_beyond_scan = contact.is_beyond_scan;
   const Eigen::Vector3d towards_camera = (mri_T_camera.translation() - match.at_mri_mm).normalized();
   match.is_valid =
       !contact.is_on_border && !contact.is_beyond_scan && match.normal_mri.dot(towards_camera) > kGrazing_cos;
@@ -95,11 +98,11 @@ double PoseFitter::cost(const Eigen::Isometry3d& mri_T_camera, double truncation
   for (std::size_t p = 0; p < cloud_.size(); ++p) {
     const PointMatch m = matchOne(p, mri_T_camera, false);
     const double squared = m.residual_mm * m.residual_mm;
+    const double deep = 1.3 * limit;
     if (m.is_valid)
-      sum += std::min(squared, m.residual_mm < 0 ? 1.3 * limit : limit);
+      sum += std::min(squared, m.residual_mm < 0 ? deep : limit);
     else
-      sum += m.residual_mm < -2 * truncation_mm && !m.is_beyond_scan ? 1.3 * limit
-                                                                     : (m.is_beyond_scan ? 0.9 : 1.0) * limit;
+      sum += m.residual_mm < -2 * truncation_mm ? deep : limit;
   }
   return cloud_.empty() ? limit : sum / double(cloud_.size());
 }

@@ -20,9 +20,8 @@ struct FitStage {
 /// One point of the cloud against the skin.
 struct PointMatch {
   double residual_mm = 0.0;  // along the skin's normal, positive outside
-  Eigen::Vector3d normal_mri, at_mri_mm;
+  Eigen::Vector3d normal_mri = Eigen::Vector3d::Zero(), at_mri_mm = Eigen::Vector3d::Zero();
   int vertex = -1;
-  bool is_beyond_scan = false;
   bool is_valid = false;  // a counterpart exists: within the scan, skin that faces the camera
 };
 
@@ -36,8 +35,8 @@ class PoseFitter {
 
   std::vector<PointMatch> match(const Eigen::Isometry3d& mri_T_camera, bool is_exact) const;
   Eigen::Isometry3d fit(Eigen::Isometry3d mri_T_camera, const FitStage& stage) const;
-  /// Mean truncated squared residual over all points, mm^2: points without counterpart cost the truncation
-  /// (0.9 of it beyond the scan's end), points deep inside the head 1.3 times (the neck bends).
+  /// Mean truncated squared residual over all points, mm^2: points without counterpart cost the truncation,
+  /// points deep inside the head 1.3 times (the neck bends).
   double cost(const Eigen::Isometry3d& mri_T_camera, double truncation_mm) const;
   /// The point about which increments rotate: the middle of the skin.
   const Eigen::Vector3d& pivot_mri_mm() const { return pivot_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cloud_sampling.h"
+#include "facenav/core/error.h"
 
 namespace facenav::registration {
 namespace {
@@ -39,7 +40,7 @@ std::optional<Eigen::Matrix3d> hintedOrientation(const AlignmentStart& start) {
   return {};
 }
 
-std::vector<Eigen::Matrix3d> orientations(const AlignmentStart& start, bool use_hints) {
+std::vector<Eigen::Matrix3d> orientations(const AlignmentStart& start, const SearchExtent& extent) {
   std::vector<Eigen::Matrix3d> out;
   const auto around = [&](const Eigen::Matrix3d& base, std::initializer_list<double> yaws,
                           std::initializer_list<double> pitches) {
@@ -49,13 +50,17 @@ std::vector<Eigen::Matrix3d> orientations(const AlignmentStart& start, bool use_
                               Eigen::AngleAxisd(pitch * kDeg, Eigen::Vector3d::UnitX()))
                                  .toRotationMatrix());
   };
-  if (const auto hinted = hintedOrientation(start); hinted && use_hints) {
+  if (const auto hinted = hintedOrientation(start); hinted && extent.use_hints) {
     around(*hinted, {-30, 0, 30}, {-25, 0, 25});
     return out;
   }
-  for (int roll = 0; roll < 360; roll += 30)
-    around(Eigen::AngleAxisd(roll * kDeg, Eigen::Vector3d::UnitZ()) * facingCamera(), {-45, -15, 15, 45},
-           {-25, 5, 30});
+  for (int roll = 0; roll < 360; roll += extent.is_thorough ? 20 : 30) {
+    const Eigen::Matrix3d rolled = Eigen::AngleAxisd(roll * kDeg, Eigen::Vector3d::UnitZ()) * facingCamera();
+    if (extent.is_thorough)
+      around(rolled, {-50, -25, 0, 25, 50}, {-40, -20, 0, 20, 40});
+    else
+      around(rolled, {-45, -15, 15, 45}, {-25, 5, 30});
+  }
   return out;
 }
 
@@ -152,10 +157,10 @@ void climb(const SkinField& skin, const Seeds& seeds, Placement& placement) {
     }
 }
 
-/// The skin's foremost point on each seed; the best two that lie apart, climbed.
+/// The skin's foremost point on each seed; the best `most` that lie apart, climbed.
 std::vector<Placement> placementsAt(const SkinField& skin, const Seeds& seeds,
-                                    const Eigen::Matrix3d& camera_R_mri) {
-  constexpr double kApart_mm = 50;
+                                    const Eigen::Matrix3d& camera_R_mri, std::size_t most) {
+  const double apart_mm = 100.0 / double(most);
   const Eigen::Vector3d foremost = foremostSkin(skin, camera_R_mri.transpose() * Eigen::Vector3d(0, 0, -1));
   std::vector<Placement> all, best;
   for (std::size_t s = 0; s < seeds.at_mm.size(); ++s) {
@@ -164,8 +169,10 @@ std::vector<Placement> placementsAt(const SkinField& skin, const Seeds& seeds,
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.gain > b.gain; });
   for (const Placement& p : all) {
-    if (best.size() < 2 &&
-        (best.empty() || (seeds.at_mm[best[0].seed] - seeds.at_mm[p.seed]).norm() > kApart_mm))
+    if (best.size() >= most) break;
+    if (std::all_of(best.begin(), best.end(), [&](const Placement& b) {
+          return (seeds.at_mm[b.seed] - seeds.at_mm[p.seed]).norm() > apart_mm;
+        }))
       best.push_back(p);
   }
   for (Placement& p : best) climb(skin, seeds, p);
@@ -174,16 +181,17 @@ std::vector<Placement> placementsAt(const SkinField& skin, const Seeds& seeds,
 
 /// Rough poses, each with the share of the cloud that it does not explain as its cost.
 std::vector<Candidate> placements(const SkinField& skin, const PointCloud<Camera>& face,
-                                  const AlignmentStart& start, bool use_hints, TaskMonitor& monitor) {
+                                  const AlignmentStart& start, const SearchExtent& extent,
+                                  TaskMonitor& monitor) {
   const Seeds seeds = seedsOf(face);
   const Eigen::Vector3d nose = noseOf(skin);
-  const auto turns = orientations(start, use_hints);
+  const auto turns = orientations(start, extent);
   std::vector<Placement> all;
   for (std::size_t r = 0; r < turns.size(); ++r) {
     monitor.report("searching the head", double(r) / double(turns.size()));
-    const auto here = placementsAt(skin, seeds, turns[r]);
+    const auto here = placementsAt(skin, seeds, turns[r], extent.is_thorough ? 4 : 2);
     all.insert(all.end(), here.begin(), here.end());
-    if (!start.nose_tip || !use_hints || seeds.at_mm.empty()) continue;
+    if (!start.nose_tip || !extent.use_hints || seeds.at_mm.empty()) continue;
     std::size_t nearest = 0;
     for (std::size_t s = 0; s < seeds.at_mm.size(); ++s)
       if ((seeds.at_mm[s] - start.nose_tip->mm).norm() < (seeds.at_mm[nearest] - start.nose_tip->mm).norm())
@@ -194,8 +202,15 @@ std::vector<Candidate> placements(const SkinField& skin, const PointCloud<Camera
   }
   std::vector<Candidate> out;
   for (const Placement& p : all) out.push_back({p.mri_T_camera, -p.gain});
-  if (start.guess && use_hints) out.push_back({start.guess->isometry().inverse(), -1e9});
+  if (start.guess && extent.use_hints) out.push_back({start.guess->isometry().inverse(), -1e9});
   return out;
+}
+
+/// The camera stands before the face, not behind the head: its direction from the head's middle has an
+/// anterior part.
+bool seesTheFace(const Eigen::Isometry3d& mri_T_camera, const Eigen::Vector3d& pivot_mri_mm) {
+  constexpr double kLeastAnterior = 0.17;  // cosine: up to 80 degrees from straight ahead
+  return (mri_T_camera.translation() - pivot_mri_mm).normalized().y() > kLeastAnterior;
 }
 
 void keepDistinct(std::vector<Candidate>& candidates, const Eigen::Vector3d& pivot, std::size_t most) {
@@ -206,7 +221,7 @@ void keepDistinct(std::vector<Candidate>& candidates, const Eigen::Vector3d& piv
     const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& k) {
       return areDistinct(k.mri_T_camera, c.mri_T_camera, pivot, 6 * kDeg, 12.0);
     });
-    if (is_new && kept.size() < most) kept.push_back(c);
+    if (is_new && kept.size() < most && seesTheFace(c.mri_T_camera, pivot)) kept.push_back(c);
   }
   candidates = kept;
 }
@@ -233,10 +248,12 @@ bool areDistinct(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const E
 std::vector<Candidate> findStarts(const SkinField& skin, const PointCloud<Camera>& face,
                                   const AlignmentStart& start, const SearchExtent& extent,
                                   TaskMonitor& monitor) {
-  const PoseFitter sparse(skin, pick(face, thinOut(face, 8.0, 400)));
-  const PoseFitter denser(skin, pick(face, thinOut(face, 5.0, 1500)));
-  auto candidates = placements(skin, face, start, extent.use_hints, monitor);
-  keepDistinct(candidates, sparse.pivot_mri_mm(), extent.is_refined ? 8 * extent.most : extent.most);
+  const PoseFitter sparse(skin, pick(face, thinOut(face, 8.0, 1500)));
+  const PoseFitter denser(skin, pick(face, thinOut(face, 5.0, 4000)));
+  auto candidates = placements(skin, face, start, extent, monitor);
+  keepDistinct(candidates, sparse.pivot_mri_mm(), extent.is_refined ? 20 * extent.most : extent.most);
+  if (candidates.empty())
+    throw Error("not aligned: nothing like a face was measured", {}, "show the whole face to both cameras");
   if (!extent.is_refined) return candidates;
   for (Candidate& c : candidates) {
     for (const FitStage& stage : {FitStage{20, 14, 5, false}, FitStage{12, 8, 5, false}})
@@ -251,6 +268,8 @@ std::vector<Candidate> findStarts(const SkinField& skin, const PointCloud<Camera
     c.cost = denser.cost(c.mri_T_camera, 4.0);
   }
   keepDistinct(candidates, sparse.pivot_mri_mm(), extent.most);
+  if (candidates.empty())
+    throw Error("not aligned: nothing like a face was measured", {}, "show the whole face to both cameras");
   return candidates;
 }
 

@@ -15,12 +15,14 @@ struct Candidate {
 };
 
 struct SearchExtent {
-  bool use_hints = true;   // start from the hints' roll and nose; otherwise any roll
-  std::size_t most = 6;    // candidates returned, best first
-  bool is_refined = true;  // by point-to-plane fits; otherwise rough, within about 15 mm and 10 degrees
+  bool use_hints = true;     // start from the hints' roll and nose; otherwise any roll
+  std::size_t most = 6;      // candidates returned, best first
+  bool is_thorough = false;  // finer turns, more places: for what the first search missed
+  bool is_refined = true;    // by point-to-plane fits; otherwise rough, within about 15 mm and 10 degrees
 };
 
-/// Candidates that differ by more than 6 degrees or 12 mm, refined to a few mm.
+/// Candidates that differ by more than 6 degrees or 12 mm, refined to a few mm; at least one. Throws
+/// Error("not aligned: ...") when nothing in the cloud looks like this head seen from the front.
 std::vector<Candidate> findStarts(const SkinField& skin, const PointCloud<Camera>& face,
                                   const AlignmentStart& start, const SearchExtent& extent,
                                   TaskMonitor& monitor);

@@ -1,4 +1,5 @@
 #include "cloud_sampling.h"
+#include "facenav/core/error.h"
 #include "fit_report.h"
 
 namespace facenav::registration {
@@ -29,7 +30,21 @@ class SurfaceAligner : public Aligner {
     requireMaterial(skin_model, face);
     monitor.report("distance field", 0.0);
     const SkinField skin(skin_model);
-    const auto candidates = findStarts(skin, face, start, {}, monitor);
+    try {
+      return alignFrom(skin, face, start, {}, monitor);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error&) {
+      // Hints may mislead and the first search is quick: what it refuses gets a second, thorough one.
+      return alignFrom(skin, face, start, {false, 10, true}, monitor);
+    }
+  }
+
+ private:
+  static AlignmentResult alignFrom(const SkinField& skin, const PointCloud<Camera>& face,
+                                   const AlignmentStart& start, const SearchExtent& extent,
+                                   TaskMonitor& monitor) {
+    const auto candidates = findStarts(skin, face, start, extent, monitor);
     const FinalFit fit = refine(skin, face, candidates.front().mri_T_camera, monitor);
     return report(skin, face, fit, candidates);
   }
