@@ -13,6 +13,7 @@ class BetSegmenter : public Segmenter {
     monitor.report("looking for the brain", 0);
     const volume::Volume working = workingVolume(volume, 1.0), coarse = halved(working);
     const BrainStart start = findBrainStart(coarse);
+    requireTissueSpread(coarse, start.sphere);
     const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, BetOptions(), monitor);
     SegmentationResult result;
     result.mask = volume::resample(enclosed(surface, working.grid), volume.grid);

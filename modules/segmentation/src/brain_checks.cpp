@@ -1,5 +1,6 @@
 #include "brain_checks.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,7 +17,9 @@ constexpr double kNormalLeast_ml = 1100, kNormalMost_ml = 1700;
 constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
 constexpr double kLeastExtent_mm = 100;
 constexpr double kThickSlice_mm = 3;
-constexpr double kCutArea_mm2 = 100;  // of the brain in the scan's outermost slice
+constexpr double kCutArea_mm2 = 100;   // of the brain in the scan's outermost slice
+constexpr double kMiddle = 0.6;        // of the brain's ball
+constexpr double kLeastSpread = 0.06;  // 20th to 80th percentile, per median
 
 [[noreturn]] void noBrain(const std::string& reason) {
   throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
@@ -59,6 +62,20 @@ void requireBrainScan(const volume::Volume& volume) {
 
 void requireTissueContrast(const TissueModel& tissue) {
   if (!(tissue.contrast() >= kLeastContrast)) noBrain("grey and white matter do not differ in this scan");
+}
+
+void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere) {
+  const Mask ball = ballOf(coarse.grid, sphere.centre_mm, kMiddle * sphere.radius_mm);
+  std::vector<float> values;
+  for (std::size_t v = 0; v < ball.voxels.size(); ++v)
+    if (ball.voxels[v]) values.push_back(coarse.voxels[v]);
+  if (values.empty()) noBrain("there is no head in this volume");
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return double(values[std::size_t(share * double(values.size() - 1))]);
+  };
+  if (at(0.8) - at(0.2) < kLeastSpread * at(0.5))
+    noBrain("the tissues within the head all look alike, as on a CT");
 }
 
 std::vector<std::string> checkBrain(const Mask& brain) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bet_surface.h"
 #include "brain_tissue.h"
 
 namespace facenav::segmentation {
@@ -12,6 +13,10 @@ namespace facenav::segmentation {
 void requireBrainScan(const volume::Volume& volume);
 /// Throws Error "no brain can be modelled: ..." where the tissues have no contrast.
 void requireTissueContrast(const TissueModel& tissue);
+/// Throws Error "no brain can be modelled: ..." where the middle of the head has one value throughout: a CT
+/// that came without its modality, in which soft tissues differ by a few parts in a hundred of their distance
+/// from air.
+void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere);
 /// Throws Error "no brain can be modelled: ..." for volumes that no brain has; else warnings in plain words.
 /// `brain` lies on the scan's own grid.
 std::vector<std::string> checkBrain(const volume::Mask& brain);

@@ -63,6 +63,7 @@ class BrainSegmenter : public Segmenter {
     monitor.report("looking for the brain", 0);
     const Volume working = withoutRoughBias(workingVolume(volume, 1.0)), coarse = halved(working);
     const BrainStart start = findBrainStart(coarse);
+    requireTissueSpread(coarse, start.sphere);
     BetOptions bet;
     bet.fractional_threshold = fractionalThreshold(coarse, start);
     const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, bet, monitor);

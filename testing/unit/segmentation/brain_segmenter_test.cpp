@@ -102,6 +102,13 @@ TEST(BrainSegmenter, RefusesAHeadWithoutTissueContrast) {
             std::string::npos);
 }
 
+TEST(BrainSegmenter, RefusesAComputedTomogramWithoutItsModality) {
+  HeadPhantom head = plainPhantom().head;  // Hounsfield units: soft tissue 30 to 45, bone 900, air -1000
+  for (float& v : head.volume.voxels) v = v < 4 ? -1000.f : v < 16 ? 900.f : 30.f + 0.15f * v;
+  for (const auto& segmenter : {makeBrainSegmenter(), makeBetSegmenter()})
+    EXPECT_NE(messageOf(head.volume, *segmenter).find("no brain can be modelled"), std::string::npos);
+}
+
 TEST(BrainSegmenter, RefusesVolumesWithoutAHead) {
   volume::Volume volume = plainPhantom().head.volume;
   std::fill(volume.voxels.begin(), volume.voxels.end(), 7.f);
