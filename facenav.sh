@@ -10,7 +10,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 caller=$PWD
 cd "$root" || exit 1
 export FACENAV_CACHE="${FACENAV_CACHE:-$root/build/cache}"
-export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}"
+# One compiler cache for all checkouts of FaceNav: paths below the root are made relative.
+export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$root}" CCACHE_NOHASHDIR=1
 log="$root/build/setup.log"
 binaries="$root/build/release/bin"
 

@@ -93,20 +93,34 @@ void addRows(const session::NavigationState& state, bool is_aligned, bool has_co
   const double t_s = state.captured.s;
   if (is_aligned) {
     rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::head, state.camera_T_mri));
-  } else if (state.head) {
-    rows.push_back({state.frame, t_s, PoseObject::head, state.head->camera_T_head.isometry(),
-                    state.head.quality(), std::nullopt});
   } else {
-    rows.push_back({state.frame, t_s, PoseObject::head, std::nullopt, 0.0, state.head.reason()});
+    using HeadMotion = Tracked<RigidTransform<Camera, Head>>;
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::head,
+                                     state.head ? HeadMotion(state.head->camera_T_head, state.head.quality())
+                                                : HeadMotion(Lost{state.head.reason()})));
   }
   if (has_coil_file) {
     rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::coil, state.camera_T_coil));
-  } else if (state.coil) {
-    rows.push_back({state.frame, t_s, PoseObject::coil, state.coil->camera_T_marker.isometry(),
-                    state.coil.quality(), std::nullopt});
   } else {
-    rows.push_back({state.frame, t_s, PoseObject::coil, std::nullopt, 0.0, state.coil.reason()});
+    using MarkerPose = Tracked<RigidTransform<Camera, Marker>>;
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::coil,
+                                     state.coil
+                                         ? MarkerPose(state.coil->camera_T_marker, state.coil.quality())
+                                         : MarkerPose(Lost{state.coil.reason()})));
   }
+}
+
+/// Guidance needs camera_T_mri and camera_T_coil; rows that say they are something else must not pass for
+/// these.
+void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
+  bool has_marker_poses = false;
+  for (const auto& row : poses) {
+    if (row.of_frame == "head")
+      throw Error("the head's poses are not placed in the MRI", {}, "track again with --case");
+    has_marker_poses |= row.of_frame == "marker";
+  }
+  if (has_marker_poses)
+    logWarning("the coil's poses are the marker's (no --coil was given): the marker is guided, not the coil");
 }
 
 double quantile(std::vector<double> values, double fraction) {
@@ -182,6 +196,7 @@ TrackOutcome trackRecording(Context& context, const TrackRequest& request,
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
                                               const std::vector<casefile::PoseRow>& poses,
                                               const std::string& target_name) {
+  requirePlacedPoses(poses);
   const auto plan = store.targets();
   const auto& target = plan.find(target_name);
   const double predicted_mm = predictedError_mm(store, target_name);

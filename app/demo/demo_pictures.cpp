@@ -1,5 +1,9 @@
 #include "demo/demo_pictures.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -50,11 +54,32 @@ cv::Mat toBgr(const RgbImage& image) {
   return bgr;
 }
 
+/// Silences stderr for its lifetime: OpenCV's writer prints a note about the codec's tag that concerns
+/// nobody.
+class QuietErrors {
+ public:
+  QuietErrors() : kept_(::dup(STDERR_FILENO)) {
+    const int null = ::open("/dev/null", O_WRONLY);
+    ::dup2(null, STDERR_FILENO);
+    ::close(null);
+  }
+  ~QuietErrors() {
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  int kept_;
+};
+
 /// A video that browsers play, where this OpenCV can write one; else Motion JPEG. The name of what was
 /// written.
 class Video {
  public:
   Video(const fs::path& folder, cv::Size size) {
+    const QuietErrors quiet;
     const std::vector<std::pair<const char*, int>> kinds{
         {"navigation.webm", cv::VideoWriter::fourcc('V', 'P', '8', '0')},
         {"navigation.avi", cv::VideoWriter::fourcc('M', 'J', 'P', 'G')}};
@@ -80,7 +105,7 @@ void setUp(scene::NavigationScene& scene, const PictureInput& input) {
   scene.setVolume(input.store.mri());
   scene.setSliceCentre(input.target.cortex_point);
   scene.setTargets({input.target}, input.target.name);
-  scene.setView(scene::ViewPreset::left_front);
+  scene.setView(scene::ViewPreset::target);
 }
 
 evaluation::ReportFigure drawBrain(scene::NavigationScene& scene, const fs::path& folder) {
@@ -91,7 +116,7 @@ evaluation::ReportFigure drawBrain(scene::NavigationScene& scene, const fs::path
   scene.setView(scene::ViewPreset::left);
   scene::writePng(scene.render(900, 700), folder / "brain.png");
   scene.setLayers({});
-  scene.setView(scene::ViewPreset::left_front);
+  scene.setView(scene::ViewPreset::target);
   scene.setLive(true);
   return {"The textured brain: phi-theta surface with the MRI's own grey values (paper, figure 8).",
           "brain.png"};

@@ -1,6 +1,6 @@
 #pragma once
-// Runs the facenav command line tool as a user does and returns its exit status and both outputs. The test program is
-// compiled with FACENAV_CLI, the tool's path.
+// Runs the facenav command line tool as a user does and returns its exit status and both outputs. The test
+// program is compiled with FACENAV_CLI, the tool's path.
 
 #include <sys/wait.h>
 
@@ -27,8 +27,8 @@ inline std::string readText(const std::filesystem::path& path) {
 inline CommandResult runFacenav(const std::string& arguments, int timeout_s = 120) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out", err = folder.path() / "err";
-  const std::string command = "timeout " + std::to_string(timeout_s) + " '" FACENAV_CLI "' " + arguments + " >'" +
-                              out.string() + "' 2>'" + err.string() + "' </dev/null";
+  const std::string command = "timeout " + std::to_string(timeout_s) + " '" FACENAV_CLI "' " + arguments +
+                              " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int raw = std::system(command.c_str());
   CommandResult result;
   result.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);

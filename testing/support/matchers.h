@@ -20,7 +20,8 @@ MATCHER_P2(EigenNear, expected, tolerance, "") {
 MATCHER_P3(PoseNear, expected, tolerance_deg, tolerance_mm, "") {
   const auto error = poseError(arg, expected);
   const double rotation_deg = error.rotation_rad * 180.0 / M_PI;
-  *result_listener << "rotation off by " << rotation_deg << " deg, translation by " << error.translation_mm << " mm";
+  *result_listener << "rotation off by " << rotation_deg << " deg, translation by " << error.translation_mm
+                   << " mm";
   return rotation_deg <= tolerance_deg && error.translation_mm <= tolerance_mm;
 }
 

@@ -19,7 +19,8 @@ inline std::filesystem::path fromEnvironment(const char* variable, const std::fi
 
 /// Real data beside the project (FACENAV_SHARED_DATA, default ../shared/data).
 inline std::filesystem::path sharedData() {
-  return detail::fromEnvironment("FACENAV_SHARED_DATA", std::filesystem::path(FACENAV_SOURCE_DIR) / "../shared/data");
+  return detail::fromEnvironment("FACENAV_SHARED_DATA",
+                                 std::filesystem::path(FACENAV_SOURCE_DIR) / "../shared/data");
 }
 /// What facenav.sh fetched and converted once (FACENAV_CACHE, default build/cache).
 inline std::filesystem::path cache() {
@@ -34,7 +35,8 @@ inline std::filesystem::path colin27Brain() { return "/usr/share/mricron/templat
 inline std::filesystem::path t1Dicom() { return sharedData() / "t1_dicom"; }
 /// OpenCV's chessboard stereo pairs left01..14.jpg / right01..14.jpg and aloe (Debian opencv-doc).
 inline std::filesystem::path openCvSamples() {
-  for (const char* folder : {"/usr/share/doc/opencv-doc/examples/data", "/usr/share/doc/opencv-doc/examples/cpp"})
+  for (const char* folder :
+       {"/usr/share/doc/opencv-doc/examples/data", "/usr/share/doc/opencv-doc/examples/cpp"})
     if (std::filesystem::exists(std::filesystem::path(folder) / "left01.jpg")) return folder;
   return "/usr/share/doc/opencv-doc/examples/data";
 }
@@ -62,5 +64,5 @@ class TemporaryFolder {
 }  // namespace facenav::testing
 
 /// First line of a test that needs real data: skipped, visibly, where it is absent.
-#define FACENAV_NEEDS(path)                                                             \
+#define FACENAV_NEEDS(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "real data not here: " << (path)

@@ -54,10 +54,16 @@ CsvTable::CsvTable(const std::filesystem::path& path) : path_(path) {
   if (header_.empty()) throw Error("is empty, a CSV file with a header line was expected", path.string());
 }
 
-std::size_t CsvTable::column(const std::string& name) const {
+std::optional<std::size_t> CsvTable::findColumn(const std::string& name) const {
   const auto found = std::find(header_.begin(), header_.end(), name);
-  if (found == header_.end()) throw Error("column '" + name + "' is missing", path_.string() + ", line 1");
+  if (found == header_.end()) return std::nullopt;
   return std::size_t(found - header_.begin());
+}
+
+std::size_t CsvTable::column(const std::string& name) const {
+  const auto found = findColumn(name);
+  if (!found) throw Error("column '" + name + "' is missing", path_.string() + ", line 1");
+  return *found;
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {

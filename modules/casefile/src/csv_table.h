@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ class CsvTable {
   std::size_t rows() const { return lines_.size(); }
   /// Index of a column. Throws Error when the header lacks it.
   std::size_t column(const std::string& name) const;
+  std::optional<std::size_t> findColumn(const std::string& name) const;
   const std::string& text(std::size_t row, std::size_t column) const { return lines_[row].fields[column]; }
   /// A finite number, '.' decimals whatever the locale. Throws Error.
   double number(std::size_t row, std::size_t column) const;

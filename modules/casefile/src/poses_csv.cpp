@@ -10,6 +10,7 @@ namespace {
 
 struct Columns {
   std::size_t frame, t_s, object, status, tx, ty, tz, qw, qx, qy, qz, quality, reason;
+  std::optional<std::size_t> of_frame;  // not in FORMATS.md: other tools' files lack it
   explicit Columns(const CsvTable& table)
       : frame(table.column("frame")),
         t_s(table.column("t_s")),
@@ -23,7 +24,8 @@ struct Columns {
         qy(table.column("qy")),
         qz(table.column("qz")),
         quality(table.column("quality")),
-        reason(table.column("reason")) {}
+        reason(table.column("reason")),
+        of_frame(table.findColumn("of_frame")) {}
 };
 
 PoseObject readObject(const CsvTable& table, std::size_t row, const Columns& columns) {
@@ -49,6 +51,7 @@ PoseRow readRow(const CsvTable& table, std::size_t row, const Columns& columns) 
   pose.frame = table.integer(row, columns.frame);
   pose.t_s = table.number(row, columns.t_s);
   pose.object = readObject(table, row, columns);
+  if (columns.of_frame) pose.of_frame = table.text(row, *columns.of_frame);
   const std::string& status = table.text(row, columns.status);
   if (status == "tracked") {
     pose.pose = readPose(table, row, columns);
@@ -68,19 +71,23 @@ PoseRow readRow(const CsvTable& table, std::size_t row, const Columns& columns) 
 
 }  // namespace
 
-std::string posesCsvHeader() { return "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason\n"; }
+std::string posesCsvHeader() {
+  return "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason,of_frame\n";
+}
 
 std::string toCsvLine(const PoseRow& row) {
   std::string line = std::to_string(row.frame) + "," + fixed(row.t_s, 6) + "," +
                      (row.object == PoseObject::head ? "head," : "coil,");
-  if (!row.pose) return line + "lost,,,,,,,,0," + toString(row.reason.value_or(LostReason::stale)) + "\n";
+  if (!row.pose)
+    return line + "lost,,,,,,,,0," + toString(row.reason.value_or(LostReason::stale)) + "," + row.of_frame +
+           "\n";
   Eigen::Quaterniond q(row.pose->linear());
   q.normalize();
   if (q.w() < 0) q.coeffs() *= -1;
   line += "tracked";
   for (int i = 0; i < 3; ++i) line += "," + fixed(row.pose->translation()[i], 6);
   for (const double value : {q.w(), q.x(), q.y(), q.z()}) line += "," + fixed(value, 9);
-  return line + "," + fixed(row.quality, 4) + ",\n";
+  return line + "," + fixed(row.quality, 4) + ",," + row.of_frame + "\n";
 }
 
 void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path) {

@@ -32,12 +32,12 @@ std::string faultOf(const std::string& content) {
 TEST(PosesCsv, WritesTheColumnsOfTheFormat) {
   const HeadPose pose(Eigen::Quaterniond(-0.5, 0.5, -0.5, 0.5),
                       {1.5, -2, 600.25});  // w < 0: written as its negative
-  EXPECT_EQ(posesCsvHeader(), kHeader);
+  EXPECT_EQ(posesCsvHeader(), "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason,of_frame\n");
   EXPECT_EQ(toCsvLine(poseRow(3, 0.05, PoseObject::head, Tracked<HeadPose>(pose, 0.875))),
             "3,0.050000,head,tracked,1.500000,-2.000000,600.250000,0.500000000,-0.500000000,0.500000000,"
-            "-0.500000000,0.8750,\n");
+            "-0.500000000,0.8750,,mri\n");
   EXPECT_EQ(toCsvLine(poseRow(4, 0.1, PoseObject::coil, Tracked<CoilPose>(Lost{LostReason::no_marker}))),
-            "4,0.100000,coil,lost,,,,,,,,0,no_marker\n");
+            "4,0.100000,coil,lost,,,,,,,,0,no_marker,coil\n");
 }
 
 TEST(PosesCsv, RoundTripHoldsMicrometres) {
@@ -55,6 +55,8 @@ TEST(PosesCsv, RoundTripHoldsMicrometres) {
   ASSERT_TRUE(coil.isTracked());
   EXPECT_THAT(*coil, PoseNear(pose, 1e-6, 2e-6));
   EXPECT_EQ(coil.quality(), 0.5);
+  EXPECT_EQ(rows[0].of_frame, "mri");
+  EXPECT_EQ(rows[1].of_frame, "coil");
 }
 
 TEST(PosesCsv, ReadsColumnsInAnyOrderAndIgnoresUnknownOnes) {
@@ -86,7 +88,7 @@ TEST(PosesCsv, NamesFileAndLineOfAFault) {
 TEST(PosesCsv, KeepsItsDecimalPointInEveryLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, name);  // where installed
-  const std::string line = toCsvLine({1, 0.5, PoseObject::head, Eigen::Isometry3d::Identity(), 0.5, {}});
+  const std::string line = toCsvLine({1, 0.5, PoseObject::head, Eigen::Isometry3d::Identity(), 0.5, {}, ""});
   std::setlocale(LC_ALL, before.c_str());
   EXPECT_NE(line.find("0.500000,head"), std::string::npos);
 }

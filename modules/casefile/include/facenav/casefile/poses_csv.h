@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "facenav/core/tracked.h"
@@ -23,6 +24,7 @@ struct PoseRow {
   std::optional<Eigen::Isometry3d> pose;  // absent when lost
   double quality = 0.0;                   // 0..1
   std::optional<LostReason> reason;       // when lost
+  std::string of_frame = {};  // what the pose places in Camera: mri, head, coil, marker; "" unknown
 
   /// The pose with the frames that the reader knows it has, or Lost.
   template <class To, class From>
@@ -32,11 +34,22 @@ struct PoseRow {
   }
 };
 
+/// The word for a frame in the column of_frame (FaceNav's addition to FORMATS.md), so that a pose of the head
+/// since tracking started is never taken for one of the MRI.
+template <class Frame>
+constexpr const char* frameWord() {
+  if constexpr (std::is_same_v<Frame, Mri>) return "mri";
+  if constexpr (std::is_same_v<Frame, Head>) return "head";
+  if constexpr (std::is_same_v<Frame, Coil>) return "coil";
+  if constexpr (std::is_same_v<Frame, Marker>) return "marker";
+  return "";
+}
+
 template <class To, class From>
 PoseRow poseRow(std::int64_t frame, double t_s, PoseObject object,
                 const Tracked<RigidTransform<To, From>>& pose) {
-  if (!pose) return {frame, t_s, object, std::nullopt, 0.0, pose.reason()};
-  return {frame, t_s, object, pose->isometry(), pose.quality(), std::nullopt};
+  if (!pose) return {frame, t_s, object, std::nullopt, 0.0, pose.reason(), frameWord<From>()};
+  return {frame, t_s, object, pose->isometry(), pose.quality(), std::nullopt, frameWord<From>()};
 }
 
 std::string posesCsvHeader();
