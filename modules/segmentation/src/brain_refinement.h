@@ -9,12 +9,12 @@
 namespace facenav::segmentation {
 
 struct RefinementOptions {
-  double search_mm = 5;        // tissue is sought this far outside the first surface
+  double search_mm = 8;        // tissue is sought this far outside the first surface
   double tissue_share = 0.42;  // lower limit of tissue, between fluid (0) and grey matter (1)
   double brightest = 1.35;     // upper limit, times white matter: above are fat and vessels
   double white_tear_mm = 1.0;  // white matter thinner than twice this does not belong to its connected body
   double white_reach_mm = 14;  // tissue lies at most this far from that body
-  double tear_mm = 2.5;        // bridges thinner than twice this are torn
+  double tear_mm = 2.0;        // bridges thinner than twice this are torn
   double regrow_mm = 4.5;      // from the torn core back, through tissue
   double sulcus_mm = 4;        // sulci up to twice this wide are closed
   double hull_mm = 10;         // radius of a coarse closing, within which ..

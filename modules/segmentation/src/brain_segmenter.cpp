@@ -18,7 +18,7 @@ constexpr double kMargin_mm = 16;  // around the first mask: room for the search
 constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
 
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
-constexpr double kSafeShare = 0.9;  // of the first guess's ball, for the rough bias
+constexpr double kSafeShare = 0.8;  // of the first guess's ball: nothing but brain, its fluid and ventricles
 
 /// The part of the grid that holds the mask, with a margin.
 VoxelGrid gridAround(const Mask& mask, double margin_mm) {
@@ -48,10 +48,8 @@ Volume withoutRoughBias(const Volume& working) {
 
 /// BET's threshold as a share of white matter, set between this scan's own fluid and grey matter: where grey
 /// matter is dark, Smith's 0.5 would stop inside it.
-double fractionalThreshold(const Volume& coarse, const BrainStart& start) {
-  const TissueModel tissue =
-      fitTissue(coarse, ballOf(coarse.grid, start.sphere.centre_mm, kSafeShare * start.sphere.radius_mm));
-  const double level = 0.5 * (tissue.fluid.mean + tissue.grey.mean), dark = start.intensities.t2;
+double fractionalThreshold(const TissueModel& tissue, float dark) {
+  const double level = 0.5 * (tissue.fluid.mean + tissue.grey.mean);
   return std::clamp((level - dark) / std::max(1e-6, tissue.white.mean - dark), kLeastThreshold,
                     kSmithsThreshold);
 }
@@ -64,15 +62,17 @@ class BrainSegmenter : public Segmenter {
     const Volume working = withoutRoughBias(workingVolume(volume, 1.0)), coarse = halved(working);
     const BrainStart start = findBrainStart(coarse);
     requireTissueSpread(coarse, start.sphere);
+    const TissueModel rough =
+        fitTissue(coarse, ballOf(coarse.grid, start.sphere.centre_mm, kSafeShare * start.sphere.radius_mm));
     BetOptions bet;
-    bet.fractional_threshold = fractionalThreshold(coarse, start);
+    bet.fractional_threshold = fractionalThreshold(rough, start.intensities.t2);
     const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, bet, monitor);
     const Mask whole = enclosed(surface, working.grid);
     const VoxelGrid grid = gridAround(whole, kMargin_mm);
     const Mask first = volume::resample(whole, grid);
     const Volume image = volume::resample(working, grid);
     monitor.report("measuring grey and white matter", 0.6);
-    const TissueModel tissue = fitTissue(image, erode(first, kCore_mm));
+    const TissueModel tissue = fitTissue(image, erode(first, kCore_mm), &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
     const Mask brain = refineBrain(corrected(image, tissue), first, tissue, RefinementOptions());

@@ -184,17 +184,18 @@ TissueModel fitRoughBias(const Volume& image, const Eigen::Vector3d& centre_mm, 
   return model;
 }
 
-TissueModel fitTissue(const Volume& image, const Mask& core) {
+TissueModel fitTissue(const Volume& image, const Mask& core, const TissueModel* start) {
   TissueModel model;
   model.centre_mm = image.grid.centre().mm;
   const auto samples = samplesOf(image, core, model);
   if (samples.size() < 1000) return model;
-  Classes c;
+  Classes c{};
+  if (start) c = {start->fluid, start->grey, start->white};
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> values;
     for (const auto& s : samples) values.push_back(s.value * std::exp(-model.bias.dot(s.at)));
     const Histogram histogram(values);
-    c = maximiseExpectation(histogram, round == 0 ? otsuClasses(histogram) : c);
+    c = maximiseExpectation(histogram, round == 0 && !start ? otsuClasses(histogram) : c);
     if (round + 1 == kRounds) break;
     Eigen::Matrix<double, 20, 20> normal = Eigen::Matrix<double, 20, 20>::Zero();
     Basis right = Basis::Zero();

@@ -31,8 +31,11 @@ volume::Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre
 TissueModel fitRoughBias(const volume::Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm,
                          float air);
 
-/// `core`: safely inside the brain (a first mask, eroded). Air must be 0.
-TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core);
+/// `core`: safely inside the brain (a first mask, eroded). Air must be 0. `start`: classes
+/// to start from, where they are known roughly (a core without fluid would otherwise have grey matter shared
+/// out as fluid).
+TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core,
+                      const TissueModel* start = nullptr);
 /// The image (axis-aligned, cubic voxels) with the bias taken off.
 volume::Volume corrected(const volume::Volume& image, const TissueModel& model);
 

@@ -61,7 +61,7 @@ inline HeadPhantom makeHeadPhantom(const PhantomOptions& options = {}) {
         if (brain < 0) {
           const double folds = std::sin(p.x() / 4.2) * std::sin(p.y() / 4.6) * std::sin(p.z() / 4.4);
           const bool is_sulcus = folds > 0.75 && brain > -12;
-          value = is_sulcus ? 25 : brain > -3.5 || folds > 0.45 ? 70 : 100;
+          value = is_sulcus ? 25 : brain > -3.5 || folds > 0.1 ? 70 : 100;
           if (!options.has_tissue) value = 70;
           phantom.brain.voxels[at] = 1;
         } else if (cord < 0) {
