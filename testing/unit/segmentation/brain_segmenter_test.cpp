@@ -103,7 +103,10 @@ TEST(BrainSegmenter, RefusesAHeadWithoutTissueContrast) {
 }
 
 TEST(BrainSegmenter, RefusesAComputedTomogramWithoutItsModality) {
-  HeadPhantom head = plainPhantom().head;  // Hounsfield units: soft tissue 30 to 45, bone 900, air -1000
+  PhantomOptions quiet;
+  quiet.noise = 0.005;
+  HeadPhantom head =
+      makeHeadPhantom(quiet);  // to Hounsfield units: soft tissue 33 to 45, bone 900, air -1000
   for (float& v : head.volume.voxels) v = v < 4 ? -1000.f : v < 16 ? 900.f : 30.f + 0.15f * v;
   for (const auto& segmenter : {makeBrainSegmenter(), makeBetSegmenter()})
     EXPECT_NE(messageOf(head.volume, *segmenter).find("no brain can be modelled"), std::string::npos);
