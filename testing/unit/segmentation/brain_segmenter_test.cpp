@@ -37,23 +37,14 @@ std::string messageOf(const volume::Volume& volume, const segmentation::Segmente
   return "no error";
 }
 
-struct Found {
-  HeadPhantom head;
-  volume::Mask brain;
-};
-
-/// Segmented once, compared with by several tests.
-const Found& plainPhantom() {
-  static const Found found = [] {
-    HeadPhantom head = makeHeadPhantom();
-    volume::Mask brain = brainOf(head.volume);
-    return Found{std::move(head), std::move(brain)};
-  }();
-  return found;
+const HeadPhantom& plainHead() {
+  static const HeadPhantom head = makeHeadPhantom();
+  return head;
 }
 
 TEST(BrainSegmenter, FindsThePhantomsBrainAboveALongNeck) {
-  const auto& [head, brain] = plainPhantom();
+  const HeadPhantom& head = plainHead();
+  const auto brain = brainOf(head.volume);
   ASSERT_TRUE(brain.grid.matches(head.volume.grid));
   const auto overlap = volume::overlap(brain, head.brain);
   EXPECT_GE(overlap.dice, 0.98);
@@ -68,7 +59,7 @@ TEST(BrainSegmenter, FindsAChildsBrainInABiasField) {
 }
 
 TEST(BrainSegmenter, GivesTheSameMaskForAnyAxisOrderGainAndOffset) {
-  const HeadPhantom& head = plainPhantom().head;
+  const HeadPhantom& head = plainHead();
   volume::Volume turned;
   turned.grid.size = {head.volume.grid.size[2], head.volume.grid.size[0], head.volume.grid.size[1]};
   Eigen::Matrix3d order;  // turned (a, b, c) = original (-b, c, -a), flipped where negative
@@ -83,11 +74,11 @@ TEST(BrainSegmenter, GivesTheSameMaskForAnyAxisOrderGainAndOffset) {
   for (float& v : turned.voxels) v = 37 * v - 1500;
   const auto found = brainOf(turned);
   ASSERT_TRUE(found.grid.matches(turned.grid));
-  EXPECT_GE(volume::overlap(volume::resample(found, head.volume.grid), plainPhantom().brain).dice, 0.995);
+  EXPECT_GE(volume::overlap(volume::resample(found, head.volume.grid), brainOf(head.volume)).dice, 0.995);
 }
 
 TEST(BrainSegmenter, RefusesAComputedTomogramInWords) {
-  HeadPhantom head = plainPhantom().head;
+  HeadPhantom head = plainHead();
   head.volume.modality = "CT";
   EXPECT_NE(messageOf(head.volume, *makeBrainSegmenter()).find("no brain can be modelled: this is a CT"),
             std::string::npos);
@@ -113,7 +104,7 @@ TEST(BrainSegmenter, RefusesAComputedTomogramWithoutItsModality) {
 }
 
 TEST(BrainSegmenter, RefusesVolumesWithoutAHead) {
-  volume::Volume volume = plainPhantom().head.volume;
+  volume::Volume volume = plainHead().volume;
   std::fill(volume.voxels.begin(), volume.voxels.end(), 7.f);
   EXPECT_NE(messageOf(volume, *makeBrainSegmenter()).find("no brain can be modelled"), std::string::npos);
   std::mt19937 random(3);
@@ -122,7 +113,7 @@ TEST(BrainSegmenter, RefusesVolumesWithoutAHead) {
 }
 
 TEST(BrainSegmenter, WarnsOfABrainCutByTheScansEdge) {
-  const HeadPhantom& head = plainPhantom().head;
+  const HeadPhantom& head = plainHead();
   volume::VoxelGrid lower = head.volume.grid;  // ends 35 mm below the brain's top
   lower.size[2] -= int((100 - 33) / head.volume.grid.spacing_mm().z());
   TaskMonitor monitor;
@@ -135,7 +126,7 @@ TEST(BrainSegmenter, WarnsOfABrainCutByTheScansEdge) {
 TEST(BrainSegmenter, StopsWhenCancelled) {
   TaskMonitor monitor;
   monitor.cancel();
-  EXPECT_THROW(makeBrainSegmenter()->segment(plainPhantom().head.volume, monitor), Cancelled);
+  EXPECT_THROW(makeBrainSegmenter()->segment(plainHead().volume, monitor), Cancelled);
 }
 
 TEST(BrainSegmenter, AgreesWithColin27sBrain) {
@@ -161,7 +152,7 @@ TEST(BrainSegmenter, LiesInsideTheMaskWithFluidOfAWholeHead) {
 }
 
 TEST(BetSegmenter, FindsThePhantomsBrainAboveALongNeck) {
-  const HeadPhantom& head = plainPhantom().head;
+  const HeadPhantom& head = plainHead();
   TaskMonitor monitor;
   EXPECT_GE(volume::overlap(makeBetSegmenter()->segment(head.volume, monitor).mask, head.brain).dice, 0.88);
 }
