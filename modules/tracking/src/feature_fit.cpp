@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 #include "facenav/geometry/rigid_fit.h"
 
@@ -13,6 +15,8 @@ constexpr double kEpipolar_px = 2.0;     // a match farther off its epipolar lin
 constexpr double kMatchSigma_px = 0.35;  // of one coordinate of an NCC peak on a turning face
 constexpr double kFarthest_sigma = 4.0;
 constexpr double kHighestRms_px = 1.2;
+constexpr double kLeastAgreeing = 4.0;  // sum of the weights after the fit
+constexpr double kWorstSigma_rad = 1.2 * M_PI / 180;
 
 struct Triangulated {
   FeatureMatch match;
@@ -119,24 +123,53 @@ Normal linearise(const stereo::StereoRig& rig, const std::vector<Eigen::Vector3d
   return normal;
 }
 
-// Gauss-Newton from the closed form; few points, so no robust weights: the consensus has chosen already.
+// Squared reprojection error of a feature, mean of both images.
+double square_px(const stereo::StereoRig& rig, const Eigen::Vector3d& p_mm, const FeatureMatch& match) {
+  const Eigen::Vector3d p_right_mm = rig.right_T_left.isometry() * p_mm;
+  return 0.5 * ((match.left_px - stereo::project(rig.left, p_mm)).squaredNorm() +
+                (match.right_px - stereo::project(rig.right, p_right_mm)).squaredNorm());
+}
+
+// Cauchy weights on whole features: what a feature stands off as one (the nose tip's template slides over the
+// round nose as the head turns; a lid; a lip) must not bend the pose of the others.
+void reweigh(const stereo::StereoRig& rig, const std::vector<Eigen::Vector3d>& reference_mm,
+             const std::vector<double>& ncc, FeatureFit& fit) {
+  std::vector<double> lengths;
+  for (const auto& match : fit.inliers)
+    lengths.push_back(std::sqrt(square_px(rig, fit.motion * reference_mm[match.feature], match)));
+  auto sorted = lengths;
+  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+  const double scale = std::max(std::sqrt(2.0) * kMatchSigma_px, 1.2 * sorted[sorted.size() / 2]);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    fit.inliers[i].weight = ncc[i] / (1.0 + std::pow(lengths[i] / scale, 4));
+}
+
+// Gauss-Newton from the closed form, reweighted as it goes.
 void refineInImages(const stereo::StereoRig& rig, const std::vector<Eigen::Vector3d>& reference_mm,
                     FeatureFit& fit) {
   const Eigen::Vector3d reference_centre_mm = fit.motion.inverse() * fit.centre_mm;
-  for (int iteration = 0; iteration < 6; ++iteration) {
+  std::vector<double> ncc;
+  for (const auto& match : fit.inliers) ncc.push_back(match.weight);
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    if (iteration > 1) reweigh(rig, reference_mm, ncc, fit);
     const Normal normal = linearise(rig, reference_mm, fit);
     const Vector6d step = normal.h.ldlt().solve(normal.g);
     const Eigen::Isometry3d increment =
         Eigen::Translation3d(fit.centre_mm) * expRigid(step) * Eigen::Translation3d(-fit.centre_mm);
     fit.motion = increment * fit.motion;
     fit.centre_mm = fit.motion * reference_centre_mm;
-    if (step.tail<3>().norm() < 1e-4 && step.head<3>().norm() < 1e-6) break;
+    if (iteration > 3 && step.tail<3>().norm() < 1e-4 && step.head<3>().norm() < 1e-6) break;
   }
   const Normal normal = linearise(rig, reference_mm, fit);
   fit.rms_px = std::sqrt(normal.squares / normal.weight);
-  const double freedom = 4.0 * fit.inliers.size();
-  const double variance = std::max(normal.squares / normal.weight * freedom / (freedom - 6.0), 0.01);
-  fit.covariance = variance * normal.weight / freedom * normal.h.inverse();
+  // Features that were weighed down count as lost freedom; peaks are never better than kMatchSigma_px.
+  double features = 0;
+  for (std::size_t i = 0; i < ncc.size(); ++i) features += fit.inliers[i].weight / ncc[i];
+  const double spare = std::max(4.0 * features - 6.0, 2.0);
+  const double mean_weight = normal.weight / (4.0 * features);
+  fit.covariance = mean_weight *
+                   std::max(normal.squares / mean_weight / spare, kMatchSigma_px * kMatchSigma_px) *
+                   normal.h.inverse();
 }
 
 }  // namespace
@@ -156,7 +189,12 @@ Tracked<FeatureFit> fitFeatures(const stereo::StereoRig& rig,
     result.centre_mm += result.motion * reference_mm[point.match.feature] / double(agreeing.size());
   }
   refineInImages(rig, reference_mm, result);
-  if (!(result.rms_px < kHighestRms_px)) return Lost{LostReason::high_residual};
+  double agreeing_features = 0;  // what the reweighting left of them
+  for (const auto& match : result.inliers) agreeing_features += match.weight;
+  const double sigma_rad = std::sqrt(result.covariance.topLeftCorner<3, 3>().trace());
+  if (!(result.rms_px < kHighestRms_px) || agreeing_features < kLeastAgreeing ||
+      !(sigma_rad < kWorstSigma_rad))
+    return Lost{LostReason::high_residual};
   double quality = 0;
   for (const auto& match : result.inliers) quality += match.weight / double(reference_mm.size());
   return {result, std::clamp(quality, 0.0, 1.0)};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<int, 7> kLandmarks = {36, 39, 42, 45,
                                            30, 48, 54};  // iBUG: eye corners, nose tip, mouth corners
-constexpr double kTemplateShare = 0.26;  // template's edge over the distance of the outer eye corners
+constexpr double kTemplateShare = 0.19;  // template's edge over the distance of the outer eye corners
 constexpr double kLeastNcc = 0.6;
 constexpr double kReferenceNcc = 0.5;
 constexpr double kLongestGap_s = 0.25;  // beyond it a prediction is worth nothing
@@ -146,7 +146,7 @@ class FeatureHeadTracker : public HeadTracker {
 
   Tracked<HeadPose> relocalise(const stereo::StereoFrame& frame) {
     auto face = findStereoFace(*detector_, rig_, frame, &seen_face_);
-    if (!face) face = findStereoFace(*detector_, rig_, frame);
+    if (!face) face = findStereoFaceAtRoll(*detector_, rig_, frame, reference_face_.left.roll_rad);
     if (!face) return lost(LostReason::no_face);
     seen_face_ = *face;
     const auto motion = motionOfLandmarks(reference_face_.points_mm, face->points_mm);

@@ -37,6 +37,7 @@ class ModelHeadTracker : public HeadTracker {
     const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
                                              ImagePyramid(reference.frame.right)};
     model_ = learnPatches(rig, key, region, surface);
+    model_.shape_doubt = reference.surface.empty() ? 4.0 : 1.0;
     if (model_.level[0].patches.size() < 30)
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");

@@ -53,6 +53,8 @@ struct PatchLevel {
 struct PatchModel {
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();  // of the patches, Head: increments turn about it
   std::array<PatchLevel, kLevels> level;
+  double shape_doubt =
+      1.0;  // factor on a pose's variance: 4 where the depth comes from the plain pair (measured)
 };
 
 /// Learns the patches from a key frame taken at the reference pose.

@@ -41,11 +41,11 @@ Matrix6d covarianceOf(const PoseFit& fit) {
 
 }  // namespace
 
-Verdict judge(const stereo::StereoRig&, const PatchModel&, const PoseFit& fit) {
+Verdict judge(const stereo::StereoRig&, const PatchModel& model, const PoseFit& fit) {
   Verdict verdict;
   const Count left = count(fit, 0), right = count(fit, 1);
   verdict.good_share = {left.share(), right.share()};
-  verdict.covariance = covarianceOf(fit);
+  verdict.covariance = model.shape_doubt * covarianceOf(fit);
   const double least = std::min(left.share(), right.share()), most = std::max(left.share(), right.share());
   if (std::max(left.good, right.good) < kLeastGood || most < kLeastGoodShare) {
     verdict.lost = LostReason::few_features;
@@ -53,8 +53,10 @@ Verdict judge(const stereo::StereoRig&, const PatchModel&, const PoseFit& fit) {
              most > kWidestRatio * least) {
     verdict.lost = LostReason::camera;
   } else if (fit.scale > kWorstScale ||
-             verdict.covariance.bottomRightCorner<3, 3>().trace() > kWorstSigma_mm * kWorstSigma_mm ||
-             verdict.covariance.topLeftCorner<3, 3>().trace() > kWorstSigma_rad * kWorstSigma_rad) {
+             verdict.covariance.bottomRightCorner<3, 3>().trace() >
+                 model.shape_doubt * kWorstSigma_mm * kWorstSigma_mm ||
+             verdict.covariance.topLeftCorner<3, 3>().trace() >
+                 model.shape_doubt * kWorstSigma_rad * kWorstSigma_rad) {
     verdict.lost = LostReason::high_residual;
   }
   verdict.quality = std::clamp(least / 0.9, 0.0, 1.0);

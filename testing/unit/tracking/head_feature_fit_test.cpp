@@ -55,7 +55,9 @@ TEST(FeatureFit, QuarterPixelNoiseGivesAQuarterDegreeFittedInTheImages) {
     claimed += fit->covariance.topLeftCorner<3, 3>().trace() * std::pow(180 / M_PI, 2);
   }
   EXPECT_LT(std::sqrt(squares / (3 * trials)), 0.25) << "about each axis";
-  EXPECT_NEAR(std::sqrt(claimed / squares), 1.0, 0.3) << "the covariance is honest";
+  const double claim = std::sqrt(claimed / squares);  // the claim supposes 0.35 px at least
+  EXPECT_GT(claim, 0.95) << "the covariance is honest";
+  EXPECT_LT(claim, 1.9);
 }
 
 TEST(FeatureFit, SwappedEyeCornersAreThrownOut) {
