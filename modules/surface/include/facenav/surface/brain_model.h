@@ -46,7 +46,7 @@ struct BrainModel {
 
 struct BrainModelOptions {
   int rows = 180, columns = 180;
-  double peel_mm = 3.0;  // texture is taken up to this far below the surface
+  double peel_mm = 5.0;  // texture is taken up to this far below the surface
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
