@@ -41,8 +41,8 @@ evaluation::ReportTable comparison(const DemoFigures& f) {
   const PerAxis mean = perAxis(f.protractor);
   return {"This run and the paper",
           {"quantity", "this run", "the paper (2010)"},
-          {{"surface residual at alignment, maximum", text("%.2f mm", f.alignment.max_mm),
-            text("%.1f mm", kPaperResidual_mm)},
+          {{"surface residual at alignment, maximum over the points used",
+            text("%.2f mm", f.alignment.max_mm), text("%.1f mm", kPaperResidual_mm)},
            {"rotation error, mean around each axis (protractor)", text("%.3f°", mean.rotation_deg),
             text("%.1f°", kPaperRotation_deg)},
            {"translation error, mean along each axis at the cortical target (protractor)",
