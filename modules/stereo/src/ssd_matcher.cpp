@@ -102,7 +102,9 @@ class SubpixelStage {
     const float carried = field.disparity[i] + a * float(step.x) + b * float(step.y);
     const subpixel::Fit fit = kernel_.fit_at(images_, limits_, at.x, at.y, {carried, a, b});
     constexpr float kLargestJump_px = 0.5f;  // from the neighbour's plane: more is another surface
-    if (!fit.is_good || std::abs(fit.plane.d - carried) > kLargestJump_px) return false;
+    // Written so that a fit that is no number is refused too: it would leave the pixel open and grow for
+    // ever.
+    if (!fit.is_good || !(std::abs(fit.plane.d - carried) <= kLargestJump_px)) return false;
     field.disparity[to] = fit.plane.d;
     field.slope_x[to] = fit.plane.a;
     field.slope_y[to] = fit.plane.b;
