@@ -32,7 +32,9 @@ std::optional<capture::CapturePair> readStoredCapture(const fs::path& case_folde
                                                       const stereo::StereoRig& rig) {
   if (!fs::exists(folderIn(case_folder))) return std::nullopt;
   const auto stored = capture::openCapture(folderIn(case_folder));
-  if (!stored.capture || !isSameRig(stored.rig, rig)) return std::nullopt;
+  if (!isSameRig(stored.rig, rig))
+    throw Error("the case was aligned with another camera rig than this recording's", case_folder.string(),
+                "align again with a capture of this rig");
   return stored.capture;
 }
 

@@ -11,7 +11,8 @@ namespace facenav::app {
 
 void writeStoredCapture(const std::filesystem::path& case_folder, const stereo::StereoRig& rig,
                         const capture::CapturePair& pair);
-/// Nothing where there is none, or where it was taken with another rig than `rig`.
+/// Nothing where there is none. Throws Error where it was taken with another rig than `rig`: the alignment
+/// then says nothing about these cameras.
 std::optional<capture::CapturePair> readStoredCapture(const std::filesystem::path& case_folder,
                                                       const stereo::StereoRig& rig);
 
