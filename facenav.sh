@@ -111,6 +111,7 @@ case "${1:-}" in
     shift
     set_up "${packages[@]}" "${test_packages[@]}"
     build ON
+    "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"
     xvfb-run -a -s '-screen 0 1920x1200x24' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
     ;;

@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "demo/demo_run.h"
+#include "demo/virtual_patient_files.h"
 #include "facenav/scene/display.h"
 
 namespace facenav::app {
@@ -27,13 +28,20 @@ void addDemo(CLI::App& app, Context& context) {
       app.add_subcommand("demo", "the whole path on the virtual patient: model, align, track, guide, report");
   auto request = std::make_shared<DemoRequest>();
   auto stays_closed = std::make_shared<bool>(false);
+  auto only_patient = std::make_shared<bool>(false);
   request->folder = "facenav_demo";
   verb->add_option("-o,--output", request->folder, "folder for the result")->capture_default_str();
   verb->add_option("--seed", request->seed, "of the room's motion and noise")->capture_default_str();
   verb->add_option("--frames", request->frames, "length of the treatment (0: the scenario's own)")
       ->check(CLI::Range(0, 100000));
   verb->add_flag("--no-window", *stays_closed, "do not open the window at the end");
-  verb->callback([&context, request, stays_closed] {
+  verb->add_flag("--only-patient", *only_patient,
+                 "convert the virtual patient's MRI into the cache and stop");
+  verb->callback([&context, request, stays_closed, only_patient] {
+    if (*only_patient) {
+      virtualPatientFiles(context);
+      return;
+    }
     const bool has_display = scene::hasDisplay();
     const auto figures = runDemo(context, *request);
     const auto folder = std::filesystem::absolute(request->folder);
