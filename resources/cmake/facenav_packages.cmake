@@ -1,4 +1,4 @@
-# Third-party packages, each component by name (see the traps in modules/README.md's notes: a bare OpenCV_LIBS or
+# Third-party packages, each component by name (a bare OpenCV_LIBS or
 # PCL_LIBRARIES would pull Qt and the VTK GUI into the command line).
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
