@@ -2,6 +2,7 @@
 # FaceNav's one script: sets up what is missing (Debian packages, one data package by name through npm), builds, runs.
 #   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: out/demo)
 #   ./facenav.sh test            all tests, under a virtual display
+#   ./facenav.sh benchmark [WORD] every kernel beside its peers: Markdown tables, also in out/benchmarks.md
 #   ./facenav.sh gui [ARGS]      the workstation window
 #   ./facenav.sh build           set-up and build only
 #   ./facenav.sh VERB ...        any verb of the command line tool (see: ./facenav.sh --help)
@@ -106,6 +107,15 @@ on_display() {  # runs a command on the desktop's display, or on a virtual one
 # Tests stay built once they were asked for, so that demo and test do not rebuild each other's work.
 tests_wanted() { grep -q 'FACENAV_BUILD_TESTS:BOOL=ON' build/release/CMakeCache.txt 2>/dev/null && echo ON || echo OFF; }
 
+run_benchmarks() {  # those whose name holds $1
+  mkdir -p out
+  { printf '# Benchmarks: %s, %s cores, %s\n' "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)" "$(date -u +%F)"
+    grep -- "$1" build/release/benchmarks.txt | while read -r name; do
+      "$binaries/$name" </dev/null || printf '\n%s failed (exit status %s)\n' "$name" $?
+    done; } | tee out/benchmarks.md
+  say "written: $root/out/benchmarks.md"
+}
+
 case "${1:-}" in
   test)
     shift
@@ -114,6 +124,16 @@ case "${1:-}" in
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"
     xvfb-run -a -s '-screen 0 1920x1200x24' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
+    ;;
+  benchmark)
+    shift
+    set_up "${packages[@]}" "${test_packages[@]}"
+    cmake --preset release -DFACENAV_BUILD_BENCHMARKS=ON -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring"
+    say "building the benchmarks"
+    cmake --build build/release --target facenav facenav_benchmarks >"$log" 2>&1 ||
+      { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
+    "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
+    run_benchmarks "${1:-}"
     ;;
   build)
     set_up "${packages[@]}"
@@ -128,7 +148,7 @@ case "${1:-}" in
     cd "$caller" && exec "$binaries/facenav-gui" "$@"
     ;;
   '' | help)
-    sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    sed -n '2,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     ;;
   *)
     set_up "${packages[@]}" python3-skimage

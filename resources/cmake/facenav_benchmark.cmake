@@ -1,0 +1,26 @@
+# facenav_add_benchmark(NAME n SOURCES a_benchmark.cpp .. MODULES m .. [LIBS ..] [ORDER k])
+# One program that prints Markdown tables; `./facenav.sh benchmark` builds and runs them all. It may look into
+# the modules' src folders (a kernel is timed apart from its module) and into testing/. Left out in sight when
+# FACENAV_ONLY left out a module that it needs.
+add_custom_target(facenav_benchmarks)
+file(WRITE ${PROJECT_BINARY_DIR}/benchmarks.txt "")
+function(facenav_add_benchmark)
+  cmake_parse_arguments(B "" "NAME" "SOURCES;MODULES;LIBS" ${ARGN})
+  foreach(module ${B_MODULES})
+    if(NOT TARGET facenav_${module})
+      message(STATUS "benchmark ${B_NAME} is left out: module ${module} is not built")
+      return()
+    endif()
+  endforeach()
+  add_executable(${B_NAME} ${B_SOURCES})
+  foreach(module ${B_MODULES})
+    target_link_libraries(${B_NAME} PRIVATE facenav_${module})
+    target_include_directories(${B_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/modules/${module}/src)
+  endforeach()
+  target_include_directories(${B_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/testing)
+  target_compile_definitions(${B_NAME} PRIVATE FACENAV_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # gtest: support/test_data.h can skip a test.
+  target_link_libraries(${B_NAME} PRIVATE ${B_LIBS} GTest::gtest facenav_warnings)
+  add_dependencies(facenav_benchmarks ${B_NAME})
+  file(APPEND ${PROJECT_BINARY_DIR}/benchmarks.txt "${B_NAME}\n")
+endfunction()

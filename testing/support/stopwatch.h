@@ -1,0 +1,62 @@
+#pragma once
+// Time for the benchmarks. One core: processor time with OpenCV's threads off, which other programs on the machine
+// do not lengthen. All cores: wall clock. Both take the fastest of several runs; distributions are for frame loops.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <opencv2/core/utility.hpp>
+#include <vector>
+
+namespace facenav::testing {
+
+/// Processor time of the whole program so far, ms.
+inline double processor_ms() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+}
+inline double wall_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Fastest of `runs`, processor time, one thread.
+inline double oneCore_ms(const std::function<void()>& work, int runs = 7) {
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(1);
+  double best_ms = 1e12;
+  for (int i = 0; i < runs; ++i) {
+    const double start_ms = processor_ms();
+    work();
+    best_ms = std::min(best_ms, processor_ms() - start_ms);
+  }
+  cv::setNumThreads(threads);
+  return best_ms;
+}
+
+/// Fastest of `runs`, wall clock, all cores.
+inline double allCores_ms(const std::function<void()>& work, int runs = 7) {
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(-1);
+  double best_ms = 1e12;
+  for (int i = 0; i < runs; ++i) {
+    const double start_ms = wall_ms();
+    work();
+    best_ms = std::min(best_ms, wall_ms() - start_ms);
+  }
+  cv::setNumThreads(threads);
+  return best_ms;
+}
+
+/// The smallest value with `fraction` of all at or below it (0.5: median, 0.99: p99); 0 of an empty list.
+inline double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const auto rank = std::size_t(std::max(0.0, std::ceil(fraction * double(values.size())) - 1.0));
+  return values[std::min(rank, values.size() - 1)];
+}
+
+}  // namespace facenav::testing
