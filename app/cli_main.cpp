@@ -60,6 +60,7 @@ int runCommandLine(int argc, char** argv) {
   app::addGuide(cli, context);
   app::addSimulate(cli, context);
   app::addMarker(cli, context);
+  app::addEvaluate(cli, context);
   app::addDemo(cli, context);
   for (CLI::App* verb : cli.get_subcommands({})) verb->add_flag("-q,--quiet", "no progress, no notes");
   try {

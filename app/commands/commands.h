@@ -16,6 +16,7 @@ void addTrack(CLI::App& app, Context& context);
 void addGuide(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
+void addEvaluate(CLI::App& app, Context& context);
 void addDemo(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

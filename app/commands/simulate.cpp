@@ -1,9 +1,9 @@
 // facenav simulate SCENARIO [--case CASE | --patient mri.nii.gz] -o RECORDING: the virtual treatment room
 
-#include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/option_flags.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/room/minc_volume.h"
 #include "facenav/room/simulate.h"
@@ -19,27 +19,6 @@ struct SimulateRequest {
   std::optional<fs::path> case_folder, patient;
   std::string target;
   fs::path output;
-};
-
-/// frames_per_s -> --frames-per-s
-std::string flag(const Field& field) {
-  std::string name = field.name;
-  std::replace(name.begin(), name.end(), '_', '-');
-  return "--" + name;
-}
-
-/// One flag for each option field.
-struct FlagVisitor {
-  CLI::App& verb;
-  template <class Value>
-  void operator()(const Field& field, Value& value) {
-    verb.add_option(flag(field), value, field.help)
-        ->check(CLI::Range(field.minimum, field.maximum))
-        ->capture_default_str();
-  }
-  void operator()(const Field& field, std::uint64_t& value) {
-    verb.add_option(flag(field), value, field.help)->capture_default_str();
-  }
 };
 
 volume::Volume cachedPatient(const Context& context) {

@@ -1,7 +1,5 @@
 #include "demo/demo_run.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
 #include "pipeline.h"
+#include "result_folder.h"
 #include "virtual_display.h"
 
 namespace facenav::app {
@@ -23,34 +22,6 @@ namespace {
 constexpr const char* kTarget = "M1 hand L";
 constexpr double kHandleAngle_rad = 45.0 * M_PI / 180.0;
 constexpr double kHairGap_mm = 4.0;
-
-/// The folder being filled; renamed into place at the end, removed if that is never reached.
-class ResultFolder {
- public:
-  explicit ResultFolder(const fs::path& final) : final_(fs::absolute(final).lexically_normal()) {
-    if (!final_.has_filename()) final_ = final_.parent_path();
-    if (fs::exists(final_) && !fs::is_empty(final_) && !fs::exists(final_ / "report.html"))
-      throw Error("exists and is no result of a demo", final_.string(), "choose another folder with -o");
-    fs::create_directories(final_.parent_path());
-    temporary_ =
-        final_.parent_path() / ("." + final_.filename().string() + ".tmp" + std::to_string(::getpid()));
-    fs::create_directory(temporary_);
-  }
-  ~ResultFolder() {
-    std::error_code ignored;
-    if (!is_done_) fs::remove_all(temporary_, ignored);
-  }
-  const fs::path& path() const { return temporary_; }
-  void finish() {
-    fs::remove_all(final_);
-    fs::rename(temporary_, final_);
-    is_done_ = true;
-  }
-
- private:
-  fs::path final_, temporary_;
-  bool is_done_ = false;
-};
 
 class Stopwatch {
  public:
@@ -147,7 +118,7 @@ room::ScenarioOptions scenario(const char* name, const DemoRequest& request) {
 DemoFigures runDemo(Context& context, const DemoRequest& request) {
   DemoFigures figures;
   Stopwatch watch(figures);
-  ResultFolder result(request.folder);
+  ResultFolder result(request.folder, "report.html", "a demo");
   const fs::path& folder = result.path();
   std::optional<VirtualDisplay> display;
   if (!scene::hasDisplay()) display.emplace();

@@ -1,23 +1,19 @@
 #pragma once
-// Time for the benchmarks. One core: processor time with OpenCV's threads off, which other programs on the machine
-// do not lengthen. All cores: wall clock. Both take the fastest of several runs; distributions are for frame loops.
+// Time for the benchmarks. One core: processor time with OpenCV's threads off, which other programs on the
+// machine do not lengthen. All cores: wall clock. Both take the fastest of several runs; distributions are
+// for frame loops.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <opencv2/core/utility.hpp>
 #include <vector>
 
+#include "facenav/core/processor_time.h"
+
 namespace facenav::testing {
 
-/// Processor time of the whole program so far, ms.
-inline double processor_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
-}
 inline double wall_ms() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
       .count();
@@ -29,9 +25,9 @@ inline double oneCore_ms(const std::function<void()>& work, int runs = 7) {
   cv::setNumThreads(1);
   double best_ms = 1e12;
   for (int i = 0; i < runs; ++i) {
-    const double start_ms = processor_ms();
+    const double start_ms = processorTime_ms();
     work();
-    best_ms = std::min(best_ms, processor_ms() - start_ms);
+    best_ms = std::min(best_ms, processorTime_ms() - start_ms);
   }
   cv::setNumThreads(threads);
   return best_ms;

@@ -21,4 +21,13 @@ ErrorStatistics summarise(std::vector<double> errors) {
   return s;
 }
 
+double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0.0;
+  const double rank =
+      std::clamp(std::ceil(fraction * double(values.size())) - 1.0, 0.0, double(values.size() - 1));
+  const auto place = values.begin() + std::ptrdiff_t(rank);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 }  // namespace facenav::evaluation

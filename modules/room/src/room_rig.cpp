@@ -1,6 +1,7 @@
 #include "facenav/room/room_rig.h"
 
 #include <cmath>
+#include <random>
 
 #include "facenav/geometry/rotation.h"
 
@@ -32,6 +33,24 @@ Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, double x_mm) {
 }
 
 }  // namespace
+
+RigOptions randomRig(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&random](double low, double high) {
+    return low + (high - low) * double(random() >> 11) * 0x1p-53;
+  };
+  constexpr double kHead_mm = 600.0;
+  RigOptions rig;
+  rig.focal_px = uniform(600.0, 1000.0);
+  rig.baseline_mm = uniform(60.0, 200.0);
+  rig.roll_deg = uniform(-20.0, 20.0);
+  rig.convergence_deg = uniform(0.5, 1.0) * 2.0 * std::atan2(0.5 * rig.baseline_mm, kHead_mm) / kDegree;
+  rig.k1 = uniform(-0.28, 0.06);
+  rig.k2 = -0.5 * rig.k1 + uniform(-0.03, 0.03);
+  rig.p1 = uniform(-0.001, 0.001);
+  rig.p2 = uniform(-0.001, 0.001);
+  return rig;
+}
 
 stereo::StereoRig makeRig(const RigOptions& options) {
   const double half_deg = 0.5 * options.convergence_deg, half_mm = 0.5 * options.baseline_mm;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
@@ -47,6 +48,21 @@ MomentOf momentsOf(const Setting& setting) {
   return scripts.at(setting.options.name)(setting);
 }
 
+/// Turn (rad) and shift (mm) of a patient who does not sit straight: directions uniform, sizes uniform up to
+/// the options' limits. Nothing where these are 0.
+Vector6d seatError(const ScenarioOptions& options) {
+  std::mt19937_64 random(options.seed * 7919 + 17);
+  const auto uniform = [&random] { return double(random() >> 11) * 0x1p-53; };
+  const auto direction = [&uniform] {
+    const double z = 2.0 * uniform() - 1.0, about = 2.0 * M_PI * uniform(), r = std::sqrt(1.0 - z * z);
+    return Eigen::Vector3d(r * std::cos(about), r * std::sin(about), z);
+  };
+  Vector6d error;
+  error.head<3>() = options.seat_turn_deg * kDegree * uniform() * direction();
+  error.tail<3>() = options.seat_shift_mm * uniform() * direction();
+  return error;
+}
+
 }  // namespace
 
 RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const VirtualPatient& patient) {
@@ -56,10 +72,13 @@ RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const Virtu
   room_R_mri << -1, 0, 0, 0, 0, -1, 0, -1, 0;
   // A seat is never quite square to the rig.
   room_R_mri = expRotation(Eigen::Vector3d(2.0, -3.0, 1.0) * kDegree) * room_R_mri;
+  const Vector6d error = seatError(options);
   const Eigen::Vector3d centre_mm(4.0, 0.07 * options.head_distance_mm, options.head_distance_mm);
   const Eigen::Vector3d anchor = 0.6 * patient.face_middle.mm + 0.4 * patient.head_centre.mm;
   const double depth_mm = (room_R_mri * (patient.face_middle.mm - anchor)).z();
-  return {Eigen::Quaterniond(room_R_mri), centre_mm - Eigen::Vector3d(0, 0, depth_mm) - room_R_mri * anchor};
+  const Eigen::Vector3d anchor_mm = centre_mm - Eigen::Vector3d(0, 0, depth_mm) + error.tail<3>();
+  room_R_mri = expRotation(error.head<3>()) * room_R_mri;
+  return {Eigen::Quaterniond(room_R_mri), anchor_mm - room_R_mri * anchor};
 }
 
 std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,

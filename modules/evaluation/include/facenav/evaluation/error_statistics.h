@@ -13,4 +13,7 @@ struct ErrorStatistics {
 /// All zero with count 0 for an empty list. p95 is the smallest value with 95 % of all at or below it.
 ErrorStatistics summarise(std::vector<double> errors);
 
+/// The smallest value with `fraction` (0..1) of all at or below it; 0 for an empty list.
+double quantile(std::vector<double> values, double fraction);
+
 }  // namespace facenav::evaluation

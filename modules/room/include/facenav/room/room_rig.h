@@ -3,6 +3,8 @@
 // x right, y down (gravity), z forward to the patient, seen from the cameras; mm. A rig may be rolled in the
 // room.
 
+#include <cstdint>
+
 #include "facenav/core/field.h"
 #include "facenav/stereo/stereo_rig.h"
 
@@ -33,6 +35,11 @@ struct RigOptions {
     visitor(Field{"p2", "tangential distortion", -0.05, 0.05}, self.p2);
   }
 };
+
+/// A rig such as another clinic might build: f 600-1000 px, baseline 60-200 mm, rolled up to 20 degrees, toed
+/// in between half and all of the way to a head at 600 mm, barrel or slight pincushion lenses. Same seed,
+/// same rig.
+RigOptions randomRig(std::uint64_t seed);
 
 /// Two cameras that differ a little in focal length, principal point, distortion and roll, as real ones do.
 stereo::StereoRig makeRig(const RigOptions& options);

@@ -23,7 +23,8 @@ struct ScenarioOptions {
   std::uint64_t seed = 1;
   double head_distance_mm = 600.0;  // cameras to face
   double noise_grey = 1.5, blur_px = 0.6, exposure = 1.3, gamma = 1.0;
-  double motion = 1.0;  // scales the scenario's head motion
+  double motion = 1.0;                              // scales the scenario's head motion
+  double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // how far from straight the seed may seat the patient
   RigOptions rig;
 
   template <class Self, class Visitor>
@@ -38,6 +39,9 @@ struct ScenarioOptions {
     visitor(Field{"exposure", "of both cameras", 0.01, 100}, self.exposure);
     visitor(Field{"gamma", "of the cameras' tone curve", 0.2, 5}, self.gamma);
     visitor(Field{"motion", "scales the head's motion", 0, 5}, self.motion);
+    visitor(Field{"seat_turn_deg", "the seed turns the seated patient by up to this, about any axis", 0, 60},
+            self.seat_turn_deg);
+    visitor(Field{"seat_shift_mm", "and shifts by up to this, in any direction", 0, 300}, self.seat_shift_mm);
     RigOptions::visit(self.rig, visitor);
   }
 };

@@ -1,0 +1,188 @@
+// facenav evaluate [--scenario ..] [--head ..] -o DIR: the live path over scenarios, seeds, heads and rigs of
+// the virtual room, or over recordings with truth, against the accuracy goals.
+
+#include <cstdio>
+
+#include "commands/commands.h"
+#include "evaluate/evaluation_head.h"
+#include "evaluate/evaluation_plan.h"
+#include "evaluate/evaluation_run.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/evaluation/evaluation_report.h"
+#include "result_folder.h"
+
+namespace facenav::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EvaluateRequest {
+  EvaluationRequest room;
+  std::vector<fs::path> recordings;
+  std::optional<fs::path> case_folder;
+  std::string target;
+  Methods methods;
+  fs::path output = "facenav_evaluation";
+};
+
+std::string nameOf(const evaluation::RunRecord& run) {
+  return run.scenario + ", " + run.head + ", seed " + std::to_string(run.seed);
+}
+
+void playHead(Context& context, const EvaluateRequest& request, const EvaluationHead& head, double done,
+              double share, std::vector<evaluation::RunRecord>& runs) {
+  const auto planned = plannedRuns(request.room);
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    evaluation::RunRecord run;
+    run.scenario = planned[i].options.name;
+    run.head = head.name;
+    run.rig = planned[i].rig;
+    run.seed = planned[i].options.seed;
+    run.is_scan_cut = head.is_scan_cut;
+    run.is_unseen_head = head.is_unseen;
+    const auto report = [&](double part) {
+      context.monitor.report("evaluate: " + nameOf(run),
+                             done + share * (double(i) + part) / double(planned.size()));
+    };
+    report(0.0);
+    auto sequence = roomSequence(planned[i].options, head);
+    runSequence(context, sequence, head.scalp, head.target, request.methods, run, report);
+    if (run.scenario == "capture") run.frames.clear();  // its one frame is there for recordings' sake
+    runs.push_back(std::move(run));
+  }
+}
+
+std::vector<evaluation::RunRecord> playRoom(Context& context, const EvaluateRequest& request) {
+  std::vector<evaluation::RunRecord> runs;
+  const double share = 1.0 / double(request.room.heads.size());
+  for (std::size_t i = 0; i < request.room.heads.size(); ++i) {
+    const auto head = makeEvaluationHead(context, request.room.heads[i]);
+    playHead(context, request, head, double(i) * share, share, runs);
+  }
+  return runs;
+}
+
+std::vector<evaluation::RunRecord> playRecordings(Context& context, const EvaluateRequest& request) {
+  const auto store = casefile::CaseStore::open(request.case_folder.value());
+  const auto plan = store.targets();
+  if (plan.targets.empty())
+    throw Error("case has no target to measure at", store.folder().string(), "plan one first");
+  const auto target = request.target.empty() ? plan.targets.front() : plan.find(request.target);
+  const auto scalp = store.scalp();
+  std::vector<evaluation::RunRecord> runs;
+  for (const auto& folder : request.recordings) {
+    auto sequence = recordedSequence(folder);
+    evaluation::RunRecord run;
+    run.scenario = fs::weakly_canonical(folder).filename().string();
+    run.head = store.folder().filename().string();
+    run.rig = "of the recording";
+    run.is_unseen_head = true;
+    const double done = double(runs.size());
+    runSequence(context, sequence, scalp, target, request.methods, run, [&](double part) {
+      context.monitor.report("evaluate: " + run.scenario, (done + part) / double(request.recordings.size()));
+    });
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+void runEvaluate(Context& context, const EvaluateRequest& request) {
+  ResultFolder result(request.output, "evaluation.csv", "an evaluation");
+  const bool is_recorded = !request.recordings.empty();
+  const auto runs = is_recorded ? playRecordings(context, request) : playRoom(context, request);
+  const std::string about =
+      (is_recorded ? std::to_string(runs.size()) + " recordings with truth." : inWords(request.room)) +
+      " Aligner " + request.methods.aligner + ", head tracker " + request.methods.head_tracker +
+      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + softwareVersion() + ".";
+  evaluation::writeEvaluation(runs, about, result.path());
+  result.finish();
+  if (context.is_quiet) return;
+  std::printf("%s\n\n%s\nwritten: %s\n", about.c_str(), evaluation::goalsMarkdown(runs).c_str(),
+              (fs::absolute(request.output) / "report.html").c_str());
+}
+
+/// Options of the room that all runs share; the plan sets the rest.
+void addRoomFlags(CLI::App& verb, room::ScenarioOptions& options) {
+  verb.add_option("--noise-grey", options.noise_grey, "sensor noise, grey levels")
+      ->check(CLI::Range(0.0, 50.0))
+      ->capture_default_str();
+  verb.add_option("--gamma", options.gamma, "of the cameras' tone curve")
+      ->check(CLI::Range(0.2, 5.0))
+      ->capture_default_str();
+  verb.add_option("--blur-px", options.blur_px, "lens blur")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  verb.add_option("--exposure", options.exposure, "of both cameras")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  verb.add_option("--frames-per-s", options.frames_per_s, "frame rate")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  verb.add_option("--head-distance-mm", options.head_distance_mm, "from the cameras to the face")
+      ->check(CLI::Range(200.0, 3000.0))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand(
+      "evaluate", "the live path against the accuracy goals, over scenarios, seeds, heads, rigs");
+  auto request = std::make_shared<EvaluateRequest>();
+  EvaluationRequest& room = request->room;
+  request->methods = {context.registrations.aligners.defaultName(),
+                      context.registrations.head_trackers.defaultName(),
+                      context.registrations.coil_trackers.defaultName()};
+  std::string scenarios = "scenarios of the virtual room (default: all): capture";
+  for (const auto& kind : room::scenarios())
+    if (kind.name != "capture") scenarios += ", " + kind.name;
+  verb->add_option("--scenario", room.scenarios, scenarios)->delimiter(',');
+  verb->add_option("--seeds", room.seeds, "seeds of each scenario")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb->add_option("--first-seed", room.first_seed, "the first of them")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  verb->add_option("--head,--case", room.heads,
+                   "heads: patient, colin27, a NIfTI file or a case folder, then variants after colons "
+                   "(patient:child:lip): " +
+                       headVariants())
+      ->delimiter(',')
+      ->capture_default_str();
+  verb->add_option("--rigs", room.rigs, "camera rigs: the room's own, then random ones")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb->add_option("--captures", room.captures,
+                   "alignments alone, the patient seated up to 30 deg and 60 mm off")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  verb->add_option("--frames", room.frames, "of each scenario (0: its own length)")
+      ->check(CLI::Range(0, 100000));
+  verb->add_flag("--quick", room.is_quick, "one seed, few frames, five captures");
+  addRoomFlags(*verb, room.room);
+  verb->add_option("--recording", request->recordings,
+                   "recordings with truth/ instead of the virtual room (with one --case)");
+  verb->add_option("--target", request->target,
+                   "target of the case to measure at, with --recording (default: the first)");
+  verb->add_option("--aligner", request->methods.aligner,
+                   "method: " + namesOf(context.registrations.aligners))
+      ->capture_default_str();
+  verb->add_option("--head-tracker", request->methods.head_tracker,
+                   "method: " + namesOf(context.registrations.head_trackers))
+      ->capture_default_str();
+  verb->add_option("--coil-tracker", request->methods.coil_tracker,
+                   "method: " + namesOf(context.registrations.coil_trackers))
+      ->capture_default_str();
+  verb->add_option("-o,--output", request->output, "folder for report.html, evaluation.csv, evaluation.md")
+      ->capture_default_str();
+  verb->callback([&context, request] {
+    if (!request->recordings.empty()) {
+      if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")
+        throw Error("a recording is measured in one case", {}, "add --case CASE");
+      request->case_folder = request->room.heads.front();
+    }
+    runEvaluate(context, *request);
+  });
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,34 @@
+#pragma once
+// The heads that `facenav evaluate` films: an MRI modelled twice, by the workstation (scalp) and by the
+// virtual room (its own skin), so that neither shares the other's errors.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "context.h"
+#include "facenav/guidance/target.h"
+#include "facenav/room/virtual_patient.h"
+#include "facenav/surface/scalp_surface.h"
+
+namespace facenav::app {
+
+struct EvaluationHead {
+  std::string name;
+  surface::ScalpSurface scalp;                          // what the workstation knows
+  std::shared_ptr<const room::VirtualPatient> patient;  // who sits in the room
+  guidance::Target target;
+  bool is_scan_cut = false;  // the workstation's scan ends above the chin
+  bool is_unseen = false;    // not the patient that the project is developed on
+};
+
+/// `spec`: "patient" (the virtual patient), "colin27", a NIfTI file or a case folder; then, after colons,
+/// variants: "child" (0.85 of the size), "big" (1.1), "wide" (1.08 wide, 0.95 high), "lip" and "nose" (the
+/// workstation's scan ends there; the room's head is whole). Throws Error for anything else, and for "lip" or
+/// "nose" where no face is found.
+EvaluationHead makeEvaluationHead(Context& context, const std::string& spec);
+
+/// The variants' names, for help texts.
+std::string headVariants();
+
+}  // namespace facenav::app

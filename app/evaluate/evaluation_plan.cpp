@@ -1,0 +1,106 @@
+#include "evaluate/evaluation_plan.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "facenav/core/error.h"
+
+namespace facenav::app {
+namespace {
+
+constexpr const char* kCapture = "capture";
+// A capture is taken wherever the patient sits; once treatment runs, nobody sits 30 degrees askew.
+constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
+constexpr int kQuickFrames = 40, kQuickCaptures = 5, kQuickLost = 90;
+
+std::vector<std::string> allScenarios() {
+  std::vector<std::string> names;
+  for (const auto& kind : room::scenarios())
+    if (kind.name != kCapture) names.push_back(kind.name);
+  return names;
+}
+
+int framesOf(const EvaluationRequest& request, const std::string& scenario) {
+  if (request.frames > 0) return request.frames;
+  if (!request.is_quick || scenario == "protractor") return 0;
+  const bool has_parts =
+      scenario == "lost" || scenario == "free_motion";  // too short, and nothing is left of them
+  return scenario == "still" ? 15 : has_parts ? kQuickLost : kQuickFrames;
+}
+
+struct NamedRig {
+  std::string name;
+  room::RigOptions options;
+};
+
+/// The first is the room's own; the others are drawn by number.
+std::vector<NamedRig> rigsOf(const EvaluationRequest& request) {
+  std::vector<NamedRig> rigs;
+  for (int i = 0; i < request.rigs; ++i) {
+    const auto options = i == 0 ? request.room.rig : room::randomRig(std::uint64_t(i));
+    char name[96];
+    std::snprintf(name, sizeof name, "f %.0f b %.0f toe-in %.0f roll %.0f", options.focal_px,
+                  options.baseline_mm, options.convergence_deg, options.roll_deg);
+    rigs.push_back({name, options});
+  }
+  return rigs;
+}
+
+room::ScenarioOptions optionsOf(const EvaluationRequest& request, const NamedRig& rig,
+                                const std::string& scenario, std::uint64_t seed) {
+  room::ScenarioOptions options = request.room;
+  options.rig = rig.options;
+  options.name = scenario;
+  options.seed = seed;
+  const bool is_capture = scenario == kCapture;
+  options.frames = is_capture ? 1 : framesOf(request, scenario);
+  options.seat_turn_deg = is_capture ? kCaptureTurn_deg : kSeatTurn_deg;
+  options.seat_shift_mm = is_capture ? kCaptureShift_mm : kSeatShift_mm;
+  return options;
+}
+
+}  // namespace
+
+std::vector<PlannedRun> plannedRuns(const EvaluationRequest& request) {
+  const auto known = allScenarios();
+  auto scenarios = request.scenarios.empty() ? known : request.scenarios;
+  for (const auto& name : scenarios)
+    if (name != kCapture && std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string names = kCapture;
+      for (const auto& other : known) names += ", " + other;
+      throw Error("no scenario of this name", name, "one of: " + names);
+    }
+  const bool has_captures =
+      request.scenarios.empty() || std::find(scenarios.begin(), scenarios.end(), kCapture) != scenarios.end();
+  scenarios.erase(std::remove(scenarios.begin(), scenarios.end(), kCapture), scenarios.end());
+  const int captures = !has_captures      ? 0
+                       : request.is_quick ? std::min(request.captures, kQuickCaptures)
+                                          : request.captures;
+  const auto rigs = rigsOf(request);
+  std::vector<PlannedRun> runs;
+  for (int i = 0; i < captures; ++i) {  // the rigs take turns
+    const NamedRig& rig = rigs[std::size_t(i) % rigs.size()];
+    runs.push_back({optionsOf(request, rig, kCapture, std::uint64_t(request.first_seed + i)), rig.name});
+  }
+  const int seeds = request.is_quick ? 1 : request.seeds;
+  for (const auto& rig : rigs)
+    for (int seed = 0; seed < seeds; ++seed)
+      for (const auto& scenario : scenarios)
+        runs.push_back(
+            {optionsOf(request, rig, scenario, std::uint64_t(request.first_seed + seed)), rig.name});
+  return runs;
+}
+
+std::string inWords(const EvaluationRequest& request) {
+  std::string heads;
+  for (const auto& head : request.heads) heads += (heads.empty() ? "" : ", ") + head;
+  const auto runs = plannedRuns(request);
+  const auto captures =
+      std::count_if(runs.begin(), runs.end(), [](const auto& r) { return r.options.name == kCapture; });
+  return "Heads: " + heads + "; for each " + std::to_string(captures) + " captures and " +
+         std::to_string(std::ptrdiff_t(runs.size()) - captures) + " sequences with " +
+         std::to_string(request.rigs) + " rigs, seeds from " + std::to_string(request.first_seed) + ".";
+}
+
+}  // namespace facenav::app

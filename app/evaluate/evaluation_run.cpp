@@ -1,0 +1,121 @@
+#include "evaluate/evaluation_run.h"
+
+#include "evaluate/timed_trackers.h"
+#include "facenav/core/processor_time.h"
+#include "facenav/session/align_from_capture.h"
+#include "facenav/session/navigator.h"
+
+namespace facenav::app {
+namespace {
+
+constexpr double k95Percent =
+    1.96;  // of the standard error, where it lies along one direction: the widest case
+
+/// Whole square inside both images, seen from the front.
+bool isMarkerInView(const stereo::StereoRig& rig, const Eigen::Isometry3d& camera_T_marker, double size_mm) {
+  constexpr double kMargin_px = 3.0;
+  const Eigen::Isometry3d right_T_marker = rig.right_T_left.isometry() * camera_T_marker;
+  for (const auto& [camera, pose] : {std::pair{&rig.left, camera_T_marker}, {&rig.right, right_T_marker}}) {
+    if (pose.linear().col(2).dot(pose.translation().normalized()) < 0.2) return false;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        const Eigen::Vector3d p = pose * Eigen::Vector3d(x * size_mm, y * size_mm, 0.0);
+        if (p.z() <= 0.0) return false;
+        const Eigen::Vector2d px = stereo::project(*camera, p);
+        if (px.x() < kMargin_px || px.y() < kMargin_px || px.x() > rig.width_px - 1 - kMargin_px ||
+            px.y() > rig.height_px - 1 - kMargin_px)
+          return false;
+      }
+  }
+  return true;
+}
+
+void noteCloud(const EvaluationSequence& sequence, const stereo::FaceCloud& face,
+               evaluation::RunRecord& run) {
+  if (!sequence.capture_depth || !sequence.capture_truth || !sequence.face_middle) return;
+  const auto& rig = sequence.source->rig();
+  const cv::Mat visible =
+      evaluation::visibleFace(rig, *sequence.capture_depth, *sequence.capture_truth * *sequence.face_middle);
+  run.cloud = evaluation::evaluateCloud(rig, face, *sequence.capture_depth, visible);
+}
+
+/// Aligns and notes how well; nothing where it was refused.
+std::optional<session::AlignmentOutcome> align(Context& context, const EvaluationSequence& sequence,
+                                               const surface::ScalpSurface& scalp,
+                                               const guidance::Target& target, const Methods& methods,
+                                               evaluation::RunRecord& run) {
+  run.alignment.emplace();
+  LastCall fit;
+  const auto aligner = timed(context.registrations.aligners.create(methods.aligner), fit);
+  const double start_ms = processorTime_ms();
+  try {
+    auto outcome =
+        session::alignFromCapture(sequence.source->rig(), *sequence.capture, scalp, *aligner,
+                                  *context.registrations.face_detector(), {target}, context.monitor);
+    run.alignment->measure_ms = processorTime_ms() - start_ms - fit.ms;
+    run.alignment->fit_ms = fit.ms;
+    run.alignment->estimated = outcome.result.camera_T_mri.isometry();
+    run.alignment->truth = sequence.capture_truth->isometry();
+    run.alignment->predicted_mm = outcome.result.predictedError_mm(target.cortex_point);
+    run.alignment->bound95_mm = k95Percent * run.alignment->predicted_mm;
+    run.alignment->rms_mm = outcome.result.rms_mm;
+    noteCloud(sequence, outcome.face, run);
+    return outcome;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& refusal) {
+    run.alignment->refusal = refusal.what();
+    return std::nullopt;
+  }
+}
+
+evaluation::FrameRecord record(const session::NavigationState& state, evaluation::FrameTruth truth,
+                               const EvaluationSequence& sequence) {
+  evaluation::FrameRecord frame;
+  frame.frame = state.frame;
+  frame.t_s = state.captured.s;
+  if (state.head) frame.head_motion = state.head->camera_T_head.isometry();
+  if (state.coil) frame.marker = state.coil->camera_T_marker.isometry();
+  frame.is_marker_in_view = truth.marker && isMarkerInView(sequence.source->rig(), *truth.marker,
+                                                           sequence.coil.markers.front().size_mm);
+  frame.truth = std::move(truth);
+  return frame;
+}
+
+}  // namespace
+
+void runSequence(Context& context, EvaluationSequence& sequence, const surface::ScalpSurface& scalp,
+                 const guidance::Target& target, const Methods& methods, evaluation::RunRecord& run,
+                 const std::function<void(double)>& onFrame) {
+  run.target_mm = target.cortex_point.mm;
+  run.frames_per_s = sequence.frames_per_s;
+  run.marker_T_coil = sequence.coil.marker_T_coil().isometry();
+  run.true_reference = sequence.capture_truth->isometry();
+  try {
+    auto aligned = align(context, sequence, scalp, target, methods, run);
+    if (!aligned) return;
+    LastCall head, coil;
+    session::NavigatorSetup setup{sequence.source->rig(),
+                                  std::move(aligned->reference),
+                                  aligned->result.camera_T_mri,
+                                  sequence.coil,
+                                  {}};
+    session::Navigator navigator(
+        setup, timed(context.registrations.head_trackers.create(methods.head_tracker), head),
+        timed(context.registrations.coil_trackers.create(methods.coil_tracker), coil));
+    const double count = double(sequence.source->frameCount().value_or(1));
+    while (const auto frame = sequence.source->next()) {
+      const auto state = navigator.process(frame);
+      run.frames.push_back(record(state, sequence.truth(frame->number), sequence));
+      run.frames.back().head_ms = head.ms;
+      run.frames.back().coil_ms = coil.ms;
+      onFrame(double(run.frames.size()) / count);
+    }
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    run.failure = error.what();
+  }
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,92 @@
+#include "evaluate/timed_trackers.h"
+
+#include <opencv2/core/utility.hpp>
+
+#include "facenav/core/processor_time.h"
+
+namespace facenav::app {
+namespace {
+
+/// Notes what a scope cost, and keeps OpenCV to one thread in it.
+class OneThreadClock {
+ public:
+  explicit OneThreadClock(LastCall& last) : last_(last), threads_(cv::getNumThreads()) {
+    cv::setNumThreads(1);
+    start_ms_ = processorTime_ms();
+  }
+  ~OneThreadClock() {
+    last_.ms = processorTime_ms() - start_ms_;
+    cv::setNumThreads(threads_);
+  }
+  OneThreadClock(const OneThreadClock&) = delete;
+  OneThreadClock& operator=(const OneThreadClock&) = delete;
+
+ private:
+  LastCall& last_;
+  int threads_;
+  double start_ms_ = 0.0;
+};
+
+class TimedHeadTracker : public tracking::HeadTracker {
+ public:
+  TimedHeadTracker(std::unique_ptr<tracking::HeadTracker> tracker, LastCall& last)
+      : tracker_(std::move(tracker)), last_(last) {}
+  void start(const stereo::StereoRig& rig, const tracking::HeadReference& reference) override {
+    tracker_->start(rig, reference);
+  }
+  Tracked<tracking::HeadPose> track(const stereo::StereoFrame& frame) override {
+    const OneThreadClock clock(last_);
+    return tracker_->track(frame);
+  }
+
+ private:
+  std::unique_ptr<tracking::HeadTracker> tracker_;
+  LastCall& last_;
+};
+
+class TimedCoilTracker : public tracking::CoilTracker {
+ public:
+  TimedCoilTracker(std::unique_ptr<tracking::CoilTracker> tracker, LastCall& last)
+      : tracker_(std::move(tracker)), last_(last) {}
+  void start(const stereo::StereoRig& rig, const tracking::CoilModel& coil) override {
+    tracker_->start(rig, coil);
+  }
+  Tracked<tracking::CoilPose> track(const stereo::StereoFrame& frame) override {
+    const OneThreadClock clock(last_);
+    return tracker_->track(frame);
+  }
+
+ private:
+  std::unique_ptr<tracking::CoilTracker> tracker_;
+  LastCall& last_;
+};
+
+class TimedAligner : public registration::Aligner {
+ public:
+  TimedAligner(std::unique_ptr<registration::Aligner> aligner, LastCall& last)
+      : aligner_(std::move(aligner)), last_(last) {}
+  registration::AlignmentResult align(const registration::SkinModel& skin, const PointCloud<Camera>& face,
+                                      const registration::AlignmentStart& start,
+                                      TaskMonitor& monitor) const override {
+    const OneThreadClock clock(last_);
+    return aligner_->align(skin, face, start, monitor);
+  }
+
+ private:
+  std::unique_ptr<registration::Aligner> aligner_;
+  LastCall& last_;
+};
+
+}  // namespace
+
+std::unique_ptr<tracking::HeadTracker> timed(std::unique_ptr<tracking::HeadTracker> tracker, LastCall& last) {
+  return std::make_unique<TimedHeadTracker>(std::move(tracker), last);
+}
+std::unique_ptr<tracking::CoilTracker> timed(std::unique_ptr<tracking::CoilTracker> tracker, LastCall& last) {
+  return std::make_unique<TimedCoilTracker>(std::move(tracker), last);
+}
+std::unique_ptr<registration::Aligner> timed(std::unique_ptr<registration::Aligner> aligner, LastCall& last) {
+  return std::make_unique<TimedAligner>(std::move(aligner), last);
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,20 @@
+#pragma once
+// One row of figures per run: evaluation.csv and the report's table.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "facenav/evaluation/run_record.h"
+
+namespace facenav::evaluation {
+
+/// Name (with unit) and value, always the same names in the same order; a value that was not measured is not
+/// a number.
+std::vector<std::pair<std::string, double>> figuresOf(const RunRecord& run);
+
+/// Header and one line per run: scenario, head, rig, seed, failure, then the figures (empty where not
+/// measured).
+std::string runsCsv(const std::vector<RunRecord>& runs);
+
+}  // namespace facenav::evaluation

@@ -1,0 +1,130 @@
+#include "facenav/evaluation/cloud_evaluation.h"
+
+#include <cmath>
+
+namespace facenav::evaluation {
+namespace {
+
+constexpr double kSteepest_cos = 0.342;  // 70 degrees off the line of sight
+constexpr double kGross_mm = 2.0, kHidden_mm = 2.0, kStep_mm = 8.0;
+constexpr int kRim_px = 2;
+
+/// Points of the left depth map in Camera, one per pixel; z = 0 where nothing is seen.
+cv::Mat_<cv::Vec3d> placesOf(const stereo::StereoRig& rig, const cv::Mat& depth_mm) {
+  cv::Mat_<cv::Vec3d> places(depth_mm.size(), cv::Vec3d(0, 0, 0));
+  for (int y = 0; y < depth_mm.rows; ++y)
+    for (int x = 0; x < depth_mm.cols; ++x) {
+      const double z = depth_mm.at<float>(y, x);
+      if (z <= 0.0) continue;
+      const Eigen::Vector2d ray = stereo::undistort(rig.left, {double(x), double(y)});
+      places(y, x) = {z * ray.x(), z * ray.y(), z};
+    }
+  return places;
+}
+
+Eigen::Vector3d toEigen(const cv::Vec3d& v) { return {v[0], v[1], v[2]}; }
+
+bool isAtSilhouette(const cv::Mat& depth_mm, int x, int y) {
+  const float here = depth_mm.at<float>(y, x);
+  for (const auto& [dx, dy] : {std::pair{kRim_px, 0}, {-kRim_px, 0}, {0, kRim_px}, {0, -kRim_px}}) {
+    const float there = depth_mm.at<float>(y + dy, x + dx);
+    if (there <= 0.f || std::abs(there - here) > kStep_mm) return true;
+  }
+  return false;
+}
+
+/// Seen by the right camera too: its depth map shows the same distance there.
+bool isSeenOnTheRight(const stereo::StereoRig& rig, const cv::Mat& right_mm,
+                      const Eigen::Vector3d& p_camera) {
+  const Eigen::Vector3d p = (rig.right_T_left * Point<Camera>(p_camera)).mm;
+  if (p.z() <= 0.0) return false;
+  const Eigen::Vector2d px = stereo::project(rig.right, p);
+  const int x = int(std::lround(px.x())), y = int(std::lround(px.y()));
+  if (x < 1 || y < 1 || x + 1 >= right_mm.cols || y + 1 >= right_mm.rows) return false;
+  double nearest_mm = 1e9;  // steep skin: any of the pixels around may show it
+  for (int j = -1; j <= 1; ++j)
+    for (int i = -1; i <= 1; ++i)
+      nearest_mm = std::min(nearest_mm, std::abs(right_mm.at<float>(y + j, x + i) - p.z()));
+  return nearest_mm < kHidden_mm;
+}
+
+/// Depth at a position between pixel centres; 0 beside the head.
+double depthAt(const ExactDepth& depth, double x_px, double y_px) {
+  const int x = int(std::floor(x_px)), y = int(std::floor(y_px));
+  if (x < 0 || y < 0 || x + 1 >= depth.left_mm.cols || y + 1 >= depth.left_mm.rows) return 0.0;
+  const double fx = x_px - x, fy = y_px - y;
+  double sum = 0.0;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      const double weight = (i ? fx : 1 - fx) * (j ? fy : 1 - fy);
+      if (weight < 1e-9) continue;
+      if (!depth.is_head_left.at<std::uint8_t>(y + j, x + i)) return 0.0;
+      sum += weight * depth.left_mm.at<float>(y + j, x + i);
+    }
+  return sum;
+}
+
+}  // namespace
+
+cv::Mat visibleFace(const stereo::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
+                    double reach_mm) {
+  const auto places = placesOf(rig, depth.left_mm);
+  const Eigen::Vector3d right_eye = rig.right_T_left.inverse().translation_mm();
+  cv::Mat visible = cv::Mat::zeros(depth.left_mm.size(), CV_8U);
+  for (int y = kRim_px; y + kRim_px < visible.rows; ++y)
+    for (int x = kRim_px; x + kRim_px < visible.cols; ++x) {
+      const Eigen::Vector3d p = toEigen(places(y, x));
+      if (!depth.is_head_left.at<std::uint8_t>(y, x) || (p - face_middle.mm).norm() > reach_mm) continue;
+      if (isAtSilhouette(depth.left_mm, x, y)) continue;
+      const Eigen::Vector3d along_x = toEigen(places(y, x + 1) - places(y, x - 1)),
+                            along_y = toEigen(places(y + 1, x) - places(y - 1, x));
+      const Eigen::Vector3d normal = along_y.cross(along_x).normalized();  // towards the camera
+      if (normal.dot(-p.normalized()) < kSteepest_cos ||
+          normal.dot((right_eye - p).normalized()) < kSteepest_cos)
+        continue;
+      if (isSeenOnTheRight(rig, depth.right_mm, p)) visible.at<std::uint8_t>(y, x) = 255;
+    }
+  return visible;
+}
+
+CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud& face,
+                           const ExactDepth& depth, const cv::Mat& visible) {
+  CloudFigures figures;
+  cv::Mat covered = cv::Mat::zeros(visible.size(), CV_8U);
+  double squares = 0.0;
+  int on_face = 0, gross = 0;
+  for (std::size_t i = 0; i < face.cloud.size(); ++i) {
+    const Eigen::Vector2d px = face.left_px[i].cast<double>();
+    const int x = int(std::lround(px.x())), y = int(std::lround(px.y()));
+    if (x < 0 || y < 0 || x >= visible.cols || y >= visible.rows || !visible.at<std::uint8_t>(y, x)) continue;
+    covered.at<std::uint8_t>(y, x) = 255;
+    const double truth_mm = depthAt(depth, px.x(), px.y());
+    if (truth_mm <= 0.0) continue;
+    const double along = stereo::undistort(rig.left, px).homogeneous().norm();
+    const double error_mm = (face.cloud.points_mm[i].z() - truth_mm) * along;
+    ++on_face;
+    if (std::abs(error_mm) > kGross_mm)
+      ++gross;
+    else
+      squares += error_mm * error_mm;
+  }
+  // Points lie between pixel centres, so that some pixel holds none by rounding: two direct neighbours stand
+  // for it.
+  int pixels = 0, found = 0;
+  for (int y = 1; y + 1 < visible.rows; ++y)
+    for (int x = 1; x + 1 < visible.cols; ++x) {
+      if (!visible.at<std::uint8_t>(y, x)) continue;
+      ++pixels;
+      int around = 0;
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+        around += covered.at<std::uint8_t>(y + dy, x + dx) != 0;
+      found += covered.at<std::uint8_t>(y, x) != 0 || around >= 2;
+    }
+  figures.points = on_face;
+  figures.rms_mm = std::sqrt(squares / std::max(1, on_face - gross));
+  figures.gross_percent = 100.0 * gross / std::max(1, on_face);
+  figures.coverage_percent = 100.0 * found / std::max(1, pixels);
+  return figures;
+}
+
+}  // namespace facenav::evaluation

@@ -1,0 +1,269 @@
+#include "facenav/evaluation/goals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <set>
+
+#include "facenav/evaluation/error_statistics.h"
+#include "facenav/evaluation/frame_errors.h"
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::evaluation {
+namespace {
+
+constexpr double kDegPerRad = 180.0 / M_PI;
+constexpr double kNear_mm = 700.0, kTilt_deg = 50.0;  // of the coil's stricter goal
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+/// Runs with the errors of their frames, computed once.
+struct Measured {
+  const RunRecord* run;
+  std::vector<FrameErrors> frames;
+};
+
+std::string basis(int runs, std::size_t frames) { return text("%d runs, %zu frames", runs, frames); }
+
+using Scenarios = std::set<std::string>;
+
+/// The errors of one kind over all frames of some scenarios that `takes` accepts.
+struct Pool {
+  std::vector<double> mm, deg;
+  int runs = 0;
+};
+Pool pool(const std::vector<Measured>& all, const Scenarios& scenarios,
+          std::optional<ErrorAt> FrameErrors::*which,
+          const std::function<bool(const RunRecord&, const FrameErrors&)>& takes = {}) {
+  Pool result;
+  for (const Measured& one : all) {
+    if (!scenarios.empty() && !scenarios.count(one.run->scenario)) continue;
+    const std::size_t before = result.mm.size();
+    for (const FrameErrors& frame : one.frames)
+      if (frame.*which && (!takes || takes(*one.run, frame)))
+        result.mm.push_back((frame.*which)->mm), result.deg.push_back((frame.*which)->deg);
+    result.runs += result.mm.size() > before;
+  }
+  return result;
+}
+
+Verdict verdictOf(bool is_met, bool is_measured) {
+  return !is_measured ? Verdict::not_measured : is_met ? Verdict::met : Verdict::missed;
+}
+
+GoalRow cloudGoal(const std::vector<Measured>& all) {
+  std::vector<double> rms, coverage, gross;
+  for (const auto& one : all)
+    if (one.run->cloud) {
+      rms.push_back(one.run->cloud->rms_mm);
+      coverage.push_back(one.run->cloud->coverage_percent);
+      gross.push_back(one.run->cloud->gross_percent);
+    }
+  const auto r = summarise(rms), c = summarise(coverage);
+  return {
+      "face cloud, along the ray; share of the visible face", "rms <= 0.18 mm, >= 98 %",
+      text("%.3f mm (worst run %.3f), %.1f %%; %.2f %% gross", r.rms, r.max, c.mean, summarise(gross).mean),
+      verdictOf(r.rms <= 0.18 && c.mean >= 98.0, r.count > 0), text("%d captures", r.count)};
+}
+
+struct AlignmentErrors {
+  std::vector<double> mm, deg;
+  int inside = 0, refused = 0;
+};
+AlignmentErrors alignmentErrors(const std::vector<Measured>& all,
+                                const std::function<bool(const RunRecord&)>& takes) {
+  AlignmentErrors errors;
+  for (const auto& one : all) {
+    const RunRecord& run = *one.run;
+    if (!run.alignment || !takes(run)) continue;
+    const AlignmentRecord& a = *run.alignment;
+    if (!a.refusal.empty()) {
+      ++errors.refused;
+      continue;
+    }
+    errors.mm.push_back((a.estimated * run.target_mm - a.truth * run.target_mm).norm());
+    errors.deg.push_back(kDegPerRad * rotationAngle(a.estimated.linear().transpose() * a.truth.linear()));
+    errors.inside += errors.mm.back() <= a.bound95_mm;
+  }
+  return errors;
+}
+
+GoalRow alignmentGoal(const char* of, const std::vector<Measured>& all,
+                      const std::function<bool(const RunRecord&)>& takes, double median_mm, double max_mm,
+                      double max_deg, const std::string& goal) {
+  const auto errors = alignmentErrors(all, takes);
+  const auto mm = summarise(errors.mm), deg = summarise(errors.deg);
+  return {std::string("alignment at the cortical target, ") + of, goal,
+          text("median %.2f, p95 %.2f, max %.2f mm; max %.2f deg; %d refused", mm.median, mm.p95, mm.max,
+               deg.max, errors.refused),
+          verdictOf(mm.median <= median_mm && mm.max <= max_mm && deg.max <= max_deg && errors.refused == 0,
+                    mm.count + errors.refused > 0),
+          text("%d captures", mm.count + errors.refused)};
+}
+
+GoalRow boundGoal(const std::vector<Measured>& all) {
+  const auto errors = alignmentErrors(all, [](const RunRecord&) { return true; });
+  const double share = 100.0 * errors.inside / std::max<std::size_t>(1, errors.mm.size());
+  return {"alignment: true error inside the stated 95 % bound", "95 %", text("%.0f %%", share),
+          verdictOf(share >= 95.0, !errors.mm.empty()), text("%zu captures", errors.mm.size())};
+}
+
+GoalRow motionGoal(const char* name, const std::vector<Measured>& all, const Scenarios& scenarios) {
+  const Pool p = pool(all, scenarios, &FrameErrors::motion);
+  const auto mm = summarise(p.mm), deg = summarise(p.deg);
+  return {std::string("head motion since alignment, at the target: ") + name,
+          "rms <= 0.3 mm, <= 0.15 deg; p95 <= 0.6 mm",
+          text("rms %.3f mm, %.3f deg; p95 %.3f, max %.2f mm", mm.rms, deg.rms, mm.p95, mm.max),
+          verdictOf(mm.rms <= 0.3 && deg.rms <= 0.15 && mm.p95 <= 0.6, mm.count > 0),
+          basis(p.runs, p.mm.size())};
+}
+
+GoalRow jitterGoal(const std::vector<Measured>& all) {
+  std::vector<double> jitter;
+  std::size_t frames = 0;
+  for (const auto& one : all)
+    if (one.run->scenario == "still" && one.run->frames.size() > 1)
+      jitter.push_back(jitter_mm(*one.run)), frames += one.run->frames.size();
+  const auto s = summarise(jitter);
+  return {"static jitter at the target", "<= 0.05 mm rms", text("%.3f mm (worst run %.3f)", s.rms, s.max),
+          verdictOf(s.rms <= 0.05, s.count > 0), basis(s.count, frames)};
+}
+
+GoalRow coilGoal(const std::vector<Measured>& all, bool is_near) {
+  const auto takes = [is_near](const RunRecord&, const FrameErrors& frame) {
+    return is_near == (frame.coil_distance_mm <= kNear_mm && frame.coil_tilt_deg <= kTilt_deg);
+  };
+  const Pool p = pool(all, {"coil_sweep"}, &FrameErrors::coil, takes);
+  const auto mm = summarise(p.mm), deg = summarise(p.deg);
+  const double limit_mm = is_near ? 0.1 : 0.3, limit_deg = is_near ? 0.15 : 0.4;
+  return {is_near ? "coil pose, to 700 mm and 50 deg of tilt" : "coil pose, beyond (to 900 mm, 60 deg)",
+          text("rms <= %.1f mm, %.2f deg", limit_mm, limit_deg),
+          text("rms %.3f mm, %.3f deg; max %.2f mm, %.2f deg", mm.rms, deg.rms, mm.max, deg.max),
+          verdictOf(mm.rms <= limit_mm && deg.rms <= limit_deg, mm.count > 0), basis(p.runs, p.mm.size())};
+}
+
+GoalRow markerSeenGoal(const std::vector<Measured>& all) {
+  std::size_t in_view = 0, tracked = 0;
+  int runs = 0;
+  for (const auto& one : all) {
+    if (one.run->scenario != "coil_sweep") continue;
+    ++runs;
+    for (const auto& frame : one.run->frames)
+      in_view += frame.is_marker_in_view, tracked += frame.is_marker_in_view && frame.marker;
+  }
+  const double share = 100.0 * double(tracked) / double(std::max<std::size_t>(1, in_view));
+  return {"coil tracked where both cameras show the whole marker (coil sweep)", "(no goal stated)",
+          text("%.1f %%", share), Verdict::not_measured, basis(runs, in_view)};
+}
+
+GoalRow relativeGoal(const std::vector<Measured>& all) {
+  const Pool p = pool(all, {"treatment"}, &FrameErrors::relative),
+             motion = pool(all, {"treatment"}, &FrameErrors::relative_motion);
+  const auto mm = summarise(p.mm), deg = summarise(p.deg);
+  return {"coil against head at the target, alignment included", "p95 <= 0.7 mm, 0.4 deg",
+          text("p95 %.3f mm, %.3f deg (without the alignment's error %.3f mm, %.3f deg)", mm.p95, deg.p95,
+               summarise(motion.mm).p95, summarise(motion.deg).p95),
+          verdictOf(mm.p95 <= 0.7 && deg.p95 <= 0.4, mm.count > 0), basis(p.runs, p.mm.size())};
+}
+
+GoalRow disturbanceGoal(const std::vector<Measured>& all, const std::string& scenario) {
+  const Pool p = pool(all, {scenario}, &FrameErrors::motion);
+  double loss_s = 0.0;
+  bool is_played = false;
+  for (const auto& one : all)
+    if (one.run->scenario == scenario && !one.run->frames.empty())
+      loss_s = std::max(loss_s, longestLoss_s(*one.run)), is_played = true;
+  const auto mm = summarise(p.mm);
+  return {scenario + ": head at the target", "p95 <= 1.0 mm, no loss > 0.2 s",
+          text("p95 %.3f, max %.2f mm; longest loss %.2f s", mm.p95, mm.max, loss_s),
+          verdictOf(mm.p95 <= 1.0 && loss_s <= 0.2, is_played), basis(p.runs, p.mm.size())};
+}
+
+GoalRow wrongGoal(const std::vector<Measured>& all) {
+  std::size_t head = 0, coil = 0, frames = 0;
+  int runs = 0;
+  for (const auto& one : all) {
+    runs += !one.frames.empty();
+    frames += one.frames.size();
+    for (const auto& frame : one.frames) head += frame.is_head_wrong, coil += frame.is_coil_wrong;
+  }
+  return {"wrong poses shown as tracked (> 3 mm or > 2 deg), all scenarios", "0",
+          text("head %zu, coil %zu", head, coil), verdictOf(head + coil == 0, frames > 0),
+          basis(runs, frames)};
+}
+
+GoalRow foundAgainGoal(const std::vector<Measured>& all) {
+  std::vector<double> times_s;
+  int runs = 0;
+  for (const auto& one : all) {
+    const auto of_run = timesToFindAgain_s(*one.run);
+    runs += !of_run.empty();
+    times_s.insert(times_s.end(), of_run.begin(), of_run.end());
+  }
+  const auto s = summarise(times_s);
+  return {"found again after a loss", "<= 0.2 s", text("median %.3f, max %.3f s", s.median, s.max),
+          verdictOf(s.max <= 0.2, s.count > 0), text("%d losses in %d runs", s.count, runs)};
+}
+
+GoalRow timeGoal(const std::vector<Measured>& all) {
+  std::vector<double> both, head, coil;
+  for (const auto& one : all)
+    for (const auto& frame : one.run->frames) {
+      head.push_back(frame.head_ms);
+      coil.push_back(frame.coil_ms);
+      both.push_back(frame.head_ms + frame.coil_ms);
+    }
+  const double median = quantile(both, 0.5), p99 = quantile(both, 0.99);
+  return {"processor time a stereo frame, head and coil, one core", "median <= 3 ms, p99 <= 6 ms",
+          text("median %.2f (head %.2f, coil %.2f), p99 %.2f ms", median, quantile(head, 0.5),
+               quantile(coil, 0.5), p99),
+          verdictOf(median <= 3.0 && p99 <= 6.0, !both.empty()), text("%zu frames", both.size())};
+}
+
+}  // namespace
+
+std::vector<GoalRow> judge(const std::vector<RunRecord>& runs) {
+  std::vector<Measured> all;
+  for (const auto& run : runs) all.push_back({&run, frameErrors(run)});
+  std::vector<GoalRow> rows{cloudGoal(all)};
+  const auto isDeveloped = [](const RunRecord& run) { return !run.is_unseen_head && !run.is_scan_cut; };
+  const auto isUnseen = [](const RunRecord& run) { return run.is_unseen_head && !run.is_scan_cut; };
+  const auto isCut = [](const RunRecord& run) { return run.is_scan_cut; };
+  rows.push_back(alignmentGoal("development head", all, isDeveloped, 0.5, 1.0, 0.3,
+                               "median <= 0.5, max <= 1.0 mm, <= 0.3 deg"));
+  rows.push_back(alignmentGoal("unseen heads", all, isUnseen, 1.0, 1.0, 0.5, "<= 1.0 mm, <= 0.5 deg"));
+  rows.push_back(alignmentGoal("scans that end above the chin", all, isCut, 2.0, 2.0, 90.0, "<= 2 mm"));
+  rows.push_back(boundGoal(all));
+  rows.push_back(motionGoal("protractor", all, {"protractor"}));
+  rows.push_back(motionGoal("free motion", all, {"free_motion"}));
+  rows.push_back(jitterGoal(all));
+  rows.push_back(coilGoal(all, true));
+  rows.push_back(coilGoal(all, false));
+  rows.push_back(markerSeenGoal(all));
+  rows.push_back(relativeGoal(all));
+  for (const char* scenario : {"talking", "occlusion", "lighting", "glint", "mask"})
+    rows.push_back(disturbanceGoal(all, scenario));
+  rows.push_back(wrongGoal(all));
+  rows.push_back(foundAgainGoal(all));
+  rows.push_back(timeGoal(all));
+  return rows;
+}
+
+std::string inWords(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::met:
+      return "met";
+    case Verdict::missed:
+      return "MISSED";
+    default:
+      return "-";
+  }
+}
+
+}  // namespace facenav::evaluation
