@@ -100,8 +100,9 @@ build() {
   [ "${PIPESTATUS[0]}" -eq 0 ] || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
 }
 
+# -noreset: else a virtual display starts anew when its last client leaves, and refuses whoever comes just then.
 on_display() {  # runs a command on the desktop's display, or on a virtual one
-  if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s '-screen 0 1920x1200x24' "$@"; fi
+  if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' "$@"; fi
 }
 
 # Tests stay built once they were asked for, so that demo and test do not rebuild each other's work.
@@ -123,7 +124,7 @@ case "${1:-}" in
     build ON
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"
-    xvfb-run -a -s '-screen 0 1920x1200x24' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
+    xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
     ;;
   benchmark)
     shift

@@ -23,8 +23,8 @@ namespace {
   ::dup2(null, STDOUT_FILENO);
   ::dup2(null, STDERR_FILENO);
   const std::string descriptor = std::to_string(number_pipe);
-  ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1920x1200x24", "-nolisten",
-           "tcp", nullptr);
+  ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1920x1200x24", "-noreset",
+           "-nolisten", "tcp", nullptr);
   ::_exit(127);
 }
 
