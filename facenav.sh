@@ -19,12 +19,12 @@ binaries="$root/build/release/bin"
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libeigen3-dev libspdlog-dev nlohmann-json3-dev libcli11-dev libssl-dev zlib1g-dev
-  libvtk9-dev libvtk9-qt-dev libgdcm-dev libnifti-dev libnifti2-dev
+  libvtk9-dev libvtk9-qt-dev libgdcm-dev libnifti-dev libnifti2-dev libgiftiio-dev
   libopencv-dev libopencv-contrib-dev opencv-data
   libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
   xvfb xauth mricron-data fonts-dejavu-core
 )
-test_packages=(libgtest-dev libgmock-dev dcm2niix dcmtk opencv-doc python3-skimage)
+test_packages=(libgtest-dev libgmock-dev dcm2niix dcmtk opencv-doc python3-skimage python3-nibabel)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }

@@ -54,11 +54,14 @@ int runCommandLine(int argc, char** argv) {
   cli.require_subcommand(0, 1);
   app::addSeries(cli, context);
   app::addPrepare(cli, context);
+  app::addCheck(cli, context);
+  app::addWorklist(cli, context);
   app::addCalibrate(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);
   app::addGuide(cli, context);
   app::addSimulate(cli, context);
+  app::addExport(cli, context);
   app::addMarker(cli, context);
   app::addEvaluate(cli, context);
   app::addDemo(cli, context);

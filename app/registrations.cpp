@@ -12,6 +12,17 @@ std::function<std::shared_ptr<const tracking::FaceDetector>()> madeOnce() {
   };
 }
 
+void addExporters(Registry<casefile::Exporter>& exporters) {
+  using surface::MeshFormat;
+  const auto mesh = [](MeshFormat format) { return [format] { return casefile::makeMeshExporter(format); }; };
+  exporters.add("stl", "scalp, brain and cortex for printing and CAD", mesh(MeshFormat::stl));
+  exporters.add("ply", "scalp, brain and cortex with normals", mesh(MeshFormat::ply));
+  exporters.add("obj", "scalp, brain and cortex for modelling programs", mesh(MeshFormat::obj));
+  exporters.add("vtp", "scalp, brain and cortex for VTK and ParaView", mesh(MeshFormat::vtp));
+  exporters.add("gifti", "scalp, brain and cortex for neuroimaging programs", mesh(MeshFormat::gifti));
+  exporters.add("nifti", "MRI and masks", casefile::makeNiftiExporter);
+}
+
 }  // namespace
 
 Registrations makeRegistrations() {
@@ -29,6 +40,7 @@ Registrations makeRegistrations() {
   all.head_trackers.add("features7", "the 2010 paper's seven features",
                         [face = all.face_detector] { return tracking::makeFeatureHeadTracker(face()); });
   all.coil_trackers.add("marker", "printed square markers", tracking::makeMarkerCoilTracker);
+  addExporters(all.exporters);
   return all;
 }
 

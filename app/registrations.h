@@ -3,6 +3,7 @@
 // its module and one line in registrations.cpp; its name then appears in the command line's help and in the
 // window.
 
+#include "facenav/casefile/exporter.h"
 #include "facenav/core/registry.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/segmentation/segmenter.h"
@@ -18,6 +19,7 @@ struct Registrations {
   Registry<registration::Aligner> aligners{"aligner"};
   Registry<tracking::HeadTracker> head_trackers{"head tracker"};
   Registry<tracking::CoilTracker> coil_trackers{"coil tracker"};
+  Registry<casefile::Exporter> exporters{"export format"};
   /// The program's one face detector (its landmark model takes 100 MB), made when first asked for.
   std::function<std::shared_ptr<const tracking::FaceDetector>()> face_detector;
 };

@@ -98,6 +98,7 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
 }
 
 std::string CaseStore::caseId() const { return readCaseJson(folder_ / "case.json").case_id; }
+std::string CaseStore::createdUtc() const { return readCaseJson(folder_ / "case.json").created_utc; }
 std::vector<std::string> CaseStore::findings() const { return readCaseJson(folder_ / "case.json").findings; }
 std::vector<Provenance> CaseStore::provenance() const {
   return readCaseJson(folder_ / "case.json").provenance;

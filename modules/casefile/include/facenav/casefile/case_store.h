@@ -60,6 +60,8 @@ class CaseStore {
 
   const std::filesystem::path& folder() const { return folder_; }
   std::string caseId() const;
+  /// When the model was made, as 20100412T134501Z; empty in cases of before this was kept.
+  std::string createdUtc() const;
   std::vector<std::string> findings() const;
   std::vector<Provenance> provenance() const;
   /// Adds a step's record to case.json.

@@ -1,0 +1,78 @@
+// facenav worklist DIR and facenav check CASE: the radiographer's list of cases, and the sign-off.
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.h"
+#include "facenav/casefile/sign_off.h"
+
+namespace facenav::app {
+namespace {
+
+nlohmann::ordered_json toJson(const casefile::WorklistEntry& entry) {
+  if (!entry.problem.empty()) return {{"folder", entry.folder.string()}, {"problem", entry.problem}};
+  return {{"folder", entry.folder.string()}, {"case_id", entry.case_id},
+          {"state", toString(entry.state)},  {"created_utc", entry.created_utc},
+          {"checked_by", entry.checked_by},  {"findings", entry.findings}};
+}
+
+void print(const casefile::WorklistEntry& entry) {
+  const std::string name = entry.folder.filename().string();
+  if (!entry.problem.empty())
+    return void(std::printf("%-24s unreadable: %s\n", name.c_str(), entry.problem.c_str()));
+  std::printf("%-24s %-9s %s  %zu finding(s)%s%s\n", name.c_str(), toString(entry.state).c_str(),
+              entry.created_utc.c_str(), entry.findings.size(),
+              entry.checked_by.empty() ? "" : "  checked by ", entry.checked_by.c_str());
+}
+
+}  // namespace
+
+void addWorklist(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand("worklist", "the cases in a folder: state, age, findings, one a line");
+  struct Request {
+    std::filesystem::path folder;
+    bool is_json = false;
+  };
+  auto request = std::make_shared<Request>();
+  verb->add_option("DIR", request->folder, "folder that holds case folders")->required();
+  verb->add_flag("--json", request->is_json, "as JSON");
+  verb->callback([request] {
+    const auto entries = casefile::listCases(request->folder);
+    if (!request->is_json) {
+      for (const auto& entry : entries) print(entry);
+      return;
+    }
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& entry : entries) json.push_back(toJson(entry));
+    std::printf("%s\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  });
+  (void)context;
+}
+
+void addCheck(CLI::App& app, Context& context) {
+  auto* verb =
+      app.add_subcommand("check", "sign a prepared case off: who looked at its model, findings acknowledged");
+  struct Request {
+    std::filesystem::path case_folder;
+    casefile::SignOffRequest sign_off;
+  };
+  auto request = std::make_shared<Request>();
+  verb->add_option("CASE", request->case_folder, "case folder")->required();
+  verb->add_option("--by", request->sign_off.by,
+                   "name or initials of who looked at the model (not the patient's)")
+      ->required();
+  verb->add_flag("--acknowledge-findings", request->sign_off.acknowledges_findings,
+                 "every finding was looked at");
+  verb->add_option("--note", request->sign_off.note, "kept with the sign-off");
+  verb->callback([&context, request] {
+    const auto store = casefile::CaseStore::open(request->case_folder);
+    if (!context.is_quiet)
+      for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
+    const auto sign_off = casefile::signOff(store, request->sign_off);
+    if (context.is_quiet) return;
+    if (sign_off.brain_ml) std::printf("brain: %.0f ml\n", *sign_off.brain_ml);
+    std::printf("checked by %s at %s\n", sign_off.by.c_str(), sign_off.utc.c_str());
+  });
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,32 @@
+#pragma once
+// Exporter: what a case holds, as files for other programs (planning, printing, neuroimaging). Plug-in
+// interface; the implementations are registered by name in app. Everything is in Mri (RAS mm) and written
+// whole, 0600.
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/core/task_monitor.h"
+#include "facenav/surface/mesh_files.h"
+
+namespace facenav::casefile {
+
+class Exporter {
+ public:
+  virtual ~Exporter() = default;
+  /// Writes into `folder` (made, 0700, if it is not there) and returns the files written. A file that exists
+  /// is an Error unless `replace`. Throws Error also when the case holds nothing of the kind.
+  virtual std::vector<std::filesystem::path> write(const CaseStore& store,
+                                                   const std::filesystem::path& folder, bool replace,
+                                                   TaskMonitor& monitor) const = 0;
+};
+
+/// scalp, brain (the phi-theta model) and cortex (iso-surface of the brain mask), as far as the case has
+/// them.
+std::unique_ptr<Exporter> makeMeshExporter(surface::MeshFormat format);
+/// mri.nii.gz, head_mask.nii.gz and, where there is one, brain_mask.nii.gz.
+std::unique_ptr<Exporter> makeNiftiExporter();
+
+}  // namespace facenav::casefile

@@ -1,0 +1,135 @@
+#include "facenav/casefile/sign_off.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "facenav/casefile/sha256.h"
+#include "facenav/core/error.h"
+#include "facenav/core/json_reader.h"
+#include "private_files.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char kFile[] = "sign_off.json";
+
+/// What a person looks at: the masks' contours and the surfaces made from them.
+std::map<std::string, std::string> seenFiles(const CaseStore& store) {
+  std::map<std::string, std::string> seen;
+  for (const char* name : {"head_mask.nii.gz", "brain_mask.nii.gz", "scalp.vtp", "brain.vtp"})
+    if (fs::exists(store.folder() / name)) seen[name] = sha256OfFile(store.folder() / name);
+  return seen;
+}
+
+void requireWillingness(const SignOffRequest& request, const std::vector<std::string>& findings) {
+  if (request.by.empty()) throw Error("nobody is named who checked the case", {}, "give a name or initials");
+  if (findings.empty() || request.acknowledges_findings) return;
+  throw Error(
+      std::to_string(findings.size()) + " finding(s) are not acknowledged, the first: " + findings.front(),
+      {}, "look at each, then acknowledge them");
+}
+
+SignOff readSignOff(const fs::path& path) {
+  const JsonReader json = JsonReader::readFile(path);
+  SignOff sign_off;
+  sign_off.by = json.at("by").text();
+  sign_off.utc = json.at("utc").text();
+  if (json.has("note")) sign_off.note = json.at("note").text();
+  if (json.has("brain_ml")) sign_off.brain_ml = json.at("brain_ml").number();
+  for (const auto& finding : json.at("findings_acknowledged").elements())
+    sign_off.findings_acknowledged.push_back(finding.text());
+  for (const auto& [name, hash] : json.at("seen_sha256").members()) sign_off.seen_sha256[name] = hash.text();
+  return sign_off;
+}
+
+void write(const SignOff& sign_off, const fs::path& path) {
+  nlohmann::ordered_json json;
+  json["by"] = sign_off.by;
+  json["utc"] = sign_off.utc;
+  json["note"] = sign_off.note;
+  if (sign_off.brain_ml) json["brain_ml"] = *sign_off.brain_ml;
+  json["findings_acknowledged"] = sign_off.findings_acknowledged;
+  json["seen_sha256"] = sign_off.seen_sha256;
+  writePrivateFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+WorklistEntry entryOf(const fs::path& folder) {
+  WorklistEntry entry;
+  entry.folder = folder;
+  try {
+    const auto store = CaseStore::open(folder);
+    entry.case_id = store.caseId();
+    entry.created_utc = store.createdUtc();
+    entry.findings = store.findings();
+    if (const auto sign_off = validSignOff(store)) entry.checked_by = sign_off->by;
+    entry.state = stateOf(store);
+  } catch (const Error& error) {
+    entry = {};
+    entry.folder = folder;
+    entry.problem = error.what();
+  }
+  return entry;
+}
+
+}  // namespace
+
+std::string toString(CaseState state) {
+  switch (state) {
+    case CaseState::prepared:
+      return "prepared";
+    case CaseState::checked:
+      return "checked";
+    case CaseState::planned:
+      return "planned";
+  }
+  return {};
+}
+
+SignOff signOff(const CaseStore& store, const SignOffRequest& request) {
+  const auto findings = store.findings();
+  requireWillingness(request, findings);
+  SignOff sign_off{request.by, utcNow(), request.note, findings, std::nullopt, seenFiles(store)};
+  if (const auto brain = store.brainMask()) sign_off.brain_ml = brain->volume_ml();
+  write(sign_off, store.folder() / kFile);
+  return sign_off;
+}
+
+std::optional<SignOff> validSignOff(const CaseStore& store) {
+  const fs::path path = store.folder() / kFile;
+  if (!fs::exists(path)) return std::nullopt;
+  auto sign_off = readSignOff(path);
+  if (sign_off.seen_sha256 != seenFiles(store)) return std::nullopt;
+  return sign_off;
+}
+
+CaseState stateOf(const CaseStore& store) {
+  if (!validSignOff(store)) return CaseState::prepared;
+  return store.targets().targets.empty() ? CaseState::checked : CaseState::planned;
+}
+
+void recordOverride(const CaseStore& store, const std::string& by, const std::string& reason,
+                    const std::string& software_version) {
+  if (by.empty() || reason.empty())
+    throw Error("an override needs a name and a reason", {}, "give both, or have the case checked");
+  store.addProvenance(
+      {"override", software_version, {{"by", by}, {"reason", reason}, {"utc", utcNow()}}, {}});
+}
+
+std::vector<WorklistEntry> listCases(const fs::path& folder) {
+  std::error_code fault;
+  fs::directory_iterator content(folder, fault);
+  if (fault)
+    throw Error("the folder of cases cannot be read (" + fault.message() + ")", folder.string(),
+                "check the path");
+  std::vector<WorklistEntry> entries;
+  for (const auto& item : content)
+    if (fs::is_regular_file(item.path() / "case.json", fault)) entries.push_back(entryOf(item.path()));
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    if (a.problem.empty() != b.problem.empty()) return a.problem.empty();
+    return a.created_utc != b.created_utc ? a.created_utc > b.created_utc : a.folder < b.folder;
+  });
+  return entries;
+}
+
+}  // namespace facenav::casefile
