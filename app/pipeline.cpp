@@ -136,6 +136,9 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
     throw Error(
         "exists already", request.case_folder.string(),
         "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
+  const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
+  if (!fs::is_directory(parent))  // said before the work, not after it
+    throw Error("no such folder to make the case in", parent.string(), "create it first");
   const auto head = context.registrations.head_segmenters.create(request.head_segmenter);
   const auto brain = context.registrations.brain_segmenters.create(request.brain_segmenter);
   auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor);

@@ -47,7 +47,8 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb : {"series", "prepare", "calibrate", "align", "track", "guide", "simulate", "demo"}) {
+  for (const char* verb : {"series", "prepare", "check", "worklist", "export", "calibrate", "align", "track",
+                           "guide", "simulate", "marker", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
@@ -81,6 +82,19 @@ TEST_F(CommandLine, PrepareOfAFileThatIsNoVolume) {
   writeText(at("a.nii"), "not a volume");
   expectRefused(runFacenav("prepare " + at("a.nii").string() + " -o " + at("case").string()), "a.nii",
                 at("case"));
+}
+
+TEST_F(CommandLine, PrepareIntoAFolderThatIsNotThereIsSaidBeforeTheWork) {
+  writeText(at("a.nii"), "not a volume");
+  expectRefused(runFacenav("prepare " + at("a.nii").string() + " -o " + at("none/case").string()),
+                "no such folder to make the case in", at("none"));
+}
+
+TEST_F(CommandLine, CheckExportAndWorklistOfWhatIsNotThere) {
+  expectRefused(runFacenav("check " + at("none").string() + " --by A.R."), "none");
+  expectRefused(runFacenav("export " + at("none").string() + " --as stl -o " + at("out").string()), "none",
+                at("out"));
+  expectRefused(runFacenav("worklist " + at("none").string()), "none");
 }
 
 TEST_F(CommandLine, CalibrateWithoutImages) {
