@@ -11,17 +11,21 @@ namespace facenav::app {
 /// Adds one flag for each field that it visits, with its range and default.
 struct FlagVisitor {
   CLI::App& verb;
+  std::string prefix = {};  // before each name: "patient-"
 
-  static std::string flag(const Field& field) {
+  std::string flag(const Field& field) const {
     std::string name = field.name;
     std::replace(name.begin(), name.end(), '_', '-');
-    return "--" + name;
+    return "--" + prefix + name;
   }
   template <class Value>
   void operator()(const Field& field, Value& value) {
     verb.add_option(flag(field), value, field.help)
         ->check(CLI::Range(field.minimum, field.maximum))
         ->capture_default_str();
+  }
+  void operator()(const Field& field, bool& value) {
+    verb.add_option(flag(field), value, field.help + " (true, false)")->capture_default_str();
   }
   void operator()(const Field& field, std::uint64_t& value) {
     verb.add_option(flag(field), value, field.help)->capture_default_str();

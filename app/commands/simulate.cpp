@@ -8,6 +8,7 @@
 #include "facenav/room/minc_volume.h"
 #include "facenav/room/simulate.h"
 #include "facenav/volume/nifti.h"
+#include "room_patient.h"
 
 namespace facenav::app {
 namespace {
@@ -16,6 +17,7 @@ namespace fs = std::filesystem;
 
 struct SimulateRequest {
   room::ScenarioOptions options;
+  room::PatientOptions patient_options;
   std::optional<fs::path> case_folder, patient;
   std::string target;
   fs::path output;
@@ -30,18 +32,19 @@ volume::Volume cachedPatient(const Context& context) {
 
 void run(Context& context, const SimulateRequest& request) {
   std::optional<RigidTransform<Mri, frames::Target>> target;
-  volume::Volume mri;
+  std::shared_ptr<const room::VirtualPatient> patient;
   if (request.case_folder) {
     const auto store = casefile::CaseStore::open(*request.case_folder);
-    mri = store.mri();
     const auto plan = store.targets();
     if (!request.target.empty() || !plan.targets.empty())
       target = (request.target.empty() ? plan.targets.front() : plan.find(request.target)).mri_T_target;
+    patient =
+        std::make_shared<const room::VirtualPatient>(roomPatient(context, store, request.patient_options));
   } else {
-    mri = request.patient ? volume::readNifti(*request.patient).volume : cachedPatient(context);
+    const auto mri = request.patient ? volume::readNifti(*request.patient).volume : cachedPatient(context);
+    patient = std::make_shared<const room::VirtualPatient>(
+        room::makePatient(mri, request.patient_options, context.monitor));
   }
-  const auto patient =
-      std::make_shared<const room::VirtualPatient>(room::makePatient(mri, {}, context.monitor));
   if (patient->landmarks68_mm.empty() && !context.is_quiet)
     std::fprintf(stderr, "facenav: note: no whole face in this scan; the patient has plain skin\n");
   room::simulate(request.options, patient, target, request.output, context.monitor);
@@ -65,6 +68,7 @@ void addSimulate(CLI::App& app, Context& context) {
       ->needs(of_case);
   verb->add_option("-o,--output", request->output, "recording folder to write")->required();
   room::ScenarioOptions::visit(request->options, FlagVisitor{*verb});
+  room::PatientOptions::visit(request->patient_options, FlagVisitor{*verb, "patient-"});
   verb->callback([&context, request] { run(context, *request); });
 }
 

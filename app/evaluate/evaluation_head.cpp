@@ -7,6 +7,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
+#include "room_patient.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -18,14 +19,31 @@ constexpr double kCortexDepth_mm = 20.0, kHairGap_mm = 4.0;
 struct Variant {
   const char* name;
   Eigen::Vector3d scale;  // along Mri's axes
-  int landmark;           // iBUG point at whose height the scan ends; -1: it does not
+  int landmark = -1;      // iBUG point at whose height the scan ends; -1: it does not
+  room::PatientOptions look = {};
 };
+
+room::PatientOptions withSkin(double contrast, double brightness) {
+  room::PatientOptions options;
+  options.skin_contrast = contrast;
+  options.skin_brightness = brightness;
+  return options;
+}
+room::PatientOptions bald() {
+  room::PatientOptions options;
+  options.has_hair = false;
+  return options;
+}
+
 const std::vector<Variant>& variants() {
-  static const std::vector<Variant> all{{"child", {0.85, 0.85, 0.85}, -1},
-                                        {"big", {1.1, 1.1, 1.1}, -1},
-                                        {"wide", {1.08, 1.0, 0.95}, -1},
+  static const std::vector<Variant> all{{"child", {0.85, 0.85, 0.85}},
+                                        {"big", {1.1, 1.1, 1.1}},
+                                        {"wide", {1.08, 1.0, 0.95}},
                                         {"lip", {1, 1, 1}, 51},
-                                        {"nose", {1, 1, 1}, 29}};
+                                        {"nose", {1, 1, 1}, 29},
+                                        {"smooth", {1, 1, 1}, -1, withSkin(0.3, 1.0)},
+                                        {"dark", {1, 1, 1}, -1, withSkin(1.0, 0.4)},
+                                        {"bald", {1, 1, 1}, -1, bald()}};
   return all;
 }
 
@@ -112,13 +130,19 @@ EvaluationHead makeEvaluationHead(Context& context, const std::string& spec) {
   if (fs::exists(fs::path(words.front()) / "case.json")) store = casefile::CaseStore::open(words.front());
   volume::Volume mri = store ? store->mri() : volumeOf(context, words.front());
   int cut_at = -1;
+  room::PatientOptions look;
   for (auto word = words.begin() + 1; word != words.end(); ++word) {
     const Variant& variant = variantOf(*word);
     mri = stretched(mri, variant.scale);
     head.is_unseen = head.is_unseen || !variant.scale.isOnes();
     if (variant.landmark >= 0) cut_at = variant.landmark;
+    look.has_hair = look.has_hair && variant.look.has_hair;
+    look.skin_contrast *= variant.look.skin_contrast;
+    look.skin_brightness *= variant.look.skin_brightness;
   }
-  head.patient = std::make_shared<const room::VirtualPatient>(room::makePatient(mri, {}, context.monitor));
+  const bool is_as_prepared = store && words.size() == 1;
+  head.patient = std::make_shared<const room::VirtualPatient>(
+      is_as_prepared ? roomPatient(context, *store, look) : room::makePatient(mri, look, context.monitor));
   head.target = leftHand(*head.patient);
   if (cut_at >= 0) {
     if (head.patient->landmarks68_mm.empty())
@@ -127,7 +151,6 @@ EvaluationHead makeEvaluationHead(Context& context, const std::string& spec) {
     mri = endingAt(mri, head.patient->landmarks68_mm[std::size_t(cut_at)].z());
   }
   head.is_scan_cut = cut_at >= 0 || endsAboveTheChin(mri, *head.patient);
-  const bool is_as_prepared = store && words.size() == 1;
   head.scalp = is_as_prepared ? store->scalp() : scalpOf(context, mri);
   if (is_as_prepared && !store->targets().targets.empty()) head.target = store->targets().targets.front();
   return head;

@@ -23,9 +23,9 @@ struct EvaluationHead {
 };
 
 /// `spec`: "patient" (the virtual patient), "colin27", a NIfTI file or a case folder; then, after colons,
-/// variants: "child" (0.85 of the size), "big" (1.1), "wide" (1.08 wide, 0.95 high), "lip" and "nose" (the
-/// workstation's scan ends there; the room's head is whole). Throws Error for anything else, and for "lip" or
-/// "nose" where no face is found.
+/// variants: "child" (0.85 of the size), "big" (1.1), "wide" (1.08 wide, 0.95 high), "smooth" and "dark"
+/// (skin), "bald", "lip" and "nose" (the workstation's scan ends there; the room's head is whole). Throws
+/// Error for anything else, and for "lip" or "nose" where no face is found.
 EvaluationHead makeEvaluationHead(Context& context, const std::string& spec);
 
 /// The variants' names, for help texts.

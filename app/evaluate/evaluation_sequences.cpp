@@ -24,7 +24,7 @@ tracking::CoilModel coilOf(const room::RoomCoil& coil) {
 evaluation::FrameTruth truthOf(const room::GroundTruth& truth) {
   evaluation::FrameTruth frame;
   frame.label = truth.label;
-  frame.head = truth.camera_T_mri.isometry();
+  if (truth.is_patient_there) frame.head = truth.camera_T_mri.isometry();
   if (truth.camera_T_marker) frame.marker = truth.camera_T_marker->isometry();
   frame.must_be_lost = truth.must_be_lost;
   frame.face_visible_fraction = truth.face_visible_fraction;

@@ -247,7 +247,7 @@ std::vector<GoalRow> judge(const std::vector<RunRecord>& runs) {
   rows.push_back(coilGoal(all, false));
   rows.push_back(markerSeenGoal(all));
   rows.push_back(relativeGoal(all));
-  for (const char* scenario : {"talking", "occlusion", "lighting", "glint", "mask"})
+  for (const char* scenario : {"talking", "occlusion", "lighting", "glint", "mask", "mask_on"})
     rows.push_back(disturbanceGoal(all, scenario));
   rows.push_back(wrongGoal(all));
   rows.push_back(foundAgainGoal(all));

@@ -32,10 +32,10 @@ class HeadLook : public Look {
   }
 
   Reflectance skin(const SurfacePoint& point) const {
-    const float pores = 1.f + 0.06f * sharedNoise().at(point.p_object_mm, 0.5);
-    return {
-        patient_.texture->at(point.p_object_mm, shape_.lids()) * interpolated(patient_.tone, point) * pores,
-        0.03f};
+    const float pores = 1.f + patient_.pore_contrast * sharedNoise().at(point.p_object_mm, 0.5);
+    const float albedo = patient_.texture->at(point.p_object_mm, shape_.lids()) *
+                         interpolated(patient_.tone, point) * pores * patient_.skin_brightness;
+    return {albedo, 0.03f};
   }
 
   Reflectance hairAt(const Eigen::Vector3d& p_mm) const {

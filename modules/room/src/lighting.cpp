@@ -8,6 +8,7 @@ namespace facenav::room {
 namespace {
 
 constexpr double kProjectorBlur_px = 0.45;
+constexpr double kGlint = 40.0;  // of wet skin: white in the image where it mirrors a lamp
 
 /// x^16, near enough to the highlight of slightly moist skin.
 double shine(double x) {
@@ -45,7 +46,8 @@ LightMeter::Falling LightMeter::falling(const Eigen::Vector3d& p_mm, const Eigen
     const double fall = lamp.intensity * lamp.reference_mm * lamp.reference_mm / (distance_mm * distance_mm);
     light.diffuse += float(fall * cosine);
     const Eigen::Vector3d half = (to_lamp_mm / distance_mm + to_eye).normalized();
-    light.highlight += float(fall * shine(std::max(0.0, normal.dot(half))));
+    const double dull = shine(std::max(0.0, normal.dot(half)));
+    light.highlight += float(fall * (dull + lighting_.wetness * kGlint * dull * dull * dull * dull));
   }
   light.sees_projector =
       lighting_.projector && normal.dot(projector_mm_ - p_mm) > 0.0 && !scene_.isBlocked(p_mm, projector_mm_);

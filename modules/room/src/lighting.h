@@ -31,6 +31,7 @@ struct Lighting {
   double ambient = 0.25;
   Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
   bool has_lamp_shadows = true;
+  double wetness = 0.0;   // 0: as skin usually is; 1: sweat or ointment, with small hard highlights
   double backdrop = 1.0;  // light on the wall, relative to full light
   std::optional<DotProjector> projector;
 };

@@ -44,6 +44,8 @@ MomentOf momentsOf(const Setting& setting) {
       {"protractor", protractorScript}, {"free_motion", freeMotionScript},
       {"occlusion", occlusionScript},   {"talking", talkingScript},
       {"lighting", lightingScript},     {"lost", lostScript},
+      {"glint", glintScript},           {"mask", maskScript},
+      {"mask_on", maskScript},          {"other_face", otherFaceScript},
       {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }}};
   return scripts.at(setting.options.name)(setting);
 }
@@ -94,6 +96,7 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
   setting.frames = options.frames > 0 ? options.frames : kind.frames;
   Cast capture;
   capture.room_T_mri = setting.seat;
+  capture.has_mask = kind.name == "mask";
   return std::make_unique<FunctionScript>(setting.frames, capture, momentsOf(setting));
 }
 

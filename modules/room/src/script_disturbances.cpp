@@ -17,16 +17,6 @@ Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, const Eigen::Vector3d&
   return pose;
 }
 
-/// Up from 0 to 1 at the middle and back.
-double hill(double x) { return ease(2.0 * std::min(x, 1.0 - x)); }
-
-Vector6 sway(double time_s, double scale) {
-  Vector6 by;
-  by << 1.2 * std::sin(1.9 * time_s), 2.0 * std::sin(1.3 * time_s), 0.8 * std::sin(2.3 * time_s),
-      4.0 * std::sin(1.1 * time_s), 3.0 * std::sin(1.7 * time_s), 5.0 * std::sin(0.9 * time_s);
-  return scale * by;
-}
-
 /// A coil whose marker stands at `marker_mm` (Room), turned from facing the cameras by a rotation vector.
 RigidTransform<Room, Coil> coilWithMarkerAt(const Setting& setting, const Eigen::Vector3d& marker_mm,
                                             const Eigen::Vector3d& turn_deg) {

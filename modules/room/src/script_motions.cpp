@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 
 #include "facenav/geometry/rotation.h"
 #include "script_setting.h"
@@ -18,7 +20,33 @@ RigidTransform<frames::Target, Coil> onApproach(double progress) {
   return RigidTransform<frames::Target, Coil>::fromIsometry(pose);
 }
 
+/// Free motion: each of the six swings to its full size about once in four seconds, the seed says which way
+/// and how fast.
+struct Swing {
+  double peak, rate_hz;
+};
+std::array<Swing, 6> swings(std::uint64_t seed) {
+  // Pitch, yaw, roll (deg); x, y, z (mm). Together the shifts stay below 100 mm/s.
+  std::array<Swing, 6> all{
+      {{15.0, 0.24}, {30.0, 0.25}, {15.0, 0.21}, {60.0, 0.20}, {25.0, 0.20}, {40.0, 0.15}}};
+  std::mt19937_64 random(seed * 101 + 3);
+  for (auto& swing : all) {
+    if (random() % 2) swing.peak = -swing.peak;
+    swing.rate_hz *= 0.9 + 0.2 * double(random() >> 11) * 0x1p-53;
+  }
+  return all;
+}
+
 }  // namespace
+
+double hill(double x) { return ease(2.0 * std::min(x, 1.0 - x)); }
+
+Eigen::Matrix<double, 6, 1> sway(double time_s, double scale) {
+  Eigen::Matrix<double, 6, 1> by;
+  by << 1.2 * std::sin(1.9 * time_s), 2.0 * std::sin(1.3 * time_s), 0.8 * std::sin(2.3 * time_s),
+      4.0 * std::sin(1.1 * time_s), 3.0 * std::sin(1.7 * time_s), 5.0 * std::sin(0.9 * time_s);
+  return scale * by;
+}
 
 double ease(double x) {
   x = std::clamp(x, 0.0, 1.0);
@@ -69,10 +97,15 @@ MomentOf protractorScript(const Setting& setting) {
 }
 
 MomentOf freeMotionScript(const Setting& setting) {
-  const HeadMotion motion = setting.motion({{6.0, 9.0, 5.0}, {22.0, 12.0, 18.0}, 0.45});
-  return [setting, motion](int frame) {
+  return [setting, all = swings(setting.options.seed)](int frame) {
+    // Time itself eases in, so that no speed exceeds that of the swing.
+    constexpr double kStart_s = 0.3;
+    const double t_s = setting.time_s(frame), swung_s = t_s - kStart_s * (1.0 - std::exp(-t_s / kStart_s));
+    Eigen::Matrix<double, 6, 1> by;
+    for (int i = 0; i < 6; ++i)
+      by[i] = setting.options.motion * all[i].peak * std::sin(2.0 * M_PI * all[i].rate_hz * swung_s);
     Moment moment;
-    moment.cast = setting.headMovedBy(motion.at(setting.time_s(frame)));
+    moment.cast = setting.headMovedBy(by);
     moment.label = "moving";
     return moment;
   };

@@ -43,5 +43,14 @@ MomentOf talkingScript(const Setting& setting);
 MomentOf lightingScript(const Setting& setting);
 MomentOf lostScript(const Setting& setting);
 MomentOf coilSweepScript(const Setting& setting);
+// script_people.cpp: what patients wear, and who else comes in.
+MomentOf glintScript(const Setting& setting);
+MomentOf maskScript(const Setting& setting);
+MomentOf otherFaceScript(const Setting& setting);
+
+/// The patient's small movements while nothing else happens: rotation vector (deg) and shift (mm).
+Eigen::Matrix<double, 6, 1> sway(double time_s, double scale);
+/// Up from 0 to 1 at the middle and back.
+double hill(double x);
 
 }  // namespace facenav::room

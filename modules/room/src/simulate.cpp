@@ -29,6 +29,7 @@ json frameJson(const GroundTruth& truth) {
   return {{"frame", truth.frame},
           {"label", truth.label},
           {"face_visible_fraction", truth.face_visible_fraction},
+          {"is_patient_there", truth.is_patient_there},
           {"must_be_lost", truth.must_be_lost},
           {"jaw_mm", truth.jaw_mm}};
 }
@@ -44,7 +45,9 @@ struct JsonVisitor {
 void addTruth(capture::RecordingWriter& writer, const GroundTruth& truth) {
   std::optional<Eigen::Isometry3d> camera_T_marker;
   if (truth.camera_T_marker) camera_T_marker = truth.camera_T_marker->isometry();
-  writer.addTruth(truth.frame, truth.camera_T_mri.isometry(), camera_T_marker);
+  std::optional<Eigen::Isometry3d> camera_T_mri;
+  if (truth.is_patient_there) camera_T_mri = truth.camera_T_mri.isometry();
+  writer.addTruth(truth.frame, camera_T_mri, camera_T_marker);
 }
 
 }  // namespace

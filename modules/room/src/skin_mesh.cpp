@@ -23,12 +23,23 @@ constexpr int kClosing = 3;  // voxels: narrower openings of the skin are closed
 // the rim.
 constexpr int kPad = 2 * kClosing + 2;
 constexpr double kSmallestHead_ml = 800.0;
+constexpr double kOwnEdge =
+    0.4;  // an edge of the skin is at least this steep, relative to the steepest within reach
+constexpr float kLowestMr = -200.f, kAir_hu = -1000.f, kSoftTissue_hu = 200.f;
 
 using Cells = std::vector<float>;
 
+/// Values with air at 0. A CT (Hounsfield units, told by its negative air) is cut at soft tissue, so that
+/// skin and bone weigh the same.
+volume::Volume withAirAtZero(volume::Volume scan) {
+  if (volume::percentile(scan, 0.1) > kLowestMr) return scan;
+  for (float& value : scan.voxels) value = std::clamp(value, kAir_hu, kSoftTissue_hu) - kAir_hu;
+  return scan;
+}
+
 /// The scan inside a rim of air, in RAS order.
 volume::Volume padded(const volume::Volume& in) {
-  const volume::Volume ras = volume::toRasOrder(in);
+  const volume::Volume ras = withAirAtZero(volume::toRasOrder(in));
   volume::Volume out;
   for (int axis = 0; axis < 3; ++axis) out.grid.size[axis] = ras.grid.size[axis] + 2 * kPad;
   out.grid.mri_from_voxel = ras.grid.mri_from_voxel;
@@ -201,22 +212,30 @@ void faceOutwards(surface::TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// Offset (mm, along the normal) of the steepest fall of intensity within reach of the vertex.
-double steepestOffset(const volume::Volume& field, const Eigen::Vector3d& p_mm,
-                      const Eigen::Vector3d& normal) {
+/// Offset (mm, along the normal) of the air/skin edge within reach of the vertex: the outermost place where
+/// the intensity falls most steeply. Not the steepest of all: where the dermis is dark, the edge of the fat
+/// 2-4 mm below falls more steeply than the skin's own, and a surface that follows it here and there has
+/// dents.
+double edgeOffset(const volume::Volume& field, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
   constexpr double kReach_mm = 2.0, kStep_mm = 0.125;
   constexpr int kSteps = int(2 * kReach_mm / kStep_mm);
   double values[kSteps + 1];
   for (int i = 0; i <= kSteps; ++i)
     values[i] = volume::sampleLinear(
         field, field.grid.toVoxel(Point<Mri>(p_mm + (i * kStep_mm - kReach_mm) * normal)));
-  double best = 0.0, at = 0.0;
+  double falls[kSteps + 1] = {}, steepest = 0.0;
+  const auto offsetAt = [](double i) { return i * kStep_mm - kReach_mm; };
   for (int i = 4; i + 4 <= kSteps; ++i) {
-    const double offset = i * kStep_mm - kReach_mm;
-    const double fall = (values[i - 4] - values[i + 4]) * std::exp(-0.125 * offset * offset);
-    if (fall > best) best = fall, at = offset;
+    falls[i] = (values[i - 4] - values[i + 4]) * std::exp(-0.125 * offsetAt(i) * offsetAt(i));
+    steepest = std::max(steepest, falls[i]);
   }
-  return at;
+  for (int i = kSteps - 5; i >= 5; --i) {
+    const bool is_peak = falls[i] > 0.0 && falls[i] >= falls[i + 1] && falls[i] > falls[i - 1];
+    if (!is_peak || falls[i] < kOwnEdge * steepest) continue;
+    const double bend = falls[i - 1] - 2.0 * falls[i] + falls[i + 1];
+    return offsetAt(i + (bend < 0.0 ? 0.5 * (falls[i - 1] - falls[i + 1]) / bend : 0.0));
+  }
+  return 0.0;
 }
 
 std::vector<double> averagedOverNeighbours(const std::vector<double>& values,
@@ -231,10 +250,10 @@ std::vector<double> averagedOverNeighbours(const std::vector<double>& values,
   return now;
 }
 
-void settleOnSteepestEdge(surface::TriangleMesh& mesh, const volume::Volume& field) {
+void settleOnEdge(surface::TriangleMesh& mesh, const volume::Volume& field) {
   std::vector<double> offset(mesh.vertices_mm.size());
   for (std::size_t i = 0; i < offset.size(); ++i)
-    offset[i] = steepestOffset(field, mesh.vertices_mm[i], mesh.normals[i]);
+    offset[i] = edgeOffset(field, mesh.vertices_mm[i], mesh.normals[i]);
   offset = averagedOverNeighbours(offset, mesh.triangles, 6);
   for (std::size_t i = 0; i < offset.size(); ++i) mesh.vertices_mm[i] += offset[i] * mesh.normals[i];
   mesh.normals = vertexNormals(mesh.vertices_mm, mesh.triangles);
@@ -278,7 +297,7 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   mesh.normals = vertexNormals(mesh.vertices_mm, mesh.triangles);
   monitor.report("virtual patient: skin", 0.8);
   // Twice: the first surface lies on a low level, outside the edge, and its normals are those of that level.
-  for (int round = 0; round < 2; ++round) settleOnSteepestEdge(mesh, smooth_scan);
+  for (int round = 0; round < 2; ++round) settleOnEdge(mesh, smooth_scan);
   monitor.report("virtual patient: skin", 1.0);
   return mesh;
 }

@@ -132,12 +132,13 @@ Warp mapToPortrait(const SkinTexture& texture, const cv::Size& size,
 }  // namespace
 
 SkinTexture::SkinTexture(const std::vector<Eigen::Vector3d>& landmarks68_mm,
-                         const Eigen::Vector3d& head_centre_mm)
+                         const Eigen::Vector3d& head_centre_mm, bool has_sides_exchanged)
     : centre_mm_(head_centre_mm) {
   const cv::Size size(int(2 * M_PI * kRadius_mm / kPixel_mm) + 1, int((kUp_mm + kDown_mm) / kPixel_mm) + 1);
   albedo_ = cv::Mat(size, CV_32F, cv::Scalar(kSkinAlbedo));
   if (landmarks68_mm.empty()) return;
-  const cv::Mat portrait = readPortrait();
+  cv::Mat portrait = readPortrait();
+  if (has_sides_exchanged) cv::flip(portrait, portrait, 1);
   const auto points = findPortraitLandmarks(portrait);
   FACENAV_EXPECT(points, "the committed portrait holds a face");
   const cv::Mat weight = faceWeight(portrait.size(), *points), face = flattened(portrait, weight);

@@ -1,12 +1,15 @@
 #include "stage.h"
 
 #include <cmath>
+#include <map>
 
+#include "face_mask.h"
 #include "face_shape.h"
 #include "facenav/stereo/dot_pattern.h"
 #include "head_look.h"
 #include "marker_plate.h"
 #include "shapes.h"
+#include "stranger.h"
 
 namespace facenav::room {
 namespace {
@@ -50,7 +53,13 @@ struct Stage::Implementation {
   FilmOptions film;
   RayScene scene;
   std::vector<std::shared_ptr<const Look>> looks;
-  int head = -1, coil_body = -1, plate = -1, hand = -1;
+  int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1;
+  struct Stranger {
+    std::shared_ptr<const VirtualPatient> person;
+    std::unique_ptr<FaceShape> face;
+    int object = -1;
+  };
+  std::map<std::uint64_t, Stranger> strangers;  // made when they first come in
   std::array<CameraRays, 2> rays;
   std::array<Renderer, 2> renderers;
   Lighting lighting;
@@ -75,7 +84,32 @@ struct Stage::Implementation {
     return camera_T_room.isometry() * p_room_mm;
   }
 
+  void placeMask(const Cast& cast) {
+    if (cast.has_mask && mask < 0) {
+      const auto cloth = faceMask(*patient);
+      if (!cloth.triangles.empty()) mask = add(cloth, makeClothLook());
+    }
+    if (mask < 0) return;
+    scene.setShown(mask, cast.has_mask && cast.stranger == 0);
+    scene.setPose(mask, (camera_T_room * cast.room_T_mri).isometry());
+  }
+
+  void placeStranger(const Cast& cast) {
+    if (cast.stranger != 0 && !strangers.count(cast.stranger)) {
+      Stranger& one = strangers[cast.stranger];
+      one.person = strangerLike(*patient, cast.stranger);
+      one.face = std::make_unique<FaceShape>(*one.person);
+      one.object = add(one.person->visible, makeHeadLook(*one.person, *one.face));
+    }
+    scene.setShown(head, cast.stranger == 0);
+    for (const auto& [seed, one] : strangers) {
+      scene.setShown(one.object, seed == cast.stranger);
+      scene.setPose(one.object, (camera_T_room * cast.room_T_mri).isometry());
+    }
+  }
+
   void light(const Cast& cast) {
+    lighting.wetness = cast.wetness;
     lighting.lamps = {
         {inCamera(Eigen::Vector3d(-600, -900, -350) + cast.lamp_shift_mm), 0.55 * cast.lamp_scale, 1500.0},
         {inCamera(Eigen::Vector3d(700, -500, -500) + 0.5 * cast.lamp_shift_mm), 0.30 * cast.lamp_scale,
@@ -117,6 +151,8 @@ void Stage::set(const Cast& cast) {
   if (all.face.set(cast.jaw_mm, cast.lids))
     all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
+  all.placeMask(cast);
+  all.placeStranger(cast);
   all.scene.setShown(all.coil_body, cast.room_T_coil.has_value());
   all.scene.setShown(all.plate, cast.room_T_coil.has_value());
   if (cast.room_T_coil) {

@@ -25,6 +25,9 @@ struct Cast {
   double lamp_scale = 1.0, ambient_scale = 1.0;
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
   bool has_dots = false;
+  double wetness = 0.0;        // of the skin: 1 glints
+  bool has_mask = false;       // a surgical mask over nose and mouth
+  std::uint64_t stranger = 0;  // another person sits there instead of the patient: which one (0: the patient)
   double jaw_mm = 0.0, lids = 0.0;  // chin lowered; 0 eyes open .. 1 closed
 };
 

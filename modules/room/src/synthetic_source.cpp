@@ -55,8 +55,10 @@ struct SyntheticSource::Implementation {
       now.camera_T_marker = *now.camera_T_coil * stage.coil().marker_T_coil.inverse();
     }
     now.label = moment.label;
-    now.face_visible_fraction = moment.fault == CameraFault::none ? stage.faceVisibleFraction() : 0.0;
-    now.must_be_lost = moment.fault != CameraFault::none || now.face_visible_fraction < 0.05;
+    now.is_patient_there = moment.cast.stranger == 0;
+    const bool is_shown = moment.fault == CameraFault::none && now.is_patient_there;
+    now.face_visible_fraction = is_shown ? stage.faceVisibleFraction() : 0.0;
+    now.must_be_lost = !is_shown || now.face_visible_fraction < 0.05;
     now.jaw_mm = moment.cast.jaw_mm;
     return now;
   }

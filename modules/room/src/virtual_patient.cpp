@@ -56,19 +56,20 @@ void growHair(VirtualPatient& patient, const PatientOptions& options) {
   patient.visible.normals = vertexNormals(patient.visible.vertices_mm, patient.visible.triangles);
 }
 
-/// Coarse complexion, fixed to the skin: blotches of ~4 mm and a few freckles of ~2 mm.
-std::vector<float> complexion(const std::vector<Eigen::Vector3d>& skin_mm, std::uint64_t seed) {
+}  // namespace
+
+std::vector<float> complexion(const std::vector<Eigen::Vector3d>& skin_mm, std::uint64_t seed,
+                              double contrast) {
   const Eigen::Vector3d shift(40.0 + double(seed % 1000) * 5.1, -70.0, 90.0);
   std::vector<float> tone;
   tone.reserve(skin_mm.size());
   for (const auto& p_mm : skin_mm) {
     const float freckle = std::clamp(sharedNoise().at(p_mm + shift, 1.1) - 2.0f, 0.f, 1.f);
-    tone.push_back(std::max(0.3f, 1.f + 0.05f * sharedNoise().at(p_mm - shift, 2.2) - 0.35f * freckle));
+    const float blotch = 0.05f * sharedNoise().at(p_mm - shift, 2.2);
+    tone.push_back(std::max(0.3f, 1.f + float(contrast) * (blotch - 0.35f * freckle)));
   }
   return tone;
 }
-
-}  // namespace
 
 VirtualPatient makePatient(const surface::TriangleMesh& skin, const PatientOptions& options,
                            TaskMonitor& monitor) {
@@ -84,7 +85,9 @@ VirtualPatient makePatient(const surface::TriangleMesh& skin, const PatientOptio
   patient.face_middle = l.empty() ? Point<Mri>(patient.head_centre.mm + Eigen::Vector3d(0.0, 95.0, -30.0))
                                   : Point<Mri>(0.25 * (l[36] + l[45] + l[48] + l[54]));
   patient.texture = std::make_shared<SkinTexture>(l, patient.head_centre.mm);
-  patient.tone = complexion(skin.vertices_mm, options.seed);
+  patient.tone = complexion(skin.vertices_mm, options.seed, options.skin_contrast);
+  patient.pore_contrast *= float(options.skin_contrast);
+  patient.skin_brightness = float(options.skin_brightness);
   if (options.has_hair) growHair(patient, options);
   monitor.report("virtual patient: face", 1.0);
   return patient;

@@ -79,21 +79,61 @@ TEST(Protractor, TurnsBy25DegInElevenStepsAboutEachAxis) {
   }
 }
 
-TEST(FreeMotion, StaysWithinAHeadsSpeed) {
+TEST(FreeMotion, ReachesItsStatedSizeAndStaysBelowItsSpeed) {
   const Played played;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
     auto options = named("free_motion", 300);
     options.seed = seed;
     const auto script = played(options);
-    double fastest_mm_s = 0.0;
+    const auto seat = script->capture().room_T_mri;
+    double fastest_mm_s = 0.0, farthest_mm = 0.0;
+    Eigen::Vector3d turned_deg = Eigen::Vector3d::Zero();
     for (int frame = 1; frame < 300; ++frame) {
-      const auto before = script->at(frame - 1).cast.room_T_mri * played.patient->face_middle;
-      const auto after = script->at(frame).cast.room_T_mri * played.patient->face_middle;
+      const auto before = script->at(frame - 1).cast.room_T_mri * played.patient->head_centre;
+      const auto now = script->at(frame).cast.room_T_mri;
+      const auto after = now * played.patient->head_centre;
       fastest_mm_s = std::max(fastest_mm_s, (after.mm - before.mm).norm() * options.frames_per_s);
+      farthest_mm =
+          std::max(farthest_mm, (after.mm - (seat * played.patient->head_centre).mm).cwiseAbs().maxCoeff());
+      turned_deg = turned_deg.cwiseMax(
+          (logRotation(now.rotation() * seat.rotation().transpose()) * 180.0 / M_PI).cwiseAbs());
     }
-    EXPECT_GT(fastest_mm_s, 40.0) << seed;
-    EXPECT_LT(fastest_mm_s, 220.0) << seed;
+    EXPECT_GT(fastest_mm_s, 60.0) << seed;
+    EXPECT_LT(fastest_mm_s, 110.0) << seed;
+    EXPECT_NEAR(farthest_mm, 60.0, 3.0) << seed;
+    EXPECT_NEAR(turned_deg.x(), 15.0, 1.0) << "pitch, seed " << seed;
+    EXPECT_NEAR(turned_deg.y(), 30.0, 1.0) << "yaw, seed " << seed;
+    EXPECT_NEAR(turned_deg.z(), 15.0, 1.0) << "roll, seed " << seed;
   }
+}
+
+TEST(SeatedHead, TheSeedSeatsThePatientAskewWithinItsLimits) {
+  const auto patient = testing::eggPatient();
+  ScenarioOptions straight, askew;
+  askew.seat_turn_deg = 30.0;
+  askew.seat_shift_mm = 60.0;
+  const auto seat = seatedHead(straight, *patient);
+  double largest_deg = 0.0;
+  for (askew.seed = 1; askew.seed <= 30; ++askew.seed) {
+    const auto other = seatedHead(askew, *patient);
+    const double deg = rotationAngle(other.rotation() * seat.rotation().transpose()) * 180.0 / M_PI;
+    EXPECT_LE(deg, 30.0 + 1e-9);
+    // The face turns about a point between face and head centre, so that it moves little beyond the shift.
+    EXPECT_LE(((other * patient->face_middle).mm - (seat * patient->face_middle).mm).norm(), 60.0 + 25.0);
+    largest_deg = std::max(largest_deg, deg);
+  }
+  EXPECT_GT(largest_deg, 20.0);
+}
+
+TEST(OtherFace, SaysWhenThePatientIsNotThere) {
+  const auto script = Played()(named("other_face"));
+  std::set<std::uint64_t> people;
+  for (int frame = 0; frame < script->frameCount(); ++frame) {
+    const auto moment = script->at(frame);
+    people.insert(moment.cast.stranger);
+    EXPECT_EQ(moment.cast.stranger != 0, moment.label.rfind("another person", 0) == 0) << moment.label;
+  }
+  EXPECT_EQ(people.size(), 3u) << "the patient and two others";
 }
 
 TEST(Lost, ShowsEveryFaultAndSaysSo) {

@@ -22,6 +22,7 @@ class SkinTexture;
 struct PatientOptions {
   bool has_hair = true;
   double hair_thinnest_mm = 2.0, hair_thickest_mm = 5.0;
+  double skin_contrast = 1.0, skin_brightness = 1.0;
   std::uint64_t seed = 1;
 
   template <class Self, class Visitor>
@@ -30,6 +31,10 @@ struct PatientOptions {
     visitor(Field{"hair_thinnest_mm", "hair stands at least this far proud of the skin", 0, 20},
             self.hair_thinnest_mm);
     visitor(Field{"hair_thickest_mm", "and at most this far", 0, 30}, self.hair_thickest_mm);
+    visitor(Field{"skin_contrast", "scales blotches, freckles and pores: 0.3 a smooth young skin", 0, 3},
+            self.skin_contrast);
+    visitor(Field{"skin_brightness", "scales the skin's albedo: 0.35 dark, 1.3 pale", 0.1, 1.8},
+            self.skin_brightness);
     visitor(Field{"seed", "of hair and skin"}, self.seed);
   }
 };
@@ -39,6 +44,8 @@ struct VirtualPatient {
   surface::TriangleMesh visible;  // the same triangles, raised where hair grows
   std::vector<float> hair;        // 0..1, one per vertex
   std::vector<float> tone;        // blotches and freckles: factor on the albedo, one per vertex
+  float pore_contrast = 0.06f;    // standard deviation of the finest grain, relative to the albedo
+  float skin_brightness = 1.f;    // factor on the skin's albedo
   std::shared_ptr<const SkinTexture> texture;
   std::vector<Eigen::Vector3d>
       landmarks68_mm;      // iBUG 68 points on the skin, Mri; empty where the scan has no face

@@ -1,0 +1,174 @@
+// The end-to-end stereo frame: head and coil tracked in the virtual room's treatment, ours beside the 2010
+// paper's seven features, on one core and on all; error against the room's truth and time in the same run.
+// Prints a Markdown table.
+
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "facenav/room/synthetic_source.h"
+#include "facenav/session/align_from_capture.h"
+#include "facenav/tracking/coil_tracker.h"
+#include "facenav/tracking/head_tracker.h"
+#include "facenav/volume/nifti.h"
+#include "support/stopwatch.h"
+#include "support/test_data.h"
+
+using namespace facenav;
+namespace support = facenav::testing;
+
+namespace {
+
+constexpr int kFrames = 60;
+
+/// A treatment, rendered once: what the trackers get, and the truth.
+struct Film {
+  stereo::StereoRig rig;
+  tracking::HeadReference reference;
+  tracking::CoilModel coil;
+  RigidTransform<Camera, Mri> at_reference;
+  Point<Mri> target;
+  std::vector<std::shared_ptr<const stereo::StereoFrame>> frames;
+  std::vector<room::GroundTruth> truth;
+};
+
+tracking::CoilModel modelOf(const room::RoomCoil& coil) {
+  tracking::CoilModel model = tracking::defaultCoil();
+  model.markers.front().dictionary = coil.dictionary;
+  model.markers.front().id = coil.marker_id;
+  model.markers.front().size_mm = coil.marker_size_mm;
+  model.markers.front().coil_T_marker = coil.marker_T_coil.inverse();
+  return model;
+}
+
+/// The face as the capture pair with dots measures it, in the plain pair's frame.
+tracking::HeadReference referenceOf(const stereo::StereoRig& rig, const capture::CapturePair& pair,
+                                    const tracking::FaceDetector& detector) {
+  TaskMonitor monitor;
+  const auto landmarks = session::findFace(rig, pair.plain, detector);
+  const auto face = session::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
+  return {pair.plain, face.cloud, face.left_px};
+}
+
+Film filmed(const tracking::FaceDetector& detector) {
+  TaskMonitor monitor;
+  const auto patient = std::make_shared<const room::VirtualPatient>(
+      room::makePatient(volume::readNifti(support::virtualPatientMri()).volume, {}, monitor));
+  room::ScenarioOptions options;
+  options.frames = kFrames;
+  room::SyntheticSource source(options, patient);
+  Film film;
+  film.rig = source.rig();
+  film.coil = modelOf(source.coil());
+  film.at_reference = source.captureTruth();
+  film.target = source.target() * Point<frames::Target>(0.0, 0.0, 25.0);
+  film.reference = referenceOf(film.rig, source.capturePair(), detector);
+  while (auto frame = source.next()) {
+    film.frames.push_back(frame);
+    film.truth.push_back(source.truth());
+  }
+  return film;
+}
+
+/// One way through the film.
+struct Pass {
+  std::vector<double> ms;  // a frame
+  double squares_mm2 = 0.0;
+  int tracked = 0;
+  double rms_mm() const { return tracked ? std::sqrt(squares_mm2 / tracked) : 0.0; }
+};
+
+void note(Pass& pass, double ms, const std::optional<double>& error_mm) {
+  pass.ms.push_back(ms);
+  if (!error_mm) return;
+  pass.squares_mm2 += *error_mm * *error_mm;
+  ++pass.tracked;
+}
+
+using Clock = double (*)();
+
+Pass headPass(const Film& film, tracking::HeadTracker& tracker, Clock clock) {
+  Pass pass;
+  tracker.start(film.rig, film.reference);
+  for (std::size_t i = 0; i < film.frames.size(); ++i) {
+    const double start_ms = clock();
+    const auto pose = tracker.track(*film.frames[i]);
+    const double ms = clock() - start_ms;
+    std::optional<double> error_mm;
+    if (pose) {
+      const auto camera_T_mri = pose->camera_T_head * film.at_reference.reframe<Head, Mri>();
+      error_mm = ((camera_T_mri * film.target).mm - (film.truth[i].camera_T_mri * film.target).mm).norm();
+    }
+    note(pass, ms, error_mm);
+  }
+  return pass;
+}
+
+Pass coilPass(const Film& film, tracking::CoilTracker& tracker, Clock clock) {
+  Pass pass;
+  tracker.start(film.rig, film.coil);
+  for (std::size_t i = 0; i < film.frames.size(); ++i) {
+    const double start_ms = clock();
+    const auto pose = tracker.track(*film.frames[i]);
+    const double ms = clock() - start_ms;
+    std::optional<double> error_mm;
+    if (pose)
+      error_mm =
+          (pose->camera_T_marker.translation_mm() - film.truth[i].camera_T_marker->translation_mm()).norm();
+    note(pass, ms, error_mm);
+  }
+  return pass;
+}
+
+Pass together(const Pass& a, const Pass& b) {
+  Pass both;
+  for (std::size_t i = 0; i < a.ms.size(); ++i) both.ms.push_back(a.ms[i] + b.ms[i]);
+  return both;
+}
+
+void row(const char* name, const Pass& one_core, const Pass& all_cores) {
+  char error[48] = "";
+  if (one_core.tracked > 0)
+    std::snprintf(error, sizeof error, "%.3f mm, %d of %zu", one_core.rms_mm(), one_core.tracked,
+                  one_core.ms.size());
+  std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2f |\n", name, error, support::quantile(one_core.ms, 0.5),
+              support::quantile(one_core.ms, 0.99), support::quantile(all_cores.ms, 0.5),
+              support::quantile(all_cores.ms, 0.99));
+}
+
+}  // namespace
+
+int main() {
+  if (!std::filesystem::exists(support::virtualPatientMri())) {
+    std::printf("\nThe virtual patient's MRI is not here: the frame benchmark is left out.\n");
+    return 0;
+  }
+  const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
+  const Film film = filmed(*detector);
+  std::printf(
+      "\n## Stereo frame end to end, 640 x 480, treatment (%d frames)\n\nHead: error at the cortical target, "
+      "alignment "
+      "apart; coil: error of the marker's centre.\n\n| what | rms, tracked | one core: median, ms | p99 | "
+      "all cores: "
+      "median, ms | p99 |\n|---|---|---|---|---|---|\n",
+      kFrames);
+  const auto model = tracking::makeModelHeadTracker(detector),
+             features = tracking::makeFeatureHeadTracker(detector);
+  const auto marker = tracking::makeMarkerCoilTracker();
+  cv::setNumThreads(1);
+  const Pass head = headPass(film, *model, processorTime_ms),
+             seven = headPass(film, *features, processorTime_ms),
+             coil = coilPass(film, *marker, processorTime_ms);
+  cv::setNumThreads(-1);
+  const Pass head_all = headPass(film, *model, support::wall_ms),
+             seven_all = headPass(film, *features, support::wall_ms),
+             coil_all = coilPass(film, *marker, support::wall_ms);
+  row("head, model", head, head_all);
+  row("head, features7 (2010)", seven, seven_all);
+  row("coil, marker", coil, coil_all);
+  row("head, model + coil", together(head, coil), together(head_all, coil_all));
+  std::printf("\nModel beside features7: %.1f times the speed, %.2f times the error.\n",
+              support::quantile(seven.ms, 0.5) / support::quantile(head.ms, 0.5),
+              head.rms_mm() / seven.rms_mm());
+  return 0;
+}
