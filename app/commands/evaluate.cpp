@@ -32,6 +32,7 @@ std::string nameOf(const evaluation::RunRecord& run) {
 void playHead(Context& context, const EvaluateRequest& request, const EvaluationHead& head, double done,
               double share, std::vector<evaluation::RunRecord>& runs) {
   const auto planned = plannedRuns(request.room);
+  std::optional<AlignedCapture> last;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     evaluation::RunRecord run;
     run.scenario = planned[i].options.name;
@@ -46,7 +47,7 @@ void playHead(Context& context, const EvaluateRequest& request, const Evaluation
     };
     report(0.0);
     auto sequence = roomSequence(planned[i].options, head);
-    runSequence(context, sequence, head.scalp, head.target, request.methods, run, report);
+    runSequence(context, sequence, head.scalp, head.target, request.methods, last, run, report);
     if (run.scenario == "capture") run.frames.clear();  // its one frame is there for recordings' sake
     runs.push_back(std::move(run));
   }
@@ -72,13 +73,14 @@ std::vector<evaluation::RunRecord> playRecordings(Context& context, const Evalua
   std::vector<evaluation::RunRecord> runs;
   for (const auto& folder : request.recordings) {
     auto sequence = recordedSequence(folder);
+    std::optional<AlignedCapture> none;
     evaluation::RunRecord run;
     run.scenario = fs::weakly_canonical(folder).filename().string();
     run.head = store.folder().filename().string();
     run.rig = "of the recording";
     run.is_unseen_head = true;
     const double done = double(runs.size());
-    runSequence(context, sequence, scalp, target, request.methods, run, [&](double part) {
+    runSequence(context, sequence, scalp, target, request.methods, none, run, [&](double part) {
       context.monitor.report("evaluate: " + run.scenario, (done + part) / double(request.recordings.size()));
     });
     runs.push_back(std::move(run));

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kCapture = "capture";
 // A capture is taken wherever the patient sits; once treatment runs, nobody sits 30 degrees askew.
 constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
-constexpr int kQuickFrames = 40, kQuickCaptures = 5, kQuickLost = 90;
+constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90;
 
 std::vector<std::string> allScenarios() {
   std::vector<std::string> names;

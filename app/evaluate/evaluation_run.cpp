@@ -39,34 +39,55 @@ void noteCloud(const EvaluationSequence& sequence, const stereo::FaceCloud& face
   run.cloud = evaluation::evaluateCloud(rig, face, *sequence.capture_depth, visible);
 }
 
+bool isSameCapture(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0.0;
+}
+
 /// Aligns and notes how well; nothing where it was refused.
-std::optional<session::AlignmentOutcome> align(Context& context, const EvaluationSequence& sequence,
-                                               const surface::ScalpSurface& scalp,
-                                               const guidance::Target& target, const Methods& methods,
-                                               evaluation::RunRecord& run) {
+std::optional<AlignedCapture> align(Context& context, const EvaluationSequence& sequence,
+                                    const surface::ScalpSurface& scalp, const guidance::Target& target,
+                                    const Methods& methods, evaluation::RunRecord& run) {
   run.alignment.emplace();
   LastCall fit;
   const auto aligner = timed(context.registrations.aligners.create(methods.aligner), fit);
   const double start_ms = processorTime_ms();
   try {
-    auto outcome =
+    AlignedCapture aligned;
+    aligned.pattern_left = sequence.capture->pattern.left;
+    aligned.outcome =
         session::alignFromCapture(sequence.source->rig(), *sequence.capture, scalp, *aligner,
                                   *context.registrations.face_detector(), {target}, context.monitor);
+    const auto& result = aligned.outcome.result;
     run.alignment->measure_ms = processorTime_ms() - start_ms - fit.ms;
     run.alignment->fit_ms = fit.ms;
-    run.alignment->estimated = outcome.result.camera_T_mri.isometry();
+    run.alignment->estimated = result.camera_T_mri.isometry();
     run.alignment->truth = sequence.capture_truth->isometry();
-    run.alignment->predicted_mm = outcome.result.predictedError_mm(target.cortex_point);
+    run.alignment->predicted_mm = result.predictedError_mm(target.cortex_point);
     run.alignment->bound95_mm = k95Percent * run.alignment->predicted_mm;
-    run.alignment->rms_mm = outcome.result.rms_mm;
-    noteCloud(sequence, outcome.face, run);
-    return outcome;
+    run.alignment->rms_mm = result.rms_mm;
+    noteCloud(sequence, aligned.outcome.face, run);
+    aligned.record = *run.alignment;
+    aligned.cloud = run.cloud;
+    return aligned;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& refusal) {
     run.alignment->refusal = refusal.what();
     return std::nullopt;
   }
+}
+
+/// The last alignment where the capture is the same, else a new one.
+void alignOrTakeOver(Context& context, const EvaluationSequence& sequence, const surface::ScalpSurface& scalp,
+                     const guidance::Target& target, const Methods& methods,
+                     std::optional<AlignedCapture>& last, evaluation::RunRecord& run) {
+  if (!last || !isSameCapture(last->pattern_left, sequence.capture->pattern.left)) {
+    last = align(context, sequence, scalp, target, methods, run);
+    return;
+  }
+  run.is_capture_repeated = true;
+  run.alignment = last->record;
+  run.cloud = last->cloud;
 }
 
 evaluation::FrameRecord record(const session::NavigationState& state, evaluation::FrameTruth truth,
@@ -85,19 +106,19 @@ evaluation::FrameRecord record(const session::NavigationState& state, evaluation
 }  // namespace
 
 void runSequence(Context& context, EvaluationSequence& sequence, const surface::ScalpSurface& scalp,
-                 const guidance::Target& target, const Methods& methods, evaluation::RunRecord& run,
-                 const std::function<void(double)>& onFrame) {
+                 const guidance::Target& target, const Methods& methods, std::optional<AlignedCapture>& last,
+                 evaluation::RunRecord& run, const std::function<void(double)>& onFrame) {
   run.target_mm = target.cortex_point.mm;
   run.frames_per_s = sequence.frames_per_s;
   run.marker_T_coil = sequence.coil.marker_T_coil().isometry();
   run.true_reference = sequence.capture_truth->isometry();
   try {
-    auto aligned = align(context, sequence, scalp, target, methods, run);
-    if (!aligned) return;
+    alignOrTakeOver(context, sequence, scalp, target, methods, last, run);
+    if (!last) return;
     LastCall head, coil;
     session::NavigatorSetup setup{sequence.source->rig(),
-                                  std::move(aligned->reference),
-                                  aligned->result.camera_T_mri,
+                                  last->outcome.reference,
+                                  last->outcome.result.camera_T_mri,
                                   sequence.coil,
                                   {}};
     session::Navigator navigator(

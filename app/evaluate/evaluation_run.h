@@ -13,6 +13,7 @@
 #include "facenav/evaluation/cloud_evaluation.h"
 #include "facenav/evaluation/run_record.h"
 #include "facenav/room/scenario.h"
+#include "facenav/session/align_from_capture.h"
 #include "facenav/tracking/coil_tracker.h"
 
 namespace facenav::app {
@@ -40,10 +41,20 @@ EvaluationSequence roomSequence(const room::ScenarioOptions& options, const Eval
 /// or no capture pair.
 EvaluationSequence recordedSequence(const std::filesystem::path& recording);
 
+/// The last alignment of a row of runs: scenarios with the same seat start from the same capture, which is
+/// measured once.
+struct AlignedCapture {
+  cv::Mat pattern_left;  // which capture
+  session::AlignmentOutcome outcome;
+  evaluation::AlignmentRecord record;
+  std::optional<evaluation::CloudFigures> cloud;
+};
+
 /// Fills cloud, alignment and frames of `run`, whose names are set. A refusal or a failure is noted there;
-/// only Cancelled passes through. `onFrame` hears the fraction done.
+/// only Cancelled passes through. `last` is taken over where the capture is the same, else replaced.
+/// `onFrame` hears the fraction done.
 void runSequence(Context& context, EvaluationSequence& sequence, const surface::ScalpSurface& scalp,
-                 const guidance::Target& target, const Methods& methods, evaluation::RunRecord& run,
-                 const std::function<void(double)>& onFrame);
+                 const guidance::Target& target, const Methods& methods, std::optional<AlignedCapture>& last,
+                 evaluation::RunRecord& run, const std::function<void(double)>& onFrame);
 
 }  // namespace facenav::app

@@ -46,7 +46,7 @@ void addAlignments(const std::vector<RunRecord>& runs, Album& album) {
   std::map<std::string, Curve> by_head;
   double widest = 0.5;
   for (const auto& run : runs) {
-    if (!run.alignment || !run.alignment->refusal.empty()) continue;
+    if (!run.alignment || !run.alignment->refusal.empty() || run.is_capture_repeated) continue;
     const auto& a = *run.alignment;
     const double error_mm = (a.estimated * run.target_mm - a.truth * run.target_mm).norm();
     Curve& curve = by_head[run.head];

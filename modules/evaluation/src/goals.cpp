@@ -60,7 +60,7 @@ Verdict verdictOf(bool is_met, bool is_measured) {
 GoalRow cloudGoal(const std::vector<Measured>& all) {
   std::vector<double> rms, coverage, gross;
   for (const auto& one : all)
-    if (one.run->cloud) {
+    if (one.run->cloud && !one.run->is_capture_repeated) {
       rms.push_back(one.run->cloud->rms_mm);
       coverage.push_back(one.run->cloud->coverage_percent);
       gross.push_back(one.run->cloud->gross_percent);
@@ -81,7 +81,7 @@ AlignmentErrors alignmentErrors(const std::vector<Measured>& all,
   AlignmentErrors errors;
   for (const auto& one : all) {
     const RunRecord& run = *one.run;
-    if (!run.alignment || !takes(run)) continue;
+    if (!run.alignment || run.is_capture_repeated || !takes(run)) continue;
     const AlignmentRecord& a = *run.alignment;
     if (!a.refusal.empty()) {
       ++errors.refused;
@@ -175,14 +175,18 @@ GoalRow relativeGoal(const std::vector<Measured>& all) {
 GoalRow disturbanceGoal(const std::vector<Measured>& all, const std::string& scenario) {
   const Pool p = pool(all, {scenario}, &FrameErrors::motion);
   double loss_s = 0.0;
-  bool is_played = false;
-  for (const auto& one : all)
-    if (one.run->scenario == scenario && !one.run->frames.empty())
-      loss_s = std::max(loss_s, longestLoss_s(*one.run)), is_played = true;
+  int played = 0, refused = 0;
+  for (const auto& one : all) {
+    if (one.run->scenario != scenario) continue;
+    one.run->frames.empty() ? ++refused : ++played;
+    loss_s = std::max(loss_s, longestLoss_s(*one.run));
+  }
   const auto mm = summarise(p.mm);
   return {scenario + ": head at the target", "p95 <= 1.0 mm, no loss > 0.2 s",
-          text("p95 %.3f, max %.2f mm; longest loss %.2f s", mm.p95, mm.max, loss_s),
-          verdictOf(mm.p95 <= 1.0 && loss_s <= 0.2, is_played), basis(p.runs, p.mm.size())};
+          text("p95 %.3f, max %.2f mm; longest loss %.2f s%s", mm.p95, mm.max, loss_s,
+               refused ? text("; %d not aligned", refused).c_str() : ""),
+          verdictOf(mm.p95 <= 1.0 && loss_s <= 0.2 && refused == 0, played + refused > 0),
+          basis(played + refused, p.mm.size())};
 }
 
 GoalRow wrongGoal(const std::vector<Measured>& all) {

@@ -57,6 +57,7 @@ struct RunRecord {
   std::string failure;                                  // the run could not be made: why
   Eigen::Vector3d target_mm = Eigen::Vector3d::Zero();  // cortical target, Mri
   Eigen::Isometry3d marker_T_coil = Eigen::Isometry3d::Identity();
+  bool is_capture_repeated = false;  // cloud and alignment are an earlier run's: the same images
   std::optional<CloudFigures> cloud;
   std::optional<AlignmentRecord> alignment;
   Eigen::Isometry3d true_reference =
