@@ -96,8 +96,9 @@ CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud
   for (std::size_t i = 0; i < face.cloud.size(); ++i) {
     const Eigen::Vector2d px = face.left_px[i].cast<double>();
     const int x = int(std::lround(px.x())), y = int(std::lround(px.y()));
-    if (x < 0 || y < 0 || x >= visible.cols || y >= visible.rows || !visible.at<std::uint8_t>(y, x)) continue;
+    if (x < 0 || y < 0 || x >= visible.cols || y >= visible.rows) continue;
     covered.at<std::uint8_t>(y, x) = 255;
+    if (!visible.at<std::uint8_t>(y, x)) continue;
     const double truth_mm = depthAt(depth, px.x(), px.y());
     if (truth_mm <= 0.0) continue;
     const double along = stereo::undistort(rig.left, px).homogeneous().norm();

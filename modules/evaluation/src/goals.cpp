@@ -81,7 +81,8 @@ AlignmentErrors alignmentErrors(const std::vector<Measured>& all,
   AlignmentErrors errors;
   for (const auto& one : all) {
     const RunRecord& run = *one.run;
-    if (!run.alignment || run.is_capture_repeated || !takes(run)) continue;
+    if (!run.alignment || run.is_capture_repeated || !takes(run) || run.scenario == "mask")
+      continue;  // a masked capture may be refused: that sequence has its own row
     const AlignmentRecord& a = *run.alignment;
     if (!a.refusal.empty()) {
       ++errors.refused;
