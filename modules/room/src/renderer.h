@@ -1,6 +1,6 @@
 #pragma once
 // Renderer: what one camera sees of a RayScene, in linear light before the lens blurs it. One primary ray a
-// pixel; where the surface is smooth, four samples are taken on its tangent plane (sixteen on prints), at
+// pixel; where the surface is smooth, four samples are taken on its tangent plane (36 on prints), at
 // silhouettes nine rays are cast.
 
 #include <memory>
