@@ -8,8 +8,8 @@
 namespace facenav::room {
 namespace {
 
-constexpr int kCoarse = 2, kEdge = 3,
-              kFine = 6;         // samples along each side of a pixel: skin, silhouette, print
+// Samples along each side of a pixel: skin, silhouette, skin under dots, print.
+constexpr int kCoarse = 2, kEdge = 3, kDots = 4, kFine = 6;
 constexpr float kBend_mm = 3.f;  // a larger second difference of depth over one pixel is a silhouette
 
 bool areAlike(const Hit& a, const Hit& b) {
@@ -55,14 +55,14 @@ struct Shot {
 
   /// Samples on the tangent plane of the centre's hit.
   float smoothPixel(int x, int y, const Hit& hit, bool is_printed) const {
-    const int side = is_printed ? kFine : kCoarse;
+    const int side = is_printed ? kFine : has_dots ? kDots : kCoarse;
     const Eigen::Isometry3d& pose = scene.pose(hit.object);
     const Eigen::Vector3d centre_mm = pose * hit.p_object_mm;
     const LightMeter::Falling light = meter.falling(centre_mm, hit.normal, toEye(centre_mm));
     const double height = hit.facet_normal.dot(centre_mm - rays.origin_mm());
     float sum = 0.f;
     for (int sample = 0; sample < side * side; ++sample) {
-      const auto [dx, dy] = is_printed ? place(sample, side) : middleOfCell(sample, side);
+      const auto [dx, dy] = is_printed || has_dots ? place(sample, side) : middleOfCell(sample, side);
       const Eigen::Vector3d along = rays.direction(x + dx, y + dy);
       const Eigen::Vector3d p_mm = rays.origin_mm() + height / hit.facet_normal.dot(along) * along;
       sum += shade(hit, light, p_mm, pose.linear().transpose() * (p_mm - pose.translation()));

@@ -1,7 +1,7 @@
 #pragma once
 // Renderer: what one camera sees of a RayScene, in linear light before the lens blurs it. One primary ray a
-// pixel; where the surface is smooth, four samples are taken on its tangent plane (36 on prints), at
-// silhouettes nine rays are cast.
+// pixel; where the surface is smooth, four samples are taken on its tangent plane (16 under projected dots,
+// 36 on prints), at silhouettes nine rays are cast.
 
 #include <memory>
 #include <opencv2/core.hpp>

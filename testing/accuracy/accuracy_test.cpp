@@ -1,0 +1,63 @@
+// The accuracy goals, on short seeded sequences of the virtual room: what is reached today must stay reached.
+// The limits are the goals themselves; `facenav evaluate` without --frames measures them at length, on other
+// heads and rigs too.
+
+#include <gmock/gmock.h>
+
+#include "accuracy/evaluation_table.h"
+#include "support/command_line.h"
+
+namespace facenav::testing {
+namespace {
+
+using ::testing::Each;
+using ::testing::IsEmpty;
+using ::testing::Le;
+using ::testing::Not;
+
+EvaluationTable evaluated(const std::string& arguments, const TemporaryFolder& folder) {
+  const auto out = folder.path() / "evaluation";
+  const auto run = runFacenav("evaluate --quiet " + arguments + " -o " + out.string(), 280);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  return EvaluationTable(out / "evaluation.csv");
+}
+
+/// Measured at all, and never beyond the limit.
+void expectWithin(const std::vector<double>& values, double limit, const std::string& what) {
+  EXPECT_THAT(values, Not(IsEmpty())) << what;
+  EXPECT_THAT(values, Each(Le(limit))) << what;
+}
+
+TEST(Accuracy, AlignmentHeadAndCoilStayWithinTheGoals) {
+  FACENAV_NEEDS(virtualPatientMri());
+  const TemporaryFolder folder;
+  const auto table = evaluated(
+      "--scenario capture,still,protractor,coil_sweep,talking,lighting --captures 2 --seeds 1 --frames 33",
+      folder);
+  EXPECT_THAT(table.failures(), IsEmpty());
+  expectWithin(table.figure("", "alignment_target_mm"), 1.0, "alignment at the target");
+  expectWithin(table.figure("", "alignment_deg"), 0.3, "alignment, rotation");
+  expectWithin(table.figure("still", "jitter_mm"), 0.05, "static jitter");
+  expectWithin(table.figure("protractor", "motion_rms_mm"), 0.3, "protractor at the target");
+  expectWithin(table.figure("protractor", "motion_rms_deg"), 0.15, "protractor, rotation");
+  expectWithin(table.figure("coil_sweep", "coil_rms_mm"), 0.3, "coil, 400-900 mm");
+  expectWithin(table.figure("coil_sweep", "coil_rms_deg"), 0.4, "coil, to 60 deg of tilt");
+  for (const char* scenario : {"talking", "lighting"}) {
+    expectWithin(table.figure(scenario, "motion_p95_mm"), 1.0, scenario);
+    expectWithin(table.figure(scenario, "longest_loss_s"), 0.2, scenario);
+  }
+  expectWithin(table.figure("", "head_wrong_as_tracked"), 0, "wrong head poses shown as tracked");
+  expectWithin(table.figure("", "coil_wrong_as_tracked"), 0, "wrong coil poses shown as tracked");
+}
+
+TEST(Accuracy, NobodyElseIsTrackedAndThePatientIsFoundAgain) {
+  FACENAV_NEEDS(virtualPatientMri());
+  const TemporaryFolder folder;
+  const auto table = evaluated("--scenario lost,other_face --captures 0 --seeds 1 --frames 60", folder);
+  EXPECT_THAT(table.failures(), IsEmpty());
+  expectWithin(table.figure("", "head_wrong_as_tracked"), 0, "wrong head poses shown as tracked");
+  expectWithin(table.figure("", "found_again_max_s"), 0.2, "found again after a loss");
+}
+
+}  // namespace
+}  // namespace facenav::testing
