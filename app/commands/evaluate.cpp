@@ -9,6 +9,7 @@
 #include "evaluate/evaluation_run.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/evaluation/evaluation_report.h"
+#include "facenav/guidance/hand_knob.h"
 #include "result_folder.h"
 
 namespace facenav::app {
@@ -63,19 +64,31 @@ std::vector<evaluation::RunRecord> playRoom(Context& context, const EvaluateRequ
   return runs;
 }
 
+/// The case's target; without a plan a first guess of the hand area stands in.
+guidance::Target measuredAt(const casefile::CaseStore& store, const std::string& name) {
+  const auto plan = store.targets();
+  if (!name.empty()) return plan.find(name);
+  if (!plan.targets.empty()) return plan.targets.front();
+  const auto brain = store.brain();
+  if (!brain)
+    throw Error("case has neither a target nor a brain to measure at", store.folder().string(),
+                "plan a target first");
+  guidance::Target target;
+  target.name = "left hand area";
+  target.cortex_point = guidance::handKnobGuess(*brain, guidance::Side::left);
+  return target;
+}
+
 std::vector<evaluation::RunRecord> playRecordings(Context& context, const EvaluateRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder.value());
-  const auto plan = store.targets();
-  if (plan.targets.empty())
-    throw Error("case has no target to measure at", store.folder().string(), "plan one first");
-  const auto target = request.target.empty() ? plan.targets.front() : plan.find(request.target);
+  const auto target = measuredAt(store, request.target);
   const auto scalp = store.scalp();
   std::vector<evaluation::RunRecord> runs;
   for (const auto& folder : request.recordings) {
     auto sequence = recordedSequence(folder);
     std::optional<AlignedCapture> none;
     evaluation::RunRecord run;
-    run.scenario = fs::weakly_canonical(folder).filename().string();
+    run.scenario = sequence.scenario;
     run.head = store.folder().filename().string();
     run.rig = "of the recording";
     run.is_unseen_head = true;

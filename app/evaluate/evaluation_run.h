@@ -24,6 +24,7 @@ struct Methods {
 
 /// A sequence with its truth, wherever it came from.
 struct EvaluationSequence {
+  std::string scenario;  // by name; of a recording: what its scenario.json says, else its folder's name
   std::shared_ptr<capture::FrameSource> source;
   std::optional<capture::CapturePair> capture;
   std::optional<RigidTransform<Camera, Mri>> capture_truth;         // camera_T_mri at the capture

@@ -48,6 +48,7 @@ std::map<std::int64_t, evaluation::FrameTruth> labelsOf(const nlohmann::json& sc
 EvaluationSequence roomSequence(const room::ScenarioOptions& options, const EvaluationHead& head) {
   const auto room = std::make_shared<room::SyntheticSource>(options, head.patient, head.target.mri_T_target);
   EvaluationSequence sequence;
+  sequence.scenario = options.name;
   sequence.capture = room->capturePair();
   sequence.capture_truth = room->captureTruth();
   const room::DepthMaps depth = room->depth();  // the stage still shows the capture
@@ -80,6 +81,7 @@ EvaluationSequence recordedSequence(const fs::path& folder) {
   nlohmann::json scenario = nlohmann::json::object();
   if (fs::exists(folder / "scenario.json"))
     scenario = nlohmann::json::parse(readWholeFile(folder / "scenario.json"));
+  sequence.scenario = scenario.value("scenario", fs::weakly_canonical(folder).filename().string());
   if (scenario.contains("capture_camera_T_mri")) {
     const auto values = scenario["capture_camera_T_mri"].get<std::vector<double>>();
     sequence.capture_truth = RigidTransform<Camera, Mri>::fromMatrix(
