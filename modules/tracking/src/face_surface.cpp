@@ -87,6 +87,9 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
     }
     if (round == 3) {
       surface.rms_mm = 1.4826 * median(errors) * mm;
+      double squares = 0;
+      for (double error : errors) squares += std::pow(std::min(error * mm, kRoughest_mm), 2);
+      surface.roughness_mm = std::sqrt(squares / double(errors.size()));
       break;
     }
     Vector6 damping;

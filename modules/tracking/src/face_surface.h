@@ -17,7 +17,8 @@ struct LocalSurface {
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();
   Eigen::Matrix<double, 6, 1> c =
       Eigen::Matrix<double, 6, 1>::Zero();  // 1, u, v, u^2, u v, v^2 (px from the centre)
-  double rms_mm = 0.0;
+  double rms_mm = 0.0;                      // of most points about it
+  double roughness_mm = 0.0;  // of all points about it: larger at a step (hairline, nostril, lid)
 
   double inverseDepth(const Eigen::Vector2d& px) const;
 };

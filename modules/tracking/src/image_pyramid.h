@@ -1,6 +1,8 @@
 #pragma once
-// ImagePyramid: one image, slightly blurred (less noise, and bilinear sampling biased less), and its halves.
-// Pixel x of level l lies at 2^l x of the image.
+// ImagePyramid: one image, blurred by the binomial kernel 1 4 6 4 1 (sigma 1 px: less noise, and bilinear
+// sampling biased less), and its halves. 16 bits hold the kernel's sums without rounding: 256 per grey level.
+// Pixel x of level l lies at 2^l x of the image. While a head is tracked only its box is blurred, and no
+// coarser level is made.
 
 #include <array>
 #include <opencv2/core.hpp>
@@ -8,21 +10,27 @@
 namespace facenav::tracking {
 
 constexpr int kLevels = 4;
+constexpr float kGreyScale = 256.f;  // of the blurred images
+constexpr int kBlurMargin_px = 2;    // pixels at the image's edge that have no blurred value
+
+/// Part of a level: pixels(0, 0) is the level's pixel `origin`.
+struct BlurredImage {
+  cv::Mat1w pixels;
+  cv::Point origin;
+};
+
+/// Level 0 inside `box`, cut to where the kernel fits; empty where nothing is left. `grey`: 8-bit, 1 channel.
+BlurredImage blurredPart(const cv::Mat& grey, const cv::Rect& box);
 
 struct ImagePyramid {
-  std::array<cv::Mat1f, kLevels> level;
+  std::array<BlurredImage, kLevels> level;
 
   ImagePyramid() = default;
+  /// All levels of the whole image; the outermost pixels repeat their neighbours.
   explicit ImagePyramid(const cv::Mat& grey);
 };
 
-/// Bilinear; the caller sees to it that x, y lie inside by one pixel.
-inline float sampleAt(const cv::Mat1f& image, float x, float y) {
-  const int ix = int(x), iy = int(y);
-  const float fx = x - float(ix), fy = y - float(iy);
-  const float *a = image.ptr<float>(iy) + ix, *b = image.ptr<float>(iy + 1) + ix;
-  const float top = a[0] + fx * (a[1] - a[0]), bottom = b[0] + fx * (b[1] - b[0]);
-  return top + fy * (bottom - top);
-}
+/// A level in grey levels, as float.
+cv::Mat1f greyOf(const BlurredImage& image);
 
 }  // namespace facenav::tracking

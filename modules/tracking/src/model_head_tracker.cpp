@@ -1,6 +1,9 @@
-// "model": the default head tracker. Hundreds of skin patches, learnt once from the reference frame and the
-// dense cloud, fitted jointly in both images (pose_fit.h) from a constant-velocity prediction, always against
-// the reference, so nothing drifts. What is shown as tracked has passed the tests of track_verdict.h.
+// "model": the default head tracker. Hundreds of skin patches, learnt from the reference frame and the dense
+// cloud, fitted jointly in both images (pose_fit.h) from a constant-velocity prediction, always against the
+// reference or a key frame made from it (key_frames.h), so nothing drifts. What is shown as tracked has
+// passed the tests of track_verdict.h. Face detection runs at start only: a cascade takes tens of
+// milliseconds, while the face's own pictures (coarse_search.h) find it again within a few frames of a few
+// milliseconds each.
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -8,7 +11,9 @@
 #include "coarse_search.h"
 #include "facenav/tracking/head_tracker.h"
 #include "frame_guard.h"
+#include "key_frames.h"
 #include "patch_model.h"
+#include "patch_placement.h"
 #include "pose_fit.h"
 #include "stereo_face.h"
 #include "track_verdict.h"
@@ -18,7 +23,7 @@ namespace {
 
 constexpr double kLongestGap_s = 0.3;   // beyond it a prediction is worth nothing
 constexpr double kTrustMemory_s = 0.7;  // over which a patch shows whether it moves by itself
-constexpr double kRollStep_rad = 25 * M_PI / 180;
+constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
  public:
@@ -36,13 +41,13 @@ class ModelHeadTracker : public HeadTracker {
     const FaceSurface surface = measureSurface(rig, reference, region, face ? depthOf(rig, *face) : 0.0);
     const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
                                              ImagePyramid(reference.frame.right)};
-    model_ = learnPatches(rig, key, region, surface);
+    model_ = learnPatches(rig, reference.frame, key, region, surface);
     model_.shape_doubt = reference.surface.empty() ? 4.0 : 1.0;
     if (model_.level[0].patches.size() < 30)
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
     rig_ = rig;
-    reference_face_ = seen_face_ = face.value_or(StereoFace{});
+    keys_ = KeyFrames(model_);
     coarse_ = CoarseSearch(rig, key, model_);
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
@@ -55,18 +60,16 @@ class ModelHeadTracker : public HeadTracker {
     const auto fault =
         guard_.check(frame, last_ ? last_->velocity.tail<3>().norm() : 0.0, left_box_, right_box_);
     if (fault) return lost(*fault);
-    const std::array<ImagePyramid, 2> now = {ImagePyramid(frame.left), ImagePyramid(frame.right)};
-    LostReason reason = LostReason::no_face;
-    if (last_) {
-      const double dt_s = frame.captured - last_->captured;
-      const bool is_recent = dt_s >= 0 && dt_s < kLongestGap_s;
-      const PoseFit fit =
-          fitPose(rig_, model_, now, is_recent ? predict(dt_s) : last_->motion, is_recent ? 2 : 3, trust());
-      const Verdict verdict = judge(rig_, model_, fit);
+    const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
+    const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
+    if (is_recent && lost_frames_ == 0) {
+      const Eigen::Isometry3d predicted = predict(dt_s);
+      const KeyFrame& key = keys_.nearest(predicted);
+      const PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, predicted), predicted, 0, trust());
+      const Verdict verdict = judge(model_, fit, key.covariance);
       if (verdict.isTracked()) return accepted(frame, fit, verdict);
-      reason = *verdict.lost;
     }
-    return relocalise(frame, now, reason);
+    return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
 
  private:
@@ -94,50 +97,64 @@ class ModelHeadTracker : public HeadTracker {
            Eigen::Translation3d(-model_.centre_mm);
   }
 
-  std::vector<double> trust() const {
-    std::vector<double> factors;
-    for (double wander : wander_) factors.push_back(1.0 / (1.0 + wander / 4.0));
+  // Level 0 of the parts of both images where the face is expected.
+  std::array<ImagePyramid, 2> boxed(const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion) const {
+    const auto boxes = boxesAt(rig_, model_, motion, kMargin_px);
+    std::array<ImagePyramid, 2> now;
+    now[0].level[0] = blurredPart(frame.left, boxes[0]);
+    now[1].level[0] = blurredPart(frame.right, boxes[1]);
+    return now;
+  }
+
+  std::vector<float> trust() const {
+    std::vector<float> factors;
+    for (double wander : wander_) factors.push_back(float(1.0 / (1.0 + wander / 4.0)));
     return factors;
   }
 
-  Tracked<HeadPose> relocalise(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
-                               LostReason reason) {
-    const auto start = startOf(frame, now);
-    if (!start) return lost(reason);
-    const PoseFit fit = fitPose(rig_, model_, now, *start, 3, trust());
-    const Verdict verdict = judge(rig_, model_, fit);
-    return verdict.isTracked() ? accepted(frame, fit, verdict) : lost(*verdict.lost);
-  }
-
-  // From landmarks where a face is detected, else from the looks of the whole face.
-  std::optional<Eigen::Isometry3d> startOf(const stereo::StereoFrame& frame,
-                                           const std::array<ImagePyramid, 2>& now) {
-    if (!reference_face_.points_mm.empty() && lost_frames_ % 4 != 3) {
-      auto face = findStereoFace(*detector_, rig_, frame, &seen_face_);
-      if (!face) face = searchFace(frame);
-      if (face) {
-        seen_face_ = *face;
-        if (const auto motion = motionOfLandmarks(reference_face_.points_mm, face->points_mm)) return motion;
-      }
+  // The prediction failed: coarse to fine from there, then wherever the face may be. One search and at most
+  // three fits a frame, so that no frame takes long.
+  Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
+                            const std::optional<Eigen::Isometry3d>& expected) {
+    const std::array<ImagePyramid, 2> now = {ImagePyramid(frame.left), ImagePyramid(frame.right)};
+    LostReason reason = LostReason::no_face;
+    if (last_ && lost_frames_ % 2 == 0) {
+      const auto there = attempt(now, expected.value_or(last_->motion));
+      if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
+      reason = *there.verdict.lost;
     }
-    return coarse_.find(rig_, now);
+    if (const auto start = coarse_.find(rig_, now, lost_frames_ / (last_ ? 2 : 1))) {
+      const auto there = attempt(now, *start);
+      if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
+      reason = *there.verdict.lost;
+    }
+    if (last_ && lost_frames_ % 2 == 0 && attempt({now[1], now[0]}, last_->motion).verdict.isTracked())
+      reason = LostReason::camera;  // left and right are swapped
+    return lost(reason);
   }
 
-  // The whole image at one roll per frame: upright as in the reference, then leaning to either side.
-  std::optional<StereoFace> searchFace(const stereo::StereoFrame& frame) {
-    const double lean[] = {0.0, kRollStep_rad, -kRollStep_rad};
-    return findStereoFaceAtRoll(*detector_, rig_, frame,
-                                reference_face_.left.roll_rad + lean[lost_frames_ % 3]);
+  struct Attempt {
+    PoseFit fit;
+    Verdict verdict;
+  };
+
+  Attempt attempt(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) {
+    const KeyFrame& key = keys_.nearest(start);
+    PoseFit fit = fitPose(rig_, model_, key.level, now, start, kLevels - 1, trust());
+    Verdict verdict = judge(model_, fit, key.covariance);
+    return {std::move(fit), std::move(verdict)};
   }
 
   Tracked<HeadPose> lost(LostReason reason) {
     ++lost_frames_;
     if (last_) last_->velocity.setZero();
+    keys_.forgetUnfinished();
     return Lost{reason};
   }
 
   Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     learnTrust(frame.captured, fit);
+    keys_.learn(rig_, model_, frame, fit, verdict);
     remember(frame.captured, fit);
     HeadPose pose;
     pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
@@ -153,7 +170,8 @@ class ModelHeadTracker : public HeadTracker {
     std::vector<FaceFeature> features;
     for (const auto& sight : fit.sights)
       if (sight[0].is_visible && sight[1].is_visible)
-        features.push_back({sight[0].px, sight[1].px, std::min(sight[0].weight, sight[1].weight)});
+        features.push_back({sight[0].px.cast<double>(), sight[1].px.cast<double>(),
+                            double(std::min(sight[0].weight, sight[1].weight))});
     return features;
   }
 
@@ -171,7 +189,7 @@ class ModelHeadTracker : public HeadTracker {
     for (std::size_t i = 0; i < wander_.size(); ++i) {
       double seen = -1.0;
       for (const auto& sight : fit.sights[i])
-        if (sight.is_visible) seen = std::max(seen, std::min(sight.distance * sight.distance, 50.0));
+        if (sight.is_visible) seen = std::max(seen, std::min(double(sight.distance * sight.distance), 50.0));
       if (seen >= 0) wander_[i] += share * (std::max(0.0, seen - 4.0) - wander_[i]);
     }
   }
@@ -191,7 +209,7 @@ class ModelHeadTracker : public HeadTracker {
   std::shared_ptr<const FaceDetector> detector_;
   stereo::StereoRig rig_;
   PatchModel model_;
-  StereoFace reference_face_, seen_face_;
+  KeyFrames keys_;
   CoarseSearch coarse_;
   FrameGuard guard_;
   std::optional<Last> last_;

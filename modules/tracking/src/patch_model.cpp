@@ -1,272 +1,225 @@
 #include "patch_model.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "patch_looks.h"
+
 namespace facenav::tracking {
 namespace {
 
+using patch::kSide;
+
 struct LevelPlan {
-  int half;          // patch of (2 half + 1)^2 samples
-  int cell_px;       // one patch per cell, pixels of the level
+  int cell_px;       // at most one patch per cell, pixels of the level
   std::size_t most;  // patches
 };
-constexpr LevelPlan kPlan[kLevels] = {{4, 8, 260}, {4, 7, 120}, {4, 5, 60}, {3, 4, 30}};
-constexpr double kNoise_grey = 1.3;  // of a blurred image, neighbours' correlation included
-constexpr double kModelError_px =
-    0.08;  // what shape, light and sampling leave in a patch, pixels of the level
-// Shading that changes across a patch as head or lamp turns. 0: 0.48 mm at the cortex on a head turning 30
-// degrees under a fixed lamp; 0.001: 0.25; 0.003: 0.19; full: 0.16, but more noise in steady light (0.09,
-// 0.10, 0.15, 0.18 mm).
-constexpr double kShadingRamp_per_px = 0.001;
-constexpr double kWorstSigma_px =
-    0.5;  // patches that tell less than this along their best direction are left out
-constexpr double kLeastFacing = 0.30;  // cosine of view against normal
+constexpr LevelPlan kPlan[kLevels] = {{8, 240}, {7, 110}, {5, 60}, {4, 30}};
+constexpr int kRegionColumns = 5, kRegionRows = 6;  // parts of the face whose errors are taken as one
+constexpr double kUsualTurn_rad = 0.25;             // of the head, for the choice of patches
+constexpr double kFlatShading = 0.02;    // what light leaves in a patch of flat skin, over its own change
+constexpr double kLightReach_px = 34.0;  // over which light changes evenly
+constexpr std::size_t kMostNeighbours = 20, kLeastNeighbours = 6;
 
-double bicubic(const cv::Mat1f& image, double x, double y) {
-  const int ix = int(std::floor(x)), iy = int(std::floor(y));
-  const auto weights = [](double t, std::array<double, 4>& w) {  // Catmull-Rom
-    w = {0.5 * (-t + 2 * t * t - t * t * t), 0.5 * (2 - 5 * t * t + 3 * t * t * t),
-         0.5 * (t + 4 * t * t - 3 * t * t * t), 0.5 * (-t * t + t * t * t)};
-  };
-  std::array<double, 4> wx, wy;
-  weights(x - ix, wx), weights(y - iy, wy);
-  double sum = 0;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) sum += wy[j] * wx[i] * image(iy - 1 + j, ix - 1 + i);
-  return sum;
-}
+struct Candidate {
+  Eigen::Vector2d px;  // of the level
+  double rigidity = 1.0;
+  PatchPoints points;
+  std::array<PatchLooks, 2> looked;
+};
 
-bool isInside(const cv::Mat1f& image, const Eigen::Vector2d& px, double margin) {
-  return px.x() >= margin && px.y() >= margin && px.x() < image.cols - 1 - margin &&
-         px.y() < image.rows - 1 - margin;
-}
-
-// Candidate centres (pixels of the level): the pixel of most texture in each cell, most textured first.
-std::vector<Eigen::Vector2d> candidates(const cv::Mat1f& image, const FaceRegion& region,
-                                        const LevelPlan& plan, int level) {
+// Candidate centres (pixels of the level, between four of them): the place of most texture in each cell.
+std::vector<Eigen::Vector2d> centres(const cv::Mat1f& image, const FaceRegion& region, int cell_px,
+                                     int level) {
   cv::Mat1f dx, dy, energy;
   cv::Sobel(image, dx, CV_32F, 1, 0, 3, 0.125);
   cv::Sobel(image, dy, CV_32F, 0, 1, 3, 0.125);
   energy = dx.mul(dx) + dy.mul(dy);
-  cv::boxFilter(energy, energy, CV_32F, {2 * plan.half + 1, 2 * plan.half + 1}, {-1, -1}, false);
-  struct Candidate {
-    float energy;
-    Eigen::Vector2d px;
-  };
-  std::vector<Candidate> found;
+  cv::boxFilter(energy, energy, CV_32F, {kSide, kSide}, {kSide / 2 - 1, kSide / 2 - 1}, false);
+  std::vector<Eigen::Vector2d> found;
   const double scale = 1 << level;
   const cv::Rect box(int(region.box().x / scale), int(region.box().y / scale),
                      int(region.box().width / scale) + 1, int(region.box().height / scale) + 1);
-  for (int y0 = box.y; y0 < box.br().y; y0 += plan.cell_px)
-    for (int x0 = box.x; x0 < box.br().x; x0 += plan.cell_px) {
-      Candidate best{0.f, {}};
-      for (int y = y0; y < std::min(y0 + plan.cell_px, image.rows); ++y)
-        for (int x = x0; x < std::min(x0 + plan.cell_px, image.cols); ++x)
-          if (energy(y, x) > best.energy && region.contains(scale * Eigen::Vector2d(x, y)))
-            best = {energy(y, x), {double(x), double(y)}};
-      if (best.energy > 0) found.push_back(best);
+  for (int y0 = box.y; y0 < box.br().y; y0 += cell_px)
+    for (int x0 = box.x; x0 < box.br().x; x0 += cell_px) {
+      float best = 0;
+      Eigen::Vector2d at(0, 0);
+      for (int y = y0; y < std::min(y0 + cell_px, image.rows); ++y)
+        for (int x = x0; x < std::min(x0 + cell_px, image.cols); ++x)
+          if (energy(y, x) > best && region.contains(scale * Eigen::Vector2d(x + 0.5, y + 0.5)))
+            best = energy(y, x), at = Eigen::Vector2d(x + 0.5, y + 0.5);
+      if (best > 0) found.push_back(at);
     }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.energy > b.energy; });
-  std::vector<Eigen::Vector2d> centres;
-  for (const auto& candidate : found) centres.push_back(candidate.px);
-  return centres;
+  return found;
 }
 
-struct Samples {
-  std::vector<Eigen::Vector3d> points_mm;
-  Eigen::Vector3d centre_mm, normal;
-};
+std::vector<Candidate> candidates(const stereo::StereoRig& rig, const std::array<cv::Mat1f, 2>& grey,
+                                  const FaceRegion& region, const FaceSurface& surface, int level,
+                                  double noise_grey) {
+  std::vector<Candidate> all;
+  for (const auto& px : centres(grey[0], region, kPlan[level].cell_px, level)) {
+    auto points = pointsOf(rig, surface, px, level);
+    if (!points) continue;
+    Candidate candidate{px, region.rigidity((1 << level) * px), std::move(*points), {}};
+    candidate.looked[0] =
+        look(rig.left, Eigen::Isometry3d::Identity(), grey[0], {}, candidate.points, level, noise_grey);
+    candidate.looked[1] =
+        look(rig.right, rig.right_T_left.isometry(), grey[1], {}, candidate.points, level, noise_grey);
+    if (candidate.looked[0].view.is_usable || candidate.looked[1].view.is_usable)
+      all.push_back(std::move(candidate));
+  }
+  return all;
+}
 
-// Points of the patch on the skin, at whole pixels of the level in the left key image.
-std::optional<Samples> samplesOf(const stereo::StereoRig& rig, const FaceSurface& surface,
-                                 const Eigen::Vector2d& centre_px, const LevelPlan& plan, int level) {
-  const double scale = 1 << level;
-  const auto local = surface.around(scale * centre_px, scale * (plan.half + 3));
-  if (!local) return std::nullopt;
-  const auto lift = [&](const Eigen::Vector2d& px) -> Eigen::Vector3d {
-    return stereo::undistort(rig.left, px).homogeneous() / local->inverseDepth(px);
-  };
-  Samples samples;
-  for (int v = -plan.half; v <= plan.half; ++v)
-    for (int u = -plan.half; u <= plan.half; ++u) {
-      const Eigen::Vector2d px = scale * (centre_px + Eigen::Vector2d(u, v));
-      if (!(local->inverseDepth(px) > 0)) return std::nullopt;
-      samples.points_mm.push_back(lift(px));
+// Of the displacement after a turn as it is usual: the error in depth shows by then.
+Eigen::Matrix2d usualInformation(const Candidate& candidate, int camera) {
+  const auto& view = candidate.looked[camera].view;
+  const double per_mm = view.jacobian.rightCols<3>().norm() / std::sqrt(2.0);
+  const double shown_px = kUsualTurn_rad * per_mm * candidate.points.depth_sigma_mm;
+  const double shading = shadingSigma(kUsualTurn_rad, candidate.points.normal_spread_rad);
+  return (view.covariance + shading * shading * view.shading +
+          shown_px * shown_px * Eigen::Matrix2d::Identity())
+      .inverse();
+}
+
+// What the patch would add to log det of the information, `covariance` being that of the patches so far.
+double gainOf(const Candidate& candidate, const Matrix6d& covariance) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  Eigen::Matrix<double, 4, 6> j = Eigen::Matrix<double, 4, 6>::Zero();
+  for (int c = 0; c < 2; ++c) {
+    const auto& view = candidate.looked[c].view;
+    if (!view.is_usable) continue;
+    j.middleRows<2>(2 * c) = std::sqrt(candidate.rigidity) *
+                             Eigen::Matrix2d(usualInformation(candidate, c).llt().matrixU()) * view.jacobian;
+  }
+  m += j * covariance * j.transpose();
+  return m.determinant();
+}
+
+// D-optimal design, greedy: the patches that tell most about the pose beside those taken already.
+std::vector<std::size_t> mostTelling(const std::vector<Candidate>& all, std::size_t most) {
+  Matrix6d information = Matrix6d::Identity() * 1e-3;
+  std::vector<bool> is_taken(all.size(), false);
+  std::vector<std::size_t> chosen;
+  std::vector<double> gain(all.size(), std::numeric_limits<double>::max());
+  while (chosen.size() < std::min(most, all.size())) {
+    const Matrix6d covariance = information.inverse();
+    std::size_t best = all.size();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      // Gains only fall as patches are added (submodular): one below the best so far need not be made anew.
+      if (is_taken[i] || (best < all.size() && gain[i] <= gain[best])) continue;
+      gain[i] = gainOf(all[i], covariance);
+      if (best == all.size() || gain[i] > gain[best]) best = i;
     }
-  const Eigen::Vector2d c = scale * centre_px;
-  samples.centre_mm = lift(c);
-  const Eigen::Vector3d across = lift(c + Eigen::Vector2d(scale, 0)) - lift(c - Eigen::Vector2d(scale, 0));
-  const Eigen::Vector3d down = lift(c + Eigen::Vector2d(0, scale)) - lift(c - Eigen::Vector2d(0, scale));
-  samples.normal = down.cross(across).normalized();  // towards the camera
-  return samples;
-}
-
-struct Looked {
-  PatchView view;
-  std::vector<float> grey, d_u, d_v;
-};
-
-void removeMean(std::vector<float>& values) {
-  double sum = 0;
-  for (float value : values) sum += value;
-  for (float& value : values) value -= float(sum / double(values.size()));
-}
-
-// A pattern that may be added to a patch, and the share of it to be taken out.
-struct Nuisance {
-  const std::vector<float>* pattern;  // free of mean
-  double share;
-};
-
-void removeAll(std::vector<float>& values, const std::vector<Nuisance>& nuisances) {
-  removeMean(values);
-  for (const auto& [pattern, share] : nuisances) {
-    double dot = 0, squares = 1e-9;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      dot += double(values[i]) * (*pattern)[i];
-      squares += double((*pattern)[i]) * (*pattern)[i];
+    is_taken[best] = true;
+    chosen.push_back(best);
+    for (int c = 0; c < 2; ++c) {
+      const auto& view = all[best].looked[c].view;
+      if (view.is_usable)
+        information +=
+            all[best].rigidity * view.jacobian.transpose() * usualInformation(all[best], c) * view.jacobian;
     }
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= float(share * dot / squares) * (*pattern)[i];
   }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
-// A ramp of unknown strength, of standard deviation kShadingRamp_per_px, beside the noise: what of it to take
-// out.
-double rampShare(const std::vector<float>& ramp) {
-  double squares = 0;
-  for (float r : ramp) squares += double(r) * r;
-  const double variance = kShadingRamp_per_px * kShadingRamp_per_px * squares;
-  return variance / (variance + kNoise_grey * kNoise_grey);
-}
-
-// What a lamp that moves does to a patch beyond gain and offset, to first order: it brightens one side.
-std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
-  const int side = int(std::lround(std::sqrt(double(grey.size()))));
-  std::array<std::vector<float>, 2> ramps;
-  for (int i = 0; i < side * side; ++i) {
-    ramps[0].push_back(grey[i] * float(i % side - side / 2));
-    ramps[1].push_back(grey[i] * float(i / side - side / 2));
-  }
-  return ramps;
-}
-
-void finishView(Looked& looked, const std::vector<float>& d_u, const std::vector<float>& d_v) {
-  auto& view = looked.view;
-  for (std::size_t i = 0; i < looked.grey.size(); ++i) {
-    const Eigen::Vector2d d(looked.d_u[i], looked.d_v[i]);
-    view.structure += d * Eigen::RowVector2d(d_u[i], d_v[i]);
-  }
-  const double least = 1e-3 * view.structure.trace() + 1e-6;
-  view.structure_inverse = (view.structure + least * Eigen::Matrix2d::Identity()).inverse();
-  const Eigen::Matrix2d covariance = kNoise_grey * kNoise_grey * view.structure_inverse +
-                                     kModelError_px * kModelError_px * Eigen::Matrix2d::Identity();
-  view.information = covariance.inverse();
-  view.is_usable = view.structure.trace() > kNoise_grey * kNoise_grey / (kWorstSigma_px * kWorstSigma_px);
-}
-
-Looked look(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_left, const cv::Mat1f& image,
-            const Samples& samples, double scale) {
-  Looked looked;
-  const Eigen::Vector3d centre_mm = camera_T_left * samples.centre_mm;
-  const double facing = -(camera_T_left.linear() * samples.normal).dot(centre_mm.normalized());
-  if (facing < kLeastFacing) return looked;
-  for (const auto& p_mm : samples.points_mm) {
-    const Eigen::Vector2d px = stereo::project(camera, camera_T_left * p_mm) / scale;
-    if (!isInside(image, px, 3)) return looked;
-    looked.grey.push_back(float(bicubic(image, px.x(), px.y())));
-    looked.d_u.push_back(
-        float(0.5 * (bicubic(image, px.x() + 1, px.y()) - bicubic(image, px.x() - 1, px.y()))));
-    looked.d_v.push_back(
-        float(0.5 * (bicubic(image, px.x(), px.y() + 1) - bicubic(image, px.x(), px.y() - 1))));
-  }
-  auto ramps = shadingRamps(looked.grey);
-  removeMean(looked.grey);
-  double contrast = 0;
-  for (float g : looked.grey) contrast += double(g) * g;
-  if (contrast < 1e-3) return looked;
-  removeAll(ramps[0], {{&looked.grey, 1.0}});
-  removeAll(ramps[1], {{&looked.grey, 1.0}, {&ramps[0], 1.0}});
-  for (auto* d : {&looked.d_u, &looked.d_v}) removeAll(*d, {{&looked.grey, 1.0}});
-  const auto d_u = looked.d_u, d_v = looked.d_v;
-  for (auto* d : {&looked.d_u, &looked.d_v})
-    removeAll(*d, {{&ramps[0], rampShare(ramps[0])}, {&ramps[1], rampShare(ramps[1])}});
-  looked.view.contrast = float(contrast);
-  looked.view.px = stereo::project(camera, centre_mm);
-  finishView(looked, d_u, d_v);
-  return looked;
-}
-
-void append(PatchLevel& model, const Samples& samples, double rigidity, const std::array<Looked, 2>& looked) {
+void append(PatchLevel& model, const Candidate& candidate, int region) {
   Patch patch;
-  patch.centre_mm = samples.centre_mm;
-  patch.normal = samples.normal;
-  patch.rigidity = rigidity;
-  for (const auto& p : samples.points_mm) {
+  patch.centre_mm = candidate.points.centre_mm;
+  patch.normal = candidate.points.normal;
+  patch.rigidity = candidate.rigidity;
+  patch.right_mm = candidate.points.right_mm, patch.down_mm = candidate.points.down_mm;
+  patch.depth_sigma_mm = candidate.points.depth_sigma_mm;
+  patch.normal_spread_rad = candidate.points.normal_spread_rad;
+  patch.region = region;
+  for (const auto& p : candidate.points.points_mm) {
     model.x.push_back(float(p.x()));
     model.y.push_back(float(p.y()));
     model.z.push_back(float(p.z()));
   }
-  const std::vector<float> none(samples.points_mm.size(), 0.f);
+  const std::vector<float> none(patch::kSamples, 0.f);
   for (int c = 0; c < 2; ++c) {
-    patch.view[c] = looked[c].view;
+    const auto& looked = candidate.looked[c];
+    patch.view[c] = looked.view;
     const auto add = [&](std::vector<float>& to, const std::vector<float>& from) {
-      const auto& source = looked[c].view.is_usable ? from : none;
+      const auto& source = looked.view.is_usable ? from : none;
       to.insert(to.end(), source.begin(), source.end());
     };
-    add(model.looks[c].grey, looked[c].grey);
-    add(model.looks[c].d_u, looked[c].d_u);
-    add(model.looks[c].d_v, looked[c].d_v);
+    add(model.looks[c].grey, looked.grey);
+    add(model.looks[c].d_u, looked.d_u);
+    add(model.looks[c].d_v, looked.d_v);
   }
   model.patches.push_back(patch);
 }
 
-PatchLevel learnLevel(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key,
-                      const FaceRegion& region, const FaceSurface& surface, int level) {
-  const LevelPlan& plan = kPlan[level];
-  const double scale = 1 << level;
-  PatchLevel model;
-  model.level = level;
-  model.samples = (2 * plan.half + 1) * (2 * plan.half + 1);
-  for (const auto& px : candidates(key[0].level[level], region, plan, level)) {
-    if (model.patches.size() >= plan.most) break;
-    const auto samples = samplesOf(rig, surface, px, plan, level);
-    if (!samples) continue;
-    const std::array<Looked, 2> looked = {
-        look(rig.left, Eigen::Isometry3d::Identity(), key[0].level[level], *samples, scale),
-        look(rig.right, rig.right_T_left.isometry(), key[1].level[level], *samples, scale)};
-    if (!looked[0].view.is_usable && !looked[1].view.is_usable) continue;
-    append(model, *samples, region.rigidity(scale * px), looked);
-  }
-  return model;
+int regionOf(const Eigen::Vector2d& px, const cv::Rect& box) {
+  const int column = std::clamp(int(kRegionColumns * (px.x() - box.x) / box.width), 0, kRegionColumns - 1);
+  const int row = std::clamp(int(kRegionRows * (px.y() - box.y) / box.height), 0, kRegionRows - 1);
+  return row * kRegionColumns + column;
 }
 
-// d(displacement)/d(xi): the patch's point moves by exp(w)(X - c) + c + v before it is seen in the key frame.
-void addJacobians(const stereo::StereoRig& rig, const Eigen::Vector3d& centre_mm, PatchLevel& model) {
-  for (auto& patch : model.patches)
-    for (int c = 0; c < 2; ++c) {
-      const auto& camera = c == 0 ? rig.left : rig.right;
-      const Eigen::Isometry3d camera_T_left =
-          c == 0 ? Eigen::Isometry3d::Identity() : rig.right_T_left.isometry();
-      Eigen::Matrix<double, 2, 3> d_p;
-      stereo::project(camera, camera_T_left * patch.centre_mm, d_p);
-      const Eigen::Matrix<double, 2, 3> d_x = d_p * camera_T_left.linear() / double(1 << model.level);
-      patch.view[c].jacobian << d_x * -skew(patch.centre_mm - centre_mm), d_x;
+Eigen::Vector3d meanOf(const std::vector<Candidate>& all) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& candidate : all) mean += candidate.points.centre_mm / double(all.size());
+  return mean;
+}
+
+std::vector<std::vector<Neighbour>> neighboursOf(const PatchLevel& level) {
+  std::vector<std::vector<Neighbour>> all;
+  for (const auto& patch : level.patches) {
+    std::vector<Neighbour> near;
+    for (std::size_t i = 0; i < level.patches.size(); ++i) {
+      const Eigen::Vector2d d = level.patches[i].view[0].px - patch.view[0].px;
+      if (d.norm() < kLightReach_px) near.push_back({int(i), float(d.x()), float(d.y())});
     }
+    const auto distance = [](const Neighbour& n) { return std::hypot(n.right_px, n.down_px); };
+    std::stable_sort(near.begin(), near.end(),
+                     [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    if (near.size() > kMostNeighbours) near.resize(kMostNeighbours);
+    if (near.size() < kLeastNeighbours) near.clear();
+    all.push_back(std::move(near));
+  }
+  return all;
 }
 
 }  // namespace
 
-PatchModel learnPatches(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key,
-                        const FaceRegion& region, const FaceSurface& surface) {
+double shadingSigma(double light_change, double normal_spread_rad) {
+  return light_change * (normal_spread_rad + kFlatShading);
+}
+
+patch::Samples PatchLevel::samples(int camera) const {
+  const auto& l = looks[camera];
+  return {x.data(), y.data(), z.data(), l.grey.data(), l.d_u.data(), l.d_v.data()};
+}
+
+PatchModel learnPatches(const stereo::StereoRig& rig, const stereo::StereoFrame& key_frame,
+                        const std::array<ImagePyramid, 2>& key, const FaceRegion& region,
+                        const FaceSurface& surface) {
   PatchModel model;
-  for (int level = 0; level < kLevels; ++level)
-    model.level[level] = learnLevel(rig, key, region, surface, level);
-  for (const auto& patch : model.level[0].patches)
-    model.centre_mm += patch.centre_mm / double(model.level[0].patches.size());
-  for (auto& level : model.level) addJacobians(rig, model.centre_mm, level);
+  model.noise_grey = std::max(noiseOf(key_frame.left), noiseOf(key_frame.right));
+  model.regions = kRegionColumns * kRegionRows;
+  for (int l = 0; l < kLevels; ++l) {
+    model.level[l].level = l;
+    const std::array<cv::Mat1f, 2> grey = {greyOf(key[0].level[l]), greyOf(key[1].level[l])};
+    const double noise_grey = model.noise_grey * std::pow(0.5, std::max(0, l - 1));
+    auto all = candidates(rig, grey, region, surface, l, noise_grey);
+    if (all.empty()) continue;
+    if (l == 0) model.centre_mm = meanOf(all);
+    for (auto& candidate : all) {
+      const auto& at_mm = candidate.points.centre_mm;
+      addJacobian(rig.left, Eigen::Isometry3d::Identity(), at_mm, model.centre_mm, l,
+                  candidate.looked[0].view);
+      addJacobian(rig.right, rig.right_T_left.isometry(), at_mm, model.centre_mm, l,
+                  candidate.looked[1].view);
+    }
+    for (std::size_t i : mostTelling(all, kPlan[l].most))
+      append(model.level[l], all[i], regionOf((1 << l) * all[i].px, region.box()));
+  }
+  model.neighbours = neighboursOf(model.level[0]);
   return model;
 }
 

@@ -1,198 +1,317 @@
 #include "pose_fit.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "light_field.h"
+#include "patch_looks.h"
+#include "patch_placement.h"
 
 namespace facenav::tracking {
 namespace {
 
-constexpr double kNoise_grey = 1.3;
-constexpr double kLeastFacing = 0.2;
-constexpr double kBiweight = 4.685;      // 95 % efficiency for normal errors (Huber 1981)
-constexpr double kLongestStep_px = 2.5;  // displacement beyond which a patch's linearisation means nothing
-constexpr int kIterations[kLevels] = {6, 5, 5, 6};
-constexpr double kSettled_px[kLevels] = {0.004, 0.03, 0.05,
-                                         0.05};  // largest motion of a patch in the last step
+constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (Huber 1981)
+constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's linearisation means nothing
+constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
+constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arrived
+constexpr float kLeastScale = 0.5f;
+constexpr int kIterations[kLevels] = {8, 5, 5, 6};
+constexpr double kSettled_px[kLevels] = {0.01, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
-struct CameraNow {
-  const stereo::CameraModel& model;
-  Eigen::Isometry3d camera_T_left;
-  const cv::Mat1f& image;
-};
-
-struct Sums {
-  float i = 0, ii = 0, ti = 0, ui = 0, vi = 0;
-  bool is_inside = true;
-};
-
-// Warps the patch's samples to the current image (pinhole exactly, distortion linearised at the centre) and
-// sums.
-Sums sumPatch(const PatchLevel& level, const PatchLevel::Looks& looks, std::size_t first,
-              const Eigen::Matrix3f& r, const Eigen::Vector3f& t, const Eigen::Matrix2f& d_px,
-              const Eigen::Vector2f& px_offset, const cv::Mat1f& image) {
-  Sums sums;
-  const float right = float(image.cols - 2), bottom = float(image.rows - 2);
-  for (std::size_t k = first; k < first + std::size_t(level.samples); ++k) {
-    const float x = level.x[k], y = level.y[k], z = level.z[k];
-    const float w = 1.f / (r(2, 0) * x + r(2, 1) * y + r(2, 2) * z + t(2));
-    const float nx = (r(0, 0) * x + r(0, 1) * y + r(0, 2) * z + t(0)) * w;
-    const float ny = (r(1, 0) * x + r(1, 1) * y + r(1, 2) * z + t(1)) * w;
-    const float u = d_px(0, 0) * nx + d_px(0, 1) * ny + px_offset(0);
-    const float v = d_px(1, 0) * nx + d_px(1, 1) * ny + px_offset(1);
-    if (!(u >= 1 && v >= 1 && u < right && v < bottom)) {
-      sums.is_inside = false;
-      return sums;
-    }
-    const float grey = sampleAt(image, u, v);
-    sums.i += grey;
-    sums.ii += grey * grey;
-    sums.ti += looks.grey[k] * grey;
-    sums.ui += looks.d_u[k] * grey;
-    sums.vi += looks.d_v[k] * grey;
+std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose) {
+  std::array<float, 12> m;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) m[3 * r + c] = float(pose.linear()(r, c));
+    m[9 + r] = float(pose.translation()(r));
   }
-  return sums;
+  return m;
 }
 
-PatchSight sightOf(const PatchLevel& level, std::size_t index, int camera, const CameraNow& now,
-                   const Eigen::Isometry3d& motion) {
-  PatchSight sight;
-  const Patch& patch = level.patches[index];
-  const PatchView& view = patch.view[camera];
-  if (!view.is_usable) return sight;
-  const Eigen::Isometry3d camera_T_head = now.camera_T_left * motion;
-  const Eigen::Vector3d centre_mm = camera_T_head * patch.centre_mm;
-  if (centre_mm.z() < 1 ||
-      -(camera_T_head.linear() * patch.normal).dot(centre_mm.normalized()) < kLeastFacing)
-    return sight;
-  Eigen::Matrix<double, 2, 3> d_p;
-  sight.px = stereo::project(now.model, centre_mm, d_p);
-  const double scale = 1.0 / (1 << level.level);
-  const Eigen::Matrix2d d_px = scale * centre_mm.z() * d_p.leftCols<2>();
-  const Eigen::Vector2d offset = scale * sight.px - d_px * centre_mm.hnormalized();
-  const Sums sums = sumPatch(level, level.looks[camera], index * level.samples,
-                             camera_T_head.linear().cast<float>(), camera_T_head.translation().cast<float>(),
-                             d_px.cast<float>(), offset.cast<float>(), now.image);
-  if (!sums.is_inside) return sight;
-  const float n = float(level.samples), spread = sums.ii - sums.i * sums.i / n,
-              gain = sums.ti / view.contrast;
-  sight.is_visible = true;
-  sight.ncc = spread > 1e-3f ? sums.ti / std::sqrt(spread * view.contrast) : 0.f;
-  sight.expected_ncc = std::max(0.f, 1.f - n * float(kNoise_grey * kNoise_grey) / view.contrast);
-  if (sight.ncc > 0.1f && gain > 0.05f)
-    sight.displacement = -view.structure_inverse * Eigen::Vector2d(sums.ui, sums.vi) / double(gain);
-  return sight;
+patch::Image imageOf(const BlurredImage& image) {
+  return {image.pixels.ptr<std::uint16_t>(0),
+          int(image.pixels.step1()),
+          image.origin.x,
+          image.origin.y,
+          image.pixels.cols,
+          image.pixels.rows};
 }
 
-PatchSights sightsOf(const stereo::StereoRig& rig, const PatchLevel& level,
-                     const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& motion) {
-  const CameraNow cameras[2] = {{rig.left, Eigen::Isometry3d::Identity(), now[0].level[level.level]},
-                                {rig.right, rig.right_T_left.isometry(), now[1].level[level.level]}};
-  PatchSights sights(level.patches.size());
-  for (std::size_t i = 0; i < sights.size(); ++i)
-    for (int c = 0; c < 2; ++c) sights[i][c] = sightOf(level, i, c, cameras[c], motion);
-  return sights;
-}
+// Of one level in both images, at poses near the one it was made for.
+class LevelFit {
+ public:
+  LevelFit(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
+           const std::array<ImagePyramid, 2>& now, const std::vector<float>& trust)
+      : rig_(rig), model_(model), level_(level), trust_(trust), sights_(level.patches.size()) {
+    for (int c = 0; c < 2; ++c) images_[c] = imageOf(now[c].level[level.level]);
+    noise_share_ = float(patch::kSamples * noiseShare(level.level) * model.noise_grey * model.noise_grey);
+  }
 
-// Trust before geometry: looks as expected, and a displacement within reach.
-double looksWeight(const PatchSight& sight) {
-  if (!sight.is_visible || sight.expected_ncc <= 0.05f) return 0.0;
-  const double likeness = std::clamp((sight.ncc / sight.expected_ncc - 0.3) / 0.5, 0.0, 1.0);
-  return sight.displacement.norm() < kLongestStep_px ? likeness : 0.1 * likeness;
-}
+  void placeAt(const Eigen::Isometry3d& motion) {
+    placed_[0] = place(level_, rig_.left, 0, motion);
+    placed_[1] = place(level_, rig_.right, 1, rig_.right_T_left.isometry() * motion);
+    is_assessed_ = false;
+  }
 
-struct Step {
-  Vector6d xi = Vector6d::Zero();
-  Matrix6d information = Matrix6d::Zero();
-  double scale = 1.0;
-};
+  void look(const Eigen::Isometry3d& motion) {
+    for (auto& sight : sights_) sight = {};
+    const Eigen::Isometry3d camera_T_head[2] = {motion, rig_.right_T_left.isometry() * motion};
+    for (int c = 0; c < 2; ++c) {
+      const auto& placements = placed_[c].placements;
+      if (images_[c].width < 2 || images_[c].height < 2) continue;
+      sums_[c].resize(placements.size());
+      patch::kernel()(images_[c], level_.samples(c), floatsOf(camera_T_head[c]).data(), placements.data(),
+                      int(placements.size()), sums_[c].data());
+      for (std::size_t k = 0; k < placements.size(); ++k) see(c, k);
+    }
+    if (!is_assessed_) assess(motion);
+    for (int c = 0; c < 2; ++c)
+      for (std::size_t k = 0; k < placed_[c].placements.size(); ++k) displace(c, k);
+  }
 
-double medianDistance(std::vector<double>& distances) {
-  if (distances.empty()) return 0.0;
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return distances[distances.size() / 2];
-}
+  // The increment xi (Head, about the model's centre) that explains the displacements.
+  Vector6d solve(int rounds, bool is_first) {
+    collect();
+    Vector6d xi = Vector6d::Zero();
+    for (int round = 0; round < rounds; ++round) {
+      weigh(xi, is_first && round == 0);
+      xi = normalSolution();
+      if (!xi.allFinite()) return Vector6d::Zero();
+    }
+    weigh(xi, false);
+    return xi;
+  }
 
-// The increment xi (Head, about the model's centre) that explains the displacements; fills weights and
-// distances.
-Step solve(const PatchLevel& level, const std::vector<double>& trust, PatchSights& sights) {
-  Step step;
-  for (int round = 0; round < 6; ++round) {
-    std::vector<double> distances;
-    for (std::size_t i = 0; i < sights.size(); ++i)
-      for (int c = 0; c < 2; ++c) {
-        auto& sight = sights[i][c];
-        const auto& view = level.patches[i].view[c];
-        sight.weight = looksWeight(sight);
-        if (sight.weight <= 0) continue;
-        const Eigen::Vector2d e = sight.displacement - view.jacobian * step.xi;
-        sight.distance = std::sqrt(std::max(0.0, e.dot(view.information * e)));
-        sight.residual_px = e.norm();
-        distances.push_back(sight.distance);
+  void finish(PoseFit& fit) {
+    fit.information = information();
+    fit.scale = scale_;
+    std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
+    for (const auto& row : rows_) {
+      auto& sight = sights_[row.patch][row.camera];
+      sight.weight = row.weight, sight.distance = row.distance, sight.residual_px = row.residual_px;
+      pulls[level_.patches[row.patch].region] +=
+          (row.weight * row.prior * (row.worth->weighted * row.e)).cast<double>();
+    }
+    for (const auto& pull : pulls) {
+      fit.regions += pull.squaredNorm() > 0;
+      fit.pull += pull * pull.transpose();
+    }
+    fit.sights = std::move(sights_);
+  }
+
+  // How far the step moves the patches, pixels of the level.
+  double motion_px(const Vector6d& xi) const {
+    double most = 0;
+    for (const auto& patch : level_.patches)
+      most = std::max(most, (patch.view[0].jacobian * xi).squaredNorm());
+    return std::sqrt(most);
+  }
+
+ private:
+  // What a patch's displacement tells about the pose: J' L J (upper triangle, row by row) and J' L.
+  struct Worth {
+    std::array<float, 24> normal{};
+    Eigen::Matrix<float, 6, 2> weighted;
+    Eigen::Matrix2f information;
+  };
+
+  // How unevenly the face's brightness has changed since the key frame: half the middle 68 %.
+  double lightChange() const {
+    std::vector<float> ratios;
+    for (const auto& sight : sights_)
+      for (const auto& one : sight)
+        if (one.is_visible && one.ncc > 0.5f * one.expected_ncc) ratios.push_back(one.brightness);
+    if (ratios.size() < 10) return kUsualLightChange;
+    const auto quantile = [&](double share) {
+      const auto at = ratios.begin() + std::ptrdiff_t(share * double(ratios.size()));
+      std::nth_element(ratios.begin(), at, ratios.end());
+      return double(*at);
+    };
+    const double low = quantile(0.16), middle = quantile(0.5), high = quantile(0.84);
+    return std::max(kLeastLightChange, 0.5 * (high - low) / std::max(0.1, middle));
+  }
+
+  // The error of a patch's depth shows in its displacement as the view turns away from the key frame's.
+  void assess(const Eigen::Isometry3d& motion) {
+    const Eigen::Isometry3d left_T_right = rig_.right_T_left.isometry().inverse();
+    const Eigen::Vector3d eyes_mm[2] = {motion.inverse().translation(),
+                                        motion.inverse() * left_T_right.translation()};
+    const double light_change = lightChange();
+    worth_.resize(2 * level_.patches.size());
+    for (int c = 0; c < 2; ++c)
+      for (std::size_t k = 0; k < placed_[c].placements.size(); ++k) {
+        const int index = placed_[c].placements[k].patch;
+        const Patch& patch = level_.patches[index];
+        const PatchView& view = patch.view[c];
+        const Eigen::Vector3d ray = (patch.centre_mm - eyes_mm[c]).normalized();
+        const double shading = shadingSigma(light_change, patch.normal_spread_rad);
+        const Eigen::Vector2d shown_px =
+            patch.depth_sigma_mm * view.jacobian.rightCols<3>() * (view.ray - ray);
+        // Half of the errors belong to the key frame; the other half grows where the view is foreshortened.
+        const Eigen::Matrix2d own = 0.5 * (view.covariance + shading * shading * view.shading);
+        const Eigen::Matrix2d& grown = placed_[c].key_from_now[k];
+        const Eigen::Matrix2d information =
+            (own + grown * own * grown.transpose() + shown_px * shown_px.transpose()).inverse();
+        Worth& worth = worth_[2 * index + c];
+        worth.information = information.cast<float>();
+        worth.weighted = (view.jacobian.transpose() * information).cast<float>();
+        const Eigen::Matrix<float, 6, 6> normal = worth.weighted * view.jacobian.cast<float>();
+        for (int a = 0, n = 0; a < 6; ++a)
+          for (int b = a; b < 6; ++b) worth.normal[n++] = normal(a, b);
       }
-    step.scale = std::max(1.0, medianDistance(distances) / 1.177);  // of a 2-D normal error's length
-    const double reach = kBiweight * step.scale;
-    Matrix6d h = Matrix6d::Zero();
-    Vector6d g = Vector6d::Zero();
-    for (std::size_t i = 0; i < sights.size(); ++i)
+    is_assessed_ = true;
+  }
+
+  struct Row {
+    int patch, camera;
+    float prior;  // trust before geometry
+    Eigen::Vector2f displacement, e;
+    float weight, distance, residual_px;
+    const PatchView* view;
+    const Worth* worth;
+  };
+
+  void see(int camera, std::size_t k) {
+    const auto& sums = sums_[camera][k];
+    const int index = placed_[camera].placements[k].patch;
+    const PatchView& view = level_.patches[index].view[camera];
+    PatchSight& sight = sights_[index][camera];
+    sight.px = placed_[camera].centres_px[k].cast<float>();
+    if (!sums.is_inside) return;
+    const float n = float(patch::kSamples), spread = sums.ii - sums.i * sums.i / n;
+    sight.is_visible = true;
+    sight.brightness = sums.i / (n * view.mean);
+    sight.ncc = spread > 1e-3f ? sums.ti / std::sqrt(spread * view.contrast) : 0.f;
+    sight.expected_ncc = std::max(0.f, 1.f - noise_share_ / view.contrast);
+  }
+
+  void displace(int camera, std::size_t k) {
+    const auto& sums = sums_[camera][k];
+    const int index = placed_[camera].placements[k].patch;
+    const PatchView& view = level_.patches[index].view[camera];
+    PatchSight& sight = sights_[index][camera];
+    const float gain = sums.ti / view.contrast;
+    if (!sight.is_visible || sight.ncc < 0.1f || gain < 0.05f) return;
+    Eigen::Vector2f pull(sums.ui, sums.vi);
+    if (level_.level == 0) {
+      const Eigen::Vector2f slope = lightSlope(model_.neighbours[index], sights_, index, camera);
+      pull -= sight.brightness * view.ramp.cast<float>() * slope;
+    }
+    sight.displacement = view.structure_inverse.cast<float>() * pull / -gain;
+  }
+
+  // Trust before geometry: looks as expected, and a displacement within reach.
+  static float looksWeight(const PatchSight& sight) {
+    if (!sight.is_visible || sight.expected_ncc <= 0.05f) return 0.f;
+    const float likeness = std::clamp((sight.ncc / sight.expected_ncc - 0.3f) / 0.5f, 0.f, 1.f);
+    return sight.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness : 0.1f * likeness;
+  }
+
+  void collect() {
+    rows_.clear();
+    for (std::size_t i = 0; i < sights_.size(); ++i)
       for (int c = 0; c < 2; ++c) {
-        auto& sight = sights[i][c];
-        if (sight.weight <= 0) continue;
-        const auto& view = level.patches[i].view[c];
-        const double q = sight.distance / reach;
-        sight.weight *= round == 0 ? 1.0 / (1.0 + 4.0 * q * q) : (q < 1 ? std::pow(1 - q * q, 2) : 0.0);
-        const double w = sight.weight * level.patches[i].rigidity * (trust.empty() ? 1.0 : trust[i]);
-        const Eigen::Matrix<double, 6, 2> jl = w * view.jacobian.transpose() * view.information;
-        h.noalias() += jl * view.jacobian;
-        g.noalias() += jl * sight.displacement;
+        const auto& sight = sights_[i][c];
+        const float looks = looksWeight(sight);
+        if (looks <= 0) continue;
+        const auto& patch = level_.patches[i];
+        Row row;
+        row.patch = int(i), row.camera = c;
+        row.prior = looks * float(patch.rigidity) * (trust_.empty() ? 1.f : trust_[i]);
+        row.displacement = row.e = sight.displacement;
+        row.weight = row.distance = row.residual_px = 0.f;
+        row.view = &patch.view[c], row.worth = &worth_[2 * i + c];
+        rows_.push_back(row);
       }
-    step.information = h;
+  }
+
+  void weigh(const Vector6d& xi, bool is_start) {
+    distances_.clear();
+    for (auto& row : rows_) {
+      row.e = row.displacement - (row.view->jacobian * xi).cast<float>();
+      row.residual_px = row.e.norm();
+      row.distance = std::sqrt(std::max(0.f, row.e.dot(row.worth->information * row.e)));
+      distances_.push_back(row.distance);
+    }
+    if (distances_.empty()) return;
+    const auto middle = distances_.begin() + std::ptrdiff_t(distances_.size() / 2);
+    std::nth_element(distances_.begin(), middle, distances_.end());
+    scale_ = std::max(kLeastScale, *middle / 1.177f);  // of a 2-D normal error's length
+    const float reach = kBiweight * scale_;
+    for (auto& row : rows_) {
+      const float q2 = row.distance * row.distance / (reach * reach);
+      row.weight = is_start ? 1.f / (1.f + 4.f * q2) : (q2 < 1.f ? (1.f - q2) * (1.f - q2) : 0.f);
+    }
+  }
+
+  Matrix6d information() {
+    std::array<float, 24> sum{};
+    for (const auto& row : rows_) {
+      const float w = row.weight * row.prior;
+      for (int k = 0; k < 24; ++k) sum[k] += w * row.worth->normal[k];
+    }
+    Matrix6d h;
+    for (int i = 0, k = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j) h(i, j) = h(j, i) = sum[k++];
+    return h;
+  }
+
+  Vector6d normalSolution() {
+    Matrix6d h = information();
+    Eigen::Matrix<float, 6, 1> g = Eigen::Matrix<float, 6, 1>::Zero();
+    for (const auto& row : rows_) {
+      g.noalias() += row.worth->weighted * (row.weight * row.prior * row.displacement);
+    }
     h.diagonal() += 1e-6 * h.diagonal() + Vector6d::Constant(1e-9);
-    const Vector6d previous = step.xi;
-    step.xi = h.ldlt().solve(g);
-    if (!step.xi.allFinite()) {
-      step.xi.setZero();
-      break;
-    }
-    if (round > 1 && (step.xi - previous).tail<3>().norm() < 1e-4 &&
-        (step.xi - previous).head<3>().norm() < 1e-6)
-      break;
+    return h.ldlt().solve(g.cast<double>());
   }
-  return step;
-}
+
+  const stereo::StereoRig& rig_;
+  const PatchModel& model_;
+  const PatchLevel& level_;
+  const std::vector<float>& trust_;
+  std::array<patch::Image, 2> images_;
+  float noise_share_ = 0.f;
+  std::array<Placed, 2> placed_;
+  std::array<std::vector<patch::Sums>, 2> sums_;
+  PatchSights sights_;
+  bool is_assessed_ = false;
+  std::vector<Worth> worth_;  // of patch i in camera c: 2 i + c
+  std::vector<Row> rows_;
+  std::vector<float> distances_;
+  float scale_ = 1.f;
+};
 
 Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
   return Eigen::Translation3d(centre_mm) * expRigid(xi) * Eigen::Translation3d(-centre_mm);
 }
 
-// How far the step moves the patches, pixels of the level.
-double motion_px(const PatchLevel& level, const Vector6d& xi) {
-  double most = 0;
-  for (const auto& patch : level.patches) most = std::max(most, (patch.view[0].jacobian * xi).norm());
-  return most;
-}
-
 }  // namespace
 
-PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const std::array<ImagePyramid, 2>& now,
-                const Eigen::Isometry3d& start, int first_level, const std::vector<double>& trust) {
+PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& finest,
+                const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
+                const std::vector<float>& trust) {
   PoseFit fit;
   fit.motion = start;
-  const std::vector<double> even;
+  const std::vector<float> even;
   for (int l = first_level; l >= 0; --l) {
-    const PatchLevel& level = model.level[l];
-    if (level.patches.size() < 4) continue;
+    const PatchLevel& patches = l == 0 ? finest : model.level[l];
+    if (patches.patches.size() < 4) continue;
+    LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
+    double moved_px = std::numeric_limits<double>::max();
     for (int iteration = 0; iteration < kIterations[l]; ++iteration) {
-      PatchSights sights = sightsOf(rig, level, now, fit.motion);
-      const Step step = solve(level, l == 0 ? trust : even, sights);
-      fit.motion = fit.motion * about(model.centre_mm, step.xi);
-      if (l == 0) {
-        fit.information = step.information;
-        fit.scale = step.scale;
-        fit.sights = std::move(sights);
-      }
-      if (motion_px(level, step.xi) < kSettled_px[l]) break;
+      if (moved_px > 0.5) level.placeAt(fit.motion);
+      level.look(fit.motion);
+      const Vector6d xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
+      fit.motion = fit.motion * about(model.centre_mm, xi);
+      moved_px = level.motion_px(xi);
+      if (moved_px < kSettled_px[l]) break;
     }
+    if (l > 0) continue;
+    fit.is_settled = moved_px < kUnsettled_px;
+    level.finish(fit);
   }
   return fit;
 }

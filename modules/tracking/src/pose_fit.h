@@ -1,7 +1,8 @@
 #pragma once
 // The head's pose from the patches: 6 degrees of freedom, minimising the displacements of all patches in both
 // images at once (never through triangulated points). Robust: iteratively reweighted, Tukey's biweight on the
-// displacement in units of its own standard deviation, times the trust in the patch.
+// displacement in units of its own standard deviation, times the trust in the patch. Light that changes over
+// the face is taken off each patch as its neighbours show it (light_field.h).
 
 #include <array>
 #include <vector>
@@ -13,15 +14,16 @@ namespace facenav::tracking {
 /// One patch as seen by one camera in the current frame.
 struct PatchSight {
   bool is_visible = false;
-  Eigen::Vector2d displacement =
-      Eigen::Vector2d::Zero();                   // of level pixels in the key frame, still to explain
+  Eigen::Vector2f displacement =
+      Eigen::Vector2f::Zero();                   // of level pixels in the key frame, still to explain
   float ncc = 0.f, expected_ncc = 0.f;           // expected: with noise alone
-  double weight = 0.0;                           // 0..1, after the fit
-  double distance = 0.0;                         // of the fit, in standard deviations
-  double residual_px = 0.0;                      // the same in pixels of the level
-  Eigen::Vector2d px = Eigen::Vector2d::Zero();  // of the centre in the current image
+  float brightness = 1.f;                        // mean grey over that of the key frame
+  float weight = 0.f;                            // 0..1, after the fit
+  float distance = 0.f;                          // of the fit, in standard deviations
+  float residual_px = 0.f;                       // the same in pixels of the level
+  Eigen::Vector2f px = Eigen::Vector2f::Zero();  // of the centre in the current image
   bool isGood() const {
-    return is_visible && weight > 0.25 && residual_px < 1.0 && ncc > 0.7f * expected_ncc;
+    return is_visible && weight > 0.25f && residual_px < 1.f && ncc > 0.7f * expected_ncc;
   }
 };
 using PatchSights = std::vector<std::array<PatchSight, 2>>;
@@ -29,13 +31,17 @@ using PatchSights = std::vector<std::array<PatchSight, 2>>;
 struct PoseFit {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head
   Matrix6d information = Matrix6d::Zero();                   // of xi in Head, about the model's centre
-  double scale = 1.0;  // spread of distances; 1 where the error model holds
-  PatchSights sights;  // of level 0
+  Matrix6d pull = Matrix6d::Zero();  // sum over the face's regions of (their pull on xi) (same)'
+  int regions = 0;                   // that pull
+  double scale = 1.0;                // spread of distances; 1 where the error model holds
+  bool is_settled = false;           // the last step moved no patch by more than a small part of a pixel
+  PatchSights sights;                // of level 0
 };
 
-/// Coarse to fine from `start`, beginning at `first_level`. `trust`: one factor per patch of level 0 (or
-/// empty).
-PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const std::array<ImagePyramid, 2>& now,
-                const Eigen::Isometry3d& start, int first_level, const std::vector<double>& trust);
+/// Coarse to fine from `start`, beginning at `first_level`. `finest` stands in for the model's level 0 (a
+/// later key frame's looks of the same patches). `trust`: one factor per patch of level 0 (or empty).
+PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& finest,
+                const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
+                const std::vector<float>& trust);
 
 }  // namespace facenav::tracking

@@ -19,6 +19,7 @@ struct Verdict {
   bool isTracked() const { return !lost; }
 };
 
-Verdict judge(const stereo::StereoRig& rig, const PatchModel& model, const PoseFit& fit);
+/// `key_covariance`: of the key frame's own pose (HeadPose's; zero for the reference).
+Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_covariance = Matrix6d::Zero());
 
 }  // namespace facenav::tracking

@@ -1,0 +1,59 @@
+#pragma once
+// KeyFrames: the looks of the patches from more than one side. The reference shows the face from where it was
+// aligned; 20 and more degrees away its patches are foreshortened and lit otherwise. So where the head is
+// tracked well and seen from a new side, the same patches (same points on the skin) are learnt anew there, a
+// few in each frame so that no frame takes long. A key frame's own error of pose stays with it: it is made
+// once, from the reference or from a key frame near it, and counts in the covariance of what it tracks.
+
+#include <vector>
+
+#include "patch_model.h"
+#include "pose_fit.h"
+#include "track_verdict.h"
+
+namespace facenav::tracking {
+
+struct KeyFrame {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head there
+  Matrix6d covariance = Matrix6d::Zero();                    // of that, HeadPose's
+  int generation = 0;                                        // 0: the reference
+  PatchLevel level;                                          // level 0
+};
+
+class KeyFrames {
+ public:
+  KeyFrames() = default;
+  explicit KeyFrames(const PatchModel& model);
+
+  /// The one that shows the head most as it is seen at `motion`; the last one's choice is kept where both are
+  /// alike.
+  const KeyFrame& nearest(const Eigen::Isometry3d& motion);
+
+  /// After each tracked frame: goes on learning, or begins to where the frame shows a new side well.
+  void learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
+             const PoseFit& fit, const Verdict& verdict);
+  /// The track was lost: what is being learnt may be wrong.
+  void forgetUnfinished() { unfinished_.reset(); }
+
+  std::size_t size() const { return keys_.size(); }
+
+ private:
+  struct Unfinished {
+    KeyFrame key;
+    std::array<cv::Mat1f, 2> grey;
+    std::array<cv::Point, 2> origin;
+    std::vector<std::array<bool, 2>> is_good;
+    std::size_t next = 0;  // patch
+    int usable = 0;
+  };
+
+  void begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
+             const PoseFit& fit, const Verdict& verdict);
+  void goOn(const stereo::StereoRig& rig, const PatchModel& model);
+
+  std::vector<KeyFrame> keys_;
+  std::size_t chosen_ = 0;
+  std::optional<Unfinished> unfinished_;
+};
+
+}  // namespace facenav::tracking

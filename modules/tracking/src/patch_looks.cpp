@@ -1,0 +1,245 @@
+#include "patch_looks.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::tracking {
+namespace {
+
+using patch::kSamples;
+using patch::kSide;
+
+constexpr double kModelError_px =
+    0.15;  // what shape, light and sampling leave in a patch, pixels of the level
+// Slopes of brightness over a patch that its neighbours do not foretell (light_field.h), per pixel.
+constexpr double kShadingRamp_per_px = 0.003;
+constexpr double kWorstSigma_px =
+    0.5;  // patches that tell less than this along their best direction are left out
+constexpr double kShadingSmooth_px = 2.0;
+constexpr double kLeastDepthError_mm = 0.2;  // of the smoothed cloud, where the skin is smooth and faces us
+constexpr double kSurfaceReach_px = 5.5;     // beyond the patch, of the surface fitted under it
+constexpr double kSpreadPerRoughness = 0.2;  // rad of a normal by mm of roughness, over half a patch
+constexpr double kLeastFacing = 0.30;        // cosine of view against normal
+
+double bicubic(const cv::Mat1f& image, double x, double y) {
+  const int ix = int(std::floor(x)), iy = int(std::floor(y));
+  const auto weights = [](double t, std::array<double, 4>& w) {  // Catmull-Rom
+    w = {0.5 * (-t + 2 * t * t - t * t * t), 0.5 * (2 - 5 * t * t + 3 * t * t * t),
+         0.5 * (t + 4 * t * t - 3 * t * t * t), 0.5 * (-t * t + t * t * t)};
+  };
+  std::array<double, 4> wx, wy;
+  weights(x - ix, wx), weights(y - iy, wy);
+  double sum = 0;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) sum += wy[j] * wx[i] * image(iy - 1 + j, ix - 1 + i);
+  return sum;
+}
+
+bool isInside(const cv::Mat1f& image, const Eigen::Vector2d& px, double margin) {
+  return px.x() >= margin && px.y() >= margin && px.x() < image.cols - 1 - margin &&
+         px.y() < image.rows - 1 - margin;
+}
+
+double dot(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += double(a[i]) * b[i];
+  return sum;
+}
+
+double removeMean(std::vector<float>& values) {
+  double mean = 0;
+  for (float value : values) mean += value / double(values.size());
+  for (float& value : values) value -= float(mean);
+  return mean;
+}
+
+// Takes `share` of what `values` hold of a pattern out of them.
+void remove(std::vector<float>& values, const std::vector<float>& pattern, double share = 1.0) {
+  const double amount = share * dot(values, pattern) / (dot(pattern, pattern) + 1e-9);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= float(amount * pattern[i]);
+}
+
+// What light that changes across a patch adds to it, to first order: it brightens one side.
+std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
+  std::array<std::vector<float>, 2> ramps;
+  for (int i = 0; i < kSamples; ++i) {
+    ramps[0].push_back(grey[i] * (float(i % kSide) - 0.5f * (kSide - 1)));
+    ramps[1].push_back(grey[i] * (float(i / kSide) - 0.5f * (kSide - 1)));
+  }
+  return ramps;
+}
+
+// A ramp of unknown strength, of standard deviation kShadingRamp_per_px, beside the noise: what to take out.
+double rampShare(const std::vector<float>& ramp, double noise_grey) {
+  const double variance = kShadingRamp_per_px * kShadingRamp_per_px * dot(ramp, ramp);
+  return variance / (variance + noise_grey * noise_grey);
+}
+
+// Autocorrelation of the blur along one axis at lags of 0 .. kSide - 1 level pixels (binomial, then halved).
+std::array<double, kSide> correlation(int level) {
+  std::array<double, kSide> c{};
+  if (level == 0) c = {70, 56, 28, 8, 1};
+  if (level > 0) c = {70, 28, 1};
+  for (double& value : c) value /= 256.0;
+  return c;
+}
+
+// Of errors of shading: smooth over some two pixels.
+std::array<double, kSide> shadingCorrelation() {
+  std::array<double, kSide> c;
+  for (int lag = 0; lag < kSide; ++lag) c[lag] = std::exp(-0.5 * std::pow(lag / kShadingSmooth_px, 2));
+  return c;
+}
+
+// The patch's errors, of unit variance and correlated along both axes as given, through `pattern`: C *
+// pattern.
+std::vector<float> correlated(const std::vector<float>& pattern, const std::array<double, kSide>& c) {
+  std::vector<float> across(kSamples, 0.f), both(kSamples, 0.f);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (int k = 0; k < kSide; ++k)
+        across[y * kSide + x] += float(c[std::abs(x - k)]) * pattern[y * kSide + k];
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (int k = 0; k < kSide; ++k)
+        both[y * kSide + x] += float(c[std::abs(y - k)]) * across[k * kSide + x];
+  return both;
+}
+
+// Derivatives whole (`whole`) and as they are summed, with nuisances taken out.
+void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
+           const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
+  const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
+  Eigen::Matrix2d structure, noise, shading;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) {
+      structure(a, b) = dot(*d[a], whole[b]);
+      noise(a, b) = dot(*d[a], correlated(*d[b], correlation(level)));
+      shading(a, b) = dot(*d[a], correlated(*d[b], shadingCorrelation()));
+      looked.view.ramp(a, b) = dot(*d[a], ramps[b]);
+    }
+  // Damped by what the noise alone would give: flat skin then moves nowhere instead of anywhere.
+  const double least = 1e-3 * structure.trace() + 1e-6;
+  const Eigen::Matrix2d inverse = (structure + least * Eigen::Matrix2d::Identity()).inverse();
+  const double variance = 2.0 * noise_grey * noise_grey;  // the key frame's noise, and the current one's
+  looked.view.structure_inverse = inverse;
+  looked.view.covariance = variance * inverse * noise * inverse.transpose() +
+                           kModelError_px * kModelError_px * Eigen::Matrix2d::Identity();
+  looked.view.shading = looked.view.mean * looked.view.mean * inverse * shading * inverse.transpose();
+  looked.view.is_usable = looked.view.covariance.inverse().trace() > 1.0 / (kWorstSigma_px * kWorstSigma_px);
+}
+
+// Mean angle of the normals near the patch's corners from that at its centre.
+double normalSpread(const PatchPoints& points) {
+  double sum = 0;
+  for (int v : {1, kSide - 2})
+    for (int u : {1, kSide - 2}) {
+      const auto* p = points.points_mm.data() + v * kSide + u;
+      const Eigen::Vector3d normal = (p[kSide] - p[-kSide]).cross(p[1] - p[-1]).normalized();
+      sum += std::acos(std::clamp(normal.dot(points.normal), -1.0, 1.0));
+    }
+  return sum / 4;
+}
+
+}  // namespace
+
+std::optional<PatchPoints> pointsOf(const stereo::StereoRig& rig, const FaceSurface& surface,
+                                    const Eigen::Vector2d& centre_px, int level) {
+  const double scale = 1 << level, half = 0.5 * (kSide - 1);
+  const auto local = surface.around(scale * centre_px, scale * (half + kSurfaceReach_px));
+  if (!local) return std::nullopt;
+  const auto lift = [&](const Eigen::Vector2d& px) -> Eigen::Vector3d {
+    return stereo::undistort(rig.left, px).homogeneous() / local->inverseDepth(px);
+  };
+  PatchPoints points;
+  for (int v = 0; v < kSide; ++v)
+    for (int u = 0; u < kSide; ++u) {
+      const Eigen::Vector2d px = scale * (centre_px + Eigen::Vector2d(u - half, v - half));
+      if (!(local->inverseDepth(px) > 0)) return std::nullopt;
+      points.points_mm.push_back(lift(px));
+    }
+  const Eigen::Vector2d c = scale * centre_px;
+  points.centre_mm = lift(c);
+  const Eigen::Vector3d across = lift(c + Eigen::Vector2d(scale, 0)) - lift(c - Eigen::Vector2d(scale, 0));
+  const Eigen::Vector3d down = lift(c + Eigen::Vector2d(0, scale)) - lift(c - Eigen::Vector2d(0, scale));
+  points.normal = down.cross(across).normalized();
+  points.right_mm = 0.5 * across, points.down_mm = 0.5 * down;
+  points.normal_spread_rad = normalSpread(points) + local->roughness_mm * kSpreadPerRoughness;
+  const double facing = std::max(0.2, -points.normal.dot(points.centre_mm.normalized()));
+  points.depth_sigma_mm = std::hypot(kLeastDepthError_mm, local->roughness_mm) / (facing * facing);
+  return points;
+}
+
+PatchLooks look(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
+                const cv::Mat1f& image, cv::Point origin, const PatchPoints& points, int level,
+                double noise_grey) {
+  const double scale = 1 << level;
+  PatchLooks looked;
+  const Eigen::Vector3d centre_mm = camera_T_head * points.centre_mm;
+  const double facing = -(camera_T_head.linear() * points.normal).dot(centre_mm.normalized());
+  if (facing < kLeastFacing) return looked;
+  for (const auto& p_mm : points.points_mm) {
+    const Eigen::Vector2d px =
+        stereo::project(camera, camera_T_head * p_mm) / scale - Eigen::Vector2d(origin.x, origin.y);
+    if (!isInside(image, px, 3)) return looked;
+    const auto at = [&](double u, double v) { return bicubic(image, px.x() + u, px.y() + v); };
+    looked.grey.push_back(float(at(0, 0)));
+    looked.d_u.push_back(float(0.5 * (at(1, 0) - at(-1, 0))));
+    looked.d_v.push_back(float(0.5 * (at(0, 1) - at(0, -1))));
+  }
+  auto ramps = shadingRamps(looked.grey);
+  const auto whole_ramps = ramps;
+  looked.view.mean = float(removeMean(looked.grey));
+  looked.view.contrast = float(dot(looked.grey, looked.grey));
+  looked.view.px = stereo::project(camera, centre_mm);
+  looked.view.ray = camera_T_head.linear().transpose() * centre_mm.normalized();
+  if (looked.view.contrast < 1e-3f || looked.view.mean < 1.f) return looked;
+  for (auto& ramp : ramps) removeMean(ramp), remove(ramp, looked.grey);
+  remove(ramps[1], ramps[0]);
+  for (auto* d : {&looked.d_u, &looked.d_v}) removeMean(*d), remove(*d, looked.grey);
+  const std::array<std::vector<float>, 2> whole = {looked.d_u, looked.d_v};
+  for (auto* d : {&looked.d_u, &looked.d_v})
+    for (const auto& ramp : ramps) remove(*d, ramp, rampShare(ramp, noise_grey));
+  weigh(looked, whole, whole_ramps, level, noise_grey);
+  return looked;
+}
+
+void addJacobian(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
+                 const Eigen::Vector3d& patch_mm, const Eigen::Vector3d& centre_mm, int level,
+                 PatchView& view) {
+  Eigen::Matrix<double, 2, 3> d_p;
+  stereo::project(camera, camera_T_head * patch_mm, d_p);
+  const Eigen::Matrix<double, 2, 3> d_x = d_p * camera_T_head.linear() / double(1 << level);
+  view.jacobian << d_x * -skew(patch_mm - centre_mm), d_x;
+}
+
+double noiseShare(int level) {
+  const double along = correlation(level)[0];
+  return along * along * std::pow(0.25, std::max(0, level - 1));
+}
+
+double noiseOf(const cv::Mat& grey) {
+  constexpr int kBlock_px = 16;
+  std::vector<double> sigmas;
+  for (int y0 = 1; y0 + kBlock_px < grey.rows; y0 += kBlock_px)
+    for (int x0 = 1; x0 + kBlock_px < grey.cols; x0 += kBlock_px) {
+      double sum = 0;
+      int clipped = 0;
+      for (int y = y0; y < y0 + kBlock_px; ++y) {
+        const std::uint8_t *a = grey.ptr(y - 1), *b = grey.ptr(y), *c = grey.ptr(y + 1);
+        for (int x = x0; x < x0 + kBlock_px; ++x) {
+          sum += std::abs(a[x - 1] + a[x + 1] + c[x - 1] + c[x + 1] -
+                          2 * (a[x] + c[x] + b[x - 1] + b[x + 1]) + 4 * b[x]);
+          clipped += b[x] <= 2 || b[x] >= 253;
+        }
+      }
+      if (clipped < kBlock_px) sigmas.push_back(std::sqrt(M_PI / 2) / 6.0 * sum / (kBlock_px * kBlock_px));
+    }
+  if (sigmas.empty()) return 1.5;
+  const auto fifth = sigmas.begin() + std::ptrdiff_t(sigmas.size() / 5);
+  std::nth_element(sigmas.begin(), fifth, sigmas.end());
+  return std::clamp(*fifth, 0.5, 8.0);  // quantisation alone gives 0.3
+}
+
+}  // namespace facenav::tracking
