@@ -66,11 +66,6 @@ Pair rectifiedPair(const cv::Mat& left, const cv::Mat& right, int disparities) {
   cv::copyMakeBorder(right, wide, 0, 0, disparities, 0, cv::BORDER_REPLICATE);
   left.convertTo(pair.images.left, CV_32F);
   wide.convertTo(pair.images.right, CV_32F);
-  cv::Mat columns(wide.rows, wide.cols * kFineSteps, CV_32FC2);
-  for (int y = 0; y < columns.rows; ++y)
-    for (int x = 0; x < columns.cols; ++x) columns.at<cv::Vec2f>(y, x) = {float(x) / kFineSteps, float(y)};
-  cv::remap(pair.images.right, pair.images.right_fine, columns, cv::noArray(), cv::INTER_CUBIC,
-            cv::BORDER_REPLICATE);
   return pair;
 }
 

@@ -7,10 +7,9 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr float kLargestStep_px = 1.0f;
-
 // Flood fill from `start`; marks and returns the patch's pixel indices.
-std::vector<int> patchFrom(int start, const cv::Mat& disparity, std::vector<char>& is_seen) {
+std::vector<int> patchFrom(int start, const cv::Mat& disparity, float largest_step_px,
+                           std::vector<char>& is_seen) {
   const float* d = disparity.ptr<float>();
   const int cols = disparity.cols, count = int(disparity.total());
   std::vector<int> patch{start};
@@ -18,7 +17,7 @@ std::vector<int> patchFrom(int start, const cv::Mat& disparity, std::vector<char
   for (std::size_t i = 0; i < patch.size(); ++i) {
     const int at = patch[i], x = at % cols;
     const auto visit = [&](int next) {
-      if (is_seen[next] || !(std::abs(d[next] - d[at]) <= kLargestStep_px)) return;
+      if (is_seen[next] || !(std::abs(d[next] - d[at]) <= largest_step_px)) return;
       is_seen[next] = 1;
       patch.push_back(next);
     };
@@ -32,15 +31,20 @@ std::vector<int> patchFrom(int start, const cv::Mat& disparity, std::vector<char
 
 }  // namespace
 
-DisparityMap withoutSpeckles(DisparityMap map, int smallest_patch_px) {
-  float* d = map.disparity_px.ptr<float>();
-  std::vector<char> is_seen(map.disparity_px.total(), 0);
+void removeSpeckles(cv::Mat& disparity, int smallest, float largest_step_px) {
+  float* d = disparity.ptr<float>();
+  std::vector<char> is_seen(disparity.total(), 0);
   for (int i = 0; i < int(is_seen.size()); ++i) {
     if (is_seen[i] || std::isnan(d[i])) continue;
-    const auto patch = patchFrom(i, map.disparity_px, is_seen);
-    if (int(patch.size()) >= smallest_patch_px) continue;
+    const auto patch = patchFrom(i, disparity, largest_step_px, is_seen);
+    if (int(patch.size()) >= smallest) continue;
     for (const int at : patch) d[at] = std::numeric_limits<float>::quiet_NaN();
   }
+}
+
+DisparityMap withoutSpeckles(DisparityMap map, int smallest_patch_px) {
+  constexpr float kLargestStep_px = 1.0f;
+  removeSpeckles(map.disparity_px, smallest_patch_px, kLargestStep_px);
   return map;
 }
 

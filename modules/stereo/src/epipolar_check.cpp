@@ -7,13 +7,20 @@
 #include <optional>
 #include <vector>
 
-#include "disparity_search.h"
+#include "block_search.h"
 
 namespace facenav::stereo {
 namespace {
 
 constexpr int kHalf_px = 7, kStep_px = 6;
 constexpr std::size_t kFewest = 30;
+
+// Grey level between the pixels of a row (cubic convolution), 1 <= x < columns - 2.
+double betweenPixels(const float* row, double x) {
+  const int i = int(x);
+  const double t = x - i, a = row[i - 1], b = row[i], c = row[i + 1], d = row[i + 2];
+  return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
+}
 
 // Two steps of least squares for the row shift (with disparity, gain and offset free) of the right window at
 // its matched place.
@@ -24,23 +31,17 @@ std::optional<double> rowDifference(const RectifiedPair& pair, const Rectificati
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
     const int whole = int(std::floor(shift));
-    const float part = float(shift - whole);
-    if (y - kHalf_px - 1 + whole < 0 || y + kHalf_px + 2 + whole >= pair.right_fine.rows) return std::nullopt;
+    const double part = shift - whole;
+    if (y - kHalf_px - 1 + whole < 0 || y + kHalf_px + 2 + whole >= pair.right.rows) return std::nullopt;
     for (int v = -kHalf_px; v <= kHalf_px; ++v)
       for (int u = -kHalf_px; u <= kHalf_px; ++u) {
-        const float at = (float(x + u + r.disparities) - disparity - slope_x * float(u) - slope_y * float(v) +
-                          float(along)) *
-                         kFineSteps;
-        const int i = int(at);
-        if (at < 0 || i + 1 >= pair.right_fine.cols) return std::nullopt;
-        const float f = at - float(i);
-        const auto in_row = [&](int row) {
-          const float* p = pair.right_fine.ptr<float>(row + whole);
-          return p[i] + f * (p[i + 1] - p[i]);
-        };
+        const double at = double(x + u + r.disparities) - disparity - slope_x * u - slope_y * v + along;
+        if (!(at >= 2 && at < pair.right.cols - 3)) return std::nullopt;
+        const auto in_row = [&](int row) { return betweenPixels(pair.right.ptr<float>(row + whole), at); };
         const auto right = [&](int row) { return in_row(row) * (1 - part) + in_row(row + 1) * part; };
-        const float* p = pair.right_fine.ptr<float>(y + v + whole);
-        const Eigen::Vector4d j(0.5 * (right(y + v + 1) - right(y + v - 1)), kFineSteps * (p[i + 1] - p[i]),
+        const float* p = pair.right.ptr<float>(y + v + whole);
+        const Eigen::Vector4d j(0.5 * (right(y + v + 1) - right(y + v - 1)),
+                                2.0 * (betweenPixels(p, at + 0.25) - betweenPixels(p, at - 0.25)),
                                 right(y + v), 1);
         normal += j * j.transpose();
         rhs += j * double(pair.left.at<float>(y + v, x + u));
@@ -84,11 +85,11 @@ double bestRowShift(const StereoRig& rig, const StereoFrame& frame, const FaceCl
     RectifiedPair shifted = pair;
     shifted.right.release();  // not in place: the buffer is shared
     cv::warpAffine(pair.right, shifted.right, by, pair.right.size(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
-    return cv::countNonZero(searchDisparities(rectification, shifted, options.match.window_px) >= 0);
+    return matchedBlocks(rectification, shifted);
   };
   constexpr int kFarthest_rows = 10;
   const int unshifted = matched(0);
-  int best = 0, most = std::max(2 * unshifted, int(pair.left.total() / 50));
+  int best = 0, most = std::max(2 * unshifted, int(pair.left.total() / 16 / 50));
   for (int rows = -kFarthest_rows; rows <= kFarthest_rows; ++rows) {
     const int count = matched(rows);
     if (count > most) {

@@ -1,5 +1,5 @@
 #pragma once
-// The two dense matchers, made by makeDenseMatcher.
+// The dense matchers, made by makeDenseMatcher.
 
 #include <memory>
 
@@ -7,7 +7,9 @@
 
 namespace facenav::stereo {
 
+std::unique_ptr<DenseMatcher> makeFieldMatcher();
 std::unique_ptr<DenseMatcher> makeSsdMatcher();
+std::unique_ptr<DenseMatcher> makeSgmMatcher();
 std::unique_ptr<DenseMatcher> makeSgbmMatcher();
 
 }  // namespace facenav::stereo

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facenav/core/error.h"
+#include "resample.h"
 
 namespace facenav::stereo {
 namespace {
@@ -123,20 +124,6 @@ double largestRadius(const std::vector<Vector2d>& points) {
   return radius * 1.02;
 }
 
-// The map with kFineSteps columns for each; linear between, as the map itself is.
-cv::Mat refineAlongX(const cv::Mat& map) {
-  cv::Mat fine(map.rows, map.cols * kFineSteps, CV_32FC2);
-  for (int y = 0; y < map.rows; ++y) {
-    const cv::Vec2f* row = map.ptr<cv::Vec2f>(y);
-    cv::Vec2f* out = fine.ptr<cv::Vec2f>(y);
-    for (int x = 0; x < map.cols; ++x)
-      for (int step = 0; step < kFineSteps; ++step)
-        out[x * kFineSteps + step] =
-            row[x] + (row[std::min(x + 1, map.cols - 1)] - row[x]) * (float(step) / kFineSteps);
-  }
-  return fine;
-}
-
 }  // namespace
 
 Vector3d Rectification::point_mm(double x_px, double y_px, double disparity_px) const {
@@ -186,18 +173,7 @@ Rectification rectify(const StereoRig& rig, const DepthRange& range, const cv::R
 }
 
 RectifiedPair applyRectification(const Rectification& rectification, const StereoFrame& frame) {
-  cv::Mat left, right;
-  frame.left.convertTo(left, CV_32F);
-  frame.right.convertTo(right, CV_32F);
-  RectifiedPair pair;
-  cv::remap(left, pair.left, rectification.left_map, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
-  cv::remap(right, pair.right_fine, refineAlongX(rectification.right_map), cv::noArray(), cv::INTER_CUBIC,
-            cv::BORDER_REPLICATE);
-  pair.right.create(pair.right_fine.rows, rectification.right_map.cols, CV_32F);
-  for (int y = 0; y < pair.right.rows; ++y)
-    for (int x = 0; x < pair.right.cols; ++x)
-      pair.right.at<float>(y, x) = pair.right_fine.at<float>(y, x * kFineSteps);
-  return pair;
+  return {resampled(frame.left, rectification.left_map), resampled(frame.right, rectification.right_map)};
 }
 
 }  // namespace facenav::stereo

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <deque>
 #include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "disparity_filter.h"
 #include "disparity_search.h"
@@ -12,16 +13,27 @@
 namespace facenav::stereo {
 namespace {
 
-static_assert(kFineSteps == 4, "subpixel_kernel.inl counts on it");
+constexpr int kFineSteps = 4;  // samples per pixel along x; subpixel_kernel.inl counts on it
 
-subpixel::Images imagesOf(const Rectification& rectification, const RectifiedPair& pair, int window_px) {
+// Samples between the pixels, so that linear interpolation between them is as good as the cubic that made
+// them.
+cv::Mat fineAlongRows(const cv::Mat& image) {
+  cv::Mat places(image.rows, image.cols * kFineSteps, CV_32FC2), fine;
+  for (int y = 0; y < places.rows; ++y)
+    for (int x = 0; x < places.cols; ++x) places.at<cv::Vec2f>(y, x) = {float(x) / kFineSteps, float(y)};
+  cv::remap(image, fine, places, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+  return fine;
+}
+
+subpixel::Images imagesOf(const Rectification& rectification, const RectifiedPair& pair,
+                          const cv::Mat& right_fine, int window_px) {
   const cv::Mat &left_mask = rectification.left_mask, &right_mask = rectification.right_mask;
   return {pair.left.ptr<float>(),
-          pair.right_fine.ptr<float>(),
+          right_fine.ptr<float>(),
           left_mask.data,
           right_mask.data,
           int(pair.left.step1()),
-          int(pair.right_fine.step1()),
+          int(right_fine.step1()),
           int(left_mask.step1()),
           int(right_mask.step1()),
           pair.left.cols,
@@ -46,7 +58,8 @@ subpixel::Field fieldOf(DisparityMap& map) {
 class SubpixelStage {
  public:
   SubpixelStage(const Rectification& rectification, const RectifiedPair& pair, const MatchOptions& options)
-      : images_(imagesOf(rectification, pair, options.window_px)),
+      : right_fine_(fineAlongRows(pair.right)),
+        images_(imagesOf(rectification, pair, right_fine_, options.window_px)),
         refined_window_px_(options.refined_window_px),
         limits_{float(options.largest_sigma_px), float(options.least_correlation),
                 float(options.largest_slope), float(options.largest_lever_px),
@@ -112,6 +125,7 @@ class SubpixelStage {
     return true;
   }
 
+  cv::Mat right_fine_;
   subpixel::Images images_;
   int refined_window_px_;
   subpixel::Limits limits_;

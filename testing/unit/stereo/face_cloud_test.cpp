@@ -116,7 +116,7 @@ TEST(FaceCloud, PeerMatcherSeesTheSamePlane) {
   EXPECT_GT(a.points, 0.6 * 320 * 240);
   EXPECT_LT(a.rms_mm, 0.9);
   options.matcher = "guess";
-  EXPECT_THAT(messageOf(rig, scene.render(rig), options), HasSubstr("ssd, sgbm"));
+  EXPECT_THAT(messageOf(rig, scene.render(rig), options), HasSubstr("field, ssd, sgm, sgbm"));
 }
 
 TEST(FaceCloud, RegionOfInterestHoldsAllPoints) {

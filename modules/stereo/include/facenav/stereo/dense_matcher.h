@@ -19,6 +19,12 @@
 namespace facenav::stereo {
 
 struct MatchOptions {
+  double window_sigma_px = 3.0;  // field: standard deviation of its Gaussian window
+  int steps = 1;                 // field: Gauss-Newton steps over the whole image
+  int details = 0;  // field: further steps with smaller windows, kept where they exceed their noise
+  /// field: a surface known beforehand, one disparity for each 4 x 4 pixels of the rectified left image
+  /// (32-bit float, no NaN), right within half a pixel. No search then.
+  cv::Mat predicted_px;
   int window_px = 11;  // odd, 5 .. 11
   /// Predicted standard deviation of the disparity above which a pixel is dropped. 0.4 covers creases; 0.15
   /// leaves smooth skin alone.
@@ -35,6 +41,10 @@ struct MatchOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
+    visitor(Field{"window_sigma_px", "field: standard deviation of the window", 1, 5}, self.window_sigma_px);
+    visitor(Field{"steps", "field: Gauss-Newton steps", 1, 20}, self.steps);
+    visitor(Field{"details", "field: steps with smaller windows, kept where they exceed their noise", 0, 4},
+            self.details);
     visitor(Field{"window_px", "side of the matching window, odd", 5, 11}, self.window_px);
     visitor(Field{"largest_sigma_px", "predicted deviation above which a pixel is dropped", 0.01, 2},
             self.largest_sigma_px);

@@ -14,11 +14,21 @@
 
 namespace facenav::stereo {
 
+/// Of the "field" matcher for skin under dense dots: more steps, and detail down to creases.
+inline MatchOptions skinOptions() {
+  MatchOptions options;
+  options.steps = 2;
+  options.details = 3;
+  options.least_correlation = 0.3;  // sigma decides
+  options.largest_sigma_px = 0.25;
+  return options;
+}
+
 struct FaceCloudOptions {
   double nearest_mm = 300.0, farthest_mm = 1500.0;  // depth range searched
   std::optional<cv::Rect> left_roi;                 // in the left image as recorded; empty: the whole image
-  std::string matcher = "ssd";                      // "ssd": ours; "sgbm": OpenCV's, as a peer
-  MatchOptions match;                               // limits of what is believed
+  std::string matcher = "field";                    // see dense_matcher.h
+  MatchOptions match = skinOptions();               // limits of what is believed
 };
 
 struct FaceCloud {

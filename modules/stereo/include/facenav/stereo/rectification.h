@@ -40,12 +40,10 @@ struct Rectification {
 /// camera stands in front of the other or both do not look the same way.
 Rectification rectify(const StereoRig& rig, const DepthRange& range, const cv::Rect& left_roi = {});
 
-/// Both images at rectified pixels, as float. `right_fine` has kFineSteps samples per pixel along x, so that
-/// linear interpolation between them is as good as the cubic that made them.
+/// Both images at rectified pixels, 32-bit float (quintic B-splines).
 struct RectifiedPair {
-  cv::Mat left, right, right_fine;
+  cv::Mat left, right;
 };
-constexpr int kFineSteps = 4;
 
 RectifiedPair applyRectification(const Rectification& rectification, const StereoFrame& frame);
 

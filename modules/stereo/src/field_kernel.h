@@ -1,0 +1,53 @@
+#pragma once
+// The "field" matcher's inner loops, compiled twice (base instruction set and AVX2; see ssd_kernel.h for why
+// raw pointers only). All loops run along rows of plain arrays, for the compiler to turn into SIMD.
+//
+// Disparities live on nodes, one for each 2 x 2 pixels (node i stands at pixel 2 i + 0.5). One Gauss-Newton
+// step over the whole image: warp the right row by the interpolated field, form the ten products of
+//   left = offset + gain * right_warped + slope * gradient
+// at each pixel, add them up over 2 x 2 pixels, smooth those sums with a Gaussian (the window), and solve
+// the 3 unknowns at each node: d += -slope / gain. Windows thus cost nothing more than smoothing, and the
+// field itself is the shape of the surface inside each window: slopes and curvature need no unknowns.
+
+#include <cstdint>
+
+#include "image_rows.h"
+
+namespace facenav::stereo::field {
+
+constexpr int kChannels = 10;      // products summed over the window
+constexpr int kLargestRadius = 8;  // of the window, in nodes
+constexpr float kJump_px = 2.5f;   // nodes farther apart are different surfaces: not interpolated between
+
+struct Nodes {  // planes of one stride, rows x columns
+  int columns, rows, stride;
+};
+
+struct Window {
+  int radius;                         // in nodes
+  float weights[kLargestRadius + 1];  // from the middle outwards; the sum over both sides is 1
+  float independent;                  // pixels that a window averages over: 1 / sum of squared weights
+};
+
+struct Step {  // what one Gauss-Newton step finds, planes like the field
+  float *change, *sigma, *correlation;
+};
+
+struct Kernel {
+  /// Gauss-Newton step for node rows [first, last).
+  void (*step)(const ImageRows&, const Nodes&, const float* field, const Window&, int first, int last,
+               float* scratch, const Step&);
+  /// Field at the pixels of row y: bilinear between nodes of one surface.
+  void (*pixel_row)(const Nodes&, const float* field, int y, int width, float* scratch, float* row);
+};
+
+/// Floats of scratch memory that `step` needs.
+inline std::int64_t scratchSize(int columns) {
+  const std::int64_t padded = 2 * columns + 2 * kLargestRadius;
+  return padded * (14 + 2 * kChannels) + (2 * kLargestRadius + 3) * std::int64_t(kChannels) * padded;
+}
+
+Kernel baseKernel();
+Kernel avx2Kernel();
+
+}  // namespace facenav::stereo::field

@@ -1,0 +1,158 @@
+#include "plane_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "disparity_filter.h"
+#include "facenav/core/error.h"
+#include "strips.h"
+
+namespace facenav::stereo {
+namespace {
+
+planes::Window windowOf(double sigma_px) {
+  // A block of 4 x 4 pixels has a variance of its own, 1.25 px^2 along each axis.
+  constexpr double kBlockVariance = 1.25, kLeast = 0.3;
+  const double sigma = std::sqrt(std::max(sigma_px * sigma_px - kBlockVariance, kLeast)) / planes::kBlock;
+  planes::Window window{std::clamp(int(std::ceil(2.2 * sigma)), 1, planes::kLargestRadius), {}, 0};
+  double sum = 0, squares = 0;
+  for (int i = 0; i <= window.radius; ++i) {
+    window.weights[i] = float(std::exp(-0.5 * i * i / (sigma * sigma)));
+    sum += (i ? 2 : 1) * window.weights[i];
+    squares += (i ? 2 : 1) * double(window.weights[i]) * window.weights[i];
+  }
+  window.noise_factor = float(squares * squares / (sum * sum));
+  return window;
+}
+
+}  // namespace
+
+PlaneField::Planes::Planes(cv::Size size) {
+  if (size.empty()) return;
+  for (cv::Mat* plane : {&d, &a, &b, &a_prior, &b_prior, &offset, &gain, &sigma, &correlation})
+    *plane = cv::Mat::zeros(size, CV_32F);
+  gain.setTo(1);
+}
+
+planes::Field PlaneField::Planes::view() {
+  return {d.ptr<float>(),
+          a.ptr<float>(),
+          b.ptr<float>(),
+          a_prior.ptr<float>(),
+          b_prior.ptr<float>(),
+          offset.ptr<float>(),
+          gain.ptr<float>(),
+          sigma.ptr<float>(),
+          correlation.ptr<float>(),
+          d.cols,
+          d.rows,
+          int(d.step1())};
+}
+
+PlaneField::PlaneField(const MatchImages& images)
+    : PlaneField(images,
+                 cv::checkHardwareSupport(CV_CPU_AVX2) ? planes::avx2Kernel() : planes::baseKernel()) {}
+
+PlaneField::PlaneField(const MatchImages& images, const planes::Kernel& kernel)
+    : images_(images.rows()), kernel_(kernel) {}
+
+void PlaneField::setPriors() {
+  // Slopes of the neighbourhood: central differences of d, smoothed, where no jump makes them senseless.
+  cv::Mat &d = now_.d, &a = now_.a_prior, &b = now_.b_prior;
+  const auto slope = [](float before, float after, int blocks) {
+    const float s = (after - before) / float(planes::kBlock * std::max(blocks, 1));
+    return std::abs(s) < 1.0f ? s : 0.0f;
+  };
+  for (int y = 0; y < d.rows; ++y) {
+    const int up = std::max(y - 1, 0), down = std::min(y + 1, d.rows - 1);
+    for (int x = 0; x < d.cols; ++x) {
+      const int before = std::max(x - 1, 0), after = std::min(x + 1, d.cols - 1);
+      a.at<float>(y, x) = slope(d.at<float>(y, before), d.at<float>(y, after), after - before);
+      b.at<float>(y, x) = slope(d.at<float>(up, x), d.at<float>(down, x), down - up);
+    }
+  }
+  cv::blur(a, a, {3, 3});
+  cv::blur(b, b, {3, 3});
+}
+
+void PlaneField::start(const cv::Mat& blocks) {
+  now_ = Planes(blocks.size());
+  next_ = Planes(blocks.size());
+  FACENAV_EXPECT(blocks.cols == (images_.width + 3) / 4 && blocks.rows == (images_.height + 3) / 4,
+                 "a block for each 4 x 4 pixels");
+  blocks.copyTo(now_.d);
+  setPriors();
+  now_.a_prior.copyTo(now_.a);
+  now_.b_prior.copyTo(now_.b);
+  run(4.0, false);
+  std::swap(now_.offset, next_.offset);
+  std::swap(now_.gain, next_.gain);
+}
+
+void PlaneField::run(double window_sigma_px, bool is_fit) {
+  const planes::Window window = windowOf(window_sigma_px);
+  const planes::Field from = now_.view(), to = next_.view();
+  // A strip's result does not depend on where it begins: as many as there are threads.
+  const int strips = stripsFor(from.rows);
+  cv::parallel_for_({0, strips}, [&](const cv::Range& range) {
+    std::vector<float> scratch(std::size_t(planes::scratchSize(from.columns)));
+    for (int i = range.start; i < range.end; ++i)
+      kernel_.step(images_, from, window, is_fit, from.rows * i / strips, from.rows * (i + 1) / strips,
+                   scratch.data(), to);
+  });
+}
+
+void PlaneField::step(double window_sigma_px) {
+  run(window_sigma_px, true);
+  std::swap(now_, next_);
+  setPriors();
+}
+
+cv::Mat PlaneField::nodes() const {
+  const planes::Field view = now_.view();
+  cv::Mat out((images_.height + 1) / 2, (images_.width + 1) / 2, CV_32F);
+  const int width = planes::kBlock * view.columns;
+  std::vector<float> scratch(2 * std::size_t(view.columns) + 8), rows(2 * std::size_t(width));
+  for (int y = 0; y < out.rows; ++y) {
+    const float *above = rows.data(), *below = above + width;
+    for (int k = 0; k < 2; ++k) kernel_.pixel_row(view, 2 * y + k, scratch.data(), rows.data() + k * width);
+    for (int x = 0; x < out.cols; ++x)
+      out.at<float>(y, x) = 0.25f * (above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1]);
+  }
+  return out;
+}
+
+DisparityMap PlaneField::map(const MatchOptions& options) const {
+  constexpr float kLargestStep_px = 2.5f;  // from block to block of one surface
+  const int blocks = options.smallest_patch_px / (planes::kBlock * planes::kBlock);
+  cv::Mat believed = now_.d.clone();
+  for (int i = 0; i < int(believed.total()); ++i) {
+    const bool is_good = now_.correlation.ptr<float>()[i] >= float(options.least_correlation) &&
+                         std::abs(now_.a.ptr<float>()[i]) <= float(options.largest_slope) &&
+                         std::abs(now_.b.ptr<float>()[i]) <= float(options.largest_slope) &&
+                         now_.sigma.ptr<float>()[i] <= float(options.largest_sigma_px);
+    if (!is_good) believed.ptr<float>()[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  removeSpeckles(believed, blocks, kLargestStep_px);
+  DisparityMap map;
+  for (cv::Mat* image : {&map.disparity_px, &map.slope_x, &map.slope_y, &map.sigma_px})
+    image->create(images_.height, images_.width, CV_32F);
+  const planes::Field view = now_.view();
+  cv::parallel_for_({0, images_.height}, [&](const cv::Range& rows) {
+    std::vector<float> scratch(2 * std::size_t(view.columns) + 8),
+        row(std::size_t(planes::kBlock) * view.columns);
+    for (int y = rows.start; y < rows.end; ++y) {
+      kernel_.pixel_row(view, y, scratch.data(), row.data());
+      const planes::Output out{map.disparity_px.ptr<float>(y), map.slope_x.ptr<float>(y),
+                               map.slope_y.ptr<float>(y), map.sigma_px.ptr<float>(y)};
+      kernel_.map_row(view, believed.ptr<float>(y / planes::kBlock), y, images_.left_first[y],
+                      images_.left_end[y], images_.width, row.data(), out);
+    }
+  });
+  return map;
+}
+
+}  // namespace facenav::stereo

@@ -1,0 +1,12 @@
+#include "plane_kernel.h"
+
+#include <cmath>
+
+namespace facenav::stereo::planes {
+namespace {
+#include "plane_kernel.inl"
+}  // namespace
+
+Kernel baseKernel() { return {step, pixelRow, mapRow, splineRow}; }
+
+}  // namespace facenav::stereo::planes

@@ -1,0 +1,10 @@
+#include "resample_kernel.h"
+
+namespace facenav::stereo::resample {
+namespace {
+#include "resample_kernel.inl"
+}  // namespace
+
+Kernel baseKernel() { return {filterColumns, resampleRow}; }
+
+}  // namespace facenav::stereo::resample

@@ -1,0 +1,21 @@
+#pragma once
+// Inner loops of the "sgm" matcher (semi-global matching, Hirschmueller 2008, on census costs, Zabih and
+// Woodfill 1994). Compiled twice, as ssd_kernel.h says.
+
+#include <cstdint>
+
+namespace facenav::stereo::sgm {
+
+constexpr int kPadding = 16;          // of a path's costs, before and after the disparities
+constexpr std::int16_t kFar = 16384;  // costs there
+
+/// Path costs of one pixel, from those of the one before: adds them to `total`; returns the least. `before`
+/// and `now` are readable kPadding elements beyond both ends and hold kFar there. `cost`: census distances.
+using Step = std::int16_t (*)(const std::uint8_t* cost, const std::int16_t* before, std::int16_t least_before,
+                              std::int16_t small_step, std::int16_t large_step, int disparities,
+                              std::int16_t* now, std::int16_t* total);
+
+Step baseStep();
+Step avx2Step();
+
+}  // namespace facenav::stereo::sgm
