@@ -87,11 +87,19 @@ set_up() {
   fetch_virtual_patient
 }
 
+# The CUDA compiler, where one is installed that works with this g++; nothing elsewhere.
+working_nvcc() {
+  local nvcc; nvcc=$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)
+  [ -x "$nvcc" ] && echo '__global__ void f() {}' >build/nvcc_check.cu && "$nvcc" -c build/nvcc_check.cu -o build/nvcc_check.o >/dev/null 2>&1 && echo "$nvcc"
+}
+
 build() {
-  local tests=$1
+  local tests=$1 nvcc=""
   if [ ! -f build/release/build.ninja ] || ! grep -q "FACENAV_BUILD_TESTS:BOOL=$tests" build/release/CMakeCache.txt; then
     say "configuring"
-    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring"
+    [ "$tests" = ON ] && nvcc=$(working_nvcc)
+    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= \
+      ${nvcc:+-DFACENAV_CUDA=ON "-DCMAKE_CUDA_COMPILER=$nvcc"} >"$log" 2>&1 || explain "configuring"
   fi
   ninja -C build/release -n 2>/dev/null | grep -q 'no work to do' && return
   say "building (release, $(nproc) cores; some minutes the first time)"

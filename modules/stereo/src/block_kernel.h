@@ -1,7 +1,8 @@
 #pragma once
 // The "field" matcher's start: whole-pixel disparities of 4 x 4 pixel blocks, every disparity searched at
 // full resolution. Truncated absolute differences of locally normalised images (6 bits) add up to 8 bits over
-// a block, 32 disparities to an AVX2 register; windows are 3 x 3 blocks (12 x 12 pixels). Compiled twice, as
+// a block, 32 disparities to an AVX2 register; windows are 3 x 3 blocks (12 x 12 pixels), of which every
+// other row is looked at (all rows: a quarter slower, the same surfaces found). Compiled twice, as
 // ssd_kernel.h says.
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace facenav::stereo::block {
 constexpr int kBlock = 4;               // pixels along each side
 constexpr int kDisparityBlock = 32;     // disparities are padded to a multiple of this
 constexpr int kLargestDifference = 15;  // 16 * 15 < 2^8
-constexpr int kMostDisparities = 2048 + kDisparityBlock;
+constexpr int kRowStep = 2;             // rows looked at
 
 struct Images {
   const std::uint8_t* left;  // normalised to 0 .. 63
@@ -36,6 +37,7 @@ struct Kernel {
   /// multiple of
   /// 4. `columns`: 2 * width floats of scratch memory.
   void (*cell_sums)(const float* rows, int stride, int width, float* columns, float* sums, float* squares);
+  bool needs_one_strip = false;  // the back end does all rows at once
 };
 
 /// Bytes of scratch memory that `search` needs.
@@ -47,5 +49,6 @@ inline std::int64_t scratchSize(int columns, int disparities) {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
+Kernel bestKernel();  // of those two, what this processor can do
 
 }  // namespace facenav::stereo::block

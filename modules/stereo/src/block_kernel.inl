@@ -5,7 +5,7 @@
 inline void blockSums(const Images& im, const std::uint8_t* left, const std::uint8_t* right,
                       std::uint8_t* __restrict sums) {
   std::uint8_t total[kDisparityBlock] = {};
-  for (int v = 0; v < kBlock; ++v)
+  for (int v = 0; v < kBlock; v += kRowStep)
     for (int u = 0; u < kBlock; ++u) {
       const std::uint8_t l = left[v * im.left_stride + u];
       const std::uint8_t* __restrict r = right + v * im.right_stride - u;

@@ -12,6 +12,11 @@
 #include "strips.h"
 
 namespace facenav::stereo {
+
+block::Kernel block::bestKernel() {
+  return cv::checkHardwareSupport(CV_CPU_AVX2) ? avx2Kernel() : baseKernel();
+}
+
 namespace {
 
 constexpr int kUniqueness_256 = 10;
@@ -59,7 +64,8 @@ cv::Mat filled(const cv::Mat& holed) {
   return full;
 }
 
-cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& pair) {
+cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& pair,
+                       const block::Kernel& kernel) {
   using namespace block;
   const int columns = (pair.left.cols + kBlock - 1) / kBlock, rows = (pair.left.rows + kBlock - 1) / kBlock;
   const int disparities =
@@ -74,8 +80,7 @@ cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& 
   Images images{left.data, right.data + lead, int(left.step), int(right.step), columns, rows,
                 width,     disparities};
   cv::Mat found(rows, columns, CV_32F);
-  const Kernel kernel = cv::checkHardwareSupport(CV_CPU_AVX2) ? avx2Kernel() : baseKernel();
-  const int strips = stripsFor(rows);
+  const int strips = kernel.needs_one_strip ? 1 : stripsFor(rows);
   cv::parallel_for_({0, strips}, [&](const cv::Range& range) {
     std::vector<std::uint16_t> scratch(std::size_t(scratchSize(columns, disparities)) / 2 + 1);
     for (int i = range.start; i < range.end; ++i)
@@ -96,12 +101,29 @@ cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& 
 
 }  // namespace
 
-cv::Mat searchBlocks(const Rectification& rectification, const RectifiedPair& pair) {
-  return filled(agreeingBlocks(rectification, pair));
+cv::Mat searchBlocks(const Rectification& rectification, const RectifiedPair& pair,
+                     const block::Kernel& kernel) {
+  return filled(agreeingBlocks(rectification, pair, kernel));
+}
+
+cv::Mat blocksOf(const Rectification& r, const cv::Size& image, const PointCloud<Camera>& surface) {
+  using block::kBlock;
+  cv::Mat blocks((image.height + kBlock - 1) / kBlock, (image.width + kBlock - 1) / kBlock, CV_32F,
+                 cv::Scalar(kNone));
+  for (const auto& point : surface.points_mm) {
+    const Eigen::Vector3d p = r.rectified_R_camera * Eigen::Vector3d(point);
+    if (!(p.z() > 0)) continue;
+    const double x = r.f_px * p.x() / p.z() + r.cx_left_px, y = r.f_px * p.y() / p.z() + r.cy_px;
+    if (!(x >= 0 && y >= 0 && x < image.width && y < image.height)) continue;
+    const float disparity = float(r.f_px * r.baseline_mm / p.z() + r.offset_px());
+    float& nearest = blocks.at<float>(int(y) / kBlock, int(x) / kBlock);
+    if (!(nearest >= disparity)) nearest = disparity;
+  }
+  return filled(blocks);
 }
 
 int matchedBlocks(const Rectification& rectification, const RectifiedPair& pair) {
-  const cv::Mat blocks = agreeingBlocks(rectification, pair);
+  const cv::Mat blocks = agreeingBlocks(rectification, pair, block::bestKernel());
   return cv::countNonZero(blocks == blocks);  // NaN differs from itself
 }
 

@@ -1,6 +1,7 @@
 #include "cloud_normals.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/core/utility.hpp>
@@ -9,32 +10,46 @@ namespace facenav::stereo {
 namespace {
 
 constexpr int kRadius_px = 5;
-constexpr int kFewest = 20;              // disparities in the disk
-constexpr float kSameSurface_px = 1.0f;  // plus the slope's share
+constexpr int kHalfWidth_px[kRadius_px + 1] = {5, 4, 4, 4, 3, 0};  // of the disk's rows
+constexpr int kFewest = 20;                                        // disparities in the disk
+constexpr float kSameSurface_px = 1.0f;                            // plus the slope's share
 
 struct DisparityPlane {
   double d, a, b;  // at the pixel, along x, along y
 };
 
+// Least squares over the disk, in sums: n, u, v, uu, uv, vv on the left, the disparities' own on the right.
 bool fitPlane(const cv::Mat& disparity, int x0, int y0, DisparityPlane& plane) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
+  float n = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sd = 0, sud = 0, svd = 0;
   const float centre = disparity.at<float>(y0, x0);
-  for (int v = -kRadius_px; v <= kRadius_px; ++v) {
-    const int y = y0 + v;
-    if (y < 0 || y >= disparity.rows) continue;
-    const float* row = disparity.ptr<float>(y);
-    for (int u = -kRadius_px; u <= kRadius_px; ++u) {
-      if (u * u + v * v > kRadius_px * kRadius_px || x0 + u < 0 || x0 + u >= disparity.cols) continue;
-      const float difference = row[x0 + u] - centre;
-      if (!(std::abs(difference) < kSameSurface_px + 0.5f * float(std::abs(u) + std::abs(v)))) continue;
-      const Eigen::Vector3d term(1, u, v);
-      normal += term * term.transpose();
-      rhs += term * double(difference);
+  for (int v = std::max(-kRadius_px, -y0); v <= std::min(kRadius_px, disparity.rows - 1 - y0); ++v) {
+    const float* row = disparity.ptr<float>(y0 + v) + x0;
+    const int reach = kHalfWidth_px[std::abs(v)];
+    float m = 0, mu = 0, muu = 0, md = 0, mud = 0;  // of this row
+    for (int u = std::max(-reach, -x0); u <= std::min(reach, disparity.cols - 1 - x0); ++u) {
+      const float difference = row[u] - centre;
+      const bool is_same = std::abs(difference) < kSameSurface_px + 0.5f * float(std::abs(u) + std::abs(v));
+      const float w = is_same ? 1.0f : 0.0f, d = is_same ? difference : 0.0f;
+      m += w;
+      mu += w * float(u);
+      muu += w * float(u * u);
+      md += d;
+      mud += d * float(u);
     }
+    n += m;
+    su += mu;
+    suu += muu;
+    sv += float(v) * m;
+    suv += float(v) * mu;
+    svv += float(v * v) * m;
+    sd += md;
+    sud += mud;
+    svd += float(v) * md;
   }
-  if (normal(0, 0) < kFewest) return false;
-  const Eigen::Vector3d solution = normal.ldlt().solve(rhs);
+  if (n < kFewest) return false;
+  Eigen::Matrix3f normal;
+  normal << n, su, sv, su, suu, suv, sv, suv, svv;
+  const Eigen::Vector3f solution = normal.inverse() * Eigen::Vector3f(sd, sud, svd);
   plane = {centre + solution[0], solution[1], solution[2]};
   return solution.allFinite();
 }

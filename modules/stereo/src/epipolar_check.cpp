@@ -12,11 +12,11 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr int kHalf_px = 7, kStep_px = 6;
+constexpr int kHalf_px = 7, kLeastStep_px = 6, kMostWindows = 400;  // their median is sharp enough
 constexpr std::size_t kFewest = 30;
 
 // Grey level between the pixels of a row (cubic convolution), 1 <= x < columns - 2.
-double betweenPixels(const float* row, double x) {
+inline double betweenPixels(const float* row, double x) {
   const int i = int(x);
   const double t = x - i, a = row[i - 1], b = row[i], c = row[i + 1], d = row[i + 2];
   return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
@@ -60,8 +60,10 @@ double epipolarMedian(const Rectification& rectification, const RectifiedPair& p
                       const DisparityMap& map) {
   std::vector<double> differences_px;
   const int margin = kHalf_px + 1;
-  for (int y = margin; y < pair.left.rows - margin; y += kStep_px)
-    for (int x = margin; x < pair.left.cols - margin; x += kStep_px) {
+  const int matched = cv::countNonZero(map.disparity_px == map.disparity_px);  // NaN differs from itself
+  const int step_px = std::max(kLeastStep_px, int(std::sqrt(double(matched) / kMostWindows)));
+  for (int y = margin; y < pair.left.rows - margin; y += step_px)
+    for (int x = margin; x < pair.left.cols - margin; x += step_px) {
       const float d = map.disparity_px.at<float>(y, x);
       if (std::isnan(d)) continue;
       const bool has_slopes = !map.slope_x.empty();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <opencv2/core.hpp>
 
+#include "block_search.h"
 #include "cloud_normals.h"
 #include "epipolar_check.h"
 #include "facenav/core/error.h"
@@ -73,7 +74,9 @@ FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const Face
       rectify(rig, {options.nearest_mm, options.farthest_mm}, options.left_roi.value_or(cv::Rect()));
   const RectifiedPair pair = applyRectification(rectification, frame);
   monitor.report("match", 0.2);
-  const DisparityMap map = matcher->match(rectification, pair, options.match);
+  MatchOptions match = options.match;
+  if (options.expected) match.predicted_px = blocksOf(rectification, pair.left.size(), *options.expected);
+  const DisparityMap map = matcher->match(rectification, pair, match);
   monitor.report("triangulate", 0.9);
   FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map));
   face.epipolar_median_px = epipolarMedian(rectification, pair, map);

@@ -20,7 +20,7 @@ cv::Mat splineAlongRows(const cv::Mat& image) {
     sum += (i ? 2 : 1) * weights[i];
   }
   for (float& weight : weights) weight /= sum;
-  const auto kernel = cv::checkHardwareSupport(CV_CPU_AVX2) ? planes::avx2Kernel() : planes::baseKernel();
+  const planes::Kernel kernel = planes::bestKernel();
   cv::Mat coefficients(image.size(), CV_32F);
   const int width = image.cols;
   cv::parallel_for_({0, image.rows}, [&](const cv::Range& range) {

@@ -48,8 +48,7 @@ Statistics statisticsOf(const cv::Mat& image, const block::Kernel& kernel) {
 cv::Mat normalisedImage(const cv::Mat& image, const cv::Mat& mask, int invalid, int rows, int columns,
                         int margin, bool is_mirrored) {
   cv::Mat levels(rows, columns, CV_8U, cv::Scalar(invalid));
-  const block::Kernel kernel =
-      cv::checkHardwareSupport(CV_CPU_AVX2) ? block::avx2Kernel() : block::baseKernel();
+  const block::Kernel kernel = block::bestKernel();
   const Statistics statistics = statisticsOf(image, kernel);
   const int cells = statistics.mean.cols;
   cv::parallel_for_({0, image.rows}, [&](const cv::Range& range) {

@@ -11,6 +11,11 @@
 #include "strips.h"
 
 namespace facenav::stereo {
+
+planes::Kernel planes::bestKernel() {
+  return cv::checkHardwareSupport(CV_CPU_AVX2) ? avx2Kernel() : baseKernel();
+}
+
 namespace {
 
 planes::Window windowOf(double sigma_px) {
@@ -52,10 +57,6 @@ planes::Field PlaneField::Planes::view() {
           int(d.step1())};
 }
 
-PlaneField::PlaneField(const MatchImages& images)
-    : PlaneField(images,
-                 cv::checkHardwareSupport(CV_CPU_AVX2) ? planes::avx2Kernel() : planes::baseKernel()) {}
-
 PlaneField::PlaneField(const MatchImages& images, const planes::Kernel& kernel)
     : images_(images.rows()), kernel_(kernel) {}
 
@@ -96,7 +97,7 @@ void PlaneField::run(double window_sigma_px, bool is_fit) {
   const planes::Window window = windowOf(window_sigma_px);
   const planes::Field from = now_.view(), to = next_.view();
   // A strip's result does not depend on where it begins: as many as there are threads.
-  const int strips = stripsFor(from.rows);
+  const int strips = kernel_.needs_one_strip ? 1 : stripsFor(from.rows);
   cv::parallel_for_({0, strips}, [&](const cv::Range& range) {
     std::vector<float> scratch(std::size_t(planes::scratchSize(from.columns)));
     for (int i = range.start; i < range.end; ++i)

@@ -61,9 +61,11 @@ struct Kernel {
                   const float* disparity, const Output&);
   /// Symmetric filter of a row, kSplineRadius elements readable beyond both ends, kMiddle_grey subtracted.
   void (*spline_row)(const float* row, const float* weights, int width, float* out);
+  bool needs_one_strip = false;  // the back end does all rows at once
 };
 
 Kernel baseKernel();
 Kernel avx2Kernel();
+Kernel bestKernel();  // of those two, what this processor can do
 
 }  // namespace facenav::stereo::planes

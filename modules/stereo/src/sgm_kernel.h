@@ -15,7 +15,15 @@ using Step = std::int16_t (*)(const std::uint8_t* cost, const std::int16_t* befo
                               std::int16_t small_step, std::int16_t large_step, int disparities,
                               std::int16_t* now, std::int16_t* total);
 
-Step baseStep();
-Step avx2Step();
+/// Census distances of one left word to `count` right words, each left of the one before.
+using Distances = void (*)(std::uint64_t left, const std::uint64_t* right, int count, std::uint8_t* out);
+
+struct Kernel {
+  Step step;
+  Distances distances;
+};
+
+Kernel baseKernel();
+Kernel avx2Kernel();
 
 }  // namespace facenav::stereo::sgm

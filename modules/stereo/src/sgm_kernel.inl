@@ -18,3 +18,7 @@ inline std::int16_t step(const std::uint8_t* __restrict cost, const std::int16_t
   }
   return least;
 }
+
+inline void distances(std::uint64_t left, const std::uint64_t* right, int count, std::uint8_t* out) {
+  for (int d = 0; d < count; ++d) out[d] = std::uint8_t(__builtin_popcountll(left ^ right[-d]));
+}

@@ -5,6 +5,6 @@ namespace {
 #include "sgm_kernel.inl"
 }  // namespace
 
-Step avx2Step() { return step; }
+Kernel avx2Kernel() { return {step, distances}; }
 
 }  // namespace facenav::stereo::sgm

@@ -5,6 +5,6 @@ namespace {
 #include "sgm_kernel.inl"
 }  // namespace
 
-Step baseStep() { return step; }
+Kernel baseKernel() { return {step, distances}; }
 
 }  // namespace facenav::stereo::sgm

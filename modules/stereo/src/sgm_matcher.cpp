@@ -74,25 +74,26 @@ class Volume {
 
 void Volume::fillCosts(const Rectification& r, const RectifiedPair& pair) {
   const auto left = censusOf(pair.left), right = censusOf(pair.right);
+  const sgm::Kernel kernel = cv::checkHardwareSupport(CV_CPU_AVX2) ? sgm::avx2Kernel() : sgm::baseKernel();
   cv::parallel_for_({0, height_}, [&](const cv::Range& rows) {
     for (int y = rows.start; y < rows.end; ++y) {
       const std::uint64_t *left_row = left.data() + std::size_t(y) * width_,
                           *right_row = right.data() + std::size_t(y) * pair.right.cols;
       for (int x = 0; x < width_; ++x) {
         std::uint8_t* cost = costs_.data() + at(x, y);
-        for (int d = 0; d < disparities_; ++d) {
-          const int column = x - d + r.disparities;
-          const bool is_seen = column >= 0 && d < r.disparities && r.left_mask.at<std::uint8_t>(y, x) &&
-                               r.right_mask.at<std::uint8_t>(y, column);
-          cost[d] = is_seen ? std::uint8_t(__builtin_popcountll(left_row[x] ^ right_row[column])) : kUnknown;
-        }
+        // Column r.disparities of the right image stands below column 0 of the left one: all are inside.
+        kernel.distances(left_row[x], right_row + x + r.disparities, r.disparities, cost);
+        const std::uint8_t* right_mask = r.right_mask.ptr<std::uint8_t>(y) + x + r.disparities;
+        const bool is_seen = r.left_mask.at<std::uint8_t>(y, x) != 0;
+        for (int d = 0; d < disparities_; ++d)
+          if (!is_seen || d >= r.disparities || !right_mask[-d]) cost[d] = kUnknown;
       }
     }
   });
 }
 
 void Volume::sweep(int down) {
-  const sgm::Step step = cv::checkHardwareSupport(CV_CPU_AVX2) ? sgm::avx2Step() : sgm::baseStep();
+  const sgm::Step step = (cv::checkHardwareSupport(CV_CPU_AVX2) ? sgm::avx2Kernel() : sgm::baseKernel()).step;
   const int pitch = disparities_ + 2 * sgm::kPadding;
   // Of each column: the path from the row before straight down, and along both diagonals; two rows of them.
   std::vector<std::int16_t> rows[2], least[2];

@@ -1,12 +1,17 @@
 #pragma once
-// DenseMatcher: rectified pair -> disparity of each left pixel. "ssd" is ours (paper, section 7.1: 11 x 11
-// SSD) made sub-pixel; "sgbm" is OpenCV's semi-global matcher, kept as a peer to measure against.
-//
-// Ours has two stages. 1: truncated SSD of locally normalised images at whole pixels, box sums carried from
-// column to column, 16-bit SIMD, left-right check. 2: at each pixel a Gauss-Newton fit of the right window to
-// the left one with disparity, its slope along x and y, gain and offset. The slopes matter: without them a
-// cheek seen at 45 degrees is off by tenths of a pixel; gain and offset absorb that the cameras see the skin
-// from different sides.
+// DenseMatcher: rectified pair -> disparity of each left pixel.
+//   field       the default. Blocks of 4 x 4 pixels are searched at whole pixels over all disparities, then a
+//   grid of
+//               planes is fitted to the whole image at once by Gauss-Newton, with gain, offset and slopes.
+//               Slopes matter: without them a cheek seen at 45 degrees is off by tenths of a pixel; gain and
+//               offset absorb that the cameras see the skin from different sides. `details` sharpens creases.
+//   field_cuda  the same on an NVIDIA GPU, where FaceNav was built with FACENAV_CUDA.
+//   ssd         the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel; kept to
+//   compare. sgm         semi-global matching of census costs, for surfaces without projected dots: finds
+//   weakly textured and
+//               half hidden places, but is an order less exact. Holes are filled from the background, with a
+//               stated deviation of 1 px: `largest_sigma_px` decides whether they are kept.
+//   sgbm        OpenCV's semi-global matcher, a peer to measure against.
 
 #include <memory>
 #include <opencv2/core.hpp>
@@ -76,7 +81,7 @@ class DenseMatcher {
                              const MatchOptions& options) const = 0;
 };
 
-/// "ssd" or "sgbm". Throws Error for another name, listing these.
+/// One of denseMatcherNames(). Throws Error for another name, listing these.
 std::unique_ptr<DenseMatcher> makeDenseMatcher(const std::string& name);
 std::vector<std::string> denseMatcherNames();
 

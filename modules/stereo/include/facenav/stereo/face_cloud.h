@@ -3,6 +3,7 @@
 // Data flow: StereoFrame (dots) -> rectify -> 11 x 11 matching, sub-pixel, left-right check -> triangulate ->
 // cloud.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,15 @@ inline MatchOptions skinOptions() {
   options.steps = 2;
   options.details = 3;
   options.least_correlation = 0.3;  // sigma decides
-  options.largest_sigma_px = 0.25;
+  options.largest_sigma_px = 0.3;
+  return options;
+}
+
+/// For a look now and then that must cost little (drift watchdog): no detail.
+inline MatchOptions quickSkinOptions() {
+  MatchOptions options;
+  options.steps = 2;
+  options.largest_sigma_px = 0.3;
   return options;
 }
 
@@ -28,7 +37,12 @@ struct FaceCloudOptions {
   double nearest_mm = 300.0, farthest_mm = 1500.0;  // depth range searched
   std::optional<cv::Rect> left_roi;                 // in the left image as recorded; empty: the whole image
   std::string matcher = "field";                    // see dense_matcher.h
-  MatchOptions match = skinOptions();               // limits of what is believed
+  /// A surface known beforehand, points of it as it lies now (say, the aligned skin at the tracked pose), no
+  /// farther apart than about 4 px in the image, true to within half a pixel of disparity: nothing is
+  /// searched, and what is measured costs a third. Where the face has moved by more, few points or none are
+  /// found.
+  std::shared_ptr<const PointCloud<Camera>> expected;
+  MatchOptions match = skinOptions();  // limits of what is believed
 };
 
 struct FaceCloud {
