@@ -26,6 +26,7 @@ class FieldMatcher : public DenseMatcher {
     planes.start(options.predicted_px.empty() ? searchBlocks(rectification, pair, search_)
                                               : options.predicted_px);
     for (int i = 0; i < options.steps; ++i) planes.step(options.window_sigma_px);
+    for (int i = 0; i < options.growths; ++i) planes.grow(options.window_sigma_px, options);
     if (!options.details) return planes.map(options);
     DisparityField field(images);
     field.start(planes.nodes());

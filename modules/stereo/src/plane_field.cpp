@@ -112,6 +112,54 @@ void PlaneField::step(double window_sigma_px) {
   setPriors();
 }
 
+bool PlaneField::isBelieved(int x, int y, const MatchOptions& options) const {
+  return now_.correlation.at<float>(y, x) >= float(options.least_correlation) &&
+         std::abs(now_.a.at<float>(y, x)) <= float(options.largest_slope) &&
+         std::abs(now_.b.at<float>(y, x)) <= float(options.largest_slope) &&
+         now_.sigma.at<float>(y, x) <= float(options.largest_sigma_px);
+}
+
+// The mean of the believed neighbours' planes, where there are some and they agree.
+void PlaneField::carryOn(int x, int y, const cv::Mat& believed) {
+  constexpr int kFewest = 2;
+  constexpr float kLargestSpread_px = 2.0f;
+  float d = 0, a = 0, b = 0, offset = 0, gain = 0, least = 0, most = 0;
+  int count = 0;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, believed.rows - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, believed.cols - 1); ++u) {
+      if (!believed.at<std::uint8_t>(v, u)) continue;
+      const float slope_x = now_.a.at<float>(v, u), slope_y = now_.b.at<float>(v, u);
+      const float carried =
+          now_.d.at<float>(v, u) + float(planes::kBlock) * (slope_x * float(x - u) + slope_y * float(y - v));
+      least = count ? std::min(least, carried) : carried;
+      most = count ? std::max(most, carried) : carried;
+      d += carried;
+      a += slope_x;
+      b += slope_y;
+      offset += now_.offset.at<float>(v, u);
+      gain += now_.gain.at<float>(v, u);
+      ++count;
+    }
+  if (count < kFewest || !(most - least < kLargestSpread_px)) return;
+  const float share = 1.0f / float(count);
+  now_.d.at<float>(y, x) = d * share;
+  now_.a.at<float>(y, x) = a * share;
+  now_.b.at<float>(y, x) = b * share;
+  now_.offset.at<float>(y, x) = offset * share;
+  now_.gain.at<float>(y, x) = gain * share;
+}
+
+void PlaneField::grow(double window_sigma_px, const MatchOptions& options) {
+  cv::Mat believed(now_.d.size(), CV_8U);
+  for (int y = 0; y < believed.rows; ++y)
+    for (int x = 0; x < believed.cols; ++x) believed.at<std::uint8_t>(y, x) = isBelieved(x, y, options);
+  for (int y = 0; y < believed.rows; ++y)
+    for (int x = 0; x < believed.cols; ++x)
+      if (!believed.at<std::uint8_t>(y, x)) carryOn(x, y, believed);
+  setPriors();
+  step(window_sigma_px);
+}
+
 cv::Mat PlaneField::nodes() const {
   const planes::Field view = now_.view();
   cv::Mat out((images_.height + 1) / 2, (images_.width + 1) / 2, CV_32F);
@@ -130,13 +178,9 @@ DisparityMap PlaneField::map(const MatchOptions& options) const {
   constexpr float kLargestStep_px = 2.5f;  // from block to block of one surface
   const int blocks = options.smallest_patch_px / (planes::kBlock * planes::kBlock);
   cv::Mat believed = now_.d.clone();
-  for (int i = 0; i < int(believed.total()); ++i) {
-    const bool is_good = now_.correlation.ptr<float>()[i] >= float(options.least_correlation) &&
-                         std::abs(now_.a.ptr<float>()[i]) <= float(options.largest_slope) &&
-                         std::abs(now_.b.ptr<float>()[i]) <= float(options.largest_slope) &&
-                         now_.sigma.ptr<float>()[i] <= float(options.largest_sigma_px);
-    if (!is_good) believed.ptr<float>()[i] = std::numeric_limits<float>::quiet_NaN();
-  }
+  for (int y = 0; y < believed.rows; ++y)
+    for (int x = 0; x < believed.cols; ++x)
+      if (!isBelieved(x, y, options)) believed.at<float>(y, x) = std::numeric_limits<float>::quiet_NaN();
   removeSpeckles(believed, blocks, kLargestStep_px);
   DisparityMap map;
   for (cv::Mat* image : {&map.disparity_px, &map.slope_x, &map.slope_y, &map.sigma_px})

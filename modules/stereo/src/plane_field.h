@@ -20,6 +20,10 @@ class PlaneField {
   void start(const cv::Mat& blocks);
   /// One Gauss-Newton step with a window of about that standard deviation.
   void step(double window_sigma_px);
+  /// Carries believed planes one block on into their neighbours that are not, then a step. Windows of the
+  /// search fail on steep skin, where the disparity changes by pixels inside them; the surface is grown there
+  /// from its sides.
+  void grow(double window_sigma_px, const MatchOptions& options);
   /// The surface at each 2 x 2 pixels, everywhere.
   cv::Mat nodes() const;
   /// The surface at each pixel where it is believed.
@@ -33,6 +37,8 @@ class PlaneField {
   };
   void run(double window_sigma_px, bool is_fit);
   void setPriors();
+  bool isBelieved(int x, int y, const MatchOptions& options) const;
+  void carryOn(int x, int y, const cv::Mat& believed);
 
   const ImageRows& images_;
   planes::Kernel kernel_;

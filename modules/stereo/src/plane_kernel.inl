@@ -98,7 +98,7 @@ inline void mapRow(const Field& f, const float* __restrict believed, int y, int 
 }
 
 struct WarpedRow {
-  float *t0, *t1, *t2, *t3, *fraction, *valid;
+  float *taps, *fraction, *valid;  // four taps of each pixel side by side
 };
 
 // The four B-spline coefficients round x - d + shift of each pixel; valid: 1 or 0.
@@ -120,17 +120,9 @@ inline void gatherRow(const ImageRows& im, int y, const float* __restrict d, flo
     fraction[x] = at - whole;
     valid[x] = (wanted == at) & (x >= left_first) & (x < left_end) ? 1.0f : 0.0f;
   }
-  float* __restrict t0 = w.t0;
-  float* __restrict t1 = w.t1;
-  float* __restrict t2 = w.t2;
-  float* __restrict t3 = w.t3;
-  for (int x = 0; x < width; ++x) {
-    const float* at = right + int(place[x]);
-    t0[x] = at[-1];
-    t1[x] = at[0];
-    t2[x] = at[1];
-    t3[x] = at[2];
-  }
+  float* __restrict taps = w.taps;
+  for (int x = 0; x < width; ++x)
+    __builtin_memcpy(taps + 4 * x, right + int(place[x]) - 1, 4 * sizeof(float));
 }
 
 // Column sums over the block's rows: h, hv, hvv, y, yv, ee, then the photometric ones; `pitch` apart.
@@ -140,10 +132,7 @@ inline void addRow(const ImageRows& im, int y, float v, const WarpedRow& w, cons
                    const float* __restrict offset, const float* __restrict gain, float* __restrict sums,
                    int pitch) {
   const float* __restrict left = im.left + std::int64_t(y) * im.left_stride;
-  const float* __restrict t0 = w.t0;
-  const float* __restrict t1 = w.t1;
-  const float* __restrict t2 = w.t2;
-  const float* __restrict t3 = w.t3;
+  const float* __restrict taps = w.taps;
   const float* __restrict fraction = w.fraction;
   const float* __restrict valid = w.valid;
   float* __restrict h0 = sums;
@@ -165,9 +154,10 @@ inline void addRow(const ImageRows& im, int y, float v, const WarpedRow& w, cons
     const float t = fraction[x], u = 1.0f - t, b = t * t, a = u * u, m = valid[x];
     const float w0 = a * u * (1.0f / 6), w3 = b * t * (1.0f / 6);
     const float w1 = (2.0f / 3) - b + 0.5f * b * t, w2 = (2.0f / 3) - a + 0.5f * a * u;
-    const float right = w0 * t0[x] + w1 * t1[x] + w2 * t2[x] + w3 * t3[x];
+    const float right = w0 * taps[4 * x] + w1 * taps[4 * x + 1] + w2 * taps[4 * x + 2] + w3 * taps[4 * x + 3];
     const float g1 = 1.5f * b - 2.0f * t, g2 = 2.0f * u - 1.5f * a;
-    const float gradient = g1 * t1[x] + g2 * t2[x] + 0.5f * (b * t3[x] - a * t0[x]);
+    const float gradient =
+        g1 * taps[4 * x + 1] + g2 * taps[4 * x + 2] + 0.5f * (b * taps[4 * x + 3] - a * taps[4 * x]);
     const float l = left[x] - kMiddle_grey, e = m * (l - offset[x] - gain[x] * right),
                 g = m * gain[x] * gradient;
     const float h = g * g, wish = h * d[x] - g * e;
@@ -222,8 +212,7 @@ inline void blockRow(const ImageRows& im, const Field& f, int row, bool is_fit, 
   float* place = gain + pitch;
   float* sums = place + pitch;
   float* taps = sums + kColumnSums * pitch;
-  const WarpedRow w{
-      taps, taps + pitch, taps + 2 * pitch, taps + 3 * pitch, taps + 4 * pitch, taps + 5 * pitch};
+  const WarpedRow w{taps, taps + 4 * pitch, taps + 5 * pitch};
   for (int i = 0; i < kColumnSums * pitch; ++i) sums[i] = 0;
   repeated(f.offset + std::int64_t(row) * f.stride, columns, offset);
   repeated(f.gain + std::int64_t(row) * f.stride, columns, gain);

@@ -119,6 +119,26 @@ TEST(FieldMatcher, KernelsOfBothInstructionSetsAgree) {
   EXPECT_LT(cv::norm(fast.nodes(), base.nodes(), cv::NORM_INF), 0.02);
 }
 
+TEST(FieldMatcher, AHoleIsGrownOverFromItsSides) {
+  const auto surface = dotted();
+  const MatchImages images(surface.rectification, surface.images);
+  cv::Mat blocks;
+  cv::resize(surface.truth_px, blocks, {kWidth / 4, kHeight / 4}, 0, 0, cv::INTER_AREA);
+  const cv::Rect hole(40, 25, 4, 4);  // blocks, where the search went wrong
+  blocks(hole) += 5.0;
+  const auto inHole = [&](int growths) {
+    PlaneField field(images);
+    field.start(blocks);
+    for (int i = 0; i < 2; ++i) field.step(3.0);
+    for (int i = 0; i < growths; ++i) field.grow(3.0, {});
+    const cv::Rect pixels(4 * hole.x, 4 * hole.y, 4 * hole.width, 4 * hole.height);
+    const cv::Mat off = cv::abs(field.map({}).disparity_px - surface.truth_px)(pixels);
+    return cv::countNonZero(off < 0.15) / double(pixels.area());  // NaN is not
+  };
+  EXPECT_LT(inHole(0), 0.5);
+  EXPECT_GT(inHole(6), 0.95);
+}
+
 TEST(FieldMatcher, GpuAgreesWithTheProcessor) {
   const auto names = denseMatcherNames();
   if (std::find(names.begin(), names.end(), "field_cuda") == names.end()) {

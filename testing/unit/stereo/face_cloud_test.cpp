@@ -106,6 +106,28 @@ TEST(FaceCloud, SphereIsNeitherFlattenedNorSwollen) {
   EXPECT_LT(a.mean_normal_deg, 4.0);
 }
 
+TEST(FaceCloud, AKnownSurfaceIsMeasuredWithoutASearch) {
+  const StereoRig rig = support::cropped(support::convergingRig());
+  const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
+  const StereoFrame frame = scene.render(rig);
+  FaceCloudOptions options;
+  const FaceCloud searched = measure(rig, frame, options);
+  auto known = std::make_shared<PointCloud<Camera>>();
+  for (int y = 0; y < rig.height_px; y += 3)
+    for (int x = 0; x < rig.width_px; x += 3) {
+      const Eigen::Vector2d pixel(x, y);
+      const Eigen::Vector3d ray = undistort(rig.left, pixel).homogeneous().normalized();
+      known->points_mm.push_back(ray * (scene.distance_mm(rig, pixel) + 1.5));  // 0.4 px beside the truth
+    }
+  options.expected = known;
+  options.match = quickSkinOptions();
+  const FaceCloud checked = measure(rig, frame, options);
+  const auto normal = [](const auto&) { return kPlaneNormal; };
+  EXPECT_GT(checked.cloud.size(), 0.95 * searched.cloud.size());
+  EXPECT_LT(compare(checked, scene, rig, normal).rms_mm, 0.22);
+  EXPECT_LT(std::abs(compare(checked, scene, rig, normal).bias_mm), 0.03);
+}
+
 TEST(FaceCloud, PeerMatcherSeesTheSamePlane) {
   const StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});

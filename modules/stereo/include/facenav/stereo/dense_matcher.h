@@ -26,6 +26,7 @@ namespace facenav::stereo {
 struct MatchOptions {
   double window_sigma_px = 3.0;  // field: standard deviation of its Gaussian window
   int steps = 1;                 // field: Gauss-Newton steps over the whole image
+  int growths = 0;               // field: blocks that the surface is grown by over steep skin, a step each
   int details = 0;  // field: further steps with smaller windows, kept where they exceed their noise
   /// field: a surface known beforehand, one disparity for each 4 x 4 pixels of the rectified left image
   /// (32-bit float, no NaN), right within half a pixel. No search then.
@@ -48,6 +49,8 @@ struct MatchOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor(Field{"window_sigma_px", "field: standard deviation of the window", 1, 5}, self.window_sigma_px);
     visitor(Field{"steps", "field: Gauss-Newton steps", 1, 20}, self.steps);
+    visitor(Field{"growths", "field: blocks that the surface is grown by over steep skin", 0, 20},
+            self.growths);
     visitor(Field{"details", "field: steps with smaller windows, kept where they exceed their noise", 0, 4},
             self.details);
     visitor(Field{"window_px", "side of the matching window, odd", 5, 11}, self.window_px);

@@ -19,6 +19,7 @@ namespace facenav::stereo {
 inline MatchOptions skinOptions() {
   MatchOptions options;
   options.steps = 2;
+  options.growths = 4;
   options.details = 3;
   options.least_correlation = 0.3;  // sigma decides
   options.largest_sigma_px = 0.3;
