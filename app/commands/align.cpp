@@ -62,7 +62,8 @@ void runAlign(Context& context, const AlignRequest& request) {
   std::printf("aligned: residual rms %.2f mm, max %.2f mm, %d points (%.0f %% of the face)\n", stored.rms_mm,
               stored.max_mm, stored.points, 100 * stored.inlier_fraction);
   for (const auto& [target, error_mm] : stored.predicted_tre_mm)
-    std::printf("predicted error at %s: %.2f mm\n", target.c_str(), error_mm);
+    std::printf("predicted error at %s: %.2f mm (95 of 100 below %.2f mm)\n", target.c_str(), error_mm,
+                stored.predicted_tre_p95_mm.at(target));
 }
 
 }  // namespace

@@ -16,10 +16,12 @@ double atLeastZero(const JsonReader& json) {
 }  // namespace
 
 StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan) {
-  StoredAlignment stored{result.camera_T_mri,    result.rms_mm, result.max_mm,
-                         result.inlier_fraction, result.points, {}};
-  for (const guidance::Target& target : plan.targets)
+  StoredAlignment stored{
+      result.camera_T_mri, result.rms_mm, result.max_mm, result.inlier_fraction, result.points, {}, {}};
+  for (const guidance::Target& target : plan.targets) {
     stored.predicted_tre_mm[target.name] = result.predictedError_mm(target.cortex_point);
+    stored.predicted_tre_p95_mm[target.name] = result.errorBound_mm(target.cortex_point);
+  }
   return stored;
 }
 
@@ -31,6 +33,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
   json["inlier_fraction"] = alignment.inlier_fraction;
   json["points"] = alignment.points;
   json["predicted_tre_mm"] = alignment.predicted_tre_mm;
+  if (!alignment.predicted_tre_p95_mm.empty()) json["predicted_tre_p95_mm"] = alignment.predicted_tre_p95_mm;
   writePrivateFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
@@ -43,9 +46,10 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
   alignment.inlier_fraction = atLeastZero(json.at("inlier_fraction"));
   if (alignment.inlier_fraction > 1) json.at("inlier_fraction").refuse("a number in 0..1 was expected");
   alignment.points = json.at("points").integer();
-  if (json.has("predicted_tre_mm"))
-    for (const auto& [name, value] : json.at("predicted_tre_mm").members())
-      alignment.predicted_tre_mm[name] = atLeastZero(value);
+  for (const auto& [key, map] : {std::pair{"predicted_tre_mm", &alignment.predicted_tre_mm},
+                                 std::pair{"predicted_tre_p95_mm", &alignment.predicted_tre_p95_mm}})
+    if (json.has(key))
+      for (const auto& [name, value] : json.at(key).members()) (*map)[name] = atLeastZero(value);
   return alignment;
 }
 

@@ -1,14 +1,50 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "facenav/registration/aligner.h"
 
 namespace facenav::registration {
 
-double AlignmentResult::predictedError_mm(const Point<Mri>& target) const {
-  const Eigen::Vector3d lever = camera_T_mri.rotation() * target.mm;
+namespace {
+
+Eigen::Matrix3d covarianceAt(const AlignmentResult& result, const Point<Mri>& target) {
+  const Eigen::Vector3d lever = result.camera_T_mri.rotation() * target.mm;
   Eigen::Matrix<double, 3, 6> carry;
   carry << -skew(lever), Eigen::Matrix3d::Identity();
-  return std::sqrt((carry * covariance * carry.transpose()).trace());
+  return carry * result.covariance * carry.transpose();
+}
+
+/// Quantile of the standard normal distribution (Abramowitz and Stegun 26.2.23, within 0.0005).
+double normalQuantile(double probability) {
+  const double t = std::sqrt(-2.0 * std::log(1.0 - probability));
+  return t -
+         (2.515517 + t * (0.802853 + t * 0.010328)) / (1.0 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+}
+
+/// Quantile of Fisher's F (Paulson 1942), probability above one half.
+double fisherQuantile(double probability, double numerator, double denominator) {
+  const double a = 2 / (9 * numerator), b = 2 / (9 * denominator), z = normalQuantile(probability);
+  const double root = std::sqrt(a * (1 - b) * (1 - b) + b * (1 - a) * (1 - a) - a * b * z * z);
+  return std::pow(((1 - a) * (1 - b) + z * root) / ((1 - b) * (1 - b) - b * z * z), 3);
+}
+
+}  // namespace
+
+double AlignmentResult::predictedError_mm(const Point<Mri>& target) const {
+  return std::sqrt(covarianceAt(*this, target).trace());
+}
+
+double AlignmentResult::errorBound_mm(const Point<Mri>& target, double probability) const {
+  // The squared length is a weighted sum of chi squares, close to one chi square with fewer degrees of
+  // freedom (Satterthwaite 1946), over the chi square of the t distribution.
+  const Eigen::Vector3d variances =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covarianceAt(*this, target)).eigenvalues();
+  const double sum = variances.sum();
+  if (!(sum > 0)) return 0.0;
+  const double directions = std::max(1.0, sum * sum / variances.squaredNorm());
+  const double nu = std::max(5.0, freedom);
+  return std::sqrt(sum * (nu - 2) / nu * fisherQuantile(std::max(0.5, probability), directions, nu));
 }
 
 }  // namespace facenav::registration

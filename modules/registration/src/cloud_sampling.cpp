@@ -1,41 +1,83 @@
 #include "cloud_sampling.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
-#include <random>
-#include <unordered_set>
 
 namespace facenav::registration {
+namespace {
 
-std::vector<int> thinOut(const PointCloud<Camera>& cloud, double cell_mm, std::size_t most,
-                         std::uint32_t seed) {
-  std::vector<int> order;
+/// The set of cubes that are taken: open addressing, never more than half full.
+class CubeSet {
+ public:
+  explicit CubeSet(std::size_t most) {
+    std::size_t size = 64;
+    while (size < 2 * most) size *= 2;
+    slots_.assign(size, kFree);
+  }
+  bool insert(std::uint64_t key) {
+    std::size_t at = std::size_t((key * 0x9e3779b97f4a7c15ull) >> 20) & (slots_.size() - 1);
+    for (; slots_[at] != kFree; at = (at + 1) & (slots_.size() - 1))
+      if (slots_[at] == key) return false;
+    slots_[at] = key;
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t kFree = ~0ull;
+  std::vector<std::uint64_t> slots_;
+};
+
+std::uint64_t cubeOf(const Eigen::Vector3d& p_mm, double per_mm) {
+  const auto cell = [&](double x) { return std::uint64_t(std::int64_t(x * per_mm + 1048576.0)) & 0x1fffff; };
+  return cell(p_mm.x()) | cell(p_mm.y()) << 21 | cell(p_mm.z()) << 42;
+}
+
+/// A stride that visits all of 0 .. n-1 in an order that looks scattered.
+std::size_t scatteredStride(std::size_t n) {
+  std::size_t stride = std::size_t(0.6180339887 * double(n)) | 1;
+  while (std::gcd(stride, n) != 1) ++stride;
+  return stride;
+}
+
+}  // namespace
+
+std::vector<int> finitePoints(const PointCloud<Camera>& cloud) {
+  std::vector<int> finite;
+  finite.reserve(cloud.size());
   for (std::size_t p = 0; p < cloud.size(); ++p)
     if (cloud.points_mm[p].allFinite() && cloud.points_mm[p].cwiseAbs().maxCoeff() < 1e5)
-      order.push_back(int(p));
-  std::mt19937 random(seed);
-  for (std::size_t p = order.size(); p > 1; --p) std::swap(order[p - 1], order[random() % p]);
-  std::vector<int> chosen;
+      finite.push_back(int(p));
+  return finite;
+}
+
+std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>& of, double cell_mm,
+                         std::size_t most) {
+  if (of.empty()) return {};
+  const std::size_t stride = scatteredStride(of.size());
   for (;; cell_mm *= 1.2) {
-    std::unordered_set<std::int64_t> taken;
-    chosen.clear();
-    for (const int p : order) {
-      const Eigen::Vector3d cell = (cloud.points_mm[p] / cell_mm).array().floor();
-      const auto code = (std::int64_t(cell[0]) & 0x1fffff) | (std::int64_t(cell[1]) & 0x1fffff) << 21 |
-                        (std::int64_t(cell[2]) & 0x1fffff) << 42;
-      if (taken.insert(code).second) chosen.push_back(p);
+    std::vector<int> chosen;
+    CubeSet taken(std::min(of.size(), most + 1));
+    std::size_t at = 0;
+    for (std::size_t n = 0; n < of.size() && chosen.size() <= most; ++n) {
+      if (taken.insert(cubeOf(cloud.points_mm[std::size_t(of[at])], 1.0 / cell_mm))) chosen.push_back(of[at]);
+      at += stride;
+      if (at >= of.size()) at -= of.size();
     }
     if (chosen.size() <= most) return chosen;
   }
+}
+
+std::vector<int> thinOut(const PointCloud<Camera>& cloud, double cell_mm, std::size_t most) {
+  return thinOut(cloud, finitePoints(cloud), cell_mm, most);
 }
 
 PointCloud<Camera> pick(const PointCloud<Camera>& cloud, const std::vector<int>& indices) {
   PointCloud<Camera> out;
   const bool has_normals = cloud.normals.size() == cloud.size();
   for (const int p : indices) {
-    out.points_mm.push_back(cloud.points_mm[p]);
-    if (has_normals) out.normals.push_back(cloud.normals[p]);
+    out.points_mm.push_back(cloud.points_mm[std::size_t(p)]);
+    if (has_normals) out.normals.push_back(cloud.normals[std::size_t(p)]);
   }
   return out;
 }

@@ -7,15 +7,15 @@
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "part_fits.h"
 
 namespace facenav::registration {
 namespace {
 
-constexpr double kSupport_mm = 1.2;
 // Measured on two heads, clouds with 0.2 mm noise, hair, clothes and 0.3 mm of smooth misfit: right head
 // 0.1-0.35 mm and 0.6-0.9 close, wrong head 1.3-2.4 mm and 0.2-0.5 close.
 constexpr double kWrongHead_mm = 0.9, kLeastClose = 0.4;
-constexpr double kMirrored = 1.1;  // support of the mirrored skin over that of the skin
+constexpr double kMirrored_z = -3.0;  // one in a thousand
 constexpr double kRival = 0.9;
 constexpr double kLeastExtent_mm = 45.0;  // a whole face has 120, forehead to mid-nose 80
 constexpr double kLargestError_mm = 2.5;
@@ -26,77 +26,83 @@ std::string oneDecimal(double value) {
   return text;
 }
 
-double support(const PoseFitter& fitter, const Eigen::Isometry3d& mri_T_camera) {
-  double sum = 0;
-  for (const PointMatch& m : fitter.match(mri_T_camera, true)) {
-    const double u = m.residual_mm / kSupport_mm;
-    if (m.is_valid && std::abs(u) < 1) sum += 1 - u * u;
-  }
-  return sum;
-}
-
-Eigen::Isometry3d settle(const PoseFitter& fitter, Eigen::Isometry3d pose, double from_mm) {
-  for (double reach_mm = from_mm; reach_mm > 1.0; reach_mm *= 0.6)
-    pose = fitter.fit(pose, {reach_mm, 0.75 * reach_mm, 6, false});
-  return fitter.fit(pose, {1.2, 1.0, 8, false});
+Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
+  for (float reach_mm = from_mm; reach_mm > 1.2f; reach_mm *= 0.55f)
+    pose = fitter.fit(pose, {reach_mm, 0.7f * reach_mm, 4, reach_mm < 4.0f});
+  return fitter.fit(pose, {1.2f, 1.0f, 5, true});
 }
 
 /// Four standard deviations across or up the face, the smaller.
-double facialExtent_mm(const std::vector<Eigen::Vector3d>& points_mri_mm) {
+double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
   if (points_mri_mm.empty()) return 0.0;
   Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
-  for (const auto& p : points_mri_mm) sum += p.array(), squares += p.array().square();
+  for (const auto& p : points_mri_mm)
+    sum += p.cast<double>().array(), squares += p.cast<double>().array().square();
   const double n = double(points_mri_mm.size());
   const Eigen::Array3d extent = 4 * (squares / n - (sum / n).square()).max(0.0).sqrt();
   return std::min(extent.x(), extent.z());
 }
 
-/// The best support that the mirrored skin finds near the pose.
-double mirroredSupport(const SkinField& skin, const PointCloud<Camera>& face,
-                       const Eigen::Isometry3d& mri_T_camera) {
-  const PoseFitter mirrored(skin, face, 0.5 * (skin.low().x() + skin.high().x()));
-  double best = 0;
+/// The mirrored skin, fitted near the pose: its matches of the same points.
+std::vector<PointMatch> mirroredMatches(const ScalpField& scalp, const PointCloud<Camera>& face,
+                                        const std::vector<int>& points,
+                                        const Eigen::Isometry3d& mri_T_camera) {
+  const Eigen::Vector3d middle = scalp.middle_mm();
+  const FieldFitter mirrored(scalp, face, points, middle.x());
+  Eigen::Isometry3d best = mri_T_camera;
+  double most = -1e9;
   for (const double yaw_deg : {-8.0, 0.0, 8.0}) {
-    Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-    turn.linear() = Eigen::AngleAxisd(yaw_deg * M_PI / 180.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    turn.translation() = mirrored.pivot_mri_mm() - turn.linear() * mirrored.pivot_mri_mm();
-    best = std::max(best, support(mirrored, settle(mirrored, turn * mri_T_camera, 12.0)));
+    Vector6d turn = Vector6d::Zero();
+    turn[2] = yaw_deg * M_PI / 180.0;
+    const Eigen::Isometry3d pose = settle(mirrored, increment(turn, middle, mri_T_camera), 12.0f);
+    const double supported = support(mirrored, pose);
+    if (supported > most) most = supported, best = pose;
   }
-  return best;
+  return mirrored.match(best);
+}
+
+/// The best support that the face finds elsewhere.
+double rivalSupport(const ScalpField& scalp, const PointCloud<Camera>& face,
+                    const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals) {
+  if (rivals.size() < 2) return 0;
+  double most = 0;
+  const FieldFitter everything(scalp, face, thinOut(face, 6.0, 2000));
+  for (const Candidate& rival : rivals) {
+    constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares cut at 4 mm
+    if (kTruncated_mm2 - rival.cost < 0.6 * (kTruncated_mm2 - rivals.front().cost)) continue;
+    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f);
+    if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * M_PI / 180.0, 10.0)) continue;
+    const FieldFitter elsewhere(scalp, face, thinOut(face, nearHead(scalp, face, pose, 30.0), 3.0, 4000));
+    most = std::max(most, support(elsewhere, settle(elsewhere, pose, 2.0f)));
+  }
+  return most;
 }
 
 }  // namespace
 
-FitEvidence gatherEvidence(const SkinField& skin, const PointCloud<Camera>& face,
+FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
                            const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals) {
   FitEvidence evidence;
-  const PointCloud<Camera> head = pick(face, nearHead(skin, face, mri_T_camera, 30.0));
-  const PoseFitter fitter(skin, pick(head, thinOut(head, 3.0, 4000)));
+  const std::vector<int> near = nearHead(scalp, face, mri_T_camera, 30.0);
+  const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   std::vector<double> core;
-  std::vector<Eigen::Vector3d> close_mm;
-  for (const PointMatch& m : fitter.match(mri_T_camera, true)) {
+  std::vector<Eigen::Vector3f> close_mm;
+  for (const PointMatch& m : FieldFitter(scalp, face, head).match(mri_T_camera)) {
+    evidence.support += double(closeness(m));
     if (!m.is_valid || std::abs(m.residual_mm) > 15) continue;
     ++evidence.face_points;
-    if (std::abs(m.residual_mm) < 1.5) close_mm.push_back(m.at_mri_mm);
-    if (std::abs(m.residual_mm) < 6) core.push_back(std::abs(m.residual_mm));
+    if (std::abs(m.residual_mm) < 1.5f) close_mm.push_back(m.at_mri_mm);
+    if (std::abs(m.residual_mm) < 6) core.push_back(double(std::abs(m.residual_mm)));
   }
   evidence.close_fraction = double(close_mm.size()) / std::max<double>(1.0, double(evidence.face_points));
   evidence.extent_mm = facialExtent_mm(close_mm);
   if (!core.empty()) {
-    std::nth_element(core.begin(), core.begin() + core.size() / 2, core.end());
+    std::nth_element(core.begin(), core.begin() + std::ptrdiff_t(core.size() / 2), core.end());
     evidence.core_residual_mm = core[core.size() / 2];
   }
-  evidence.support = support(fitter, mri_T_camera);
-  evidence.mirrored_support = mirroredSupport(skin, fitter.cloud(), mri_T_camera);
-  const PoseFitter everything(skin, pick(face, thinOut(face, 5.0, 4000)));
-  for (const Candidate& rival : rivals) {
-    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0);
-    if (!areDistinct(pose, mri_T_camera, fitter.pivot_mri_mm(), 3 * M_PI / 180.0, 5.0)) continue;
-    const PointCloud<Camera> elsewhere = pick(face, nearHead(skin, face, pose, 30.0));
-    const PoseFitter rival_fitter(skin, pick(elsewhere, thinOut(elsewhere, 3.0, 4000)));
-    evidence.rival_support =
-        std::max(evidence.rival_support, support(rival_fitter, settle(rival_fitter, pose, 2.0)));
-  }
+  evidence.mirror_z = pairedZ(FieldFitter(scalp, face, sparse).match(mri_T_camera),
+                              mirroredMatches(scalp, face, sparse, mri_T_camera));
+  evidence.rival_support = rivalSupport(scalp, face, mri_T_camera, rivals);
   return evidence;
 }
 
@@ -106,8 +112,7 @@ void requireTrust(const FitEvidence& evidence) {
   };
   if (evidence.face_points < 300 || evidence.extent_mm < kLeastExtent_mm)
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
-  if (evidence.mirrored_support > kMirrored * evidence.support &&
-      evidence.mirrored_support > 0.5 * double(evidence.face_points))
+  if (evidence.mirror_z < kMirrored_z)
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
   if (evidence.core_residual_mm > kWrongHead_mm || evidence.close_fraction < kLeastClose)

@@ -2,29 +2,123 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
+#include "cloud_sampling.h"
 #include "facenav/core/error.h"
-#include "pose_covariance.h"
 
 namespace facenav::registration {
 namespace {
 
-constexpr double kHairPatch_mm = 10.0;
+constexpr double kHairPatch_mm = 10.0, kModelPatch_mm = 12.0;
+constexpr double kLeastCovered =
+    0.65;  // a patch with more points off the skin is at the edge of hair or coil
 
-AlignmentResult describe(const SkinField& skin, const PointCloud<Camera>& face, const FinalFit& fit) {
+long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm) {
+  const auto cell = [&](double x) { return (long long)(std::floor(x / size_mm)) & 0xfffff; };
+  return cell(p_mm.x()) | cell(p_mm.y()) << 20 | cell(p_mm.z()) << 40;
+}
+
+PoseBelief believeMatches(const ScalpField& scalp, const std::vector<PointMatch>& matches, double limit_mm) {
+  auto patches = gatherPatches(matches, kModelPatch_mm, limit_mm, scalp.middle_mm());
+  patches.erase(std::remove_if(patches.begin(), patches.end(),
+                               [](const SkinPatch& p) { return p.covered < kLeastCovered; }),
+                patches.end());
+  if (patches.size() < 20)
+    throw Error("not aligned: too little of the face was measured", {},
+                "show the whole face to both cameras, with the dots on it");
+  return believe(patches, FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {});
+}
+
+/// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at
+/// the image of Mri's origin: there the head turns the other way, and the shift is that of the origin.
+Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_mm,
+                  const Eigen::Matrix3d& camera_R_mri) {
+  Matrix6d carry = Matrix6d::Zero();
+  carry.topLeftCorner<3, 3>() = -camera_R_mri;
+  carry.bottomLeftCorner<3, 3>() = -camera_R_mri * skew(pivot_mri_mm);
+  carry.bottomRightCorner<3, 3>() = -camera_R_mri;
+  return carry * covariance * carry.transpose();
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm) {
+  std::unordered_map<long long, std::vector<double>> patches;
+  for (const PointMatch& m : matches)
+    if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
+      patches[cubeOf(m.at_mri_mm, kHairPatch_mm)].push_back(double(m.residual_mm));
+  std::unordered_map<long long, double> middle;
+  std::vector<double> sizes;
+  for (const auto& [key, residuals] : patches) {
+    if (residuals.size() < 4) continue;
+    middle[key] = median(residuals);
+    sizes.push_back(std::abs(middle[key]));
+  }
+  const double limit = std::clamp(1.4826 * 4.0 * median(sizes), 0.5, 1.5);
+  std::vector<float> weights(matches.size(), 0.0f);
+  for (std::size_t p = 0; p < matches.size(); ++p) {
+    if (!matches[p].is_valid) continue;
+    const auto patch = middle.find(cubeOf(matches[p].at_mri_mm, kHairPatch_mm));
+    if (patch != middle.end()) weights[p] = tukeyWeight(float(patch->second), float(limit));
+  }
+  return weights;
+}
+
+double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
+  std::vector<double> sizes;
+  for (const PointMatch& m : matches)
+    if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
+      sizes.push_back(double(std::abs(m.residual_mm)));
+  return std::clamp(4.0 * 1.4826 * median(sizes), 0.6, 3.0);
+}
+
+FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+                 const Eigen::Isometry3d& pose, double limit_mm) {
+  const FieldFitter fitter(scalp, face, points);
+  FinalFit fit{pose, limit_mm, {}};
+  for (int round = 0; round < 2; ++round) {
+    fit.belief = believeMatches(scalp, fitter.match(fit.mri_T_camera), limit_mm);
+    fit.mri_T_camera = increment(-fit.belief.error, scalp.middle_mm(), fit.mri_T_camera);
+  }
+  return fit;
+}
+
+FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+               const Eigen::Isometry3d& pose, double limit_mm) {
+  FinalFit fit{pose, limit_mm, believeMatches(scalp, FieldFitter(scalp, face, points).match(pose), limit_mm)};
+  fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
+  return fit;
+}
+
+AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
+                       const std::vector<Candidate>& rivals) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
-  const PoseFitter fitter(skin, face);
-  const auto matches = fitter.match(fit.mri_T_camera, true);
-  std::vector<double> weights = patchWeights(matches, 4.0);
+  result.covariance = inCamera(fit.belief.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
+  result.freedom = fit.belief.freedom;
+  result.misfit_mm = fit.belief.field_mm;
+  FitEvidence evidence = gatherEvidence(scalp, face, fit.mri_T_camera, rivals);
+  evidence.predicted_error_mm = result.predictedError_mm(Point<Mri>(scalp.middle_mm()));
+  requireTrust(evidence);
+
+  std::vector<int> all(face.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto matches = FieldFitter(scalp, face, all).match(fit.mri_T_camera);
+  const std::vector<float> weights = patchWeights(matches, 4.0);
   double squares = 0;
   std::size_t offered = 0;
   for (std::size_t p = 0; p < matches.size(); ++p) {
-    const double residual = matches[p].residual_mm;
+    const double residual = double(matches[p].residual_mm);
     const bool is_inlier = weights[p] > 0 && std::abs(residual) < fit.limit_mm;
     offered += matches[p].is_valid && std::abs(residual) < 15;
-    weights[p] *= tukeyWeight(residual, fit.limit_mm);
     result.is_inlier.push_back(is_inlier);
     result.residual_mm.push_back(residual);
     if (!is_inlier) continue;
@@ -34,63 +128,14 @@ AlignmentResult describe(const SkinField& skin, const PointCloud<Camera>& face, 
   }
   result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
   result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;
-  result.covariance = poseCovariance(matches, weights, fit.mri_T_camera, {});
   return result;
 }
 
-}  // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-/// Weights 0..1 of points by how well the patch of skin around them fits as a whole: hair, a collar or
-/// swollen skin lifts whole patches, noise does not.
-std::vector<double> patchWeights(const std::vector<PointMatch>& matches, double reach_mm) {
-  std::unordered_map<long long, std::vector<double>> patches;
-  for (const PointMatch& m : matches)
-    if (m.is_valid && std::abs(m.residual_mm) < reach_mm)
-      patches[patchKey(m.at_mri_mm, kHairPatch_mm)].push_back(m.residual_mm);
-  std::unordered_map<long long, double> middle;
-  std::vector<double> sizes;
-  for (const auto& [key, residuals] : patches) {
-    if (residuals.size() < 4) continue;
-    middle[key] = median(residuals);
-    sizes.push_back(std::abs(middle[key]));
-  }
-  const double limit = std::clamp(1.4826 * 4.0 * median(sizes), 0.5, 1.5);
-  std::vector<double> weights(matches.size(), 0.0);
-  for (std::size_t p = 0; p < matches.size(); ++p) {
-    const auto patch = middle.find(patchKey(matches[p].at_mri_mm, kHairPatch_mm));
-    if (matches[p].is_valid && patch != middle.end()) weights[p] = tukeyWeight(patch->second, limit);
-  }
-  return weights;
-}
-
-double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
-  std::vector<double> sizes;
-  for (const PointMatch& m : matches)
-    if (m.is_valid && std::abs(m.residual_mm) < reach_mm) sizes.push_back(std::abs(m.residual_mm));
-  return std::clamp(4.0 * 1.4826 * median(sizes), 0.6, 3.0);
-}
-
-AlignmentResult report(const SkinField& skin, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const std::vector<Candidate>& rivals) {
-  AlignmentResult result = describe(skin, face, fit);
-  FitEvidence evidence = gatherEvidence(skin, face, fit.mri_T_camera, rivals);
-  evidence.predicted_error_mm = result.predictedError_mm(Point<Mri>(0.5 * (skin.low() + skin.high())));
-  requireTrust(evidence);
-  return result;
-}
-
-void requireMaterial(const SkinModel& skin, const PointCloud<Camera>& face) {
-  if (!skin.has_face)
+void requireMaterial(const ScalpField& scalp, const PointCloud<Camera>& face) {
+  if (!scalp.skin().has_face)
     throw Error("not aligned: the MRI shows no face to align to", {},
                 "use a scan with the face in it (not defaced)");
-  std::size_t finite = 0;
-  for (const auto& p : face.points_mm) finite += p.allFinite();
+  const std::size_t finite = finitePoints(face).size();
   if (finite < 500)
     throw Error("not aligned: too little of the face was measured (" + std::to_string(finite) + " points)",
                 {}, "show the whole face to both cameras, with the dots on it");

@@ -9,6 +9,7 @@
 #include "cloud_sampling.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "fit_report.h"
+#include "nearest_skin.h"
 
 namespace facenav::registration {
 namespace {
@@ -18,32 +19,50 @@ struct IcpFit {
   double mean_square_mm2 = 1e12;
 };
 
-/// Pairs: cloud point and nearest vertex of the skin, the closest `kept` of those with a counterpart.
-IcpFit iterate(const SkinField& skin, const PointCloud<Camera>& face, Eigen::Isometry3d pose, double kept,
-               int iterations) {
+/// A cloud point in Mri and the vertex nearest to it.
+struct Pair {
+  double squared_mm2;
+  int point, vertex;
+};
+
+std::vector<Pair> pairUp(const ScalpField& scalp, const PointCloud<Camera>& face,
+                         const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
+  constexpr double kGrazing_cos = 0.12;  // skin seen flatter than this is no counterpart
+  const auto& vertices = scalp.skin().points.points_mm;
+  std::vector<Pair> pairs;
+  for (const int p : points) {
+    const Eigen::Vector3d at = mri_T_camera * face.points_mm[std::size_t(p)];
+    const int vertex = scalp.nearest().nearestVertex(at);
+    if (scalp.nearest().isOnBorder(vertex) || scalp.nearest().isBeyondScan(at)) continue;
+    const Eigen::Vector3d towards_camera = (mri_T_camera.translation() - at).normalized();
+    if (scalp.skin().points.normals[std::size_t(vertex)].dot(towards_camera) < kGrazing_cos) continue;
+    pairs.push_back({(vertices[std::size_t(vertex)] - at).squaredNorm(), p, vertex});
+  }
+  return pairs;
+}
+
+/// The closest `kept` of the pairs with a counterpart, fitted until the pose stands still.
+IcpFit iterate(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+               Eigen::Isometry3d pose, double kept, int iterations) {
   IcpFit fit{pose};
-  const PoseFitter fitter(skin, face);
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    const auto matches = fitter.match(pose, false);
-    std::vector<std::pair<double, int>> pairs;
-    for (std::size_t p = 0; p < matches.size(); ++p)
-      if (matches[p].is_valid)
-        pairs.emplace_back((skin.vertices()[matches[p].vertex] - matches[p].at_mri_mm).squaredNorm(), int(p));
+    auto pairs = pairUp(scalp, face, points, pose);
     const std::size_t count = std::size_t(kept * double(pairs.size()));
     if (count < 50) return {pose};
-    std::nth_element(pairs.begin(), pairs.begin() + count, pairs.end());
+    std::nth_element(pairs.begin(), pairs.begin() + std::ptrdiff_t(count), pairs.end(),
+                     [](const Pair& a, const Pair& b) { return a.squared_mm2 < b.squared_mm2; });
     std::vector<Eigen::Vector3d> from_mm, to_mm;
     double squares = 0;
     for (std::size_t p = 0; p < count; ++p) {
-      from_mm.push_back(face.points_mm[pairs[p].second]);
-      to_mm.push_back(skin.vertices()[matches[pairs[p].second].vertex]);
-      squares += pairs[p].first;
+      from_mm.push_back(face.points_mm[std::size_t(pairs[p].point)]);
+      to_mm.push_back(scalp.skin().points.points_mm[std::size_t(pairs[p].vertex)]);
+      squares += pairs[p].squared_mm2;
     }
     const Eigen::Isometry3d next = fitRigidPoints(from_mm, to_mm).to_T_from;
     // Few pairs at the head's rim match well anywhere: a fit that uses less of the cloud counts for less.
-    const double used = double(pairs.size()) / double(face.size());
+    const double used = double(pairs.size()) / double(points.size());
     fit = {next, squares / double(count) / (used * used)};
-    if (!areDistinct(next, pose, fitter.pivot_mri_mm(), 1e-5, 1e-3)) break;
+    if (!areDistinct(next, pose, scalp.middle_mm(), 1e-5, 1e-3)) break;
     pose = next;
   }
   return fit;
@@ -51,27 +70,25 @@ IcpFit iterate(const SkinField& skin, const PointCloud<Camera>& face, Eigen::Iso
 
 class IcpAligner : public Aligner {
  public:
-  AlignmentResult align(const SkinModel& skin_model, const PointCloud<Camera>& face,
-                        const AlignmentStart& start, TaskMonitor& monitor) const override {
-    requireMaterial(skin_model, face);
-    monitor.report("distance field", 0.0);
-    const SkinField skin(skin_model);
-    const auto starts = findStarts(skin, face, start, {true, 12, false, false}, monitor);
+  AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
+                        TaskMonitor& monitor) const override {
+    requireMaterial(scalp, face);
+    auto starts = findStarts(scalp, face, start, SearchWidth::near, 6, monitor);
     IcpFit best{starts.front().mri_T_camera};
-    std::vector<Candidate> tried;
     for (std::size_t s = 0; s < starts.size(); ++s) {
       monitor.report("iterating closest points", double(s) / double(starts.size()));
-      const PointCloud<Camera> head = pick(face, nearHead(skin, face, starts[s].mri_T_camera, 40.0));
+      const auto head = nearHead(scalp, face, starts[s].mri_T_camera, 40.0);
       const IcpFit fit =
-          iterate(skin, pick(head, thinOut(head, 5.0, 1500)), starts[s].mri_T_camera, kKept, 30);
-      tried.push_back({fit.mri_T_camera, fit.mean_square_mm2});
+          iterate(scalp, face, thinOut(face, head, 5.0, 1500), starts[s].mri_T_camera, kKept, 30);
+      starts[s] = {fit.mri_T_camera, fit.mean_square_mm2};
       if (fit.mean_square_mm2 < best.mean_square_mm2) best = fit;
     }
-    const PointCloud<Camera> head = pick(face, nearHead(skin, face, best.mri_T_camera, 30.0));
-    best = iterate(skin, pick(head, thinOut(head, 3.0, 5000)), best.mri_T_camera, kKept,
+    const auto head = nearHead(scalp, face, best.mri_T_camera, 30.0);
+    best = iterate(scalp, face, thinOut(face, head, 3.0, 5000), best.mri_T_camera, kKept,
                    400);  // it slides slowly
-    const auto matches = PoseFitter(skin, head).match(best.mri_T_camera, true);
-    return report(skin, face, {best.mri_T_camera, inlierLimit_mm(matches, 3.0)}, tried);
+    const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);
+    return report(scalp, face, judge(scalp, face, head, best.mri_T_camera, inlierLimit_mm(matches, 3.0)),
+                  starts);
   }
 
  private:

@@ -1,52 +1,71 @@
+#include <algorithm>
+
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
 #include "fit_report.h"
+#include "part_fits.h"
 
 namespace facenav::registration {
 namespace {
 
-FinalFit refine(const SkinField& skin, const PointCloud<Camera>& face, Eigen::Isometry3d pose,
+constexpr float kOutside = 0.67f;           // foreign things lie outside the skin: let go there first
+constexpr std::size_t kMostPoints = 20000;  // more add nothing: neighbours share their error
+
+/// From within a few mm to the end: parts first (hair, hands), then all points on the fine field, then the
+/// misfit model.
+FinalFit refine(const ScalpField& scalp, const PointCloud<Camera>& face, Eigen::Isometry3d pose,
                 TaskMonitor& monitor) {
-  const PointCloud<Camera> head = pick(face, nearHead(skin, face, pose, 30.0));
-  PoseFitter fitter(skin, pick(head, thinOut(head, 1.5, 20000)));
   monitor.report("fitting the face", 0.2);
-  pose = fitter.fit(pose, {3.0, 2.0, 6, false});
-  pose = fitter.fit(pose, {2.0, 1.5, 6, false});
-  double limit_mm = 2.0;
-  for (int round = 0; round < 3; ++round) {
-    monitor.report("fitting the face", 0.4 + 0.2 * round);
-    const auto matches = fitter.match(pose, true);
-    fitter.setWeights(patchWeights(matches, 4.0));
-    limit_mm = inlierLimit_mm(matches, limit_mm);
-    pose = fitter.fit(pose, {limit_mm, limit_mm, 6, true});
+  const std::vector<int> head = thinOut(face, nearHead(scalp, face, pose, 20.0), 1.0, kMostPoints);
+  const PartFit parts = bestOfParts(scalp, face, thinOut(face, head, 6.0, 1000), pose);
+  pose = parts.mri_T_camera;
+  monitor.report("fitting the face", 0.5);
+  FieldFitter sparse(scalp, face, thinOut(face, head, 3.0, 4000)), all(scalp, face, head);
+  float limit_mm = 2.0f;
+  for (FieldFitter* fitter : {&sparse, &all}) {
+    const auto matches = fitter->match(pose);
+    fitter->setWeights(patchWeights(matches, 4.0));
+    limit_mm = std::min(1.5f, float(inlierLimit_mm(matches, limit_mm)));
+    pose = fitter->fit(pose, {limit_mm, kOutside * limit_mm, 3, true});
   }
-  return {pose, limit_mm};
+  monitor.report("modelling the skin's misfit", 0.8);
+  FinalFit fit = correct(scalp, face, head, pose, double(limit_mm));
+  fit.belief.covariance += parts.doubt;
+  return fit;
 }
 
 class SurfaceAligner : public Aligner {
  public:
-  AlignmentResult align(const SkinModel& skin_model, const PointCloud<Camera>& face,
-                        const AlignmentStart& start, TaskMonitor& monitor) const override {
-    requireMaterial(skin_model, face);
-    monitor.report("distance field", 0.0);
-    const SkinField skin(skin_model);
+  AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
+                        TaskMonitor& monitor) const override {
+    requireMaterial(scalp, face);
     try {
-      return alignFrom(skin, face, start, {}, monitor);
+      if (const auto straight = descend(scalp, face, start))
+        return report(scalp, face, refine(scalp, face, straight->mri_T_camera, monitor), {});
     } catch (const Cancelled&) {
       throw;
     } catch (const Error&) {
-      // Hints may mislead and the first search is quick: what it refuses gets a second, thorough one.
-      return alignFrom(skin, face, start, {false, 10, true}, monitor);
+      // A poor guess: look around it.
     }
+    for (const SearchWidth width : {SearchWidth::near, SearchWidth::any}) {
+      try {
+        return search(scalp, face, start, width, 6, monitor);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error&) {
+        // Hints may mislead and the first search is quick: what it refuses gets a wider one.
+      }
+    }
+    return search(scalp, face, start, SearchWidth::thorough, 10, monitor);
   }
 
  private:
-  static AlignmentResult alignFrom(const SkinField& skin, const PointCloud<Camera>& face,
-                                   const AlignmentStart& start, const SearchExtent& extent,
-                                   TaskMonitor& monitor) {
-    const auto candidates = findStarts(skin, face, start, extent, monitor);
-    const FinalFit fit = refine(skin, face, candidates.front().mri_T_camera, monitor);
-    return report(skin, face, fit, candidates);
+  static AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face,
+                                const AlignmentStart& start, SearchWidth width, std::size_t most,
+                                TaskMonitor& monitor) {
+    const auto candidates = findStarts(scalp, face, start, width, most, monitor);
+    const FinalFit fit = refine(scalp, face, candidates.front().mri_T_camera, monitor);
+    return report(scalp, face, fit, candidates);
   }
 };
 

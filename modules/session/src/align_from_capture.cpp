@@ -1,6 +1,7 @@
 #include "facenav/session/align_from_capture.h"
 
 #include <cmath>
+#include <future>
 
 #include "facenav/core/error.h"
 
@@ -64,6 +65,7 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.inlier_fraction = result.inlier_fraction;
   alignment.points = result.points;
   alignment.predicted_tre_mm = predicted_tre_mm;
+  alignment.predicted_tre_p95_mm = predicted_tre_p95_mm;
   return alignment;
 }
 
@@ -75,15 +77,20 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
     throw Error("not aligned: this scan holds no face to align to", {},
                 scalp.findings.empty() ? "use a scan of the whole head" : scalp.findings.front());
   monitor.report("finding the face", 0.0);
+  // The field of the scalp is built while the face is found and measured.
+  auto field = std::async(std::launch::async,
+                          [&] { return std::make_unique<registration::ScalpField>(skinModel(scalp)); });
   AlignmentOutcome outcome;
   outcome.landmarks = findFace(rig, capture.plain, detector);
   const auto cloud =
       stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
   outcome.face = cutFace(cloud, outcome.landmarks);
-  outcome.result = aligner.align(skinModel(scalp), outcome.face.cloud, outcome.landmarks.start, monitor);
+  outcome.result = aligner.align(*field.get(), outcome.face.cloud, outcome.landmarks.start, monitor);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
-  for (const auto& target : targets)
+  for (const auto& target : targets) {
     outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);
+    outcome.predicted_tre_p95_mm[target.name] = outcome.result.errorBound_mm(target.cortex_point);
+  }
   return outcome;
 }
 

@@ -20,12 +20,14 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   alignment.inlier_fraction = 0.93;
   alignment.points = 15234;
   alignment.predicted_tre_mm = {{"M1 hand L", 0.42}};
+  alignment.predicted_tre_p95_mm = {{"M1 hand L", 0.81}};
   writeAlignment(alignment, folder.path() / "alignment.json");
   const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
   EXPECT_THAT(read.camera_T_mri, PoseNear(alignment.camera_T_mri, 1e-9, 1e-12));
   EXPECT_EQ(read.points, 15234);
   EXPECT_EQ(read.max_mm, 1.7);
   EXPECT_EQ(read.predicted_tre_mm, alignment.predicted_tre_mm);
+  EXPECT_EQ(read.predicted_tre_p95_mm, alignment.predicted_tre_p95_mm);
 }
 
 TEST(AlignmentJson, RefusesWhatCannotBeAPose) {

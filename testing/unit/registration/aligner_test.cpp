@@ -21,7 +21,7 @@ const Point<Mri> kTarget(-40, -10, 60);  // cortex under the coil
 AlignmentResult align(const SkinModel& skin, const PointCloud<Camera>& face,
                       const AlignmentStart& start = {}) {
   TaskMonitor monitor;
-  return makeSurfaceAligner()->align(skin, face, start, monitor);
+  return makeSurfaceAligner()->align(ScalpField(skin), face, start, monitor);
 }
 
 void expectClose(const AlignmentResult& result, const RigidTransform<Camera, Mri>& truth, double most_mm,
@@ -127,7 +127,8 @@ TEST(IcpAligner, FindsTheHeadAsThePaperDoes) {
   TaskMonitor monitor;
   AlignmentStart start;
   start.patient_superior = truth * Direction<Mri>(Eigen::Vector3d(0, 0, 1));
-  const auto result = makeIcpAligner()->align(head.skin(), measure(head, truth, {}), start, monitor);
+  const auto result =
+      makeIcpAligner()->align(ScalpField(head.skin()), measure(head, truth, {}), start, monitor);
   expectClose(result, truth, 1.0, 0.6);
 }
 
@@ -135,8 +136,9 @@ TEST(SurfaceAligner, StopsWhenCancelled) {
   const ModelHead head;
   TaskMonitor monitor;
   monitor.cancel();
-  EXPECT_THROW(makeSurfaceAligner()->align(head.skin(), measure(head, facing(0, 0, 0), {}), {}, monitor),
-               Cancelled);
+  EXPECT_THROW(
+      makeSurfaceAligner()->align(ScalpField(head.skin()), measure(head, facing(0, 0, 0), {}), {}, monitor),
+      Cancelled);
 }
 
 }  // namespace

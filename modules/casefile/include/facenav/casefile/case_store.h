@@ -22,7 +22,8 @@ struct StoredAlignment {
   RigidTransform<Camera, Mri> camera_T_mri;
   double rms_mm = 0, max_mm = 0, inlier_fraction = 0;
   int points = 0;
-  std::map<std::string, double> predicted_tre_mm;
+  // Per target: standard error, and what 95 of 100 errors stay below (absent in files of older versions).
+  std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 };
 /// What alignment.json keeps of a fit, with the predicted error at each target's cortex point.
 StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan);

@@ -1,6 +1,7 @@
 #pragma once
 // Aligner: fits the MRI's skin to the face cloud (paper, section 3, equation 1) and says how far to trust the
-// fit. Data flow: ScalpSurface points + FaceCloud -> AlignmentResult (camera_T_mri at the time of capture).
+// fit. Data flow: ScalpField (of the ScalpSurface) + FaceCloud -> AlignmentResult (camera_T_mri at the time
+// of capture).
 
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "facenav/core/task_monitor.h"
 #include "facenav/geometry/rigid_transform.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/registration/scalp_field.h"
 
 namespace facenav::registration {
 
@@ -21,17 +23,6 @@ struct AlignmentStart {
   std::optional<RigidTransform<Camera, Mri>> guess;  // a previous alignment
 };
 
-/// The skin of the MRI: points with outward unit normals, Mri mm, and triangles over them. `has_face` is
-/// false for a defaced scan.
-struct SkinModel {
-  PointCloud<Mri> points;
-  std::vector<Eigen::Vector3i> triangles;
-  /// Where the scan ends below (the lowest plane of the field of view), Mri: points of the cloud beyond it
-  /// have no counterpart. Unit normals point out of the scan.
-  std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
-  bool has_face = true;
-};
-
 struct AlignmentResult {
   RigidTransform<Camera, Mri> camera_T_mri;
   double rms_mm = 0.0, max_mm = 0.0;       // residuals |point - skin| of the inliers
@@ -41,8 +32,13 @@ struct AlignmentResult {
   std::vector<double> residual_mm;         // signed along the skin's outward normal, one per cloud point
   Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm), left increment in Camera at
                                            // the origin of Mri's image
+  double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
+  double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
+
   /// Predicted standard error at a point of the patient (pose covariance carried there), mm.
   double predictedError_mm(const Point<Mri>& target) const;
+  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm.
+  double errorBound_mm(const Point<Mri>& target, double probability = 0.95) const;
 };
 
 class Aligner {
@@ -50,7 +46,7 @@ class Aligner {
   virtual ~Aligner() = default;
   /// Throws Error("not aligned: ...") when the fit cannot be trusted: no face in the scan, too few points,
   /// mirrored or wrong head, too large a residual, an ambiguous pose. Never returns a doubtful fit.
-  virtual AlignmentResult align(const SkinModel& skin, const PointCloud<Camera>& face,
+  virtual AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face,
                                 const AlignmentStart& start, TaskMonitor& monitor) const = 0;
 };
 
@@ -59,8 +55,7 @@ class Aligner {
 /// farthest 30 % of the pairs and those at the scan's cut edge are dropped, and it starts from the search's
 /// rough poses.
 std::unique_ptr<Aligner> makeIcpAligner();
-/// The default, "surface": robust point-to-plane on a distance field of the skin, many starts, coarse to
-/// fine.
+/// The default, "surface": robust point-to-plane on the scalp's distance field, many starts, coarse to fine.
 std::unique_ptr<Aligner> makeSurfaceAligner();
 
 }  // namespace facenav::registration

@@ -40,7 +40,8 @@ struct AlignmentOutcome {
   stereo::FaceCloud face;  // what was offered to the aligner; result's lists run along it
   FaceInSpace landmarks;
   tracking::HeadReference reference;  // for the head tracker: plain frame, inlier points with their pixels
-  std::map<std::string, double> predicted_tre_mm;  // per target
+  // Per target: standard error, and what 95 of 100 errors stay below.
+  std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
   casefile::StoredAlignment stored() const;
 };

@@ -1,4 +1,4 @@
-#include "skin_field.h"
+#include "nearest_skin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,7 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kNode_mm = 3.0;
-constexpr double kMargin_mm =
-    45.0;  // around the skin; queries farther out start from the grid's nearest node
+constexpr double kNode_mm = 4.0;
 
 /// The point of triangle abc nearest to p as weights of the corners (Ericson 2005, section 5.1.5).
 Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
@@ -46,22 +44,21 @@ void group(std::vector<std::pair<int, int>>& items, std::size_t owners, std::vec
 
 }  // namespace
 
-SkinField::SkinField(const SkinModel& skin) : skin_(skin) {
+NearestSkin::NearestSkin(const SkinModel& skin) : skin_(&skin) {
   if (skin.points.empty() || skin.points.normals.size() != skin.points.size() || skin.triangles.empty())
     throw Error("not aligned: the skin model has no surface", {}, "run 'facenav prepare' again");
   low_ = high_ = vertices().front();
   for (const auto& v : vertices()) low_ = low_.cwiseMin(v), high_ = high_.cwiseMax(v);
   linkVertices();
   fillNodes();
-  measureNodes();
 }
 
-void SkinField::linkVertices() {
+void NearestSkin::linkVertices() {
   std::vector<std::pair<int, int>> directed, corner;
-  for (std::size_t t = 0; t < skin_.triangles.size(); ++t)
+  for (std::size_t t = 0; t < skin_->triangles.size(); ++t)
     for (int c = 0; c < 3; ++c) {
-      directed.emplace_back(skin_.triangles[t][c], skin_.triangles[t][(c + 1) % 3]);
-      corner.emplace_back(skin_.triangles[t][c], int(t));
+      directed.emplace_back(skin_->triangles[t][c], skin_->triangles[t][(c + 1) % 3]);
+      corner.emplace_back(skin_->triangles[t][c], int(t));
     }
   group(corner, vertices().size(), first_triangle_, triangles_of_);
   // An edge without its opposite is the surface's end.
@@ -77,7 +74,7 @@ void SkinField::linkVertices() {
   group(both, vertices().size(), first_neighbour_, neighbours_);
 }
 
-void SkinField::fillNodes() {
+void NearestSkin::fillNodes() {
   origin_ = low_ - Eigen::Vector3d::Constant(kMargin_mm);
   for (int a = 0; a < 3; ++a) size_[a] = int(std::ceil((high_[a] - low_[a] + 2 * kMargin_mm) / kNode_mm)) + 1;
   node_.assign(std::size_t(size_[0]) * size_[1] * size_[2], -1);
@@ -98,10 +95,11 @@ void SkinField::fillNodes() {
     for (int j = -1; j <= 1; ++j)
       for (int i = -1; i <= 1; ++i)
         if (k * 9 + j * 3 + i < 0) before.push_back({i, j, k});
-  for (int round = 0; round < 2; ++round) propagate(before, false), propagate(before, true);
+  propagate(before, false);
+  propagate(before, true);
 }
 
-void SkinField::propagate(const std::vector<std::array<int, 3>>& offsets, bool is_backward) {
+void NearestSkin::propagate(const std::vector<std::array<int, 3>>& offsets, bool is_backward) {
   const auto squared = [&](int vertex, const Eigen::Vector3d& p) {
     return (vertices()[vertex] - p).squaredNorm();
   };
@@ -127,40 +125,20 @@ void SkinField::propagate(const std::vector<std::array<int, 3>>& offsets, bool i
       }
 }
 
-void SkinField::measureNodes() {
-  distance_mm_.resize(node_.size());
-  std::size_t node = 0;
-  for (int k = 0; k < size_[2]; ++k)
-    for (int j = 0; j < size_[1]; ++j)
-      for (int i = 0; i < size_[0]; ++i, ++node) {
-        const Eigen::Vector3d p = origin_ + kNode_mm * Eigen::Vector3d(i, j, k),
-                              d = p - vertices()[node_[node]];
-        const float side = d.dot(normals()[node_[node]]) < 0 ? -1.f : 1.f;
-        distance_mm_[node] = isBeyondScan(p) ? kNoSkin : side * float(d.norm());
-      }
-}
-
-float SkinField::roughDistance_mm(const Eigen::Vector3d& p) const {
-  const Eigen::Vector3d at = (p - origin_) * (1.0 / kNode_mm) + Eigen::Vector3d::Constant(0.5);
-  if (!(at.minCoeff() >= 0)) return kNoSkin;
-  const int i = int(at[0]), j = int(at[1]), k = int(at[2]);
-  if (i >= size_[0] || j >= size_[1] || k >= size_[2]) return kNoSkin;
-  return distance_mm_[i + std::size_t(size_[0]) * (j + std::size_t(size_[1]) * k)];
-}
-
-int SkinField::nodeVertex(const Eigen::Vector3d& p) const {
+int NearestSkin::nodeVertex(const Eigen::Vector3d& p) const {
   const Eigen::Vector3d at = (p - origin_) / kNode_mm;
   std::array<int, 3> n;
   for (int a = 0; a < 3; ++a) n[a] = int(std::clamp(std::round(at[a]), 0.0, size_[a] - 1.0));
   return node_[n[0] + std::size_t(size_[0]) * (n[1] + std::size_t(size_[1]) * n[2])];
 }
 
-int SkinField::walk(int vertex, const Eigen::Vector3d& p) const {
+int NearestSkin::nearestVertex(const Eigen::Vector3d& p) const {
+  int vertex = nodeVertex(p);
   double nearest = (vertices()[vertex] - p).squaredNorm();
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
-    const int from = vertex;
-    for (int e = first_neighbour_[from]; e < first_neighbour_[from + 1]; ++e) {
+    const int at = vertex;
+    for (int e = first_neighbour_[at]; e < first_neighbour_[at + 1]; ++e) {
       const double d = (vertices()[neighbours_[e]] - p).squaredNorm();
       if (d < nearest) nearest = d, vertex = neighbours_[e], has_moved = true;
     }
@@ -168,37 +146,30 @@ int SkinField::walk(int vertex, const Eigen::Vector3d& p) const {
   return vertex;
 }
 
-bool SkinField::isBeyondScan(const Eigen::Vector3d& p) const {
-  for (const auto& [point, normal] : skin_.field_of_view)
+bool NearestSkin::isBeyondScan(const Eigen::Vector3d& p) const {
+  for (const auto& [point, normal] : skin_->field_of_view)
     if ((p - point.mm).dot(normal.v) > 0) return true;
   return false;
 }
 
-SkinContact SkinField::nearestVertex(const Eigen::Vector3d& p) const {
+SkinContact NearestSkin::nearest(const Eigen::Vector3d& p) const {
   SkinContact contact;
-  contact.vertex = walk(nodeVertex(p), p);
-  contact.normal = normals()[contact.vertex];
-  contact.closest_mm = vertices()[contact.vertex];
-  contact.distance_mm = contact.normal.dot(p - contact.closest_mm);
+  contact.vertex = nearestVertex(p);
   contact.is_on_border = on_border_[contact.vertex];
   contact.is_beyond_scan = isBeyondScan(p);
-  return contact;
-}
-
-SkinContact SkinField::nearestSkin(const Eigen::Vector3d& p) const {
-  SkinContact contact = nearestVertex(p);
   double nearest = std::numeric_limits<double>::max();
   for (int e = first_triangle_[contact.vertex]; e < first_triangle_[contact.vertex + 1]; ++e) {
-    const Eigen::Vector3i& t = skin_.triangles[triangles_of_[e]];
+    const Eigen::Vector3i& t = skin_->triangles[triangles_of_[e]];
     const Eigen::Vector3d w = nearestOnTriangle(p, vertices()[t[0]], vertices()[t[1]], vertices()[t[2]]);
     const Eigen::Vector3d q = w[0] * vertices()[t[0]] + w[1] * vertices()[t[1]] + w[2] * vertices()[t[2]];
     const double d = (p - q).squaredNorm();
     if (d >= nearest) continue;
     nearest = d;
     contact.closest_mm = q;
-    contact.normal = (w[0] * normals()[t[0]] + w[1] * normals()[t[1]] + w[2] * normals()[t[2]]).normalized();
+    contact.normal = w[0] * normals()[t[0]] + w[1] * normals()[t[1]] + w[2] * normals()[t[2]];
   }
-  contact.distance_mm = contact.normal.dot(p - contact.closest_mm);
+  contact.normal.normalize();
+  contact.distance_mm = std::sqrt(nearest) * (contact.normal.dot(p - contact.closest_mm) < 0 ? -1.0 : 1.0);
   return contact;
 }
 

@@ -1,0 +1,113 @@
+#pragma once
+// ScalpField: the signed distance to the MRI's skin as a look-up, built once a case and shared by every
+// alignment to it. Two grids: a coarse one over head and surroundings for the search, and bricks of a fine
+// one in a band about the skin for the fit; both are interpolated trilinearly, so that distance and gradient
+// belong together and Gauss-Newton steps are exact. Interpolation errs by h^2/8 times the skin's mean
+// curvature: under 0.05 mm on the tip of a nose (fine grid). Not a number where there is no counterpart:
+// beyond the scan's end, and where the nearest skin is its cut edge. Mri mm; positive outside.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "facenav/registration/skin_model.h"
+
+namespace facenav::registration {
+
+class NearestSkin;
+
+/// Distance and its gradient (close to unit length, outward).
+struct FieldSample {
+  float distance_mm;  // not a number: no counterpart
+  Eigen::Vector3f gradient;
+};
+
+class ScalpField {
+ public:
+  /// Throws Error("not aligned: ...") when the skin has no points, no normals or no triangles.
+  explicit ScalpField(const SkinModel& skin);
+  ~ScalpField();
+  ScalpField(const ScalpField&) = delete;
+  ScalpField& operator=(const ScalpField&) = delete;
+
+  /// Coarse grid, good to 0.1 mm on a forehead and 0.5 mm on a nose; kFar_mm outside it.
+  FieldSample coarse(const Eigen::Vector3f& p_mri_mm) const;
+  /// Fine grid within about kBand_mm of the skin, the coarse one beyond.
+  FieldSample fine(const Eigen::Vector3f& p_mri_mm) const;
+  static constexpr float kFar_mm = 1e6f;
+  static constexpr float kBand_mm = 3.0f;
+
+  const SkinModel& skin() const { return skin_; }
+  const Eigen::Vector3d& low_mm() const { return low_; }
+  const Eigen::Vector3d& high_mm() const { return high_; }
+  /// Of the nose, or of what the scan has of it.
+  const Eigen::Vector3d& noseTip_mm() const { return nose_tip_; }
+  Eigen::Vector3d middle_mm() const { return 0.5 * (low_ + high_); }
+  /// The mesh behind the grids: exact, slower; for methods that pair points with vertices.
+  const NearestSkin& nearest() const { return *nearest_; }
+
+ private:
+  static constexpr float kCoarse_mm = 4.0f, kFine_mm = 1.25f;
+  static constexpr int kBrick = 4, kSide = kBrick + 1;  // cells, nodes along a brick
+  using Brick = std::array<float, kSide * kSide * kSide>;
+
+  void fillCoarse();
+  void fillBricks();
+  float nodeDistance_mm(const Eigen::Vector3d& p_mri_mm) const;
+  static FieldSample interpolate(const float* corner, int stride_y, int stride_z, const Eigen::Vector3f& at,
+                                 float spacing_mm);
+
+  SkinModel skin_;
+  std::unique_ptr<NearestSkin> nearest_;
+  Eigen::Vector3d low_, high_, nose_tip_;
+  Eigen::Vector3f origin_;
+  std::array<int, 3> coarse_size_{}, brick_size_{};
+  std::vector<float> coarse_;
+  std::vector<std::int32_t> brick_at_;
+  std::vector<Brick> bricks_;
+};
+
+inline FieldSample ScalpField::interpolate(const float* c, int sy, int sz, const Eigen::Vector3f& at,
+                                           float spacing_mm) {
+  const float x = at.x(), y = at.y(), z = at.z();
+  const float dx00 = c[1] - c[0], dx10 = c[sy + 1] - c[sy], dx01 = c[sz + 1] - c[sz],
+              dx11 = c[sy + sz + 1] - c[sy + sz];
+  const float a00 = c[0] + x * dx00, a10 = c[sy] + x * dx10, a01 = c[sz] + x * dx01,
+              a11 = c[sy + sz] + x * dx11;
+  const float dy0 = a10 - a00, dy1 = a11 - a01;
+  const float b0 = a00 + y * dy0, b1 = a01 + y * dy1;
+  const float inverse = 1.0f / spacing_mm;
+  const float gx = (dx00 + y * (dx10 - dx00)) + z * ((dx01 + y * (dx11 - dx01)) - (dx00 + y * (dx10 - dx00)));
+  return {b0 + z * (b1 - b0),
+          Eigen::Vector3f(gx * inverse, (dy0 + z * (dy1 - dy0)) * inverse, (b1 - b0) * inverse)};
+}
+
+inline FieldSample ScalpField::coarse(const Eigen::Vector3f& p) const {
+  const Eigen::Vector3f at = (p - origin_) * (1.0f / kCoarse_mm);
+  // Written so that a position that is no number falls outside.
+  if (!(at.minCoeff() >= 0.0f) || !(at.x() < float(coarse_size_[0] - 1)) ||
+      !(at.y() < float(coarse_size_[1] - 1)) || !(at.z() < float(coarse_size_[2] - 1)))
+    return {kFar_mm, Eigen::Vector3f::UnitZ()};
+  const int i = int(at.x()), j = int(at.y()), k = int(at.z());
+  const int sy = coarse_size_[0], sz = coarse_size_[0] * coarse_size_[1];
+  return interpolate(&coarse_[std::size_t(i) + std::size_t(sy) * j + std::size_t(sz) * k], sy, sz,
+                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kCoarse_mm);
+}
+
+inline FieldSample ScalpField::fine(const Eigen::Vector3f& p) const {
+  const Eigen::Vector3f at = (p - origin_) * (1.0f / kFine_mm);
+  constexpr float kMost = 1e6f;
+  if (!(at.minCoeff() >= 0.0f) || !(at.maxCoeff() < kMost)) return {kFar_mm, Eigen::Vector3f::UnitZ()};
+  const int i = int(at.x()), j = int(at.y()), k = int(at.z());
+  const int a = i / kBrick, b = j / kBrick, c = k / kBrick;
+  if (a >= brick_size_[0] || b >= brick_size_[1] || c >= brick_size_[2]) return coarse(p);
+  const std::int32_t brick =
+      brick_at_[std::size_t(a) + std::size_t(brick_size_[0]) * (b + std::size_t(brick_size_[1]) * c)];
+  if (brick < 0) return coarse(p);
+  const int node = (i - a * kBrick) + kSide * ((j - b * kBrick) + kSide * (k - c * kBrick));
+  return interpolate(&bricks_[std::size_t(brick)][std::size_t(node)], kSide, kSide * kSide,
+                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kFine_mm);
+}
+
+}  // namespace facenav::registration

@@ -1,0 +1,31 @@
+#pragma once
+// Which part of the face a point of the skin belongs to, and how much soft tissue lies there: anatomy laid
+// out from the nose tip along the axes of Mri (adult distances, after Farkas 1994), good to a centimetre,
+// which is what words and weights need.
+
+#include <string>
+
+#include "facenav/registration/scalp_field.h"
+
+namespace facenav::registration {
+
+class FaceRegions {
+ public:
+  explicit FaceRegions(const Eigen::Vector3d& nose_tip_mri_mm) : nose_(nose_tip_mri_mm) {}
+
+  /// "forehead", "left brow", "nose", "right cheekbone", "left cheek", "mouth", "chin", "left jaw", "right
+  /// temple": the patient's left and right.
+  std::string nameOf(const Eigen::Vector3d& p_mri_mm) const;
+  /// 0 where skin lies close to bone (forehead, brow, bridge of the nose, cheekbones), 1 where cheeks, lips
+  /// and jaw move and sag.
+  double softness(const Eigen::Vector3d& p_mri_mm) const;
+
+ private:
+  Eigen::Vector3d nose_;
+};
+
+/// The tip of the nose, or of what the scan has of it: where the front of the head stands out most from the
+/// skin 25-35 mm to both sides. Independent of the head's pitch.
+Eigen::Vector3d findNoseTip(const SkinModel& skin);
+
+}  // namespace facenav::registration

@@ -1,0 +1,55 @@
+#pragma once
+// NearestSkin: where exactly is the skin nearest to a point? A grid holds the nearest vertex of each node,
+// filled once by vector propagation (Danielsson 1980); a query takes its node's vertex, walks to the nearest
+// one over the mesh, and then drops the perpendicular onto the triangles around it. Mri mm throughout.
+
+#include <array>
+#include <vector>
+
+#include "facenav/registration/skin_model.h"
+
+namespace facenav::registration {
+
+struct SkinContact {
+  double distance_mm = 0.0;  // to the nearest point of the surface, positive outside
+  Eigen::Vector3d normal;    // unit, outward, interpolated over the triangle
+  Eigen::Vector3d closest_mm;
+  int vertex = -1;
+  bool is_on_border = false;    // the nearest skin is where the scan cuts it: no counterpart
+  bool is_beyond_scan = false;  // the point lies outside the field of view
+};
+
+class NearestSkin {
+ public:
+  static constexpr double kMargin_mm = 45.0;  // of the grid about the skin
+
+  /// Refers to `skin`, which must stay. Throws Error when it has no points, no normals or no triangles.
+  explicit NearestSkin(const SkinModel& skin);
+
+  /// The nearest triangle around the nearest vertex.
+  SkinContact nearest(const Eigen::Vector3d& p_mri_mm) const;
+  int nearestVertex(const Eigen::Vector3d& p_mri_mm) const;
+  bool isOnBorder(int vertex) const { return on_border_[vertex]; }
+  bool isBeyondScan(const Eigen::Vector3d& p_mri_mm) const;
+
+  const Eigen::Vector3d& low_mm() const { return low_; }
+  const Eigen::Vector3d& high_mm() const { return high_; }
+
+ private:
+  const std::vector<Eigen::Vector3d>& vertices() const { return skin_->points.points_mm; }
+  const std::vector<Eigen::Vector3d>& normals() const { return skin_->points.normals; }
+  int nodeVertex(const Eigen::Vector3d& p) const;
+  void linkVertices();
+  void fillNodes();
+  void propagate(const std::vector<std::array<int, 3>>& offsets, bool is_backward);
+
+  const SkinModel* skin_;
+  std::vector<int> first_neighbour_, neighbours_;
+  std::vector<int> first_triangle_, triangles_of_;
+  std::vector<bool> on_border_;
+  Eigen::Vector3d low_, high_, origin_;
+  std::array<int, 3> size_{};
+  std::vector<int> node_;  // nearest vertex
+};
+
+}  // namespace facenav::registration

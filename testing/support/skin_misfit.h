@@ -1,0 +1,165 @@
+#pragma once
+// How the live skin differs from the MRI's, as a generator with seeds: smooth fields, a skin placed too deep,
+// cheeks and jaw moved, dents on the forehead, scan distortion; and what a stereo pair measures of such a
+// skin: noise along the ray that neighbours share, hair, a hand or coil in front, clothes. For measuring how
+// honest a predicted error is.
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "facenav/geometry/rigid_transform.h"
+#include "facenav/registration/skin_model.h"
+
+namespace facenav::testing {
+
+/// A smooth random function of a point with zero mean, unit variance and Gaussian correlation of `reach_mm`
+/// (random Fourier features).
+class RandomField {
+ public:
+  RandomField(std::mt19937& random, double reach_mm) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> phase(0, 2 * M_PI);
+    for (int f = 0; f < 40; ++f) {
+      waves_.emplace_back(normal(random) / reach_mm, normal(random) / reach_mm, normal(random) / reach_mm);
+      phases_.push_back(phase(random));
+    }
+  }
+  double at(const Eigen::Vector3d& p) const {
+    double sum = 0;
+    for (std::size_t f = 0; f < waves_.size(); ++f) sum += std::cos(waves_[f].dot(p) + phases_[f]);
+    return sum * std::sqrt(2.0 / double(waves_.size()));
+  }
+
+ private:
+  std::vector<Eigen::Vector3d> waves_;
+  std::vector<double> phases_;
+};
+
+enum class Misfit { none, smooth, deep, cheeks, dents, distortion, mixed };
+inline const std::vector<std::pair<Misfit, std::string>>& misfits() {
+  static const std::vector<std::pair<Misfit, std::string>> all = {
+      {Misfit::none, "none (noise only)"},
+      {Misfit::smooth, "smooth field 0.2-0.7 mm"},
+      {Misfit::deep, "skin 0.4-0.7 mm too deep"},
+      {Misfit::cheeks, "cheeks and jaw moved 1-3 mm"},
+      {Misfit::dents, "dents on the forehead, 1-3 mm"},
+      {Misfit::distortion, "scan scaled 0.2-0.6 %, bent"},
+      {Misfit::mixed, "all of these, halved"}};
+  return all;
+}
+
+/// The live skin: `scanned` displaced. `nose_tip_mm`: Mri. Same triangles, same normals.
+inline registration::SkinModel liveSkin(const registration::SkinModel& scanned,
+                                        const Eigen::Vector3d& nose_tip_mm, Misfit kind, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const double share = kind == Misfit::mixed ? 0.5 : 1.0;
+  const auto has = [&](Misfit m) { return kind == m || kind == Misfit::mixed; };
+  const double smooth_mm = has(Misfit::smooth) ? share * uniform(0.2, 0.7) : 0.0;
+  const RandomField smooth(random, uniform(10, 50)), wide(random, 60);
+  const double deep_mm = has(Misfit::deep) ? share * uniform(0.4, 0.7) : 0.0;
+  const double jaw_mm = has(Misfit::cheeks) ? share * uniform(0, 3) : 0.0;
+  const double left_mm = has(Misfit::cheeks) ? share * uniform(-3, 3) : 0.0,
+               right_mm = has(Misfit::cheeks) ? share * uniform(-3, 3) : 0.0;
+  std::vector<std::pair<Eigen::Vector3d, std::pair<double, double>>> dents;
+  if (has(Misfit::dents))
+    for (int d = 0; d < 5; ++d)
+      dents.push_back({nose_tip_mm + Eigen::Vector3d(uniform(-50, 50), -15, uniform(50, 95)),
+                       {share * uniform(1, 3) * (uniform(0, 1) < 0.7 ? -1 : 1), uniform(8, 20)}});
+  Eigen::Vector3d scale = Eigen::Vector3d::Zero(), bend = Eigen::Vector3d::Zero();
+  if (has(Misfit::distortion))
+    for (int a = 0; a < 3; ++a)
+      scale[a] = share * uniform(0.002, 0.006) * (uniform(0, 1) < 0.5 ? -1 : 1),
+      bend[a] = share * 1.5e-5 * normal(random);
+  // The head's middle stands still: what a scan's distortion does to the target itself is not asked here.
+  const Eigen::Vector3d middle = nose_tip_mm + Eigen::Vector3d(0, -100, 40);
+  registration::SkinModel live = scanned;
+  for (std::size_t v = 0; v < live.points.size(); ++v) {
+    const Eigen::Vector3d p = scanned.points.points_mm[v], d = p - nose_tip_mm, m = p - middle;
+    if (d.y() < -120) continue;  // out of the cameras' sight
+    double out = smooth_mm * smooth.at(p) - deep_mm * (1 + 0.4 * wide.at(p));
+    const double low = 1 / (1 + std::exp((d.z() + 25) / 6));
+    out += 0.5 * jaw_mm * low * std::exp(-d.x() * d.x() / 5000);
+    const double cheek = std::exp(-std::pow((std::abs(d.x()) - 45) / 18, 2) - std::pow((d.z() + 30) / 22, 2));
+    out += cheek * (d.x() > 0 ? right_mm : left_mm);
+    for (const auto& [at, dent] : dents)
+      out += dent.first * std::exp(-((p - at).cwiseProduct(Eigen::Vector3d(1, 0.2, 1))).squaredNorm() /
+                                   (2 * dent.second * dent.second));
+    live.points.points_mm[v] += out * scanned.points.normals[v];
+    live.points.points_mm[v] += scale.cwiseProduct(m) + bend.cwiseProduct(m.cwiseProduct(m.cwiseAbs()));
+    live.points.points_mm[v].z() -= jaw_mm * low;
+  }
+  return live;
+}
+
+struct StereoView {
+  int points = 20000;
+  double noise_mm = 0.15, shared_noise_mm = 0.1;  // of single points; of patches of 3 mm
+  double hairline_mm = 85;                        // above the nose tip; 1e9: bald
+  double hair_mm = 3.5;
+  bool has_hand = false;  // over one side of the face, 15-40 mm before it
+  double reach_mm = 135;  // of the measured region about the nose bridge
+  std::uint32_t seed = 1;
+};
+
+/// What the cameras at Camera's origin (and 120 mm beside it) measure of `live`.
+inline PointCloud<Camera> measureSkin(const registration::SkinModel& live, const Eigen::Vector3d& nose_tip_mm,
+                                      const RigidTransform<Camera, Mri>& camera_T_mri,
+                                      const StereoView& view) {
+  std::mt19937 random(view.seed * 7919u + 17u);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const RandomField shared(random, 3.0), hair(random, 5.0), locks(random, 14.0);
+  const Eigen::Vector3d eye = camera_T_mri.isometry().inverse().translation();
+  const Eigen::Vector3d second = camera_T_mri.isometry().inverse() * Eigen::Vector3d(120, 0, 0);
+  const Eigen::Vector3d centre = nose_tip_mm + Eigen::Vector3d(0, -15, 30);
+  const double hand_side = uniform(random) < 0.5 ? -1 : 1;
+  std::vector<std::size_t> seen;
+  std::vector<double> area;
+  double total = 0;
+  for (std::size_t t = 0; t < live.triangles.size(); ++t) {
+    const auto& corner = live.triangles[t];
+    const Eigen::Vector3d &a = live.points.points_mm[corner[0]], &b = live.points.points_mm[corner[1]],
+                          &c = live.points.points_mm[corner[2]];
+    if ((a - centre).norm() > view.reach_mm) continue;
+    const Eigen::Vector3d facet = (b - a).cross(c - a);
+    const double size = facet.norm();
+    if (size <= 0 || facet.dot((eye - a).normalized()) < 0.3 * size ||
+        facet.dot((second - a).normalized()) < 0.3 * size)
+      continue;
+    seen.push_back(t);
+    area.push_back(total += size * facet.dot((eye - a).normalized()) / size);
+  }
+  PointCloud<Camera> cloud;
+  if (seen.empty()) return cloud;
+  while (int(cloud.size()) < view.points) {
+    const double pick = uniform(random) * total;
+    const auto& corner =
+        live.triangles[seen[std::size_t(std::lower_bound(area.begin(), area.end(), pick) - area.begin())]];
+    double u = uniform(random), v = uniform(random);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Eigen::Vector3d &a = live.points.points_mm[corner[0]], &b = live.points.points_mm[corner[1]],
+                          &c = live.points.points_mm[corner[2]];
+    Eigen::Vector3d p = a + u * (b - a) + v * (c - a);
+    const Eigen::Vector3d outward = live.points.normals[corner[0]];
+    // The hairline falls to the sides.
+    const Eigen::Vector3d d = p - nose_tip_mm;
+    const double above = d.z() - view.hairline_mm + 0.006 * d.x() * d.x();
+    if (above > 0)
+      p += std::min(1.0, above / 8) * view.hair_mm * std::max(0.3, 1 + 0.3 * hair.at(p) + 0.3 * locks.at(p)) *
+           outward;
+    if (view.has_hand && hand_side * d.x() > 10 && d.z() < 40)
+      p += (15 + 25 * locks.at(p) * locks.at(p)) * (eye - p).normalized();
+    const Eigen::Vector3d ray = (p - eye).normalized();
+    p += (view.noise_mm * normal(random) + view.shared_noise_mm * shared.at(p)) * ray;
+    cloud.points_mm.push_back(camera_T_mri.isometry() * p);
+  }
+  return cloud;
+}
+
+}  // namespace facenav::testing
