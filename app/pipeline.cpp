@@ -4,11 +4,14 @@
 #include <map>
 
 #include "facenav/casefile/sha256.h"
+#include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/dicom/import_volume.h"
+#include "facenav/scene/png.h"
 #include "facenav/session/navigator.h"
 #include "facenav/session/preparation.h"
+#include "facenav/session/skin_fit_picture.h"
 #include "facenav/tracking/face_landmarks.h"
 #include "stored_capture.h"
 
@@ -163,6 +166,9 @@ session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore&
       session::alignFromCapture(rig, capture, store.scalp(), *context.registrations.aligners.create(aligner),
                                 *detector, store.targets().targets, context.monitor);
   writeStoredCapture(store.folder(), rig, capture);
+  casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
+  scene::writePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+                  store.folder() / "skin_fit.png");
   store.setAlignment(outcome.stored());
   return outcome;
 }

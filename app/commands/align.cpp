@@ -1,5 +1,6 @@
 // facenav align CASE RECORDING: capture pair -> CASE/alignment.json (or --rig, --left, --right, -o).
 
+#include <cmath>
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 
@@ -52,6 +53,15 @@ std::pair<stereo::StereoRig, capture::CapturePair> fromRecording(const std::file
   return {recording.rig, *recording.capture};
 }
 
+/// The parts of the face that fit worse than a good skin model and a still face do.
+void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
+  constexpr double kNoted_mm = 0.5;
+  std::string words;
+  for (const auto& region : regions)
+    if (std::abs(region.offset_mm) > kNoted_mm) words += (words.empty() ? "" : ", ") + inWords(region);
+  if (!words.empty()) std::printf("skin: %s\n", words.c_str());
+}
+
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto [rig, pair] = request.recording ? fromRecording(*request.recording) : fromFiles(request);
@@ -64,6 +74,7 @@ void runAlign(Context& context, const AlignRequest& request) {
   for (const auto& [target, error_mm] : stored.predicted_tre_mm)
     std::printf("predicted error at %s: %.2f mm (95 of 100 below %.2f mm)\n", target.c_str(), error_mm,
                 stored.predicted_tre_p95_mm.at(target));
+  printWorstRegions(outcome.regions);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace facenav::app {
 namespace {
 
-constexpr double k95Percent =
-    1.96;  // of the standard error, where it lies along one direction: the widest case
 
 /// Whole square inside both images, seen from the front.
 bool isMarkerInView(const stereo::StereoRig& rig, const Eigen::Isometry3d& camera_T_marker, double size_mm) {
@@ -63,7 +61,7 @@ std::optional<AlignedCapture> align(Context& context, const EvaluationSequence& 
     run.alignment->estimated = result.camera_T_mri.isometry();
     run.alignment->truth = sequence.capture_truth->isometry();
     run.alignment->predicted_mm = result.predictedError_mm(target.cortex_point);
-    run.alignment->bound95_mm = k95Percent * run.alignment->predicted_mm;
+    run.alignment->bound95_mm = result.errorBound_mm(target.cortex_point);
     run.alignment->rms_mm = result.rms_mm;
     noteCloud(sequence, aligned.outcome.face, run);
     aligned.record = *run.alignment;

@@ -65,11 +65,11 @@ class TimedAligner : public registration::Aligner {
  public:
   TimedAligner(std::unique_ptr<registration::Aligner> aligner, LastCall& last)
       : aligner_(std::move(aligner)), last_(last) {}
-  registration::AlignmentResult align(const registration::SkinModel& skin, const PointCloud<Camera>& face,
+  registration::AlignmentResult align(const registration::ScalpField& scalp, const PointCloud<Camera>& face,
                                       const registration::AlignmentStart& start,
                                       TaskMonitor& monitor) const override {
     const OneThreadClock clock(last_);
-    return aligner_->align(skin, face, start, monitor);
+    return aligner_->align(scalp, face, start, monitor);
   }
 
  private:

@@ -71,7 +71,7 @@ Eigen::Vector3d findNoseTip(const SkinModel& skin) {
   int count = 0;
   for (int row = 0; row < relief.rows; ++row)
     for (int column = 0; column < relief.columns; ++column)
-      if (protrusion_mm(relief, row, column) >= 0.9 * best) sum += relief.position(row, column), ++count;
+      if (protrusion_mm(relief, row, column) >= 0.95 * best) sum += relief.position(row, column), ++count;
   return sum / std::max(1, count);
 }
 

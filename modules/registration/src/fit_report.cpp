@@ -3,25 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "robust_fit.h"
 
 namespace facenav::registration {
 namespace {
 
-constexpr double kHairPatch_mm = 10.0, kModelPatch_mm = 12.0;
+constexpr double kModelPatch_mm = 12.0;
 constexpr double kLeastCovered =
     0.65;  // a patch with more points off the skin is at the edge of hair or coil
 
-long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm) {
-  const auto cell = [&](double x) { return (long long)(std::floor(x / size_mm)) & 0xfffff; };
-  return cell(p_mm.x()) | cell(p_mm.y()) << 20 | cell(p_mm.z()) << 40;
-}
-
-PoseBelief believeMatches(const ScalpField& scalp, const std::vector<PointMatch>& matches, double limit_mm) {
-  auto patches = gatherPatches(matches, kModelPatch_mm, limit_mm, scalp.middle_mm());
+PoseBelief believePose(const ScalpField& scalp, const FieldFitter& fitter, const Eigen::Isometry3d& pose,
+                       double limit_mm) {
+  auto patches =
+      gatherPatches(fitter.match(pose), {kModelPatch_mm, limit_mm, limit_mm}, pose, scalp.middle_mm());
   patches.erase(std::remove_if(patches.begin(), patches.end(),
                                [](const SkinPatch& p) { return p.covered < kLeastCovered; }),
                 patches.end());
@@ -44,48 +41,12 @@ Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_m
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
-std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm) {
-  std::unordered_map<long long, std::vector<double>> patches;
-  for (const PointMatch& m : matches)
-    if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
-      patches[cubeOf(m.at_mri_mm, kHairPatch_mm)].push_back(double(m.residual_mm));
-  std::unordered_map<long long, double> middle;
-  std::vector<double> sizes;
-  for (const auto& [key, residuals] : patches) {
-    if (residuals.size() < 4) continue;
-    middle[key] = median(residuals);
-    sizes.push_back(std::abs(middle[key]));
-  }
-  const double limit = std::clamp(1.4826 * 4.0 * median(sizes), 0.5, 1.5);
-  std::vector<float> weights(matches.size(), 0.0f);
-  for (std::size_t p = 0; p < matches.size(); ++p) {
-    if (!matches[p].is_valid) continue;
-    const auto patch = middle.find(cubeOf(matches[p].at_mri_mm, kHairPatch_mm));
-    if (patch != middle.end()) weights[p] = tukeyWeight(float(patch->second), float(limit));
-  }
-  return weights;
-}
-
-double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
-  std::vector<double> sizes;
-  for (const PointMatch& m : matches)
-    if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
-      sizes.push_back(double(std::abs(m.residual_mm)));
-  return std::clamp(4.0 * 1.4826 * median(sizes), 0.6, 3.0);
-}
-
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                  const Eigen::Isometry3d& pose, double limit_mm) {
   const FieldFitter fitter(scalp, face, points);
   FinalFit fit{pose, limit_mm, {}};
   for (int round = 0; round < 2; ++round) {
-    fit.belief = believeMatches(scalp, fitter.match(fit.mri_T_camera), limit_mm);
+    fit.belief = believePose(scalp, fitter, fit.mri_T_camera, limit_mm);
     fit.mri_T_camera = increment(-fit.belief.error, scalp.middle_mm(), fit.mri_T_camera);
   }
   return fit;
@@ -93,7 +54,7 @@ FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const 
 
 FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                const Eigen::Isometry3d& pose, double limit_mm) {
-  FinalFit fit{pose, limit_mm, believeMatches(scalp, FieldFitter(scalp, face, points).match(pose), limit_mm)};
+  FinalFit fit{pose, limit_mm, believePose(scalp, FieldFitter(scalp, face, points), pose, limit_mm)};
   fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
   return fit;
 }

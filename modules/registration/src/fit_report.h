@@ -6,15 +6,6 @@
 
 namespace facenav::registration {
 
-double median(std::vector<double> values);
-
-/// Weights 0..1 of points by how well the patch of skin around them fits as a whole: hair, a collar or
-/// swollen skin lifts whole patches, noise does not. Residuals beyond `reach_mm` do not count.
-std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm);
-
-/// Four robust standard deviations of the matches' residuals within `reach_mm`, in 0.6 .. 3 mm.
-double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm);
-
 /// What a final pose is reported from.
 struct FinalFit {
   Eigen::Isometry3d mri_T_camera;

@@ -10,6 +10,7 @@
 #include "facenav/geometry/rigid_fit.h"
 #include "fit_report.h"
 #include "nearest_skin.h"
+#include "robust_fit.h"
 
 namespace facenav::registration {
 namespace {

@@ -4,30 +4,23 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "fit_report.h"
-
 namespace facenav::registration {
 namespace {
 
 /// What varies faster than this (mesh facets, the matcher's window) is shared by neighbouring points.
 constexpr double kGrain_mm2 = 28.0;
-constexpr double kLeastNoise_mm = 0.04;
-
-long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm) {
-  const auto cell = [&](double x) { return (long long)(std::floor(x / size_mm)) & 0xfffff; };
-  return cell(p_mm.x()) | cell(p_mm.y()) << 20 | cell(p_mm.z()) << 40;
-}
+constexpr double kLeastNoise_mm = 0.04, kSlantNoise_mm = 0.1;
 
 SkinPatch average(const std::vector<PointMatch>& matches, const std::vector<int>& members, double limit_mm,
                   const Eigen::Vector3d& pivot) {
   std::vector<double> residuals;
-  for (const int m : members) residuals.push_back(matches[std::size_t(m)].residual_mm);
+  for (const int m : members) residuals.push_back(double(matches[std::size_t(m)].residual_mm));
   const double middle = median(residuals);
   SkinPatch patch;
   double squares = 0;
   for (const int m : members) {
     const PointMatch& match = matches[std::size_t(m)];
-    const double off = match.residual_mm - middle;
+    const double off = double(match.residual_mm) - middle;
     if (std::abs(off) > limit_mm) continue;
     const Eigen::Vector3d at = match.at_mri_mm.cast<double>(), normal = match.normal_mri.cast<double>();
     Vector6d j;
@@ -35,7 +28,7 @@ SkinPatch average(const std::vector<PointMatch>& matches, const std::vector<int>
     patch.jacobian += j;
     patch.at_mri_mm += at;
     patch.normal += normal;
-    patch.residual_mm += match.residual_mm;
+    patch.residual_mm += double(match.residual_mm);
     squares += off * off;
     ++patch.points;
   }
@@ -46,43 +39,59 @@ SkinPatch average(const std::vector<PointMatch>& matches, const std::vector<int>
   return patch;
 }
 
+/// What the patch's mean is uncertain by: its grains, and where it is seen from the side, the matcher's
+/// window, which reaches over the edge.
+double noiseOf(const SkinPatch& patch, double full, double size_mm, const Eigen::Vector3d& camera_mri_mm) {
+  const double grains = std::max(1.0, std::min(1.5, patch.points / full) * size_mm * size_mm / kGrain_mm2);
+  const double facing =
+      std::clamp(patch.normal.dot((camera_mri_mm - patch.at_mri_mm).normalized()), 0.1, 1.0);
+  const double aslant = kSlantNoise_mm * std::sqrt(1 - facing * facing) / facing;
+  return std::hypot(patch.noise_mm / std::sqrt(grains), kLeastNoise_mm, aslant);
+}
+
 }  // namespace
 
-std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, double size_mm, double limit_mm,
-                                     const Eigen::Vector3d& pivot, std::vector<int>* index) {
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm) {
+  const auto cell = [&](double x) { return (long long)(std::floor(x / size_mm)) & 0xfffff; };
+  return cell(p_mm.x()) | cell(p_mm.y()) << 20 | cell(p_mm.z()) << 40;
+}
+
+std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, const PatchLimits& limits,
+                                     const Eigen::Isometry3d& mri_T_camera, const Eigen::Vector3d& pivot) {
+  const double limit_mm = std::max(limits.inside_mm, limits.outside_mm);
   std::unordered_map<long long, int> numbers;
   std::vector<std::vector<int>> members;
   std::vector<int> beyond;
-  if (index) index->assign(matches.size(), -1);
   for (std::size_t m = 0; m < matches.size(); ++m) {
-    if (!matches[m].is_valid || std::abs(matches[m].residual_mm) > 4 * limit_mm) continue;
+    const double residual = double(matches[m].residual_mm);
+    if (!matches[m].is_valid || std::abs(residual) > 4 * limit_mm) continue;
     const auto [entry, is_new] =
-        numbers.try_emplace(cubeOf(matches[m].at_mri_mm, size_mm), int(members.size()));
+        numbers.try_emplace(cubeOf(matches[m].at_mri_mm, limits.size_mm), int(members.size()));
     if (is_new) members.emplace_back(), beyond.push_back(0);
-    if (std::abs(matches[m].residual_mm) <= limit_mm)
+    if (residual <= limits.outside_mm && residual >= -limits.inside_mm)
       members[std::size_t(entry->second)].push_back(int(m));
     else
       ++beyond[std::size_t(entry->second)];
-    if (index) (*index)[m] = entry->second;
   }
-  std::vector<int> number(members.size(), -1), counts;
+  std::vector<int> counts;
   std::vector<SkinPatch> patches;
   for (std::size_t c = 0; c < members.size(); ++c) {
     if (members[c].size() < 5) continue;
-    number[c] = int(patches.size());
     patches.push_back(average(matches, members[c], limit_mm, pivot));
     patches.back().covered = double(members[c].size()) / double(members[c].size() + std::size_t(beyond[c]));
     counts.push_back(int(members[c].size()));
   }
-  if (index)
-    for (int& i : *index) i = i >= 0 ? number[std::size_t(i)] : -1;
   if (patches.empty()) return patches;
   std::nth_element(counts.begin(), counts.begin() + std::ptrdiff_t(counts.size() / 2), counts.end());
   const double full = counts[counts.size() / 2];
-  for (SkinPatch& patch : patches) {
-    const double grains = std::max(1.0, std::min(1.5, patch.points / full) * size_mm * size_mm / kGrain_mm2);
-    patch.noise_mm = std::hypot(patch.noise_mm / std::sqrt(grains), kLeastNoise_mm);
-  }
+  for (SkinPatch& patch : patches)
+    patch.noise_mm = noiseOf(patch, full, limits.size_mm, mri_T_camera.translation());
   return patches;
 }
 

@@ -17,9 +17,19 @@ struct SkinPatch {
   double covered = 1.0;  // share of its points that lie within the limit of the skin
 };
 
-/// Patches of `size_mm` with at least 5 points within `limit_mm`. `index` (may be null): of each match's
-/// patch, or -1.
-std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, double size_mm, double limit_mm,
-                                     const Eigen::Vector3d& pivot_mri_mm, std::vector<int>* index = nullptr);
+double median(std::vector<double> values);
+/// Number of the cube of `size_mm` that a point lies in.
+long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm);
+
+struct PatchLimits {
+  double size_mm = 12.0;
+  double inside_mm = 1.5, outside_mm = 1.5;  // residuals beyond do not belong to the skin
+};
+
+/// Patches with at least 5 points within the limits, seen from `mri_T_camera`'s camera; jacobians about
+/// `pivot_mri_mm`.
+std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, const PatchLimits& limits,
+                                     const Eigen::Isometry3d& mri_T_camera,
+                                     const Eigen::Vector3d& pivot_mri_mm);
 
 }  // namespace facenav::registration

@@ -1,37 +1,24 @@
-#include <algorithm>
-
-#include "cloud_sampling.h"
 #include "facenav/core/error.h"
 #include "fit_report.h"
-#include "part_fits.h"
+#include "robust_fit.h"
 
 namespace facenav::registration {
 namespace {
 
-constexpr float kOutside = 0.67f;           // foreign things lie outside the skin: let go there first
-constexpr std::size_t kMostPoints = 20000;  // more add nothing: neighbours share their error
+AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
+                         const std::vector<Candidate>& rivals, TaskMonitor& monitor) {
+  monitor.report("modelling the skin's misfit", 0.7);
+  FinalFit fit = correct(scalp, face, robust.points, robust.mri_T_camera, robust.limit_mm);
+  fit.belief.covariance += robust.doubt;
+  monitor.report("checking the fit", 0.9);
+  return report(scalp, face, fit, rivals);
+}
 
-/// From within a few mm to the end: parts first (hair, hands), then all points on the fine field, then the
-/// misfit model.
-FinalFit refine(const ScalpField& scalp, const PointCloud<Camera>& face, Eigen::Isometry3d pose,
-                TaskMonitor& monitor) {
-  monitor.report("fitting the face", 0.2);
-  const std::vector<int> head = thinOut(face, nearHead(scalp, face, pose, 20.0), 1.0, kMostPoints);
-  const PartFit parts = bestOfParts(scalp, face, thinOut(face, head, 6.0, 1000), pose);
-  pose = parts.mri_T_camera;
+AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
+                       SearchWidth width, std::size_t most, TaskMonitor& monitor) {
+  const auto candidates = findStarts(scalp, face, start, width, most, monitor);
   monitor.report("fitting the face", 0.5);
-  FieldFitter sparse(scalp, face, thinOut(face, head, 3.0, 4000)), all(scalp, face, head);
-  float limit_mm = 2.0f;
-  for (FieldFitter* fitter : {&sparse, &all}) {
-    const auto matches = fitter->match(pose);
-    fitter->setWeights(patchWeights(matches, 4.0));
-    limit_mm = std::min(1.5f, float(inlierLimit_mm(matches, limit_mm)));
-    pose = fitter->fit(pose, {limit_mm, kOutside * limit_mm, 3, true});
-  }
-  monitor.report("modelling the skin's misfit", 0.8);
-  FinalFit fit = correct(scalp, face, head, pose, double(limit_mm));
-  fit.belief.covariance += parts.doubt;
-  return fit;
+  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, monitor);
 }
 
 class SurfaceAligner : public Aligner {
@@ -39,9 +26,10 @@ class SurfaceAligner : public Aligner {
   AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
                         TaskMonitor& monitor) const override {
     requireMaterial(scalp, face);
+    monitor.report("fitting the face", 0.0);
     try {
-      if (const auto straight = descend(scalp, face, start))
-        return report(scalp, face, refine(scalp, face, straight->mri_T_camera, monitor), {});
+      if (const auto robust = fitFromGuess(scalp, face, start))
+        return conclude(scalp, face, *robust, {}, monitor);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error&) {
@@ -57,15 +45,6 @@ class SurfaceAligner : public Aligner {
       }
     }
     return search(scalp, face, start, SearchWidth::thorough, 10, monitor);
-  }
-
- private:
-  static AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face,
-                                const AlignmentStart& start, SearchWidth width, std::size_t most,
-                                TaskMonitor& monitor) {
-    const auto candidates = findStarts(scalp, face, start, width, most, monitor);
-    const FinalFit fit = refine(scalp, face, candidates.front().mri_T_camera, monitor);
-    return report(scalp, face, fit, candidates);
   }
 };
 

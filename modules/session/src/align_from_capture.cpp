@@ -85,7 +85,9 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
   const auto cloud =
       stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
   outcome.face = cutFace(cloud, outcome.landmarks);
-  outcome.result = aligner.align(*field.get(), outcome.face.cloud, outcome.landmarks.start, monitor);
+  const auto built = field.get();
+  outcome.result = aligner.align(*built, outcome.face.cloud, outcome.landmarks.start, monitor);
+  outcome.regions = registration::fitByRegion(*built, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {
     outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);

@@ -86,8 +86,8 @@ inline FieldSample ScalpField::interpolate(const float* c, int sy, int sz, const
 inline FieldSample ScalpField::coarse(const Eigen::Vector3f& p) const {
   const Eigen::Vector3f at = (p - origin_) * (1.0f / kCoarse_mm);
   // Written so that a position that is no number falls outside.
-  if (!(at.minCoeff() >= 0.0f) || !(at.x() < float(coarse_size_[0] - 1)) ||
-      !(at.y() < float(coarse_size_[1] - 1)) || !(at.z() < float(coarse_size_[2] - 1)))
+  if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < float(coarse_size_[0] - 1) &&
+        at.y() < float(coarse_size_[1] - 1) && at.z() < float(coarse_size_[2] - 1)))
     return {kFar_mm, Eigen::Vector3f::UnitZ()};
   const int i = int(at.x()), j = int(at.y()), k = int(at.z());
   const int sy = coarse_size_[0], sz = coarse_size_[0] * coarse_size_[1];
@@ -98,7 +98,9 @@ inline FieldSample ScalpField::coarse(const Eigen::Vector3f& p) const {
 inline FieldSample ScalpField::fine(const Eigen::Vector3f& p) const {
   const Eigen::Vector3f at = (p - origin_) * (1.0f / kFine_mm);
   constexpr float kMost = 1e6f;
-  if (!(at.minCoeff() >= 0.0f) || !(at.maxCoeff() < kMost)) return {kFar_mm, Eigen::Vector3f::UnitZ()};
+  if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < kMost && at.y() < kMost &&
+        at.z() < kMost))
+    return {kFar_mm, Eigen::Vector3f::UnitZ()};
   const int i = int(at.x()), j = int(at.y()), k = int(at.z());
   const int a = i / kBrick, b = j / kBrick, c = k / kBrick;
   if (a >= brick_size_[0] || b >= brick_size_[1] || c >= brick_size_[2]) return coarse(p);

@@ -14,6 +14,7 @@
 #include "facenav/core/task_monitor.h"
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
+#include "facenav/registration/skin_fit.h"
 #include "facenav/stereo/face_cloud.h"
 #include "facenav/surface/scalp_surface.h"
 #include "facenav/tracking/face_landmarks.h"
@@ -38,6 +39,7 @@ registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 struct AlignmentOutcome {
   registration::AlignmentResult result;
   stereo::FaceCloud face;  // what was offered to the aligner; result's lists run along it
+  std::vector<registration::RegionFit> regions;  // how each part of the face fits, the worst first
   FaceInSpace landmarks;
   tracking::HeadReference reference;  // for the head tracker: plain frame, inlier points with their pixels
   // Per target: standard error, and what 95 of 100 errors stay below.

@@ -1,0 +1,113 @@
+// Is the predicted error honest? Live skin that differs from the scan's in ways that a fit cannot see.
+
+#include <gtest/gtest.h>
+
+#include "facenav/core/error.h"
+#include "facenav/geometry/pose_error.h"
+#include "facenav/registration/skin_fit.h"
+#include "support/model_head.h"
+#include "support/skin_misfit.h"
+
+namespace facenav::registration {
+namespace {
+
+using facenav::testing::facing;
+using facenav::testing::liveSkin;
+using facenav::testing::measureSkin;
+using facenav::testing::Misfit;
+using facenav::testing::ModelHead;
+using facenav::testing::StereoView;
+
+const Point<Mri> kTarget(-40, -10, 60);
+
+struct Fixture {
+  SkinModel skin = ModelHead().skin();
+  ScalpField scalp{skin};
+};
+const Fixture& fixture() {
+  static const Fixture made;
+  return made;
+}
+
+struct Aligned {
+  PointCloud<Camera> face;
+  AlignmentResult result;
+  double error_mm;
+};
+
+Aligned alignLive(const SkinModel& live, std::uint32_t seed) {
+  const auto truth = facing(10 * std::sin(seed), 6 * std::cos(seed), 4 * std::sin(2.0 * seed), {0, 0, 20});
+  StereoView view;
+  view.seed = seed;
+  Aligned out;
+  out.face = measureSkin(live, fixture().scalp.noseTip_mm(), truth, view);
+  AlignmentStart start;
+  start.guess = facing(0, 0, 0);
+  TaskMonitor monitor;
+  out.result = makeSurfaceAligner()->align(fixture().scalp, out.face, start, monitor);
+  out.error_mm = poseError(out.result.camera_T_mri, truth, kTarget).at_point_mm;
+  return out;
+}
+
+TEST(PredictedError, HoldsForAllKindsOfMisfit) {
+  int within = 0, all = 0;
+  double worst_bound_mm = 0;
+  std::vector<double> errors_mm;
+  for (const auto& kind : facenav::testing::misfits())
+    for (std::uint32_t seed : {71u, 72u, 73u}) {
+      const Aligned aligned =
+          alignLive(liveSkin(fixture().skin, fixture().scalp.noseTip_mm(), kind.first, seed), seed);
+      const double bound_mm = aligned.result.errorBound_mm(kTarget);
+      within += aligned.error_mm <= bound_mm;
+      worst_bound_mm = std::max(worst_bound_mm, bound_mm);
+      ++all;
+      errors_mm.push_back(aligned.error_mm);
+      EXPECT_GT(bound_mm, aligned.result.predictedError_mm(kTarget));
+    }
+  EXPECT_GE(within, all - 2) << "of " << all << ": 95 % were promised";
+  std::nth_element(errors_mm.begin(), errors_mm.begin() + all / 2, errors_mm.end());
+  EXPECT_LT(errors_mm[std::size_t(all / 2)], 0.5);
+  EXPECT_LT(worst_bound_mm, 4.0) << "no use if it says too much";
+}
+
+TEST(PredictedError, GrowsWithTheMisfit) {
+  const auto& nose = fixture().scalp.noseTip_mm();
+  const double small_mm =
+      alignLive(liveSkin(fixture().skin, nose, Misfit::none, 5), 5).result.errorBound_mm(kTarget);
+  const double large_mm =
+      alignLive(liveSkin(fixture().skin, nose, Misfit::smooth, 5), 5).result.errorBound_mm(kTarget);
+  EXPECT_GT(large_mm, 1.5 * small_mm);
+}
+
+TEST(PredictedError, BoundIsTheQuantileOfTheErrorsLength) {
+  AlignmentResult result;
+  result.freedom = 1e6;
+  result.covariance.bottomRightCorner<3, 3>() = 0.04 * Eigen::Matrix3d::Identity();
+  EXPECT_NEAR(result.predictedError_mm({}), 0.2 * std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(result.errorBound_mm({}, 0.95), 0.2 * std::sqrt(7.815), 0.005);  // chi square, 3 degrees
+  EXPECT_NEAR(result.errorBound_mm({}, 0.99), 0.2 * std::sqrt(11.345), 0.01);
+  result.freedom = 10;  // F(3, 10) at 0.95 is 3.708
+  EXPECT_NEAR(result.errorBound_mm({}, 0.95), 0.2 * std::sqrt(3 * 3.708 * 8 / 10), 0.005);
+}
+
+TEST(SkinFit, NamesTheRegionThatMoved) {
+  SkinModel live = fixture().skin;
+  const Eigen::Vector3d nose = fixture().scalp.noseTip_mm();
+  for (std::size_t v = 0; v < live.points.size(); ++v) {
+    const Eigen::Vector3d d = live.points.points_mm[v] - nose;
+    const double cheek = std::exp(-std::pow((d.x() + 45) / 22, 2) - std::pow((d.z() + 30) / 24, 2));
+    live.points.points_mm[v] += 1.6 * cheek * live.points.normals[v];
+  }
+  const Aligned aligned = alignLive(live, 3);
+  std::vector<RegionFit> skin;
+  for (const auto& region : fitByRegion(fixture().scalp, aligned.face, aligned.result))
+    if (region.offset_mm < 2.0) skin.push_back(region);  // the others are hair
+  ASSERT_FALSE(skin.empty());
+  EXPECT_EQ(skin.front().region, "left cheek");
+  EXPECT_GT(skin.front().offset_mm, 0.4);
+  EXPECT_NE(inWords(skin.front()).find("mm outside the MRI's skin"), std::string::npos);
+  EXPECT_LT(aligned.error_mm, 0.5) << "one cheek must not pull the head";
+}
+
+}  // namespace
+}  // namespace facenav::registration
