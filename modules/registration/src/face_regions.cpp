@@ -66,12 +66,20 @@ Eigen::Vector3d findNoseTip(const SkinModel& skin) {
   for (int row = 0; row < relief.rows; ++row)
     for (int column = 0; column < relief.columns; ++column)
       best = std::max(best, protrusion_mm(relief, row, column));
-  // Where the scan's edge cuts the nose off flat, its rim stands for the tip.
+  // The bridge stands out from the eyes as far as the tip from the cheeks; the tip lies foremost of these.
+  const auto isNose = [&](int row, int column) { return protrusion_mm(relief, row, column) >= 0.6 * best; };
+  double foremost = kNone;
+  for (int row = 0; row < relief.rows; ++row)
+    for (int column = 0; column < relief.columns; ++column)
+      if (isNose(row, column)) foremost = std::max(foremost, relief.at(row, column));
+  // Where the scan's edge cuts the nose off flat, the rim stands for the tip.
+  constexpr double kTip_mm = 1.5;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int count = 0;
   for (int row = 0; row < relief.rows; ++row)
     for (int column = 0; column < relief.columns; ++column)
-      if (protrusion_mm(relief, row, column) >= 0.95 * best) sum += relief.position(row, column), ++count;
+      if (isNose(row, column) && relief.at(row, column) > foremost - kTip_mm)
+        sum += relief.position(row, column), ++count;
   return sum / std::max(1, count);
 }
 

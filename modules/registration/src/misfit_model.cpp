@@ -26,6 +26,7 @@ struct LinearModel {
 
 /// Rotations are stated at this lever, so that all six columns are of one size.
 constexpr double kLever_mm = 100.0;
+constexpr double kPatch_mm = 12.0;
 
 LinearModel linearModel(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
                         const Eigen::Vector3d& pivot, const MisfitPrior& prior) {
@@ -157,13 +158,10 @@ PoseBelief believe(const std::vector<SkinPatch>& patches, const FaceRegions& reg
     const Vector6d apart = e.error - belief.error;
     belief.covariance += weight / total * (e.covariance + apart * apart.transpose());
   }
-  // Kurtosis of the mixture gives the tails: 3 (nu - 2) / (nu - 4).
-  double fourth = 0;
-  const double trace = belief.covariance.trace();
-  for (const auto& [weight, e] : mixture)
-    fourth += weight / total * std::pow(e.covariance.trace() / trace, 2);
-  const double excess = std::max(1e-3, fourth - 1.0);
-  belief.freedom = std::clamp(4.0 + 2.0 / excess, 5.0, 60.0);
+  // The field's size was estimated from as many independent values as its reach leaves on the face: the error
+  // is distributed as Student's t, wider than the plug-in covariance says.
+  belief.freedom = std::clamp(double(patches.size()) * std::pow(kPatch_mm / belief.reach_mm, 2), 5.0, 60.0);
+  belief.covariance *= belief.freedom / (belief.freedom - 2.0);
   Vector6d units;
   units << Eigen::Vector3d::Constant(1.0 / kLever_mm), Eigen::Vector3d::Ones();
   belief.error = units.asDiagonal() * belief.error;

@@ -14,9 +14,9 @@ namespace facenav::registration {
 
 /// What is believed about misfit before it is seen, mm (one sigma unless said).
 struct MisfitPrior {
-  double offset_mm = 0.4;     // of the whole skin along its normals
-  double scale = 0.004;       // of the scan, along each axis
-  double field_mm = 0.25;     // median size of the smooth field
+  double offset_mm = 0.6;     // of the whole skin along its normals
+  double scale = 0.006;       // of the scan, along each axis
+  double field_mm = 0.35;     // median size of the smooth field
   double field_spread = 0.8;  // of the size's logarithm
 };
 

@@ -59,6 +59,9 @@ TEST(PredictedError, HoldsForAllKindsOfMisfit) {
           alignLive(liveSkin(fixture().skin, fixture().scalp.noseTip_mm(), kind.first, seed), seed);
       const double bound_mm = aligned.result.errorBound_mm(kTarget);
       within += aligned.error_mm <= bound_mm;
+      if (aligned.error_mm > bound_mm)
+        std::printf("%s, seed %u: %.2f mm, bound %.2f mm\n", kind.second.c_str(), unsigned(seed),
+                    aligned.error_mm, bound_mm);
       worst_bound_mm = std::max(worst_bound_mm, bound_mm);
       ++all;
       errors_mm.push_back(aligned.error_mm);
