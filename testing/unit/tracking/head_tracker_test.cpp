@@ -219,6 +219,17 @@ TEST_F(HeadTrackers, RefuseEveryDamagedFrameAndGoOnAfterIt) {
   }
 }
 
+TEST_F(HeadTrackers, SwappedSidesAreTheCamerasFault) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  ASSERT_TRUE(tracker->track(face_->render(rig_, stillView(0))).isTracked());
+  auto swapped = face_->render(rig_, stillView(1));
+  std::swap(swapped.left, swapped.right);
+  const auto pose = tracker->track(swapped);
+  ASSERT_FALSE(pose.isTracked());
+  EXPECT_EQ(pose.reason(), LostReason::camera);
+}
+
 TEST_F(HeadTrackers, AnotherPersonIsNotTracked) {
   const SyntheticFace stranger = SyntheticFace::stranger();
   for (bool is_model : {true, false}) {
