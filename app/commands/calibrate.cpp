@@ -1,4 +1,5 @@
-// facenav calibrate: chessboard pairs -> stereo.yml, with every figure that tells how far to trust it.
+// facenav calibrate: pairs of a chessboard or ChArUco board -> stereo.yml, with every figure that tells how
+// far to trust it.
 
 #include <cstdio>
 #include <ctime>
@@ -16,7 +17,8 @@ namespace {
 
 struct Arguments {
   std::string board;
-  double square_mm = 0;
+  double square_mm = 0, marker_mm = 0;
+  std::string dictionary = stereo::Board{}.dictionary;
   std::vector<std::string> left, right;
   std::string output = "stereo.yml";
 };
@@ -46,15 +48,18 @@ void printRig(const stereo::Calibration& result) {
     std::printf("%-5s f %.2f %.2f px, centre %.2f %.2f px\n", side, camera->k(0, 0), camera->k(1, 1),
                 camera->k(0, 2), camera->k(1, 2));
   const double angle_deg = rotationAngle(rig.right_T_left.rotation()) * 180 / M_PI;
+  for (const auto& parameter : result.parameters)
+    std::printf("  %-14s %12.6g +- %.2g\n", parameter.name.c_str(), parameter.value, parameter.sigma);
   std::printf("baseline %.3f mm, angle between the cameras %.3f deg\n", rig.baseline_mm(), angle_deg);
 }
 
 void run(const Arguments& arguments, Context& context) {
-  const stereo::Board board = stereo::boardFromText(arguments.board, arguments.square_mm);
+  stereo::Board board = stereo::boardFromText(arguments.board, arguments.square_mm, arguments.marker_mm);
+  board.dictionary = arguments.dictionary;
   const auto pairs = capture::readCalibrationImages(arguments.left, arguments.right);
   const stereo::Calibration result = stereo::calibrate(pairs, board, context.monitor);
-  char board_text[64];
-  std::snprintf(board_text, sizeof board_text, "%dx%d, %g mm", board.columns, board.rows, board.square_mm);
+  char board_text[96];
+  std::snprintf(board_text, sizeof board_text, "%s, %g mm", arguments.board.c_str(), board.square_mm);
   stereo::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow()});
   for (const auto& warning : result.warnings) logWarning(warning);
   if (!context.is_quiet) {
@@ -70,10 +75,14 @@ void run(const Arguments& arguments, Context& context) {
 }  // namespace
 
 void addCalibrate(CLI::App& app, Context& context) {
-  CLI::App* verb = app.add_subcommand("calibrate", "chessboard pairs -> stereo.yml");
+  CLI::App* verb = app.add_subcommand("calibrate", "pairs of a chessboard or ChArUco board -> stereo.yml");
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("--board", arguments->board, "inner corners of the chessboard, 9x6")->required();
+  verb->add_option("--board", arguments->board,
+                   "inner corners of the chessboard, 9x6, or squares of a ChArUco board, charuco:7x5")
+      ->required();
   verb->add_option("--square", arguments->square_mm, "side of one square, mm")->required();
+  verb->add_option("--marker", arguments->marker_mm, "ChArUco: side of one marker, mm (0.75 squares)");
+  verb->add_option("--dictionary", arguments->dictionary, "ChArUco: of its markers")->capture_default_str();
   verb->add_option("--left", arguments->left, "left images: files or a quoted pattern, 'left*.jpg'")
       ->required();
   verb->add_option("--right", arguments->right, "right images, in the same way")->required();

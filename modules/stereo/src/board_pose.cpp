@@ -46,15 +46,16 @@ Eigen::Isometry3d solveBoardPose(const CameraModel& camera, const std::vector<cv
 }
 
 ViewFit fitBoard(const StereoRig& rig, const BoardView& view, const Board& board) {
-  const auto points = boardPoints(board);
+  const auto left_points = boardPoints(board, view.left_ids),
+             right_points = boardPoints(board, view.right_ids);
   ViewFit fit;
-  fit.camera_T_board = solveBoardPose(rig.left, points, view.left);
+  fit.camera_T_board = solveBoardPose(rig.left, left_points, view.left);
   for (int iteration = 0; iteration < 20; ++iteration) {
     Equations sum;
-    addImage(rig.left, Eigen::Isometry3d::Identity(), fit.camera_T_board, points, view.left, sum);
-    fit.left_rms_px = std::sqrt(sum.squares_px2 / double(points.size()));
-    addImage(rig.right, rig.right_T_left.isometry(), fit.camera_T_board, points, view.right, sum);
-    fit.right_rms_px = std::sqrt(sum.squares_px2 / double(points.size()));
+    addImage(rig.left, Eigen::Isometry3d::Identity(), fit.camera_T_board, left_points, view.left, sum);
+    fit.left_rms_px = std::sqrt(sum.squares_px2 / double(left_points.size()));
+    addImage(rig.right, rig.right_T_left.isometry(), fit.camera_T_board, right_points, view.right, sum);
+    fit.right_rms_px = std::sqrt(sum.squares_px2 / double(right_points.size()));
     const Vector6d step = sum.normal.ldlt().solve(sum.rhs);
     if (!step.allFinite() || step.norm() < 1e-9) break;
     fit.camera_T_board = expRigid(step) * fit.camera_T_board;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "board_pose.h"
 #include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
 #include "rig_adjustment.h"
 
 namespace facenav::stereo {
@@ -115,11 +117,35 @@ std::vector<std::string> warningsFor(const Task& task, const Indices& used, cons
 // here.
 std::vector<BoardView> withOneOrder(std::vector<BoardView> views) {
   for (auto& view : views) {
+    if (!view.left_ids.empty()) continue;
     const cv::Point2f left = view.left.back() - view.left.front(),
                       right = view.right.back() - view.right.front();
     if (left.dot(right) < 0) std::reverse(view.right.begin(), view.right.end());
   }
   return views;
+}
+
+std::vector<ParameterError> parameterErrors(const StereoRig& rig) {
+  static const char* const kCoefficients[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  std::vector<ParameterError> list;
+  int at = 0;
+  const auto add = [&](const std::string& name, double value, double unit = 1.0) {
+    list.push_back({name, value * unit, std::sqrt(std::max(0.0, rig.covariance.at<double>(at, at))) * unit});
+    ++at;
+  };
+  for (const auto& [side, camera] : {std::pair("left ", &rig.left), std::pair("right ", &rig.right)}) {
+    add(std::string(side) + "fx px", camera->k(0, 0));
+    add(std::string(side) + "fy px", camera->k(1, 1));
+    add(std::string(side) + "cx px", camera->k(0, 2));
+    add(std::string(side) + "cy px", camera->k(1, 2));
+    for (int i = 0; i < int(camera->distortion.total()); ++i)
+      add(side + std::string(kCoefficients[i]), camera->distortion.at<double>(i));
+  }
+  const Eigen::Vector3d turn = logRotation(rig.right_T_left.rotation());
+  const Eigen::Vector3d t = rig.right_T_left.translation_mm();
+  for (int i = 0; i < 3; ++i) add(std::string("R") + "xyz"[i] + " deg", turn[i], 180 / M_PI);
+  for (int i = 0; i < 3; ++i) add(std::string("T") + "xyz"[i] + " mm", t[i]);
+  return list;
 }
 
 std::vector<ViewReport> reportViews(const Task& task, const StereoRig& rig, const Indices& used) {
@@ -170,6 +196,7 @@ Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size
     result.baseline_sigma_mm = fit.baseline_sigma_mm;
     result.rms_px = rmsOf(fitViews(task, result.rig, used));
     result.rig.rms_px = result.rms_px;
+    result.parameters = parameterErrors(result.rig);
     result.views = reportViews(task, result.rig, used);
     result.warnings = warningsFor(task, used, result);
     return result;
@@ -178,6 +205,17 @@ Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size
                 "take pairs of the board at different angles and distances");
   }
 }
+
+namespace {
+
+/// A chessboard's corners come without numbers, so that boards of one colour order can be turned.
+std::pair<std::vector<cv::Point2f>, std::vector<int>> found(const cv::Mat& image, const Board& board) {
+  SeenCorners seen = findBoard(image, board);
+  if (!board.isCharuco()) seen.ids.clear();
+  return {seen.px, seen.ids};
+}
+
+}  // namespace
 
 Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& board, TaskMonitor& monitor) {
   if (pairs.empty()) throw Error("there are no image pairs to calibrate from");
@@ -193,8 +231,9 @@ Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& bo
         throw Error("image sizes differ: " + std::to_string(image.cols) + " x " + std::to_string(image.rows) +
                         " beside " + std::to_string(size.width) + " x " + std::to_string(size.height),
                     pair.name, "use images of one camera pair at one resolution");
-    BoardView view{pair.name, findCorners(pair.left, board), {}};
-    if (!view.left.empty()) view.right = findCorners(pair.right, board);
+    BoardView view{pair.name, {}, {}, {}, {}};
+    std::tie(view.left, view.left_ids) = found(pair.left, board);
+    if (!view.left.empty()) std::tie(view.right, view.right_ids) = found(pair.right, board);
     const bool is_found = !view.left.empty() && !view.right.empty();
     if (is_found) {
       place.push_back(i);
@@ -208,10 +247,10 @@ Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& bo
   Calibration result = calibrateCorners(views, size, board, monitor);
   // Back into the order given.
   std::vector<ViewReport> in_order;
-  std::size_t found = 0, missing = 0;
+  std::size_t next = 0, missing = 0;
   for (const CalibrationPair& pair : pairs) {
     const bool is_missing = missing < without_board.size() && without_board[missing].name == pair.name;
-    in_order.push_back(is_missing ? without_board[missing++] : result.views[found++]);
+    in_order.push_back(is_missing ? without_board[missing++] : result.views[next++]);
   }
   result.views = std::move(in_order);
   return result;

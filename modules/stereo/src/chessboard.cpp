@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "charuco.h"
 #include "facenav/core/error.h"
 
 namespace facenav::stereo {
@@ -67,7 +68,10 @@ void makeRightHanded(const Board& board, Corners& corners) {
 
 }  // namespace
 
-Board boardFromText(const std::string& text, double square_mm) {
+Board boardFromText(const std::string& whole, double square_mm, double marker_mm) {
+  const std::string prefix = "charuco:";
+  const bool is_charuco = whole.rfind(prefix, 0) == 0;
+  const std::string text = is_charuco ? whole.substr(prefix.size()) : whole;
   Board board;
   board.square_mm = square_mm;
   const char* const end = text.data() + text.size();
@@ -75,11 +79,18 @@ Board boardFromText(const std::string& text, double square_mm) {
   const bool has_cross =
       first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
   const auto second = has_cross ? std::from_chars(first.ptr + 1, end, board.rows) : first;
+  if (is_charuco) {  // squares -> inner corners
+    --board.columns;
+    --board.rows;
+    board.marker_mm = marker_mm > 0 ? marker_mm : 0.75 * square_mm;
+  }
   if (!has_cross || second.ec != std::errc() || second.ptr != end || board.columns < 3 || board.rows < 3 ||
       board.columns > 100 || board.rows > 100)
-    throw Error("'" + text + "' is no board size", "--board",
-                "give its inner corners, 9x6 say, at least 3x3");
+    throw Error("'" + whole + "' is no board size", "--board",
+                "give a chessboard's inner corners, 9x6 say, or a ChArUco board's squares, charuco:7x5");
   if (!(square_mm > 0 && square_mm < 10000)) throw Error("a square must be longer than 0 mm", "--square");
+  if (is_charuco && !(board.marker_mm < square_mm))
+    throw Error("the markers must be smaller than the squares", "--marker");
   return board;
 }
 
@@ -104,6 +115,21 @@ std::vector<cv::Point3f> boardPoints(const Board& board) {
     for (int c = 0; c < board.columns; ++c)
       points.emplace_back(float(c * board.square_mm), float(r * board.square_mm), 0.f);
   return points;
+}
+
+std::vector<cv::Point3f> boardPoints(const Board& board, const std::vector<int>& ids) {
+  const auto all = boardPoints(board);
+  if (ids.empty()) return all;
+  std::vector<cv::Point3f> points;
+  for (const int id : ids) points.push_back(all[std::size_t(id)]);
+  return points;
+}
+
+SeenCorners findBoard(const cv::Mat& image, const Board& board) {
+  if (board.isCharuco()) return findCharuco(image, board);
+  SeenCorners seen{findCorners(image, board), {}};
+  for (int id = 0; id < int(seen.px.size()); ++id) seen.ids.push_back(id);
+  return seen;
 }
 
 }  // namespace facenav::stereo

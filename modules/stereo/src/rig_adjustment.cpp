@@ -47,9 +47,19 @@ struct Normal {
 
 struct Problem {
   const std::vector<const BoardView*>& views;
-  std::vector<cv::Point3f> points;
+  std::vector<std::vector<cv::Point3f>> left_points, right_points;  // on the board, of each view's corners
   Layout layout;
+
+  Problem(const std::vector<const BoardView*>& v, const Board& board, int coefficients)
+      : views(v), layout{coefficients} {
+    for (const BoardView* view : views) {
+      left_points.push_back(boardPoints(board, view->left_ids));
+      right_points.push_back(boardPoints(board, view->right_ids));
+    }
+  }
 };
+
+Vector3d toEigen(const cv::Point3f& p) { return {p.x, p.y, p.z}; }
 
 // The camera with each distortion coefficient a little larger and smaller: their difference is the
 // derivative.
@@ -100,38 +110,43 @@ Normal linearise(const Problem& problem, const State& state) {
   const int n = layout.view(problem.views.size());
   const Neighbours left_camera(state.left), right_camera(state.right);
   Normal normal{MatrixXd::Zero(n, n), VectorXd::Zero(n), 0, 0};
-  for (std::size_t v = 0; v < problem.views.size(); ++v)
-    for (std::size_t i = 0; i < problem.points.size(); ++i) {
-      const cv::Point3f& on_board = problem.points[i];
-      const Vector3d p = state.left_T_board[v] * Vector3d(on_board.x, on_board.y, on_board.z);
-      PixelByPoint by_point;
+  for (std::size_t v = 0; v < problem.views.size(); ++v) {
+    PixelByPoint by_point;
+    for (std::size_t i = 0; i < problem.left_points[v].size(); ++i) {
+      const Vector3d p = state.left_T_board[v] * toEigen(problem.left_points[v][i]);
       const Vector2d left = project(state.left, p, by_point);
-      const cv::Point2f &seen_left = problem.views[v]->left[i], &seen_right = problem.views[v]->right[i];
+      const cv::Point2f& seen = problem.views[v]->left[i];
       addBlocks(normal, {{0, byIntrinsics(left_camera, p, left)}, {layout.view(v), byPose(by_point, p)}},
-                Vector2d(seen_left.x, seen_left.y) - left);
-      const Vector3d q = state.right_T_left * p;
+                Vector2d(seen.x, seen.y) - left);
+    }
+    for (std::size_t i = 0; i < problem.right_points[v].size(); ++i) {
+      const Vector3d p = state.left_T_board[v] * toEigen(problem.right_points[v][i]),
+                     q = state.right_T_left * p;
       const Vector2d right = project(state.right, q, by_point);
+      const cv::Point2f& seen = problem.views[v]->right[i];
       addBlocks(normal,
                 {{layout.camera(), byIntrinsics(right_camera, q, right)},
                  {layout.pose(), byPose(by_point, q)},
                  {layout.view(v), byPose(by_point * state.right_T_left.linear(), p)}},
-                Vector2d(seen_right.x, seen_right.y) - right);
+                Vector2d(seen.x, seen.y) - right);
     }
+  }
   return normal;
 }
 
 double cost(const Problem& problem, const State& state) {
   double squares = 0;
-  for (std::size_t v = 0; v < problem.views.size(); ++v)
-    for (std::size_t i = 0; i < problem.points.size(); ++i) {
-      const Vector3d p =
-          state.left_T_board[v] * Vector3d(problem.points[i].x, problem.points[i].y, problem.points[i].z);
-      const Vector3d q = state.right_T_left * p;
-      if (p.z() <= 0 || q.z() <= 0) return std::numeric_limits<double>::infinity();
-      const cv::Point2f &left = problem.views[v]->left[i], &right = problem.views[v]->right[i];
-      squares += (Vector2d(left.x, left.y) - project(state.left, p)).squaredNorm() +
-                 (Vector2d(right.x, right.y) - project(state.right, q)).squaredNorm();
-    }
+  const auto add = [&](const CameraModel& camera, const Vector3d& p, const cv::Point2f& seen) {
+    squares += p.z() > 0 ? (Vector2d(seen.x, seen.y) - project(camera, p)).squaredNorm()
+                         : std::numeric_limits<double>::infinity();
+  };
+  for (std::size_t v = 0; v < problem.views.size(); ++v) {
+    for (std::size_t i = 0; i < problem.left_points[v].size(); ++i)
+      add(state.left, state.left_T_board[v] * toEigen(problem.left_points[v][i]), problem.views[v]->left[i]);
+    for (std::size_t i = 0; i < problem.right_points[v].size(); ++i)
+      add(state.right, state.right_T_left * (state.left_T_board[v] * toEigen(problem.right_points[v][i])),
+          problem.views[v]->right[i]);
+  }
   return squares;
 }
 
@@ -156,9 +171,8 @@ State moved(const Layout& layout, const State& state, const VectorXd& step) {
   return next;
 }
 
-CameraModel startCamera(const Problem& problem, std::vector<cv::Point2f> BoardView::*side,
-                        const cv::Size& size) {
-  std::vector<std::vector<cv::Point3f>> points(problem.views.size(), problem.points);
+CameraModel startCamera(const Problem& problem, const std::vector<std::vector<cv::Point3f>>& points,
+                        std::vector<cv::Point2f> BoardView::*side, const cv::Size& size) {
   std::vector<std::vector<cv::Point2f>> corners;
   for (const BoardView* view : problem.views) corners.push_back(view->*side);
   CameraModel camera;
@@ -188,12 +202,12 @@ Isometry3d middlePose(const std::vector<Isometry3d>& poses) {
 
 State startState(const Problem& problem, const cv::Size& size) {
   State state;
-  state.left = startCamera(problem, &BoardView::left, size);
-  state.right = startCamera(problem, &BoardView::right, size);
+  state.left = startCamera(problem, problem.left_points, &BoardView::left, size);
+  state.right = startCamera(problem, problem.right_points, &BoardView::right, size);
   std::vector<Isometry3d> relative;
-  for (const BoardView* view : problem.views) {
-    state.left_T_board.push_back(solveBoardPose(state.left, problem.points, view->left));
-    relative.push_back(solveBoardPose(state.right, problem.points, view->right) *
+  for (std::size_t v = 0; v < problem.views.size(); ++v) {
+    state.left_T_board.push_back(solveBoardPose(state.left, problem.left_points[v], problem.views[v]->left));
+    relative.push_back(solveBoardPose(state.right, problem.right_points[v], problem.views[v]->right) *
                        state.left_T_board.back().inverse());
   }
   state.right_T_left = middlePose(relative);
@@ -227,7 +241,7 @@ State minimise(const Problem& problem, State state) {
 
 RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& size, const Board& board,
                  int coefficients) {
-  const Problem problem{views, boardPoints(board), {coefficients}};
+  const Problem problem(views, board, coefficients);
   const State state = minimise(problem, startState(problem, size));
   const Normal normal = linearise(problem, state);
   const int shared = problem.layout.view(0);
@@ -245,6 +259,9 @@ RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& siz
   fit.rig.left = state.left;
   fit.rig.right = state.right;
   fit.rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(state.right_T_left);
+  fit.rig.covariance = cv::Mat(shared, shared, CV_64F);
+  for (int i = 0; i < shared; ++i)
+    for (int j = 0; j < shared; ++j) fit.rig.covariance.at<double>(i, j) = covariance(i, j);
   const int right = problem.layout.camera(), t = problem.layout.pose() + 3;
   for (const int i : {0, 1, right, right + 1})
     fit.focal_sigma_px = std::max(fit.focal_sigma_px, std::sqrt(std::max(0.0, covariance(i, i))));

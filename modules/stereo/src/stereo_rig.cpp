@@ -58,6 +58,20 @@ class RigReader {
     if (!cv::checkRange(values)) fail("key '" + key + "' holds a value that is not finite");
     return values;
   }
+  /// Empty where the key is missing or holds no square matrix of finite numbers.
+  cv::Mat optionalSquare(const std::string& key) const {
+    cv::Mat read, values;
+    const cv::FileNode found = storage_[key];
+    if (found.empty()) return {};
+    try {
+      found >> read;
+      if (!read.empty()) read.convertTo(values, CV_64F);
+    } catch (const cv::Exception&) {
+      return {};
+    }
+    return values.rows == values.cols && values.channels() == 1 && cv::checkRange(values) ? values
+                                                                                          : cv::Mat();
+  }
   cv::Mat matrix(const std::string& key, int rows, int cols) const {
     const cv::Mat values = matrix(key);
     if (values.rows == rows && values.cols == cols) return values;
@@ -134,6 +148,10 @@ StereoRig readRig(const std::filesystem::path& path) {
   rig.right = readCamera(reader, "2");
   rig.right_T_left = readPose(reader);
   rig.rms_px = reader.number("rms_px");
+  rig.covariance = reader.optionalSquare("covariance");
+  if (!rig.covariance.empty() &&
+      rig.covariance.rows != int(14 + rig.left.distortion.total() + rig.right.distortion.total()))
+    rig.covariance.release();  // of another model: says nothing about this one
   return rig;
 }
 
@@ -159,6 +177,12 @@ void writeRig(const StereoRig& rig, const std::filesystem::path& path, const Cal
           << (cv::Mat_<double>(3, 1) << t.x(), t.y(), t.z());
   storage << "E" << e << "F" << f;
   if (rig.rms_px) storage << "rms_px" << *rig.rms_px;
+  if (!rig.covariance.empty()) {
+    cv::Mat sigmas(1, rig.covariance.rows, CV_64F);
+    for (int i = 0; i < rig.covariance.rows; ++i)
+      sigmas.at<double>(i) = std::sqrt(std::max(0.0, rig.covariance.at<double>(i, i)));
+    storage << "standard_errors" << sigmas << "covariance" << rig.covariance;
+  }
   writeNotes(storage, notes);
   writeWholeFile(path, storage.releaseAndGetString());
 }

@@ -2,14 +2,13 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <map>
 #include <opencv2/aruco.hpp>
 #include <sstream>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/stereo/marker_dictionary.h"
 #include "square_homography.h"
 
 namespace facenav::tracking {
@@ -20,35 +19,8 @@ constexpr double kLeastContrast_grey = 12.0;  // below, noise makes patterns
 constexpr double kLeastLikenessBinary = 0.75, kLeastLikenessGrey = 0.6;
 constexpr double kLeastTurnMargin = 0.08;  // a grey pattern must beat itself turned
 
-const std::map<std::string, int>& dictionaries() {
-  static const std::map<std::string, int> names = [] {
-    std::map<std::string, int> map{{"aruco_original", cv::aruco::DICT_ARUCO_ORIGINAL},
-                                   {"apriltag_16h5", cv::aruco::DICT_APRILTAG_16h5},
-                                   {"apriltag_25h9", cv::aruco::DICT_APRILTAG_25h9},
-                                   {"apriltag_36h10", cv::aruco::DICT_APRILTAG_36h10},
-                                   {"apriltag_36h11", cv::aruco::DICT_APRILTAG_36h11}};
-    int number = cv::aruco::DICT_4X4_50;  // OpenCV numbers them 4x4 .. 7x7, 50 .. 1000, in this order
-    for (const char* grid : {"4x4", "5x5", "6x6", "7x7"})
-      for (const char* count : {"50", "100", "250", "1000"}) map[std::string(grid) + "_" + count] = number++;
-    return map;
-  }();
-  return names;
-}
-
-std::string plainName(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return name.rfind("dict_", 0) == 0 ? name.substr(5) : name;
-}
-
 cv::Mat_<float> dictionaryCells(const std::string& name, int id) {
-  const auto found = dictionaries().find(plainName(name));
-  if (found == dictionaries().end()) {
-    std::string known;
-    for (const auto& entry : dictionaries()) known += (known.empty() ? "" : ", ") + entry.first;
-    throw Error("unknown marker dictionary '" + name + "'", {}, "choose one of: " + known);
-  }
-  const auto dictionary = cv::aruco::getPredefinedDictionary(found->second);
+  const auto dictionary = cv::aruco::getPredefinedDictionary(stereo::predefinedDictionary(name));
   const int count = dictionary->bytesList.rows;
   if (id < 0 || id >= count)
     throw Error("marker id " + std::to_string(id) + " is not in dictionary " + name, {},

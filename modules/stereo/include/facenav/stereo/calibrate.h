@@ -1,6 +1,6 @@
 #pragma once
-// calibrate: pairs of chessboard images -> StereoRig. Zhang 2000 for each camera as start, then all
-// parameters of both cameras and all board poses together (cv::stereoCalibrate without fixed intrinsics).
+// calibrate: pairs of chessboard or ChArUco images -> StereoRig. Zhang 2000 for each camera as start, then
+// all parameters of both cameras and all board poses together (cv::stereoCalibrate without fixed intrinsics).
 // Beyond that:
 // - views that disagree with the rest (board moved between both shots, blur, a wrong corner) are dropped one
 // by one and
@@ -28,6 +28,7 @@ struct CalibrationPair {
 struct BoardView {
   std::string name;
   std::vector<cv::Point2f> left, right;
+  std::vector<int> left_ids, right_ids;  // numbers of these corners on the board; empty: all, in order
 };
 
 struct ViewReport {
@@ -44,11 +45,18 @@ struct ModelReport {
   double held_out_rms_px = 0;  // of views left out in turn
 };
 
+/// A parameter of the rig with the standard error that the normal equations give it.
+struct ParameterError {
+  std::string name;  // "left fx px", "right k1", "yaw deg", "baseline mm"
+  double value = 0, sigma = 0;
+};
+
 struct Calibration {
   StereoRig rig;               // rms_px is set
   double rms_px = 0;           // sqrt(mean squared distance), all corners of all used views, left and right
   double held_out_rms_px = 0;  // the chosen model's
   double focal_sigma_px = 0, baseline_sigma_mm = 0;  // standard deviations of the fit
+  std::vector<ParameterError> parameters;            // all of them
   std::string model;
   std::vector<ModelReport> models;  // all that were tried
   std::vector<ViewReport> views;    // all pairs, in the order given

@@ -23,6 +23,10 @@ struct StereoRig {
   CameraModel left, right;
   RigidTransform<RightCamera, Camera> right_T_left;
   std::optional<double> rms_px;  // reprojection error of the calibration, where known
+  /// Of the calibration's parameters, where known: n x n, 64-bit, in the order left fx fy cx cy and
+  /// distortion, right likewise, increment of right_T_left (rotation rad, translation mm; applied on the
+  /// left). Empty: unknown.
+  cv::Mat covariance;
 
   double baseline_mm() const { return right_T_left.inverse().translation_mm().norm(); }
 };

@@ -1,0 +1,253 @@
+#include "facenav/stereo/rig_monitor.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::stereo {
+namespace {
+
+constexpr double kColumns = 6, kRows = 4, kDepthBand_mm = 100;
+constexpr double kMemory = 60;          // samples after which older ones fade
+constexpr double kFewest = 12;          // samples before anything is said
+constexpr double kGross_px = 20;        // a wrong match, not a moved camera
+constexpr double kMostLeverage_px = 2;  // a few wrong matches or glints must not move a cell's mean
+constexpr double kMovedStatistic = 35;  // chi-square, 6 degrees of freedom: 4e-6
+constexpr double kHarmful_mm = 0.5, kHarmful_px = 0.3;  // less is no reason to stop
+// A calibration's errors are not all noise (the board is not flat, the lens is no polynomial).
+constexpr double kInflation = 1.5;
+constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // how cameras move when they are knocked
+
+StereoRig turned(const StereoRig& rig, const Vector6d& motion) {
+  StereoRig moved = rig;
+  Eigen::Isometry3d pose = rig.right_T_left.isometry();
+  pose.linear() = expRotation(motion.head<3>()) * pose.linear();
+  pose.translation() = expRotation(motion.head<3>()) * pose.translation() + motion.tail<3>();
+  moved.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
+  return moved;
+}
+
+StereoRig withTurn(const StereoRig& rig, const Eigen::Vector3d& turn_rad) {
+  Vector6d motion = Vector6d::Zero();
+  motion.head<3>() = turn_rad;
+  return turned(rig, motion);
+}
+
+/// Relative error of the square's size as this rig sees it.
+double sizeError(const StereoRig& rig, const SquareSighting& square) {
+  std::array<Eigen::Vector3d, 4> corners_mm;
+  for (int i = 0; i < 4; ++i) corners_mm[i] = triangulate(rig, square.left_px[i], square.right_px[i]).mm;
+  double side_mm = 0;
+  for (int i = 0; i < 4; ++i) side_mm += (corners_mm[(i + 1) % 4] - corners_mm[i]).norm() / 4;
+  return side_mm / square.size_mm - 1.0;
+}
+
+/// Mean with a memory: `count` grows to kMemory, then older samples fade.
+template <class T>
+void average(T& mean, const T& sample, double count) {
+  mean += (sample - mean) / count;
+}
+
+std::array<int, 3> keyOf(const StereoRig& rig, const Eigen::Vector2d& left_px, double depth_mm) {
+  return {int(kColumns * left_px.x() / rig.width_px), int(kRows * left_px.y() / rig.height_px),
+          int(depth_mm / kDepthBand_mm)};
+}
+
+}  // namespace
+
+double epipolarResidual_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
+                           const Eigen::Vector2d& right_px) {
+  const Eigen::Vector3d point_mm = triangulate(rig, left_px, right_px).mm;
+  if (!point_mm.allFinite() || point_mm.z() <= 0) return std::nan("");
+  // The epipolar line near the right pixel: the left pixel's ray at the point's depth, and its direction.
+  const Eigen::Vector3d ray = undistort(rig.left, left_px).homogeneous();
+  Eigen::Matrix<double, 2, 3> by_point;
+  const Eigen::Vector3d in_right_mm = rig.right_T_left.isometry() * (ray * point_mm.z());
+  if (in_right_mm.z() <= 0) return std::nan("");
+  const Eigen::Vector2d on_line = project(rig.right, in_right_mm, by_point);
+  const Eigen::Vector2d along = (by_point * (rig.right_T_left.rotation() * ray)).normalized();
+  return Eigen::Vector2d(-along.y(), along.x()).dot(right_px - on_line);
+}
+
+namespace {
+
+/// One standard deviation along each principal axis of the calibration's own covariance.
+RigUncertainty fromCovariance(const StereoRig& rig) {
+  const int n = rig.covariance.rows, pose = n - 6, camera = int(4 + rig.left.distortion.total());
+  Eigen::MatrixXd covariance(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) covariance(i, j) = rig.covariance.at<double>(i, j);
+  const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(1e-30).cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scale.cwiseInverse().asDiagonal() * covariance *
+                                                            scale.cwiseInverse().asDiagonal());
+  RigUncertainty uncertainty;
+  uncertainty.lens_px = 0.5 * rig.rms_px.value_or(0.2);
+  for (int axis = 0; axis < n; ++axis) {
+    const double length = kInflation * std::sqrt(std::max(0.0, axes.eigenvalues()[axis]));
+    if (length < 1e-6) continue;
+    const Eigen::VectorXd step = length * scale.cwiseProduct(axes.eigenvectors().col(axis));
+    StereoRig other = turned(rig, step.segment<6>(pose));
+    for (const auto& [side, first] : {std::pair(&other.left, 0), std::pair(&other.right, camera)}) {
+      side->k(0, 0) += step[first];
+      side->k(1, 1) += step[first + 1];
+      side->k(0, 2) += step[first + 2];
+      side->k(1, 2) += step[first + 3];
+      side->distortion = side->distortion.clone();
+      for (int i = 0; i < int(side->distortion.total()); ++i)
+        side->distortion.at<double>(i) += step[first + 4 + i];
+    }
+    uncertainty.one_sigma.push_back(other);
+  }
+  return uncertainty;
+}
+
+}  // namespace
+
+RigUncertainty uncertaintyOf(const StereoRig& rig) {
+  if (!rig.covariance.empty()) return fromCovariance(rig);
+  // What some twelve views of a board leave, as seen in the images: 0.7 rms across the epipolar lines, 0.02
+  // deg of roll, 0.1 % of scale from focal lengths and yaw, and lens errors that grow towards the corners.
+  const double scale = rig.rms_px.value_or(0.2) / 0.2, f = rig.right.k(0, 0);
+  RigUncertainty uncertainty;
+  uncertainty.lens_px = 0.1 * scale;
+  const auto add = [&](const StereoRig& other) { uncertainty.one_sigma.push_back(other); };
+  add(withTurn(rig, {0.1 * scale / f, 0, 0}));
+  add(withTurn(rig, {0, 0.05 * scale / f, 0}));
+  add(withTurn(rig, {0, 0, 2.6e-4 * scale}));
+  for (CameraModel StereoRig::*side : {&StereoRig::left, &StereoRig::right}) {
+    StereoRig focal = rig, bent = rig;
+    (focal.*side).k(0, 0) *= 1 + 3e-4 * scale;
+    (focal.*side).k(1, 1) *= 1 + 3e-4 * scale;
+    CameraModel& lens = bent.*side;
+    lens.distortion = lens.distortion.empty() ? cv::Mat::zeros(1, 5, CV_64F) : lens.distortion.clone();
+    lens.distortion.at<double>(0) += 1e-3 * scale;
+    add(focal);
+    add(bent);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    Vector6d shift = Vector6d::Zero();
+    shift[3 + axis] = 0.04 * scale;
+    add(turned(rig, shift));
+  }
+  return uncertainty;
+}
+
+RigMonitor::RigMonitor(const StereoRig& rig, RigUncertainty uncertainty)
+    : rig_(rig), uncertainty_(std::move(uncertainty)) {}
+
+void RigMonitor::add(const std::vector<Correspondence>& points) {
+  for (const Correspondence& point : points) {
+    const double residual_px = epipolarResidual_px(rig_, point.left_px, point.right_px);
+    if (!(std::abs(residual_px) < kGross_px)) continue;
+    const double clipped_px = std::clamp(residual_px, -kMostLeverage_px, kMostLeverage_px);
+    const double depth_mm = triangulate(rig_, point.left_px, point.right_px).mm.z();
+    Cell& cell = cells_[keyOf(rig_, point.left_px, depth_mm)];
+    cell.count = std::min(kMemory, cell.count + 1);
+    average(cell.left_px, point.left_px, cell.count);
+    average(cell.right_px, point.right_px, cell.count);
+    average(cell.residual_px, clipped_px, cell.count);
+    average(cell.variance_px2, point.sigma_px * point.sigma_px, cell.count);
+  }
+}
+
+void RigMonitor::add(const SquareSighting& square) {
+  std::vector<Correspondence> corners;
+  for (int i = 0; i < 4; ++i) corners.push_back({square.left_px[i], square.right_px[i], 0.05});
+  add(corners);
+  const double error = sizeError(rig_, square);
+  if (!std::isfinite(error)) return;
+  const double depth_mm = triangulate(rig_, square.left_px[0], square.right_px[0]).mm.z();
+  SizeCell& cell = size_cells_[keyOf(rig_, square.left_px[0], depth_mm)];
+  cell.square = square;
+  cell.count = std::min(kMemory, cell.count + 1);
+  average(cell.error, error, cell.count);
+  average(cell.variance, std::pow(square.sigma_mm / square.size_mm, 2), cell.count);
+}
+
+RigVerdict RigMonitor::verdict() const {
+  double samples = 0;
+  for (const auto& entry : cells_) samples += entry.second.count;
+  if (samples < kFewest) return {};
+  std::vector<const Cell*> cells;
+  for (const auto& entry : cells_) cells.push_back(&entry.second);
+  std::vector<const SizeCell*> sizes;
+  for (const auto& entry : size_cells_) sizes.push_back(&entry.second);
+  const int points = int(cells.size()), all = points + int(sizes.size());
+
+  const auto predict = [&](const StereoRig& rig) {  // what the cells would show if this were the true rig
+    Eigen::VectorXd values(all);
+    for (int i = 0; i < points; ++i)
+      values[i] = epipolarResidual_px(rig, cells[i]->left_px, cells[i]->right_px);
+    for (int i = points; i < all; ++i) values[i] = sizeError(rig, sizes[i - points]->square);
+    return values;
+  };
+  const Eigen::VectorXd nominal = predict(rig_);
+  Eigen::VectorXd seen(all);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(all, all);
+  for (int i = 0; i < points; ++i) {
+    seen[i] = cells[i]->residual_px;
+    covariance(i, i) = uncertainty_.lens_px * uncertainty_.lens_px + cells[i]->variance_px2 / cells[i]->count;
+  }
+  for (int i = points; i < all; ++i) {
+    const SizeCell& cell = *sizes[i - points];
+    seen[i] = cell.error;
+    covariance(i, i) = std::pow(5e-4, 2) + cell.variance;
+    for (int j = points; j < all; ++j)  // one print: one error of its size
+      covariance(i, j) += cell.square.print_sigma_mm / cell.square.size_mm *
+                          sizes[j - points]->square.print_sigma_mm / sizes[j - points]->square.size_mm;
+  }
+  for (const StereoRig& other : uncertainty_.one_sigma) {
+    const Eigen::VectorXd change = predict(other) - nominal;
+    covariance += change * change.transpose();
+  }
+
+  // If the right camera moved by xi, its own rig would show nothing: seen = -d predict / d xi * xi.
+  Eigen::MatrixXd design(all, 6);
+  for (int k = 0; k < 6; ++k) {
+    Vector6d step = Vector6d::Zero();
+    step[k] = k < 3 ? 1e-4 : 0.05;
+    design.col(k) = -(predict(turned(rig_, step)) - nominal) / step[k];
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> weight(covariance);
+  Matrix6d information = design.transpose() * weight.solve(design);
+  const Vector6d score = design.transpose() * weight.solve(seen);
+  for (int k = 0; k < 6; ++k)
+    information(k, k) +=
+        k < 3 ? 1 / (kTurnSigma_rad * kTurnSigma_rad) : 1 / (kShiftSigma_mm * kShiftSigma_mm);
+  const Vector6d motion = information.ldlt().solve(score);
+
+  RigVerdict verdict;
+  if (!motion.allFinite()) return verdict;
+  verdict.statistic = score.dot(motion);
+  verdict.turn_rad = motion.head<3>();
+  verdict.epipolar_px = std::sqrt(seen.head(points).squaredNorm() / points);
+  if (all > points) verdict.size_error = seen.tail(all - points).mean();
+  const StereoRig moved_rig = turned(rig_, motion);
+  double squares = 0;
+  for (const Cell* cell : cells)
+    squares += (triangulate(moved_rig, cell->left_px, cell->right_px).mm -
+                triangulate(rig_, cell->left_px, cell->right_px).mm)
+                   .squaredNorm();
+  verdict.displaced_mm = std::sqrt(squares / points);
+  const bool is_harmful = verdict.displaced_mm > kHarmful_mm || verdict.epipolar_px > kHarmful_px;
+  verdict.state =
+      verdict.statistic > kMovedStatistic && is_harmful ? RigVerdict::State::moved : RigVerdict::State::holds;
+  return verdict;
+}
+
+std::string RigVerdict::words() const {
+  if (!hasMoved()) return {};
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "the cameras have moved since their calibration (%.2f px across the epipolar lines, points off by "
+      "%.1f mm): calibrate again",
+      epipolar_px, displaced_mm);
+  return text;
+}
+
+}  // namespace facenav::stereo
