@@ -57,6 +57,7 @@ int runCommandLine(int argc, char** argv) {
   app::addCheck(cli, context);
   app::addWorklist(cli, context);
   app::addCalibrate(cli, context);
+  app::addCalibrateCoil(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);
   app::addGuide(cli, context);

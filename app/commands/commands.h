@@ -11,6 +11,7 @@ namespace facenav::app {
 void addSeries(CLI::App& app, Context& context);
 void addPrepare(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
+void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
 void addGuide(CLI::App& app, Context& context);

@@ -39,6 +39,11 @@ MarkerModel readMarker(const JsonReader& json, const fs::path& folder) {
     marker.id = json.at("id").integer();
   }
   marker.size_mm = readSize_mm(json.at("size_mm"));
+  if (json.has("size_sigma_mm")) {
+    marker.size_sigma_mm = json.at("size_sigma_mm").number();
+    if (!(marker.size_sigma_mm > 0 && marker.size_sigma_mm < marker.size_mm))
+      json.at("size_sigma_mm").refuse("how well the size is known, in millimetres, was expected (above 0)");
+  }
   requireLoadable(marker, json);
   return marker;
 }
@@ -78,6 +83,7 @@ Json toJson(const MarkerModel& marker, const fs::path& folder) {
     json["id"] = marker.id;
   }
   json["size_mm"] = marker.size_mm;
+  if (marker.size_sigma_mm != MarkerModel{}.size_sigma_mm) json["size_sigma_mm"] = marker.size_sigma_mm;
   return json;
 }
 

@@ -2,35 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <opencv2/calib3d.hpp>
-#include <opencv2/core/eigen.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "facenav/geometry/rigid_fit.h"
-#include "marker_detection.h"
+#include "facenav/stereo/rig_monitor.h"
 #include "marker_fit.h"
+#include "marker_search.h"
 
 namespace facenav::tracking {
 namespace {
 
-using CoilToCamera = RigidTransform<Camera, Coil>;
-
-// When a fit counts as the coil. The misfit of a side's mean (bias) is what a wrong pair, a moved camera or a
-// swapped pair make; calibrations leave 0.1-0.3 px of it.
-constexpr double kMostBias_px = 0.6, kMostRms_px = 0.8, kLeastInlierFraction = 0.6;
-// The print's inner edges tell its size from what blur and gamma do, so a size that is off means a wrong
-// depth (a camera turned along the epipolar lines shows in nothing else). Before the fit, corners tell it
-// less well.
-constexpr double kMostSizeError = 0.02, kMostSizeErrorOfCorners = 0.04, kMostShrink_px = 1.5;
+// When a fit counts as the coil. The misfit of an edge's mean (bias) is what a wrong pair, another object or
+// a half-hidden marker make.
+constexpr double kMostBias_px = 0.35, kMostRms_px = 0.6, kLeastInlierFraction = 0.6;
+constexpr double kMostShrink_px = 1.5;
 constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
-constexpr double kLeastDepth_mm = 50.0, kMostDepth_mm = 5000.0;
-
-std::array<Eigen::Vector3d, 4> cornersInMarker_mm(double size_mm) {
-  const double h = size_mm / 2;
-  return {Eigen::Vector3d(-h, -h, 0), Eigen::Vector3d(h, -h, 0), Eigen::Vector3d(h, h, 0),
-          Eigen::Vector3d(-h, h, 0)};
-}
+constexpr double kMostDepth_mm = 5000.0;
+// When the cameras still stand as calibrated: pitch moves the image across the epipolar lines, roll turns it;
+// calibrations leave 0.1-0.3 px and 0.02 deg. Yaw shows in nothing but the print's size: a size that is off
+// means a depth that is off.
+constexpr double kMostPitch_px = 0.6, kMostRoll_rad = 2.6e-3;
+constexpr double kScaleSigma = 1e-3;        // of lengths, left by a good calibration
+constexpr double kMostSizeSigma = 2.5e-3;   // a size less well seen says nothing of the depth
+constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
+constexpr double kLongestPrediction_s = 0.5;
 
 bool isUsable(const cv::Mat& grey, const stereo::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
@@ -43,107 +37,102 @@ bool isBlank(const cv::Mat& grey) {
   return high - low < 10.0;
 }
 
-double longestSide_px(const Quad& quad) {
-  double longest = 0;
-  for (int i = 0; i < 4; ++i) longest = std::max(longest, (quad[(i + 1) % 4] - quad[i]).norm());
-  return longest;
-}
+/// A fit that is the coil's marker; whether the cameras still stand as calibrated is asked apart.
+struct Solution {
+  MarkerFit fit;
+  std::vector<std::size_t> markers;  // that were fitted, the most certain first
+};
 
 class MarkerCoilTracker final : public CoilTracker {
  public:
   void start(const stereo::StereoRig& rig, const CoilModel& coil) override;
   Tracked<CoilPose> track(const stereo::StereoFrame& frame) override;
+  std::optional<MarkerSighting> sighting() const override { return sighting_; }
 
  private:
-  struct Candidate {
-    std::vector<std::size_t> markers;  // the most certain first
-    CoilToCamera start;
-  };
-  struct Solution {
-    MarkerFit fit;
-    std::size_t marker;
-  };
   struct Search {
     std::vector<Solution> good;
-    bool has_candidate = false;
+    bool is_seen_in_left = false, is_seen_in_right = false;
   };
 
-  std::optional<std::pair<cv::Rect, cv::Rect>> predictedWindows(const CoilToCamera& camera_T_coil) const;
-  Search search(const stereo::StereoFrame& frame, const cv::Rect& left, const cv::Rect& right) const;
-  Search fitAll(const stereo::StereoFrame& frame, const std::vector<Candidate>& candidates) const;
-  std::vector<Candidate> pair(const std::vector<MarkerDetection>& left,
-                              const std::vector<MarkerDetection>& right) const;
-  std::optional<CoilToCamera> triangulatedPose(const MarkerDetection& left,
-                                               const MarkerDetection& right) const;
-  /// From one image alone, both poses that a plane allows; the other image decides.
-  std::vector<Candidate> fromOneImage(const MarkerDetection& seen, bool is_left, const cv::Mat& other) const;
-  std::optional<Quad> predictedCorners(std::size_t marker, const CoilToCamera& camera_T_coil,
-                                       bool is_left) const;
-  bool isSeenIn(const cv::Mat& grey, bool is_left, std::size_t marker,
-                const CoilToCamera& camera_T_coil) const;
-  /// The other markers of the coil that both images show where this pose puts them.
-  void addOtherMarkers(const stereo::StereoFrame& frame, Candidate& candidate) const;
-  bool isGood(const MarkerFit& fit, const Candidate& candidate) const;
+  Search searchAll(const stereo::StereoFrame& frame) const;
+  void fitDetections(const stereo::StereoFrame& frame, const std::vector<MarkerDetection>& seen, bool is_left,
+                     Search& search) const;
+  std::optional<Solution> fitPredicted(const stereo::StereoFrame& frame,
+                                       const CoilToCamera& prediction) const;
+  std::optional<Solution> fitKnown(const stereo::StereoFrame& frame, std::vector<std::size_t> markers,
+                                   const CoilToCamera& start, int search_px) const;
+  /// With the other markers that both images show where the fit puts them.
+  Solution withOtherMarkers(const stereo::StereoFrame& frame, Solution solution) const;
+  std::optional<Solution> fitOnce(const stereo::StereoFrame& frame, const std::vector<std::size_t>& markers,
+                                  const FitStart& start) const;
+  bool isPlausible(const MarkerFit& fit, const std::vector<std::size_t>& markers) const;
+  bool holdsCalibration(const Solution& solution) const;
+  Eigen::Isometry3d rightFromLeftAsSeen(const MarkerFit& fit) const {
+    return rightFromLeft(setup_.rig, fit.free_state, fit.centre_mm);
+  }
   std::optional<CoilToCamera> predicted(double t_s) const;
   Tracked<CoilPose> accept(const Solution& solution, double t_s);
+  MarkerSighting sightingOf(const Solution& solution) const;
+  /// What the calibration's own uncertainty does to a pose seen at these corners.
+  Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
 
-  stereo::StereoRig rig_;
-  CoilModel coil_;
-  std::vector<MarkerPattern> patterns_;
+  CoilSetup setup_;
   struct Past {
     CoilToCamera camera_T_coil;
     double t_s;
   };
   std::optional<Past> last_, before_;
+  std::vector<std::size_t> last_markers_;
+  std::optional<MarkerSighting> sighting_;
+  stereo::RigUncertainty uncertainty_;
+  std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
+  Matrix6d calibration_covariance_ = Matrix6d::Zero();
 };
 
 void MarkerCoilTracker::start(const stereo::StereoRig& rig, const CoilModel& coil) {
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
-  rig_ = rig;
-  coil_ = coil;
-  patterns_.clear();
-  for (const MarkerModel& marker : coil.markers) patterns_.push_back(MarkerPattern::load(marker));
+  setup_ = {rig, coil, {}};
+  for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
+  uncertainty_ = stereo::uncertaintyOf(rig);
+  calibration_at_.reset();
   last_.reset();
   before_.reset();
+  sighting_.reset();
 }
 
 Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
-  FACENAV_EXPECT(!patterns_.empty(), "track() before start()");
-  Search result;
-  if (!isUsable(frame.left, rig_) || !isUsable(frame.right, rig_)) {
+  FACENAV_EXPECT(!setup_.patterns.empty(), "track() before start()");
+  sighting_.reset();
+  const double t_s = frame.captured.s;
+  const auto prediction = predicted(t_s);
+  std::optional<Solution> found;
+  bool is_seen = false;
+  if (!isUsable(frame.left, setup_.rig) || !isUsable(frame.right, setup_.rig)) {
     last_.reset();
     return Lost{LostReason::camera};
   }
-  const double t_s = frame.captured.s;
-  const auto prediction = predicted(t_s);
-  if (prediction) {
-    if (const auto windows = predictedWindows(*prediction))
-      result = search(frame, windows->first, windows->second);
-    if (result.good
-            .empty()) {  // no quadrangle found (a finger at its edge, a hard shadow): look where it should be
-      Candidate candidate{{}, *prediction};
-      addOtherMarkers(frame, candidate);
-      if (!candidate.markers.empty()) result = fitAll(frame, {candidate});
-    }
+  if (prediction) found = fitPredicted(frame, *prediction);
+  if (!found) {
+    const Search search = searchAll(frame);
+    is_seen = (search.is_seen_in_left && search.is_seen_in_right) || !search.good.empty();
+    if (search.good.size() == 1) found = search.good.front();
   }
-  if (result.good.empty()) {
-    const cv::Rect all(0, 0, rig_.width_px, rig_.height_px);
-    const Search full = search(frame, all, all);
-    result.good = full.good;
-    result.has_candidate = result.has_candidate || full.has_candidate;
+  if (found) {
+    sighting_ = sightingOf(*found);
+    if (holdsCalibration(*found)) return accept(*found, t_s);
   }
-  if (result.good.size() == 1) return accept(result.good.front(), t_s);
   last_.reset();
   before_.reset();
-  if (result.good.empty() && !result.has_candidate)
-    return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
-  return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
+  if (found) return Lost{LostReason::camera};
+  if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
+  return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
 }
 
 std::optional<CoilToCamera> MarkerCoilTracker::predicted(double t_s) const {
   if (!last_) return std::nullopt;
   const double since_s = t_s - last_->t_s;
-  if (since_s < 0 || since_s > 0.5) return std::nullopt;
+  if (since_s < 0 || since_s > kLongestPrediction_s) return std::nullopt;
   if (!before_ || last_->t_s - before_->t_s < 1e-4) return last_->camera_T_coil;
   const double factor = std::min(2.0, since_s / (last_->t_s - before_->t_s));
   const Eigen::Isometry3d& now = last_->camera_T_coil.isometry();
@@ -154,187 +143,173 @@ std::optional<CoilToCamera> MarkerCoilTracker::predicted(double t_s) const {
   return CoilToCamera::fromIsometry(next);
 }
 
-std::optional<Quad> MarkerCoilTracker::predictedCorners(std::size_t marker, const CoilToCamera& camera_T_coil,
-                                                        bool is_left) const {
-  const Eigen::Isometry3d camera_T_marker = (camera_T_coil * coil_.markers[marker].coil_T_marker).isometry();
-  const Eigen::Isometry3d view =
-      (is_left ? Eigen::Isometry3d::Identity() : rig_.right_T_left.isometry()) * camera_T_marker;
-  if (view.linear().col(2).dot(view.translation()) <= 0)
-    return std::nullopt;  // its back is turned to this camera
-  Quad quad;
-  const auto corners_mm = cornersInMarker_mm(coil_.markers[marker].size_mm);
-  for (int i = 0; i < 4; ++i) {
-    const Eigen::Vector3d p_mm = view * corners_mm[i];
-    if (p_mm.z() < kLeastDepth_mm) return std::nullopt;
-    quad[i] = stereo::project(is_left ? rig_.left : rig_.right, p_mm);
-    if (!(quad[i].x() >= 0 && quad[i].y() >= 0 && quad[i].x() < rig_.width_px - 1 &&
-          quad[i].y() < rig_.height_px - 1))
+std::optional<Solution> MarkerCoilTracker::fitPredicted(const stereo::StereoFrame& frame,
+                                                        const CoilToCamera& prediction) const {
+  const auto in_view = markersInView(setup_, prediction);
+  if (in_view.empty()) return std::nullopt;
+  std::vector<std::size_t> expected;  // those of the last frame, else any
+  for (const std::size_t marker : in_view)
+    if (std::find(last_markers_.begin(), last_markers_.end(), marker) != last_markers_.end())
+      expected.push_back(marker);
+  if (!expected.empty())
+    if (auto solution = fitKnown(frame, expected, prediction, searchReach_px(setup_, expected, prediction)))
+      return solution;
+  if (in_view.size() == 1 && !expected.empty()) return std::nullopt;
+  for (const std::size_t marker : in_view)
+    if (auto solution = fitKnown(frame, {marker}, prediction, searchReach_px(setup_, {marker}, prediction)))
+      return solution;
+  return std::nullopt;
+}
+
+MarkerCoilTracker::Search MarkerCoilTracker::searchAll(const stereo::StereoFrame& frame) const {
+  Search search;
+  const auto in_left = detectMarkers(frame.left, setup_.patterns);
+  search.is_seen_in_left = !in_left.empty();
+  fitDetections(frame, in_left, true, search);
+  if (!search.good.empty()) return search;
+  const auto in_right = detectMarkers(frame.right, setup_.patterns);
+  search.is_seen_in_right = !in_right.empty();
+  fitDetections(frame, in_right, false, search);
+  return search;
+}
+
+void MarkerCoilTracker::fitDetections(const stereo::StereoFrame& frame,
+                                      const std::vector<MarkerDetection>& seen, bool is_left,
+                                      Search& search) const {
+  for (const MarkerDetection& detection : seen)
+    for (const CoilToCamera& start : posesFromOneImage(setup_, detection, is_left)) {
+      // Its size alone places the marker to 2 %: some pixels along the other image's epipolar line.
+      const auto solution =
+          fitKnown(frame, {detection.marker}, start, searchReach_px(setup_, {detection.marker}, start));
+      if (!solution) continue;
+      const auto same = std::find_if(search.good.begin(), search.good.end(), [&](const Solution& other) {
+        return (other.fit.camera_T_coil.translation_mm() - solution->fit.camera_T_coil.translation_mm())
+                       .norm() < 5.0 ||
+               (other.fit.centre_mm - solution->fit.centre_mm).norm() <
+                   0.5 * setup_.coil.markers[detection.marker].size_mm;
+      });
+      if (same == search.good.end())
+        search.good.push_back(*solution);
+      else if (solution->fit.bias_px < same->fit.bias_px)
+        *same = *solution;
+    }
+}
+
+std::optional<Solution> MarkerCoilTracker::fitKnown(const stereo::StereoFrame& frame,
+                                                    std::vector<std::size_t> markers,
+                                                    const CoilToCamera& start, int search_px) const {
+  auto solution = fitOnce(frame, markers, {start, search_px});
+  if (!solution) return std::nullopt;
+  return setup_.patterns.size() == 1 ? *solution : withOtherMarkers(frame, *solution);
+}
+
+std::optional<Solution> MarkerCoilTracker::fitOnce(const stereo::StereoFrame& frame,
+                                                   const std::vector<std::size_t>& markers,
+                                                   const FitStart& start) const {
+  std::vector<SeenMarker> seen;
+  for (const std::size_t marker : markers) seen.push_back(setup_.seen(marker));
+  const auto fit = fitMarkers(setup_.rig, frame, seen, start);
+  if (!fit || !isPlausible(*fit, markers)) return std::nullopt;
+  const Eigen::Isometry3d right_T_left = rightFromLeftAsSeen(*fit);
+  for (const std::size_t marker : markers)
+    if (!isReadInBoth(setup_, frame, marker, fit->free_state.camera_T_coil, right_T_left))
       return std::nullopt;
-  }
-  return quad;
+  return Solution{*fit, markers};
 }
 
-std::optional<std::pair<cv::Rect, cv::Rect>> MarkerCoilTracker::predictedWindows(
-    const CoilToCamera& camera_T_coil) const {
-  std::array<cv::Rect, 2> windows;
-  for (int image = 0; image < 2; ++image) {
-    Eigen::AlignedBox2d box;
-    double longest_px = 0;
-    for (std::size_t marker = 0; marker < patterns_.size(); ++marker)
-      if (const auto quad = predictedCorners(marker, camera_T_coil, image == 0)) {
-        for (const auto& corner : *quad) box.extend(corner);
-        longest_px = std::max(longest_px, longestSide_px(*quad));
-      }
-    if (box.isEmpty()) return std::nullopt;
-    const double margin_px = 12 + 0.4 * longest_px;
-    const cv::Point low(int(box.min().x() - margin_px), int(box.min().y() - margin_px));
-    const cv::Point high(int(box.max().x() + margin_px), int(box.max().y() + margin_px));
-    windows[image] = cv::Rect(low, high) & cv::Rect(0, 0, rig_.width_px, rig_.height_px);
-  }
-  return std::make_pair(windows[0], windows[1]);
+Solution MarkerCoilTracker::withOtherMarkers(const stereo::StereoFrame& frame, Solution solution) const {
+  std::vector<std::size_t> all = solution.markers;
+  const Eigen::Isometry3d right_T_left = rightFromLeftAsSeen(solution.fit);
+  for (const std::size_t marker : markersInView(setup_, solution.fit.camera_T_coil))
+    if (std::find(all.begin(), all.end(), marker) == all.end() &&
+        isReadInBoth(setup_, frame, marker, solution.fit.free_state.camera_T_coil, right_T_left))
+      all.push_back(marker);
+  if (all.size() == solution.markers.size()) return solution;
+  const auto together = fitOnce(frame, all, {solution.fit.camera_T_coil, 3});
+  return together ? *together : solution;
 }
 
-MarkerCoilTracker::Search MarkerCoilTracker::search(const stereo::StereoFrame& frame, const cv::Rect& left,
-                                                    const cv::Rect& right) const {
-  const auto in_left = detectMarkers(frame.left, left, patterns_);
-  const auto in_right = detectMarkers(frame.right, right, patterns_);
-  std::vector<Candidate> candidates = pair(in_left, in_right);
-  if (candidates.empty()) {
-    for (const auto& seen : in_left)
-      for (const auto& candidate : fromOneImage(seen, true, frame.right)) candidates.push_back(candidate);
-    for (const auto& seen : in_right)
-      for (const auto& candidate : fromOneImage(seen, false, frame.left)) candidates.push_back(candidate);
-  }
-  Search result = fitAll(frame, candidates);
-  // Both images show the marker and yet no pose fits: say so.
-  result.has_candidate = result.has_candidate || (!in_left.empty() && !in_right.empty());
-  return result;
-}
-
-std::vector<MarkerCoilTracker::Candidate> MarkerCoilTracker::pair(
-    const std::vector<MarkerDetection>& left, const std::vector<MarkerDetection>& right) const {
-  std::vector<Candidate> candidates;
-  for (const auto& l : left)
-    for (const auto& r : right)
-      if (l.marker == r.marker)
-        if (const auto pose = triangulatedPose(l, r)) candidates.push_back({{l.marker}, *pose});
-  return candidates;
-}
-
-std::optional<CoilToCamera> MarkerCoilTracker::triangulatedPose(const MarkerDetection& left,
-                                                                const MarkerDetection& right) const {
-  const double corner_px = 3.0;  // corners as detected, before refinement, with blur
-  const auto model_mm = cornersInMarker_mm(coil_.markers[left.marker].size_mm);
-  std::vector<Eigen::Vector3d> from_mm(model_mm.begin(), model_mm.end()), to_mm;
-  for (int i = 0; i < 4; ++i) {
-    if (stereo::epipolarError_px(rig_, left.corners[i], right.corners[i]) > corner_px) return std::nullopt;
-    to_mm.push_back(stereo::triangulate(rig_, left.corners[i], right.corners[i]).mm);
-    if (!to_mm.back().allFinite() || to_mm.back().z() < kLeastDepth_mm || to_mm.back().z() > kMostDepth_mm)
-      return std::nullopt;
-  }
-  // The size that stereo sees must be the print's, else the pair is wrong (left and right swapped, two
-  // markers).
-  double seen_mm = 0;
-  for (int i = 0; i < 4; ++i) seen_mm += (to_mm[(i + 1) % 4] - to_mm[i]).norm() / 4;
-  const double nominal_mm = coil_.markers[left.marker].size_mm;
-  const double side_px = std::min(longestSide_px(left.corners), longestSide_px(right.corners));
-  if (std::abs(seen_mm / nominal_mm - 1.0) > kMostSizeErrorOfCorners + 2.5 / side_px) return std::nullopt;
-  const auto pose = RigidTransform<Camera, Marker>::fromIsometry(fitRigidPoints(from_mm, to_mm).to_T_from);
-  return pose * coil_.markers[left.marker].coil_T_marker.inverse();
-}
-
-std::vector<MarkerCoilTracker::Candidate> MarkerCoilTracker::fromOneImage(const MarkerDetection& seen,
-                                                                          bool is_left,
-                                                                          const cv::Mat& other) const {
-  std::vector<cv::Point3d> model;
-  std::vector<cv::Point2d> image;
-  for (const auto& p_mm : cornersInMarker_mm(coil_.markers[seen.marker].size_mm))
-    model.emplace_back(p_mm.x(), p_mm.y(), p_mm.z());
-  for (const auto& corner : seen.corners) {
-    const Eigen::Vector2d n = stereo::undistort(is_left ? rig_.left : rig_.right, corner);
-    image.emplace_back(n.x(), n.y());
-  }
-  std::vector<cv::Vec3d> rotations, translations;
-  cv::solvePnPGeneric(model, image, cv::Matx33d::eye(), cv::noArray(), rotations, translations, false,
-                      cv::SOLVEPNP_IPPE);
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    Eigen::Isometry3d view_T_marker = Eigen::Isometry3d::Identity();
-    view_T_marker.linear() = expRotation({rotations[i][0], rotations[i][1], rotations[i][2]});
-    view_T_marker.translation() << translations[i][0], translations[i][1], translations[i][2];
-    if (!view_T_marker.matrix().allFinite()) continue;
-    const Eigen::Isometry3d camera_T_view =
-        is_left ? Eigen::Isometry3d::Identity() : rig_.right_T_left.isometry().inverse();
-    const auto pose = RigidTransform<Camera, Marker>::fromIsometry(camera_T_view * view_T_marker) *
-                      coil_.markers[seen.marker].coil_T_marker.inverse();
-    if (isSeenIn(other, !is_left, seen.marker, pose)) candidates.push_back({{seen.marker}, pose});
-  }
-  return candidates;
-}
-
-bool MarkerCoilTracker::isSeenIn(const cv::Mat& grey, bool is_left, std::size_t marker,
-                                 const CoilToCamera& camera_T_coil) const {
-  const auto quad = predictedCorners(marker, camera_T_coil, is_left);
-  return quad && showsUpright(grey, *quad, patterns_[marker]);
-}
-
-void MarkerCoilTracker::addOtherMarkers(const stereo::StereoFrame& frame, Candidate& candidate) const {
-  for (std::size_t marker = 0; marker < patterns_.size(); ++marker) {
-    const auto& known = candidate.markers;
-    if (std::find(known.begin(), known.end(), marker) != known.end()) continue;
-    if (isSeenIn(frame.left, true, marker, candidate.start) &&
-        isSeenIn(frame.right, false, marker, candidate.start))
-      candidate.markers.push_back(marker);
-  }
-}
-
-MarkerCoilTracker::Search MarkerCoilTracker::fitAll(const stereo::StereoFrame& frame,
-                                                    const std::vector<Candidate>& candidates) const {
-  Search result;
-  for (Candidate candidate : candidates) {
-    addOtherMarkers(frame, candidate);
-    std::vector<SeenMarker> seen;
-    for (const std::size_t marker : candidate.markers)
-      seen.push_back(
-          {&patterns_[marker], coil_.markers[marker].coil_T_marker, coil_.markers[marker].size_mm});
-    result.has_candidate = true;
-    const auto fit = fitMarkers(rig_, frame, seen, candidate.start);
-    if (!fit || !isGood(*fit, candidate)) continue;
-    // What was fitted must still read as the marker in both images.
-    const std::size_t best = candidate.markers.front();
-    if (!isSeenIn(frame.left, true, best, fit->camera_T_coil) ||
-        !isSeenIn(frame.right, false, best, fit->camera_T_coil))
-      continue;
-    const bool is_known = std::any_of(result.good.begin(), result.good.end(), [&](const Solution& other) {
-      return (other.fit.centre_mm - fit->centre_mm).norm() < 0.5 * coil_.markers[best].size_mm ||
-             (other.fit.camera_T_coil.translation_mm() - fit->camera_T_coil.translation_mm()).norm() < 5.0;
-    });
-    if (!is_known) result.good.push_back({*fit, best});
-  }
-  return result;
-}
-
-bool MarkerCoilTracker::isGood(const MarkerFit& fit, const Candidate& candidate) const {
-  const Eigen::Vector3d rotation_variance = fit.covariance.diagonal().head<3>();
-  const Eigen::Vector3d translation_variance = fit.covariance.diagonal().tail<3>();
-  const double side_px =
-      rig_.left.k(0, 0) * coil_.markers[candidate.markers.front()].size_mm / fit.centre_mm.z();
+bool MarkerCoilTracker::isPlausible(const MarkerFit& fit, const std::vector<std::size_t>& markers) const {
+  // Of an ARToolKit picture only the outline is known: blur and size look alike, yaw stays invisible.
+  const bool has_inner_edges = std::any_of(
+      markers.begin(), markers.end(), [&](std::size_t marker) { return setup_.patterns[marker].isBinary(); });
+  if (has_inner_edges && fit.size_sigma > kMostSizeSigma) return false;
+  const double rotation_variance = fit.covariance.diagonal().head<3>().maxCoeff();
+  const double translation_variance = fit.covariance.diagonal().tail<3>().maxCoeff();
   return fit.bias_px <= kMostBias_px && fit.rms_px <= kMostRms_px &&
-         fit.inlier_fraction >= kLeastInlierFraction && std::abs(fit.size_factor - 1.0) <= kMostSizeError &&
-         std::abs(fit.shrink_left_px) <= kMostShrink_px && std::abs(fit.shrink_right_px) <= kMostShrink_px &&
-         fit.centre_mm.z() >= kLeastDepth_mm && side_px > 0 &&
-         std::sqrt(rotation_variance.maxCoeff()) <= kMostRotationSigma_rad &&
-         std::sqrt(translation_variance.maxCoeff()) <= kMostTranslationSigma_mm * fit.centre_mm.z() / 600.0;
+         fit.inlier_fraction >= kLeastInlierFraction && std::abs(fit.shrink_px[0]) <= kMostShrink_px &&
+         std::abs(fit.shrink_px[1]) <= kMostShrink_px && fit.centre_mm.z() >= kLeastDepth_mm &&
+         fit.centre_mm.z() <= kMostDepth_mm && std::sqrt(rotation_variance) <= kMostRotationSigma_rad &&
+         std::sqrt(translation_variance) <= kMostTranslationSigma_mm * fit.centre_mm.z() / 600.0;
+}
+
+bool MarkerCoilTracker::holdsCalibration(const Solution& solution) const {
+  const MarkerFit& fit = solution.fit;
+  const double pitch_px = std::abs(fit.pitch_rad) * setup_.rig.right.k(1, 1);
+  if (pitch_px > kMostPitch_px || std::abs(fit.roll_rad) > kMostRoll_rad + 3 * fit.roll_sigma_rad)
+    return false;
+  double print_sigma = 1.0;  // the best known of the prints
+  for (const std::size_t marker : solution.markers)
+    print_sigma = std::min(print_sigma,
+                           setup_.coil.markers[marker].size_sigma_mm / setup_.coil.markers[marker].size_mm);
+  const double sigma =
+      std::sqrt(print_sigma * print_sigma + fit.size_sigma * fit.size_sigma + kScaleSigma * kScaleSigma);
+  const double harmful = kMostDepthError_mm / fit.centre_mm.z();
+  return std::abs(fit.size_factor - 1.0) <= std::min(3 * sigma, std::max(2 * sigma, harmful));
+}
+
+MarkerSighting MarkerCoilTracker::sightingOf(const Solution& solution) const {
+  const MarkerFit& fit = solution.fit;
+  const std::size_t marker = solution.markers.front();
+  CoilSetup sized = setup_;
+  sized.coil.markers[marker].size_mm *= fit.free_state.size_factor;
+  const Eigen::Isometry3d right_T_left = rightFromLeftAsSeen(fit);
+  MarkerSighting sighting;
+  const auto left = cornersInImage(sized, marker, fit.free_state.camera_T_coil, true, right_T_left);
+  const auto right = cornersInImage(sized, marker, fit.free_state.camera_T_coil, false, right_T_left);
+  if (left) sighting.left_px = *left;
+  if (right) sighting.right_px = *right;
+  sighting.sigma_px = fit.pitch_sigma_rad * setup_.rig.right.k(1, 1);
+  sighting.size_mm = setup_.coil.markers[marker].size_mm;
+  sighting.print_sigma_mm = setup_.coil.markers[marker].size_sigma_mm;
+  sighting.size_sigma_mm = fit.size_sigma * sighting.size_mm;
+  return sighting;
+}
+
+Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_coil) {
+  constexpr double kNear_mm = 20.0, kNear_rad = 0.2;  // it changes slowly
+  if (calibration_at_ &&
+      (calibration_at_->translation_mm() - camera_T_coil.translation_mm()).norm() < kNear_mm &&
+      rotationAngle(calibration_at_->rotation().transpose() * camera_T_coil.rotation()) < kNear_rad)
+    return calibration_covariance_;
+  calibration_at_ = camera_T_coil;
+  calibration_covariance_.setZero();
+  const auto corners = [&](const stereo::StereoRig& rig) {
+    std::vector<Eigen::Vector3d> points_mm;
+    for (int i = 0; i < 4; ++i)
+      points_mm.push_back(stereo::triangulate(rig, sighting_->left_px[i], sighting_->right_px[i]).mm);
+    return points_mm;
+  };
+  const auto nominal_mm = corners(setup_.rig);
+  const Eigen::Vector3d centre_mm = 0.25 * (nominal_mm[0] + nominal_mm[1] + nominal_mm[2] + nominal_mm[3]);
+  for (const stereo::StereoRig& rig : uncertainty_.one_sigma) {
+    const Eigen::Isometry3d motion = fitRigidPoints(nominal_mm, corners(rig)).to_T_from;
+    Vector6d change;
+    change << logRotation(motion.linear()), motion * centre_mm - centre_mm;
+    if (change.allFinite()) calibration_covariance_ += change * change.transpose();
+  }
+  return calibration_covariance_;
 }
 
 Tracked<CoilPose> MarkerCoilTracker::accept(const Solution& solution, double t_s) {
   before_ = last_;
   last_ = Past{solution.fit.camera_T_coil, t_s};
+  last_markers_ = solution.markers;
   CoilPose pose;
-  pose.camera_T_marker = solution.fit.camera_T_coil * coil_.markers.front().coil_T_marker;
-  pose.covariance = solution.fit.covariance;
-  pose.left_corners_px = *predictedCorners(solution.marker, solution.fit.camera_T_coil, true);
-  pose.right_corners_px = *predictedCorners(solution.marker, solution.fit.camera_T_coil, false);
+  pose.camera_T_marker = solution.fit.camera_T_coil * setup_.coil.markers.front().coil_T_marker;
+  pose.covariance = solution.fit.covariance + calibrationCovariance(solution.fit.camera_T_coil);
+  pose.left_corners_px = sighting_->left_px;
+  pose.right_corners_px = sighting_->right_px;
   const double fit_quality = 1.0 - solution.fit.bias_px / kMostBias_px;
   return {pose, std::clamp(fit_quality * solution.fit.inlier_fraction, 0.0, 1.0)};
 }

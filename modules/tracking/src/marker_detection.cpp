@@ -1,6 +1,8 @@
 #include "marker_detection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "quad_detector.h"
 
@@ -17,10 +19,27 @@ bool isSamePlace(const MarkerDetection& a, const MarkerDetection& b) {
   return a.marker == b.marker && apart_px < 4.0;
 }
 
-std::vector<MarkerDetection> detect(const cv::Mat& grey, const cv::Rect& window,
+/// The image made smaller by a whole factor, to about 320 columns.
+struct SmallImage {
+  explicit SmallImage(const cv::Mat& grey) : factor(std::clamp(int(std::lround(grey.cols / 360.0)), 1, 8)) {
+    if (factor == 1)
+      small = grey;
+    else
+      cv::resize(grey, small, {grey.cols / factor, grey.rows / factor}, 0, 0, cv::INTER_AREA);
+  }
+  Quad inFull(Quad quad) const {
+    for (auto& corner : quad) corner = factor * corner + Eigen::Vector2d::Constant(0.5 * (factor - 1));
+    return quad;
+  }
+  int factor;
+  cv::Mat small;
+};
+
+std::vector<MarkerDetection> detect(const cv::Mat& grey, const SmallImage& small,
                                     const std::vector<MarkerPattern>& patterns, const QuadOptions& options) {
   std::vector<MarkerDetection> found;
-  for (const Quad& quad : findDarkQuads(grey, window, options))
+  for (const Quad& quad_of_small : findDarkQuads(small.small, options)) {
+    const Quad quad = small.inFull(quad_of_small);
     for (std::size_t i = 0; i < patterns.size(); ++i) {
       const auto match = patterns[i].match(grey, quad);
       if (!match) continue;
@@ -33,20 +52,20 @@ std::vector<MarkerDetection> detect(const cv::Mat& grey, const cv::Rect& window,
       else if (same->match.likeness < match->likeness)
         *same = detection;
     }
+  }
   return found;
 }
 
 }  // namespace
 
-std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const cv::Rect& window,
-                                           const std::vector<MarkerPattern>& patterns) {
+std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns) {
+  const SmallImage small(grey);
   QuadOptions options;
-  const auto found = detect(grey, window, patterns, options);
+  const auto found = detect(grey, small, patterns, options);
   if (!found.empty()) return found;
   options.least_contrast_grey = 10;
   options.dark_share = 0.33;  // paper darker than the bright wall behind it must still count as light
-  options.is_smoothed = true;
-  return detect(grey, window, patterns, options);
+  return detect(grey, small, patterns, options);
 }
 
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern) {

@@ -10,29 +10,38 @@
 namespace facenav::tracking {
 namespace {
 
-/// Darkest and brightest grey of each tile and its neighbours.
+constexpr int kTile_px = 2;
+
+/// Darkest and brightest grey of each tile of 2 x 2 pixels and its neighbours: larger surroundings would let
+/// a bright thing beside the marker's white rim make the rim count as dark.
 struct TileRange {
   cv::Mat low, high;
 };
 
-TileRange tileRange(const cv::Mat& grey, int tile_px) {
-  const int columns = (grey.cols + tile_px - 1) / tile_px, rows = (grey.rows + tile_px - 1) / tile_px;
-  cv::Mat low(rows, columns, CV_8U), high(rows, columns, CV_8U), column_low, column_high;
-  for (int row = 0; row < rows; ++row) {
-    const cv::Range band(row * tile_px, std::min((row + 1) * tile_px, grey.rows));
-    cv::reduce(grey.rowRange(band), column_low, 0, cv::REDUCE_MIN);
-    cv::reduce(grey.rowRange(band), column_high, 0, cv::REDUCE_MAX);
-    for (int column = 0; column < columns; ++column) {
-      const int begin = column * tile_px, end = std::min(begin + tile_px, grey.cols);
-      low.at<uchar>(row, column) =
-          *std::min_element(column_low.ptr<uchar>() + begin, column_low.ptr<uchar>() + end);
-      high.at<uchar>(row, column) =
-          *std::max_element(column_high.ptr<uchar>() + begin, column_high.ptr<uchar>() + end);
-    }
+/// The smaller (or larger) of each two neighbouring columns.
+template <class Choose>
+cv::Mat overColumnPairs(const cv::Mat& rows, Choose choose) {
+  cv::Mat out(rows.rows, rows.cols / kTile_px, CV_8U);
+  for (int y = 0; y < out.rows; ++y) {
+    const uchar* in = rows.ptr<uchar>(y);
+    uchar* to = out.ptr<uchar>(y);
+    for (int x = 0; x < out.cols; ++x) to[x] = choose(in[2 * x], in[2 * x + 1]);
   }
+  return out;
+}
+
+TileRange tileRange(const cv::Mat& grey) {
+  const int rows = grey.rows / kTile_px;
+  const std::size_t step = kTile_px * grey.step[0];
+  auto* const first = const_cast<uchar*>(grey.data);  // a view of every second row; only read
+  const cv::Mat even(rows, grey.cols, CV_8U, first, step),
+      odd(rows, grey.cols, CV_8U, first + grey.step[0], step);
+  cv::Mat low, high;
+  cv::min(even, odd, low);
+  cv::max(even, odd, high);
   TileRange range;
-  cv::erode(low, range.low, cv::Mat());
-  cv::dilate(high, range.high, cv::Mat());
+  cv::erode(overColumnPairs(low, [](uchar a, uchar b) { return std::min(a, b); }), range.low, cv::Mat());
+  cv::dilate(overColumnPairs(high, [](uchar a, uchar b) { return std::max(a, b); }), range.high, cv::Mat());
   return range;
 }
 
@@ -121,7 +130,7 @@ std::optional<Quad> toQuad(Contour contour, double least_side_px) {
   for (int i = 0; i < 4; ++i) {
     const auto corner = intersect(sides[(i + 3) % 4], sides[i]);
     const cv::Point near = contour[(*corners)[i]];
-    if (!corner || (*corner - Eigen::Vector2d(near.x, near.y)).norm() > 6.0) return std::nullopt;
+    if (!corner || (*corner - Eigen::Vector2d(near.x, near.y)).norm() > 4.0) return std::nullopt;
     quad[i] = *corner;
   }
   if (area(quad) <= 0 || !isPlausible(quad, least_side_px)) return std::nullopt;
@@ -131,34 +140,28 @@ std::optional<Quad> toQuad(Contour contour, double least_side_px) {
 }  // namespace
 
 cv::Mat binariseDark(const cv::Mat& image, const QuadOptions& options) {
-  cv::Mat grey = image;
-  if (options.is_smoothed) cv::blur(image, grey, {3, 3});
-  const int tile_px = grey.cols * grey.rows > 1000 * 800 ? 6 : 4;
-  const TileRange range = tileRange(grey, tile_px);
-  cv::Mat dark(grey.size(), CV_8U);
-  std::vector<uchar> threshold(std::size_t(grey.cols));
-  for (int tile_row = 0; tile_row < range.low.rows; ++tile_row) {
-    for (int x = 0; x < grey.cols; ++x) {
-      const int low = range.low.at<uchar>(tile_row, x / tile_px),
-                high = range.high.at<uchar>(tile_row, x / tile_px);
-      threshold[x] = high - low < options.least_contrast_grey
-                         ? 0
-                         : uchar(std::lround(low + options.dark_share * (high - low)));
-    }
-    for (int y = tile_row * tile_px; y < std::min((tile_row + 1) * tile_px, grey.rows); ++y) {
-      const uchar* in = grey.ptr<uchar>(y);
-      uchar* out = dark.ptr<uchar>(y);
-      for (int x = 0; x < grey.cols; ++x) out[x] = in[x] < threshold[x] ? 255 : 0;
+  const cv::Mat grey =
+      image(cv::Rect(0, 0, image.cols / kTile_px * kTile_px, image.rows / kTile_px * kTile_px));
+  const TileRange range = tileRange(grey);
+  cv::Mat tiles(range.low.size(), CV_8U), threshold, dark;
+  const int share = int(256 * options.dark_share);
+  for (int row = 0; row < tiles.rows; ++row) {
+    const uchar *lows = range.low.ptr<uchar>(row), *highs = range.high.ptr<uchar>(row);
+    uchar* out = tiles.ptr<uchar>(row);
+    for (int column = 0; column < tiles.cols; ++column) {
+      const int low = lows[column], contrast = highs[column] - low;
+      out[column] = contrast < options.least_contrast_grey ? 0 : uchar(low + (share * contrast + 128) / 256);
     }
   }
+  cv::resize(tiles, threshold, grey.size(), 0, 0, cv::INTER_NEAREST);
+  cv::compare(grey, threshold, dark, cv::CMP_LT);
   return dark;
 }
 
-std::vector<Quad> findDarkQuads(const cv::Mat& grey, const cv::Rect& window, const QuadOptions& options) {
+std::vector<Quad> findDarkQuads(const cv::Mat& grey, const QuadOptions& options) {
   std::vector<Contour> contours;
   std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(binariseDark(grey(window), options), contours, hierarchy, cv::RETR_CCOMP,
-                   cv::CHAIN_APPROX_NONE, window.tl());
+  cv::findContours(binariseDark(grey, options), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   std::vector<Quad> quads;
   for (std::size_t i = 0; i < contours.size(); ++i) {
     if (hierarchy[i][3] >= 0) continue;  // a hole, seen from inside

@@ -11,17 +11,15 @@
 namespace facenav::tracking {
 
 struct QuadOptions {
-  double least_side_px = 9.0;
+  double least_side_px = 6.0;
   int least_contrast_grey = 24;  // between darkest and brightest nearby
   double dark_share = 0.5;       // of the range between darkest and brightest that counts as dark
-  bool is_smoothed = false;  // 3 x 3 mean first: for low contrast, where noise would make thousands of areas
 };
 
-/// 255 where dark. 8-bit, 1 channel, as large as `grey`.
-cv::Mat binariseDark(const cv::Mat& grey, const QuadOptions& options);
+/// 255 where dark. 8-bit, 1 channel, as large as `grey` (an odd last row or column left out).
+cv::Mat binariseDark(const cv::Mat& image, const QuadOptions& options);
 
-/// Clockwise in the image, corners to about 0.3 px, in pixels of `grey` whatever the window. `window` must
-/// lie inside.
-std::vector<Quad> findDarkQuads(const cv::Mat& grey, const cv::Rect& window, const QuadOptions& options = {});
+/// Clockwise in the image, corners to about 0.3 px.
+std::vector<Quad> findDarkQuads(const cv::Mat& grey, const QuadOptions& options = {});
 
 }  // namespace facenav::tracking

@@ -28,7 +28,7 @@ cv::Mat painted(const std::string& svg) {
 // OpenCV's own detector reads the page: right id, upright, at true size.
 TEST(MarkerPage, IsReadByAnotherDetectorAtTrueSize) {
   CoilModel coil = defaultCoil();
-  coil.markers.push_back({"4x4_50", 31, {}, 45.0, {}});
+  coil.markers.push_back({"4x4_50", 31, {}, 45.0, 0.1, {}});
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;
   cv::aruco::detectMarkers(painted(markerPageSvg(coil)),

@@ -43,7 +43,7 @@ TEST(CoilModel, RoundTripsSeveralMarkers) {
   const TemporaryFolder folder;
   CoilModel coil = defaultCoil();
   coil.name = "two";
-  coil.markers.push_back({"6x6_250", 41, {}, 35.5, {Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5), {70, 0, -3}}});
+  coil.markers.push_back({"6x6_250", 41, {}, 35.5, 0.2, {Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5), {70, 0, -3}}});
   writeCoil(coil, folder.path() / "coil.json");
   const CoilModel read = readCoil(folder.path() / "coil.json");
   ASSERT_EQ(read.markers.size(), 2u);

@@ -1,6 +1,7 @@
 #pragma once
-// CoilTracker: the coil's printed marker(s) in both images (paper, section 5): binarise, label dark regions, pick
-// quadrangles, match the registered pattern, refine the corners, one pose from both images.
+// CoilTracker: the coil's printed marker(s) in both images (paper, section 5): binarise, label dark regions,
+// pick quadrangles, match the registered pattern; then one pose from all printed edges in both images. While
+// tracked, the edges are sought round the predicted pose and nothing is binarised.
 
 #include <array>
 #include <filesystem>
@@ -17,10 +18,13 @@
 namespace facenav::tracking {
 
 struct MarkerModel {
-  std::string dictionary = "4x4_50";                    // ArUco dictionary; ignored where pattern is set
+  std::string dictionary = "4x4_50";  // ArUco dictionary; ignored where pattern is set
   int id = 7;
-  std::optional<std::filesystem::path> pattern;         // ARToolKit .patt
-  double size_mm = 60.0;                                // edge of the black square
+  std::optional<std::filesystem::path> pattern;  // ARToolKit .patt
+  double size_mm = 60.0;  // edge of the black square
+  // How well that is known (measured, or the page's ruler checked): what tells a camera that turned along the
+  // epipolar lines from a print of another size. Larger: a wrong print is tolerated, and so is a wrong depth.
+  double size_sigma_mm = 0.1;
   RigidTransform<Coil, Marker> coil_T_marker;
 };
 
@@ -28,7 +32,7 @@ struct MarkerModel {
 struct CoilModel {
   std::string name;
   std::vector<MarkerModel> markers;
-  std::optional<std::filesystem::path> mesh;            // STL in Coil coordinates, mm
+  std::optional<std::filesystem::path> mesh;  // STL in Coil coordinates, mm
   RigidTransform<Marker, Coil> marker_T_coil() const { return markers.front().coil_T_marker.inverse(); }
 };
 /// Throws Error naming file and key.
@@ -38,9 +42,20 @@ void writeCoil(const CoilModel& coil, const std::filesystem::path& path);
 CoilModel defaultCoil();
 
 struct CoilPose {
-  RigidTransform<Camera, Marker> camera_T_marker;       // of the first marker of the model, whichever was seen
+  RigidTransform<Camera, Marker> camera_T_marker;  // of the first marker of the model, whichever was seen
   Matrix6d covariance = Matrix6d::Zero();
-  std::array<Eigen::Vector2d, 4> left_corners_px, right_corners_px;  // of the best seen marker, from top-left clockwise on the print
+  std::array<Eigen::Vector2d, 4> left_corners_px,
+      right_corners_px;  // of the best seen marker, from top-left clockwise on the print
+};
+
+/// What a frame's marker says of the cameras, whether or not its pose was accepted: the same corners in both
+/// images, each image measured freely across the epipolar lines, and the print's true size.
+struct MarkerSighting {
+  std::array<Eigen::Vector2d, 4> left_px, right_px;
+  double sigma_px = 0.0;        // of a corner across the epipolar lines
+  double size_mm = 0.0;         // edge of the square as given in the model,
+  double print_sigma_mm = 0.0;  // how well it is known there
+  double size_sigma_mm = 0.0;   // of the size that both images show
 };
 
 class CoilTracker {
@@ -48,8 +63,10 @@ class CoilTracker {
   virtual ~CoilTracker() = default;
   virtual void start(const stereo::StereoRig& rig, const CoilModel& coil) = 0;
   virtual Tracked<CoilPose> track(const stereo::StereoFrame& frame) = 0;
+  /// Of the frame tracked last; nothing where no marker was fitted.
+  virtual std::optional<MarkerSighting> sighting() const { return std::nullopt; }
 };
 
-std::unique_ptr<CoilTracker> makeMarkerCoilTracker();   // "marker"
+std::unique_ptr<CoilTracker> makeMarkerCoilTracker();  // "marker"
 
 }  // namespace facenav::tracking

@@ -1,0 +1,91 @@
+// facenav calibrate-coil: where the contact face lies relative to the marker, from recordings -> coil.json.
+
+#include <cstdio>
+
+#include "commands/commands.h"
+#include "facenav/capture/recording.h"
+#include "facenav/tracking/coil_calibration.h"
+
+namespace facenav::app {
+namespace {
+
+struct Request {
+  std::filesystem::path recording, jig, centre, handle, side, coil, output;
+};
+
+using MarkerPoses = std::vector<Tracked<tracking::CoilPose>>;
+
+/// One entry a frame for each of the models.
+std::vector<MarkerPoses> trackMarkers(Context& context, const std::filesystem::path& folder,
+                                      const std::vector<tracking::CoilModel>& models) {
+  const auto recording = capture::openRecording(folder);
+  std::vector<std::unique_ptr<tracking::CoilTracker>> trackers;
+  for (const auto& model : models) {
+    trackers.push_back(
+        context.registrations.coil_trackers.create(context.registrations.coil_trackers.defaultName()));
+    trackers.back()->start(recording.rig, model);
+  }
+  std::vector<MarkerPoses> poses(models.size());
+  const auto source = capture::makeSource(recording);
+  while (const auto frame = source->next()) {
+    context.monitor.report("tracking", double(poses[0].size()) / double(recording.frame_count));
+    for (std::size_t i = 0; i < models.size(); ++i) poses[i].push_back(trackers[i]->track(*frame));
+  }
+  return poses;
+}
+
+tracking::CoilCalibration fromJig(Context& context, const Request& request, const tracking::CoilModel& coil) {
+  const auto jig = tracking::readCoil(request.jig);
+  const auto poses = trackMarkers(context, request.recording, {coil, jig});
+  std::vector<tracking::JigSighting> sightings;
+  for (std::size_t i = 0; i < poses[0].size(); ++i)
+    if (poses[0][i] && poses[1][i])
+      sightings.push_back({poses[0][i]->camera_T_marker, poses[1][i]->camera_T_marker});
+  return tracking::calibrateWithJig(sightings, jig.markers.front().coil_T_marker);
+}
+
+tracking::Pivot pivot(Context& context, const std::filesystem::path& folder,
+                      const tracking::CoilModel& coil) {
+  std::vector<RigidTransform<Camera, Marker>> poses;
+  for (const auto& pose : trackMarkers(context, folder, {coil}).front())
+    if (pose) poses.push_back(pose->camera_T_marker);
+  return tracking::fitPivot(poses);
+}
+
+void run(Context& context, const Request& request) {
+  const auto coil = request.coil.empty() ? tracking::defaultCoil() : tracking::readCoil(request.coil);
+  const bool has_pivots = !request.centre.empty() && !request.handle.empty() && !request.side.empty();
+  const bool has_jig = !request.jig.empty() && !request.recording.empty();
+  if (has_jig == has_pivots)
+    throw Error("give a RECORDING with --jig, or --centre, --handle and --side", {}, "see --help");
+  const auto result = has_jig ? fromJig(context, request, coil)
+                              : tracking::calibrateWithPivots(pivot(context, request.centre, coil),
+                                                              pivot(context, request.handle, coil),
+                                                              pivot(context, request.side, coil));
+  tracking::writeCalibratedCoil(coil, result, request.output);
+  if (context.is_quiet) return;
+  std::printf("%s: %d of %d frames, residual rms %.2f mm; standard error %.2f mm, %.2f deg\n",
+              request.output.c_str(), result.used, result.frames, result.rms_mm, result.sigma_mm,
+              result.sigma_deg);
+}
+
+}  // namespace
+
+void addCalibrateCoil(CLI::App& app, Context& context) {
+  auto* verb =
+      app.add_subcommand("calibrate-coil", "where the coil's face lies relative to its marker -> coil.json");
+  auto request = std::make_shared<Request>();
+  verb->add_option("RECORDING", request->recording, "coil and jig, both markers in view");
+  verb->add_option("--jig", request->jig,
+                   "the jig's marker and its place on the coil: as coil.json, with the jig's marker");
+  verb->add_option("--centre", request->centre, "recording: the contact centre turned about a fixed tip");
+  verb->add_option("--handle", request->handle,
+                   "recording: a point of the handle's axis turned about the tip");
+  verb->add_option("--side", request->side,
+                   "recording: a point of the face, left of one who holds the handle, turned about the tip");
+  verb->add_option("--coil", request->coil, "coil.json with the marker (without it: 60 mm, 4x4_50, id 7)");
+  verb->add_option("-o,--output", request->output, "coil.json to write")->required();
+  verb->callback([&context, request] { run(context, *request); });
+}
+
+}  // namespace facenav::app
