@@ -191,12 +191,19 @@ TrackOutcome trackRecording(Context& context, const TrackRequest& request,
     outcome.head_tracked += state.head.isTracked();
     outcome.coil_tracked += state.coil.isTracked();
     processing_ms.push_back(state.processing_ms);
+    outcome.rig_fault_frames += !state.rig_fault.empty();
+    if (!state.rig_fault.empty()) outcome.rig_fault = state.rig_fault;
     if (on_frame) on_frame(state);
   }
+  if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames > 0)
+    throw Error(outcome.rig_fault, request.recording.string(), "'facenav calibrate'");
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0)
     throw Error(
         "neither the face nor a marker was found in any of " + std::to_string(outcome.frames) + " frames",
         request.recording.string(), "check that both cameras see them, lit and in focus");
+  if (outcome.rig_fault_frames > 0)
+    logWarning(outcome.rig_fault + " (in " + std::to_string(outcome.rig_fault_frames) + " of " +
+               std::to_string(outcome.frames) + " frames every pose is refused)");
   outcome.processing_ms_median = quantile(processing_ms, 0.5);
   outcome.processing_ms_p99 = quantile(processing_ms, 0.99);
   return outcome;

@@ -55,6 +55,7 @@ class TimedCoilTracker : public tracking::CoilTracker {
     const OneThreadClock clock(last_);
     return tracker_->track(frame);
   }
+  std::optional<tracking::MarkerSighting> sighting() const override { return tracker_->sighting(); }
 
  private:
   std::unique_ptr<tracking::CoilTracker> tracker_;

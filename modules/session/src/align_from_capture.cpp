@@ -4,6 +4,7 @@
 #include <future>
 
 #include "facenav/core/error.h"
+#include "facenav/session/rig_check.h"
 
 namespace facenav::session {
 namespace {
@@ -27,6 +28,15 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const stereo:
     options.farthest_mm = face.centre->mm.z() + 220.0;
   }
   return options;
+}
+
+/// Throws Error where points of the face, matched anew, say that the calibration does not hold any more.
+void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
+                           const stereo::FaceCloud& face) {
+  stereo::RigMonitor monitor(rig);
+  monitor.add(matchSurface(rig, frame, face.cloud, face.left_px));
+  const auto verdict = monitor.verdict();
+  if (verdict.hasMoved()) throw Error("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
 }
 
 tracking::HeadReference makeReference(const stereo::StereoFrame& plain, const stereo::FaceCloud& face,
@@ -85,6 +95,7 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
   const auto cloud =
       stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
   outcome.face = cutFace(cloud, outcome.landmarks);
+  requireUnmovedCameras(rig, capture.pattern, outcome.face);
   const auto built = field.get();
   outcome.result = aligner.align(*built, outcome.face.cloud, outcome.landmarks.start, monitor);
   outcome.regions = registration::fitByRegion(*built, outcome.face.cloud, outcome.result);

@@ -17,12 +17,14 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
     : rig_(setup.rig),
       marker_T_coil_(setup.coil.marker_T_coil()),
       tolerance_(setup.tolerance),
+      rig_check_(setup.rig),
       head_(std::move(head)),
       coil_(std::move(coil)) {
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
   head_->start(rig_, setup.reference);
   coil_->start(rig_, setup.coil);
+  rig_check_.start(setup.reference);
 }
 
 void Navigator::setTarget(std::optional<ChosenTarget> target) {
@@ -42,9 +44,14 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
   if (isUsable(*frame, rig_)) {
     state.head = head_->track(*frame);
     state.coil = coil_->track(*frame);
+    rig_check_.add(*frame, state.head, coil_->sighting());
     place(state);
     state.images = std::move(frame);
     guide(state);
+    if (rig_check_.verdict().hasMoved()) {  // nothing measured with these cameras can be trusted
+      state.rig_fault = rig_check_.verdict().words();
+      state = blanked(state, LostReason::camera);
+    }
   } else {
     state.images = std::move(frame);
     state = blanked(state, LostReason::camera);

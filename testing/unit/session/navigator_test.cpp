@@ -40,6 +40,46 @@ TEST(Navigator, ChainsHeadMotionWithTheAlignment) {
   EXPECT_THAT(*state.camera_T_mri, PoseNear(expected, 1e-9, 1e-9));
 }
 
+/// Shows a marker whose corners disagree with the calibration by `off_px` across the epipolar lines.
+class CoilSeenByMovedCameras : public fakes::Coil {
+ public:
+  CoilSeenByMovedCameras(const stereo::StereoRig& rig, double off_px)
+      : fakes::Coil(kMarker), rig_(rig), off_px_(off_px) {}
+  std::optional<tracking::MarkerSighting> sighting() const override {
+    tracking::MarkerSighting marker;
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector3d p_mm =
+          kMarker.isometry() * Eigen::Vector3d(i == 1 || i == 2 ? 30 : -30, i < 2 ? -30 : 30, 0);
+      marker.left_px[i] = stereo::project(rig_.left, p_mm);
+      marker.right_px[i] =
+          stereo::project(rig_.right, rig_.right_T_left.isometry() * p_mm) + Eigen::Vector2d(0, off_px_);
+    }
+    marker.size_mm = 60;
+    marker.print_sigma_mm = 0.1;
+    marker.size_sigma_mm = 0.03;
+    return marker;
+  }
+
+ private:
+  stereo::StereoRig rig_;
+  double off_px_;
+};
+
+TEST(Navigator, RefusesEveryPoseWhenTheCamerasHaveMoved) {
+  for (const double off_px : {0.0, 1.2}) {
+    Navigator navigator(fakes::setup(), std::make_unique<fakes::Head>([](auto) { return kMoved; }),
+                        std::make_unique<CoilSeenByMovedCameras>(fakes::rig(), off_px));
+    NavigationState state;
+    for (int i = 0; i < 12; ++i) state = navigator.process(fakes::frame(i, i / 60.0));
+    EXPECT_EQ(state.head.isTracked(), off_px == 0) << off_px;
+    EXPECT_EQ(state.camera_T_coil.isTracked(), off_px == 0) << off_px;
+    if (off_px == 0) continue;
+    EXPECT_EQ(state.head.reason(), LostReason::camera);
+    EXPECT_NE(state.rig_fault.find("calibrate again"), std::string::npos);
+    EXPECT_EQ(lossInWords(state), "CAMERAS MOVED: calibrate them again");
+  }
+}
+
 TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {
   auto setup = fakes::setup();
   const RigidTransform<Coil, Marker> coil_T_marker(Eigen::Quaterniond::Identity(), {0, 80, -30});

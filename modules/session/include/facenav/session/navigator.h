@@ -9,6 +9,7 @@
 
 #include "facenav/guidance/guidance.h"
 #include "facenav/session/navigation_state.h"
+#include "facenav/session/rig_check.h"
 #include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::session {
@@ -48,6 +49,7 @@ class Navigator {
   std::optional<RigidTransform<Head, Mri>> head_T_mri_;
   RigidTransform<Marker, Coil> marker_T_coil_;
   guidance::Tolerance tolerance_;
+  RigCheck rig_check_;
   std::unique_ptr<tracking::HeadTracker> head_;
   std::unique_ptr<tracking::CoilTracker> coil_;
   std::optional<ChosenTarget> target_;

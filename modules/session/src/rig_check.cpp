@@ -1,0 +1,62 @@
+#include "facenav/session/rig_check.h"
+
+#include <algorithm>
+
+#include "facenav/stereo/patch_match.h"
+
+namespace facenav::session {
+namespace {
+
+constexpr std::size_t kFirstFrames = 30;  // in which the session's start is judged
+constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;
+constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
+
+stereo::SquareSighting square(const tracking::MarkerSighting& marker) {
+  return {marker.left_px, marker.right_px, marker.size_mm, marker.print_sigma_mm, marker.size_sigma_mm};
+}
+
+}  // namespace
+
+std::vector<stereo::Correspondence> matchSurface(const stereo::StereoRig& rig,
+                                                 const stereo::StereoFrame& frame,
+                                                 const PointCloud<Camera>& surface,
+                                                 const std::vector<Eigen::Vector2f>& left_px,
+                                                 std::size_t most) {
+  std::vector<stereo::Correspondence> found;
+  const std::size_t count = std::min(surface.points_mm.size(), left_px.size());
+  const std::size_t tries = 4 * most, step = std::max<std::size_t>(1, count / tries);
+  for (std::size_t i = step / 2; i < count && found.size() < most; i += step) {
+    const Eigen::Vector3d in_right_mm = rig.right_T_left.isometry() * surface.points_mm[i];
+    if (in_right_mm.z() <= 0) continue;
+    const Eigen::Vector2d left = left_px[i].cast<double>();
+    if (const auto match =
+            stereo::matchPatch(frame.left, frame.right, left, stereo::project(rig.right, in_right_mm)))
+      found.push_back({left, match->right_px, match->sigma_px});
+  }
+  return found;
+}
+
+void RigCheck::start(const tracking::HeadReference& reference) {
+  monitor_.add(matchSurface(rig_, reference.frame, reference.surface, reference.surface_left_px));
+  verdict_ = monitor_.verdict();
+}
+
+void RigCheck::add(const stereo::StereoFrame& frame, const Tracked<tracking::HeadPose>& head,
+                   const std::optional<tracking::MarkerSighting>& marker) {
+  const bool is_first = frames_ < kFirstFrames;
+  if (marker) monitor_.add(square(*marker));
+  if (head && !head->features.empty()) {
+    std::vector<stereo::Correspondence> points;
+    const std::size_t most = std::min(head->features.size(), is_first ? kFirstFeatures : kLaterFeatures);
+    for (std::size_t i = 0; i < most; ++i) {
+      const auto& feature = head->features[next_feature_++ % head->features.size()];
+      if (const auto match = stereo::matchPatch(frame.left, frame.right, feature.left_px, feature.right_px))
+        points.push_back({feature.left_px, match->right_px, match->sigma_px});
+    }
+    next_feature_ += 7;  // not the same ones each time round
+    monitor_.add(points);
+  }
+  if (frames_++ % (is_first ? kFirstInterval : kLaterInterval) == 0) verdict_ = monitor_.verdict();
+}
+
+}  // namespace facenav::session
