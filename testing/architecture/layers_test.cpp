@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>> kMayUse{
     {"dicom", {"volume"}},
     {"segmentation", {"volume"}},
     {"surface", {"volume"}},
+    {"atlas", {"volume"}},
     {"capture", {"stereo"}},
     {"registration", {"geometry"}},
     {"tracking", {"stereo"}},

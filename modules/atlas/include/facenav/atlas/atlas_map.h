@@ -1,0 +1,42 @@
+#pragma once
+// AtlasMap: MNI space <-> Mri. From a place x of MNI space (RAS mm): Mri = A (x + d(x)), d on a regular grid,
+// linear between its nodes, fading to 0 outside. Smooth and invertible as made by registerAtlas.
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "facenav/geometry/point.h"
+#include "facenav/volume/voxel_grid.h"
+
+namespace facenav::atlas {
+
+class AtlasMap {
+ public:
+  /// `mri_from_mni`: affine, mm. `grid`: axis-parallel, its world is MNI space. `displacement_mm`: one per
+  /// grid node.
+  AtlasMap(const Eigen::Affine3d& mri_from_mni, const volume::VoxelGrid& grid,
+           std::vector<Eigen::Vector3f> displacement_mm);
+
+  Point<Mri> toMri(const Point<Mni>& p) const;
+  /// Inverse of toMri, by fixed-point iteration to 0.01 mm.
+  Point<Mni> toMni(const Point<Mri>& p) const;
+
+  const Eigen::Affine3d& affine() const { return mri_from_mni_; }
+  const volume::VoxelGrid& grid() const { return grid_; }
+  const std::vector<Eigen::Vector3f>& displacement_mm() const { return displacement_mm_; }
+
+ private:
+  Eigen::Vector3d displacementAt(const Eigen::Vector3d& mni_mm) const;
+
+  Eigen::Affine3d mri_from_mni_, mni_from_mri_, voxel_from_mni_;
+  volume::VoxelGrid grid_;
+  std::vector<Eigen::Vector3f> displacement_mm_;
+};
+
+/// atlas.vti: displacement (0.01 mm steps) on the MNI grid, the affine as field data. Whole file.
+void writeAtlasMap(const AtlasMap& map, const std::filesystem::path& path);
+/// Throws Error when the file is missing, damaged or another kind of image.
+AtlasMap readAtlasMap(const std::filesystem::path& path);
+
+}  // namespace facenav::atlas

@@ -1,0 +1,44 @@
+#pragma once
+// BrainPair: template and patient at one spacing, as the registration compares them. The template lies on a
+// grid in MNI space cropped to its brain; the patient is sampled through the present map onto that grid.
+
+#include "facenav/atlas/brain_template.h"
+#include "scalar_field.h"
+
+namespace facenav::atlas {
+
+/// Two channels: T1 minus its local mean over its local deviation, both taken inside the brain (0 outside),
+/// and the mask smoothed to 0..1.
+struct Channels {
+  ScalarField t1, brain;
+};
+constexpr float kBrainWeight = 1.0f;  // of the mask channel, against T1 of unit deviation
+
+class BrainPair {
+ public:
+  /// `brain`: the patient's mask; all volumes any grid. Smoothed to `spacing_mm` before sampling.
+  BrainPair(const volume::Volume& template_brain, const volume::Volume& mri, const volume::Mask& brain,
+            double spacing_mm);
+
+  const volume::VoxelGrid& grid() const { return grid_; }  // world = MNI space
+  const Channels& fixed() const { return fixed_; }
+  /// The patient at mri_from_mni * (node + displacement), displacement in nodes (may be empty fields: none).
+  Channels warped(const Eigen::Affine3d& mri_from_mni, const VectorField* displacement) const;
+  /// Share of nodes inside both brains, Dice; correlation of the T1 channels there.
+  double dice(const Channels& moving) const;
+  double correlation(const Channels& moving) const;
+  /// Centre and standard deviation along R, A, S of both brains, mm.
+  struct Moments {
+    Eigen::Vector3d centre_mm, deviation_mm;
+  };
+  Moments templateMoments() const { return template_moments_; }
+  Moments patientMoments() const { return patient_moments_; }
+
+ private:
+  volume::VoxelGrid grid_, patient_grid_;
+  ScalarField patient_t1_, patient_brain_;
+  Channels fixed_;
+  Moments template_moments_, patient_moments_;
+};
+
+}  // namespace facenav::atlas

@@ -1,0 +1,46 @@
+#include "facenav/atlas/brain_template.h"
+
+#include <gmock/gmock.h>
+
+#include "facenav/core/error.h"
+#include "support/test_data.h"
+
+namespace facenav::atlas {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+class Colin27 : public ::testing::Test {
+ protected:
+  void SetUp() override { FACENAV_NEEDS(testing::colin27()); }
+};
+
+TEST_F(Colin27, NamesKnownPlacesAndKeepsLeftLeft) {
+  const auto colin = readColin27();
+  EXPECT_THAT(labelAt(colin.aal, {-37, -21, 58}).name, AnyOf("Precentral_L", "Postcentral_L"));  // hand area
+  EXPECT_THAT(labelAt(colin.aal, {37, -21, 58}).name, AnyOf("Precentral_R", "Postcentral_R"));
+  EXPECT_EQ(labelAt(colin.aal, {-24, -4, -18}).name, "Amygdala_L");
+  EXPECT_EQ(labelAt(colin.aal, {14, 10, 10}).name, "Caudate_R");
+  EXPECT_EQ(labelAt(colin.brodmann, {-8, -92, 2}).name, "BA 17");  // primary visual cortex
+}
+
+TEST_F(Colin27, AClickBesideTheCortexFindsTheNearestLabelAndFarAwayNone) {
+  const auto colin = readColin27();
+  EXPECT_EQ(labelAt(colin.aal, {-24, -4, -18}).distance_mm, 0.0);
+  const auto outside = labelAt(colin.aal, {0, 200, 0});
+  EXPECT_TRUE(outside.name.empty());
+  EXPECT_TRUE(labelAt(colin.aal, {500, 500, 500}).name.empty());
+}
+
+TEST(BrainTemplate, AMissingAtlasNamesThePackage) {
+  try {
+    readColin27("/nowhere");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("mricron-data"));
+  }
+}
+
+}  // namespace
+}  // namespace facenav::atlas
