@@ -62,6 +62,8 @@ int runCommandLine(int argc, char** argv) {
   app::addTrack(cli, context);
   app::addGuide(cli, context);
   app::addSimulate(cli, context);
+  app::addLocate(cli, context);
+  app::addTarget(cli, context);
   app::addExport(cli, context);
   app::addMarker(cli, context);
   app::addEvaluate(cli, context);

@@ -126,6 +126,16 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
     logWarning("the coil's poses are the marker's (no --coil was given): the marker is guided, not the coil");
 }
 
+/// The atlas, or a warning that there is none: a case without MNI coordinates is still a case.
+std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
+  try {
+    return atlas::readColin27();
+  } catch (const Error& error) {
+    warnings.push_back(std::string("no MNI coordinates: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
@@ -145,7 +155,9 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
   const auto head = context.registrations.head_segmenters.create(request.head_segmenter);
   const auto brain = context.registrations.brain_segmenters.create(request.brain_segmenter);
   auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor);
-  auto prepared = session::prepare(imported.volume, *head, *brain, context.monitor);
+  const auto colin = installedAtlas(imported.warnings);
+  auto prepared =
+      session::prepare(imported.volume, *head, *brain, context.monitor, colin ? &*colin : nullptr);
   prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
   context.monitor.report("writing the case", 0.0);
   casefile::Provenance step{"prepare",

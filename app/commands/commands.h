@@ -18,6 +18,8 @@ void addGuide(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addWorklist(CLI::App& app, Context& context);
 void addCheck(CLI::App& app, Context& context);
+void addLocate(CLI::App& app, Context& context);
+void addTarget(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);

@@ -11,6 +11,7 @@
 #include "facenav/guidance/hand_knob.h"
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
+#include "facenav/surface/closest_point.h"
 #include "pipeline.h"
 #include "result_folder.h"
 #include "virtual_display.h"
@@ -56,9 +57,12 @@ guidance::Target planHandArea(const casefile::CaseStore& store) {
   const auto brain = store.brain();
   if (!brain)
     throw Error("the demo's patient has no brain model", store.folder().string(), "report this, please");
-  auto target =
-      guidance::planTarget(kTarget, store.scalp(), guidance::handKnobGuess(*brain, guidance::Side::left),
-                           kHandleAngle_rad, kHairGap_mm);
+  const auto atlas = store.atlas();
+  const Point<Mri> hand_area = atlas ? surface::ClosestPoint(brain->mesh)
+                                           .nearest(atlas->toMri(guidance::handKnob(guidance::Side::left)))
+                                           .point
+                                     : guidance::handKnobGuess(*brain, guidance::Side::left);
+  auto target = guidance::planTarget(kTarget, store.scalp(), hand_area, kHandleAngle_rad, kHairGap_mm);
   store.setTargets({{target}});
   return target;
 }

@@ -30,7 +30,7 @@ const std::map<std::string, std::set<std::string>> kMayUse{
     {"registration", {"geometry"}},
     {"tracking", {"stereo"}},
     {"guidance", {"surface"}},
-    {"casefile", {"volume", "surface", "stereo", "registration", "guidance"}},
+    {"casefile", {"volume", "surface", "atlas", "stereo", "registration", "guidance"}},
     {"session", {"capture", "tracking", "guidance", "casefile", "segmentation"}},
     {"evaluation", {"casefile", "capture"}},
     {"scene", {"volume", "surface", "guidance"}},

@@ -47,8 +47,8 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb : {"series", "prepare", "check", "worklist", "export", "calibrate", "align", "track",
-                           "guide", "simulate", "marker", "demo"}) {
+  for (const char* verb : {"series", "prepare", "check", "worklist", "locate", "target", "export",
+                           "calibrate", "align", "track", "guide", "simulate", "marker", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
@@ -95,6 +95,8 @@ TEST_F(CommandLine, CheckExportAndWorklistOfWhatIsNotThere) {
   expectRefused(runFacenav("export " + at("none").string() + " --as stl -o " + at("out").string()), "none",
                 at("out"));
   expectRefused(runFacenav("worklist " + at("none").string()), "none");
+  expectRefused(runFacenav("locate " + at("none").string() + " --mni 0 0 0"), "none");
+  expectRefused(runFacenav("target " + at("none").string() + " --name M1 --ras 0 0 0"), "none");
 }
 
 TEST_F(CommandLine, CalibrateWithoutImages) {

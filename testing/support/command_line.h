@@ -23,11 +23,12 @@ inline std::string readText(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// `arguments` as typed after "facenav"; quote paths yourself.
-inline CommandResult runFacenav(const std::string& arguments, int timeout_s = 120) {
+/// `arguments` as typed after the program's name; quote paths yourself.
+inline CommandResult runProgram(const std::string& program, const std::string& arguments,
+                                int timeout_s = 120) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out", err = folder.path() / "err";
-  const std::string command = "timeout " + std::to_string(timeout_s) + " '" FACENAV_CLI "' " + arguments +
+  const std::string command = "timeout " + std::to_string(timeout_s) + " '" + program + "' " + arguments +
                               " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int raw = std::system(command.c_str());
   CommandResult result;
@@ -35,6 +36,10 @@ inline CommandResult runFacenav(const std::string& arguments, int timeout_s = 12
   result.output = readText(out);
   result.errors = readText(err);
   return result;
+}
+
+inline CommandResult runFacenav(const std::string& arguments, int timeout_s = 120) {
+  return runProgram(FACENAV_CLI, arguments, timeout_s);
 }
 
 }  // namespace facenav::testing

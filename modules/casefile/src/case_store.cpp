@@ -42,6 +42,10 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
     surface::writeBrain(*prepared.brain, folder / "brain.vtp", folder / "brain_texture.png");
     files.insert(files.end(), {"brain.vtp", "brain_texture.png"});
   }
+  if (prepared.atlas) {
+    atlas::writeAtlasMap(*prepared.atlas, folder / "atlas.vti");
+    files.push_back("atlas.vti");
+  }
   return files;
 }
 
@@ -130,6 +134,11 @@ surface::ScalpSurface CaseStore::scalp() const { return surface::readScalp(folde
 std::optional<surface::BrainModel> CaseStore::brain() const {
   if (!has(readCaseJson(folder_ / "case.json"), "brain.vtp")) return std::nullopt;
   return surface::readBrain(folder_ / "brain.vtp", folder_ / "brain_texture.png");
+}
+
+std::optional<atlas::AtlasMap> CaseStore::atlas() const {
+  if (!has(readCaseJson(folder_ / "case.json"), "atlas.vti")) return std::nullopt;
+  return atlas::readAtlasMap(folder_ / "atlas.vti");
 }
 
 guidance::TreatmentPlan CaseStore::targets() const {

@@ -23,6 +23,12 @@ Eigen::Vector3d scaledHandKnob_mm(const Eigen::AlignedBox3d& brain, Side side) {
 
 }  // namespace
 
+Point<Mni> handKnob(Side side) {
+  Eigen::Vector3d p_mm = kMniHandKnob;
+  if (side == Side::right) p_mm.x() = -p_mm.x();
+  return Point<Mni>(p_mm);
+}
+
 Point<Mri> handKnobGuess(const surface::BrainModel& brain, Side side) {
   Eigen::AlignedBox3d box;
   for (const auto& vertex_mm : brain.mesh.vertices_mm) box.extend(vertex_mm);

@@ -1,6 +1,7 @@
 #include "facenav/session/preparation.h"
 
 #include <cmath>
+#include <cstdio>
 #include <future>
 #include <mutex>
 
@@ -19,6 +20,7 @@ struct HeadPart {
 struct BrainPart {
   std::optional<volume::Mask> mask;
   std::optional<surface::BrainModel> model;
+  std::optional<atlas::AtlasMap> atlas;
   std::vector<std::string> findings;
 };
 
@@ -29,8 +31,22 @@ HeadPart prepareHead(const volume::Volume& mri, const segmentation::Segmenter& s
   return {std::move(result.mask), std::move(scalp), std::move(result.warnings)};
 }
 
+void registerTo(const atlas::BrainTemplate& atlas, const volume::Volume& mri, BrainPart& part,
+                TaskMonitor& monitor) {
+  auto fit = atlas::registerAtlas(mri, *part.mask, atlas, {}, monitor);
+  if (fit.quality.isUsable()) {
+    part.atlas = std::move(fit.map);
+    return;
+  }
+  char figures[80];
+  std::snprintf(figures, sizeof figures, "overlap %.2f, correlation %.2f", fit.quality.dice,
+                fit.quality.correlation);
+  part.findings.push_back(std::string("the atlas does not fit this brain (") + figures +
+                          "): no MNI coordinates or labels");
+}
+
 BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter& segmenter,
-                       TaskMonitor& monitor) {
+                       const atlas::BrainTemplate* atlas, TaskMonitor& monitor) {
   BrainPart part;
   try {
     auto result = segmenter.segment(mri, monitor);
@@ -41,6 +57,7 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
     if (volume_ml < kBrainLow_ml || volume_ml > kBrainHigh_ml)
       part.findings.push_back(figure + ", outside the usual 900-1900 ml of adults: check the mask");
     part.mask = std::move(result.mask);
+    if (atlas) registerTo(*atlas, mri, part, monitor);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
@@ -62,10 +79,12 @@ TaskMonitor::Listener forwardTo(TaskMonitor& parent, std::mutex& mutex) {
 }  // namespace
 
 casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Segmenter& head,
-                               const segmentation::Segmenter& brain, TaskMonitor& monitor) {
+                               const segmentation::Segmenter& brain, TaskMonitor& monitor,
+                               const atlas::BrainTemplate* atlas) {
   std::mutex one_report;
   TaskMonitor head_monitor(forwardTo(monitor, one_report)), brain_monitor(forwardTo(monitor, one_report));
-  auto brain_task = std::async(std::launch::async, [&] { return prepareBrain(mri, brain, brain_monitor); });
+  auto brain_task =
+      std::async(std::launch::async, [&] { return prepareBrain(mri, brain, atlas, brain_monitor); });
   casefile::PreparedCase prepared;
   try {
     HeadPart part = prepareHead(mri, head, head_monitor);
@@ -81,6 +100,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
   prepared.mri = mri;
   prepared.brain_mask = std::move(part.mask);
   prepared.brain = std::move(part.model);
+  prepared.atlas = std::move(part.atlas);
   for (const auto* more : {&prepared.scalp.findings, &part.findings})
     prepared.findings.insert(prepared.findings.end(), more->begin(), more->end());
   return prepared;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/atlas/atlas_map.h"
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/surface/brain_model.h"
@@ -39,6 +40,7 @@ struct PreparedCase {
   std::optional<volume::Mask> brain_mask;
   surface::ScalpSurface scalp;
   std::optional<surface::BrainModel> brain;
+  std::optional<atlas::AtlasMap> atlas;
   std::vector<std::string> findings;
 };
 
@@ -72,6 +74,7 @@ class CaseStore {
   std::optional<volume::Mask> brainMask() const;
   surface::ScalpSurface scalp() const;
   std::optional<surface::BrainModel> brain() const;
+  std::optional<atlas::AtlasMap> atlas() const;  // nothing where the case was made without
   guidance::TreatmentPlan targets() const;  // empty plan where targets.json is absent
   void setTargets(const guidance::TreatmentPlan& plan) const;
   std::optional<StoredAlignment> alignment() const;  // nothing where alignment.json is absent

@@ -4,8 +4,8 @@
 // depth is taken down from the vertex (z = 84) at the mean of both scales, since masks end low at different
 // heights of the brainstem. Uncertainty: the head's pitch and roll in the scanner go in undiminished (10
 // degrees of pitch move it by about 12 mm along the strip), so about 10 mm (1 sigma) in a usual scan. Enough
-// for a demonstration and as the start of a search for the hotspot; it is no localisation. An atlas
-// registration replaces it.
+// for a demonstration and as the start of a search for the hotspot; it is no localisation. Where the case has an
+// atlas registration, that maps handKnob() instead.
 
 #include "facenav/surface/brain_model.h"
 #include "facenav/volume/volume.h"
@@ -14,6 +14,8 @@ namespace facenav::guidance {
 
 enum class Side { left, right };  // the patient's
 
+/// In MNI space.
+Point<Mni> handKnob(Side side);
 /// On the brain model's surface: the vertex nearest to the scaled point. Throws Error for an empty model.
 Point<Mri> handKnobGuess(const surface::BrainModel& brain, Side side);
 /// The scaled point itself, from the mask's bounding box. Throws Error for an empty mask.

@@ -1,0 +1,136 @@
+#include "bids/bids_batch.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
+
+extern char** environ;
+
+namespace facenav::app {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path folderOf(const BidsImage& image, const fs::path& output) {
+  fs::path folder = output / ("sub-" + image.participant);
+  if (!image.session.empty()) folder /= "ses-" + image.session;
+  return folder;
+}
+
+/// Exit status of `facenav prepare`, its messages in `log`; -1 where it could not be started or was killed.
+int runPrepare(const fs::path& facenav, const fs::path& t1, const fs::path& case_folder,
+               const fs::path& log) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&files, 1, 2);
+  std::string words[] = {facenav.string(), "prepare", t1.string(), "-o", case_folder.string(), "--quiet"};
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  const int fault = ::posix_spawn(&child, facenav.c_str(), &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  int status = 0;
+  if (fault != 0 || ::waitpid(child, &status, 0) != child) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string lastLine(const fs::path& log) {
+  std::string text = fs::exists(log) ? readWholeFile(log) : "";
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const auto start = text.rfind('\n');
+  return text.empty() ? "ended without a word (killed, or out of memory)"
+                      : text.substr(start == std::string::npos ? 0 : start + 1);
+}
+
+/// A case counts as there when it opens: whole by construction, since prepare puts it in place in one step.
+bool isThere(const fs::path& case_folder) {
+  try {
+    casefile::CaseStore::open(case_folder);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+void describe(const fs::path& case_folder, BidsResult& result) {
+  const auto store = casefile::CaseStore::open(case_folder);
+  result.findings = store.findings().size();
+  if (const auto brain = store.brainMask()) result.brain_ml = brain->volume_ml();
+}
+
+/// The masks under their BIDS names; links where the file system has them, since they are the case's own
+/// files.
+void linkDerivatives(const BidsImage& image, const fs::path& folder) {
+  fs::create_directories(folder / "anat");
+  for (const char* kind : {"head", "brain"}) {
+    const fs::path mask = folder / "case" / (std::string(kind) + "_mask.nii.gz");
+    const fs::path named = folder / "anat" / (image.prefix() + "_desc-" + kind + "_mask.nii.gz");
+    if (!fs::exists(mask) || fs::exists(named)) continue;
+    std::error_code fault;
+    fs::create_hard_link(mask, named, fault);
+    if (fault) fs::copy_file(mask, named);
+  }
+}
+
+std::string lineOf(const BidsResult& r) {
+  const char* state = r.state == BidsState::prepared        ? "prepared"
+                      : r.state == BidsState::there_already ? "there"
+                                                            : "FAILED";
+  char line[160];
+  std::snprintf(line, sizeof line, "%-24s %-9s %7.1f  %8s  %8zu  ", r.image.prefix().c_str(), state,
+                r.seconds, r.brain_ml ? std::to_string(std::lround(*r.brain_ml)).c_str() : "-", r.findings);
+  return line + r.problem + "\n";
+}
+
+}  // namespace
+
+BidsResult prepareImage(const BidsImage& image, const fs::path& output, const fs::path& facenav) {
+  BidsResult result;
+  result.image = image;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    const fs::path folder = folderOf(image, output), case_folder = folder / "case";
+    const fs::path log = output / "logs" / (image.prefix() + ".log");
+    fs::create_directories(folder);
+    fs::create_directories(log.parent_path());
+    if (isThere(case_folder)) {
+      result.state = BidsState::there_already;
+    } else if (runPrepare(facenav, image.t1, case_folder, log) == 0) {
+      result.state = BidsState::prepared;
+    } else {
+      result.problem = lastLine(log);
+    }
+    if (result.state != BidsState::failed) {
+      linkDerivatives(image, folder);
+      describe(case_folder, result);
+    }
+  } catch (const std::exception& error) {
+    result.state = BidsState::failed;
+    result.problem = error.what();
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+std::string toTable(const std::vector<BidsResult>& results) {
+  std::string table = "image                    state           s  brain ml  findings  problem\n";
+  std::size_t count[3] = {0, 0, 0};
+  for (const auto& result : results) {
+    table += lineOf(result);
+    ++count[std::size_t(result.state)];
+  }
+  return table + std::to_string(count[0]) + " prepared, " + std::to_string(count[1]) + " there already, " +
+         std::to_string(count[2]) + " failed\n";
+}
+
+}  // namespace facenav::app
