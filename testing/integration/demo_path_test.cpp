@@ -24,6 +24,13 @@ std::vector<evaluation::PoseEstimate> headEstimates(const fs::path& csv) {
   return estimates;
 }
 
+int trackedCoilFrames(const fs::path& csv) {
+  int count = 0;
+  for (const auto& row : casefile::readPoses(csv))
+    count += row.object == casefile::PoseObject::coil && row.pose.has_value();
+  return count;
+}
+
 TEST(DemoPath, RunsEndToEndAndBeatsThePaper) {
   FACENAV_NEEDS(cache() / "brainbrowser/structural1.mnc.raw.gz");
   const TemporaryFolder folder;
@@ -43,6 +50,8 @@ TEST(DemoPath, RunsEndToEndAndBeatsThePaper) {
   EXPECT_EQ(head.frames, 60);
   EXPECT_EQ(head.wrong_as_tracked, 0);
   EXPECT_GE(head.tracked, 57);
+  EXPECT_GE(trackedCoilFrames(result / "poses.csv"),
+            20);                              // a marker that is hidden all the time guides nobody
   EXPECT_LE(head.at_point_mm.p95, 1.0);       // alignment included; the paper's tracking alone: 5.0 mm
   EXPECT_LE(head.rotation_deg.p95, 0.4);      // the paper's: 1.1 degrees
   EXPECT_LE(store.alignment()->max_mm, 3.0);  // the paper's: 6.0 mm
