@@ -11,6 +11,7 @@
 #include "facenav/guidance/hand_knob.h"
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
+#include "facenav/surface/closest_point.h"
 #include "pipeline.h"
 #include "result_folder.h"
 #include "virtual_display.h"
@@ -56,8 +57,11 @@ guidance::Target planHandArea(const casefile::CaseStore& store) {
   const auto brain = store.brain();
   if (!brain)
     throw Error("the demo's patient has no brain model", store.folder().string(), "report this, please");
-  // Not the atlas' hand area: over that one the room's coil hides its own marker from both cameras.
-  const auto hand_area = guidance::handKnobGuess(*brain, guidance::Side::left);
+  const auto atlas = store.atlas();
+  const Point<Mri> hand_area = atlas ? surface::ClosestPoint(brain->mesh)
+                                           .nearest(atlas->toMri(guidance::handKnob(guidance::Side::left)))
+                                           .point
+                                     : guidance::handKnobGuess(*brain, guidance::Side::left);
   auto target = guidance::planTarget(kTarget, store.scalp(), hand_area, kHandleAngle_rad, kHairGap_mm);
   store.setTargets({{target}});
   return target;

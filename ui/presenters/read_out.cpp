@@ -40,8 +40,8 @@ ReadOut makeReadOut(const session::NavigationState& state) {
   const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
   if (has_values) {
     out.across = QString::number(g.values->lateral_mm, 'f', 1);
-    out.depth = (g.values->depth_mm >= 0.05 ? QStringLiteral("+") : QString()) +
-                QString::number(g.values->depth_mm, 'f', 1);
+    const double depth_mm = std::abs(g.values->depth_mm) < 0.05 ? 0.0 : g.values->depth_mm;
+    out.depth = (depth_mm > 0 ? QStringLiteral("+") : QString()) + QString::number(depth_mm, 'f', 1);
     out.tilt = whole(g.values->tilt_rad * 180 / M_PI, false);
     out.twist = whole(g.values->twist_rad * 180 / M_PI, true);
     if (g.predicted_error_mm > 0)

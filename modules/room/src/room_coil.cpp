@@ -1,11 +1,12 @@
 #include "facenav/room/room_coil.h"
 
-#include "facenav/geometry/rotation.h"
 #include "marker_plate.h"
 #include "shapes.h"
 
 namespace facenav::room {
 namespace {
+
+constexpr double kThick_mm = 16.0;  // of the wings
 
 /// Where the stem holds the plate: behind the edge that is nearest to the coil, so that it never crosses the
 /// print.
@@ -24,25 +25,15 @@ Eigen::Vector3d stemEnd(const RoomCoil& coil) {
 
 }  // namespace
 
-RoomCoil mountedCoil(const RigidTransform<Mri, frames::Target>& target, const Eigen::Matrix3d& mri_R_view) {
-  constexpr double kBehind_mm = 85.0, kTilt_rad = 0.17;
-  RoomCoil coil;
-  // A little away from square to the view: a marker seen exactly face-on has the least certain tilt.
-  const Eigen::Matrix3d mri_R_marker = mri_R_view * expRotation(Eigen::Vector3d(kTilt_rad, -kTilt_rad, 0.0));
-  Eigen::Isometry3d coil_T_marker = Eigen::Isometry3d::Identity();
-  coil_T_marker.linear() = target.rotation().transpose() * mri_R_marker;
-  coil_T_marker.translation() = Eigen::Vector3d(0.0, 0.0, -kBehind_mm);
-  coil.marker_T_coil = RigidTransform<Marker, Coil>::fromIsometry(coil_T_marker.inverse());
-  return coil;
-}
-
-surface::TriangleMesh coilMesh(const RoomCoil& coil) {
-  constexpr double kThick_mm = 16.0;
+surface::TriangleMesh coilBodyMesh() {
   auto mesh =
       joined(cylinder({-42.0, 0.0}, 45.0, -kThick_mm, 0.0), cylinder({42.0, 0.0}, 45.0, -kThick_mm, 0.0));
   mesh = joined(mesh, box({-20.0, -40.0, -kThick_mm - 8.0}, {20.0, 22.0, -kThick_mm}));
-  mesh = joined(mesh, box({-14.0, -190.0, -kThick_mm - 14.0}, {14.0, -38.0, -2.0}));
-  return joined(mesh, bar({0.0, 0.0, -kThick_mm}, stemEnd(coil), 12.0));
+  return joined(mesh, box({-14.0, -190.0, -kThick_mm - 14.0}, {14.0, -38.0, -2.0}));
+}
+
+surface::TriangleMesh coilMesh(const RoomCoil& coil) {
+  return joined(coilBodyMesh(), bar({0.0, 0.0, -kThick_mm}, stemEnd(coil), 12.0));
 }
 
 }  // namespace facenav::room

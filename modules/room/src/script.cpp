@@ -84,7 +84,8 @@ RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const Virtu
 }
 
 std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
-                                   const RigidTransform<Mri, frames::Target>& target) {
+                                   const RigidTransform<Mri, frames::Target>& target,
+                                   const RigidTransform<Marker, Coil>& marker_T_coil) {
   const ScenarioKind& kind = kindOf(options.name);
   Setting setting;
   setting.options = options;
@@ -92,7 +93,7 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
   setting.pivot = patient.head_centre;
   setting.face_middle = patient.face_middle;
   setting.target = target;
-  setting.marker_T_coil = mountedCoil(target, setting.seat.rotation().transpose()).marker_T_coil;
+  setting.marker_T_coil = marker_T_coil;
   setting.frames = options.frames > 0 ? options.frames : kind.frames;
   Cast capture;
   capture.room_T_mri = setting.seat;

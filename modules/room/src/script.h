@@ -28,7 +28,8 @@ class Script {
 
 /// Throws Error for a name that is none of scenarios().
 std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
-                                   const RigidTransform<Mri, frames::Target>& target);
+                                   const RigidTransform<Mri, frames::Target>& target,
+                                   const RigidTransform<Marker, Coil>& marker_T_coil);
 
 /// The head as it sits before anything moves, facing the middle between the cameras.
 RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const VirtualPatient& patient);

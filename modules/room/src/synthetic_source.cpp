@@ -1,5 +1,6 @@
 #include "facenav/room/synthetic_source.h"
 
+#include "coil_mount.h"
 #include "script.h"
 #include "stage.h"
 
@@ -8,13 +9,15 @@ namespace {
 
 constexpr std::uint64_t kFramesPerSeed = 1000003;
 
-/// The cameras' axes in the seated patient's Mri: columns x, y, z of Room.
-Eigen::Matrix3d viewInMri(const RigidTransform<Room, Mri>& room_T_mri) {
-  return room_T_mri.rotation().transpose();
-}
-
 FilmOptions filmOf(const ScenarioOptions& options) {
   return {options.blur_px, options.exposure, options.gamma, options.noise_grey};
+}
+
+RoomCoil coilFor(const ScenarioOptions& options, const VirtualPatient& patient,
+                 const RigidTransform<Mri, frames::Target>& target) {
+  const auto rig = makeRig(options.rig);
+  return mountedCoil(target, patient,
+                     {rig, cameraFromRoom(rig, options.rig.roll_deg), seatedHead(options, patient)});
 }
 
 }  // namespace
@@ -22,8 +25,8 @@ FilmOptions filmOf(const ScenarioOptions& options) {
 struct SyntheticSource::Implementation {
   ScenarioOptions options;
   RigidTransform<Mri, frames::Target> target;
-  std::unique_ptr<Script> script;
   Stage stage;
+  std::unique_ptr<Script> script;
   std::int64_t number = 0;
   stereo::StereoFrame last;
   GroundTruth truth;
@@ -32,9 +35,8 @@ struct SyntheticSource::Implementation {
                  const RigidTransform<Mri, frames::Target>& t)
       : options(o),
         target(t),
-        script(makeScript(o, *patient, t)),
-        stage(makeRig(o.rig), o.rig.roll_deg, patient, mountedCoil(t, viewInMri(seatedHead(o, *patient))),
-              filmOf(o)) {}
+        stage(makeRig(o.rig), o.rig.roll_deg, patient, coilFor(o, *patient, t), filmOf(o)),
+        script(makeScript(o, *patient, t, stage.coil().marker_T_coil)) {}
 
   stereo::StereoFrame photograph(CameraFault fault) const {
     if (fault == CameraFault::frozen && !last.left.empty())

@@ -30,6 +30,9 @@ namespace {
 std::string formatted(const char* format, double value) {
   char text[32];
   std::snprintf(text, sizeof text, format, value);
+  // What rounds to nothing has no side.
+  const bool is_zero = std::string(text).find_first_of("123456789") == std::string::npos;
+  if (is_zero && (text[0] == '-' || text[0] == '+')) return text + 1;
   return text;
 }
 

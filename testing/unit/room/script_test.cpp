@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "coil_mount.h"
 #include "egg_patient.h"
 #include "facenav/core/error.h"
 #include "support/matchers.h"
@@ -21,8 +22,11 @@ ScenarioOptions named(const char* name, int frames = 0) {
 struct Played {
   std::shared_ptr<const VirtualPatient> patient = testing::eggPatient();
   RigidTransform<Mri, frames::Target> target = leftHandArea(*patient);
+  stereo::StereoRig rig = makeRig({});
+  RigidTransform<Marker, Coil> marker_T_coil =
+      mountedCoil(target, *patient, {rig, cameraFromRoom(rig), seatedHead({}, *patient)}).marker_T_coil;
   std::unique_ptr<Script> operator()(const ScenarioOptions& options) const {
-    return makeScript(options, *patient, target);
+    return makeScript(options, *patient, target, marker_T_coil);
   }
 };
 

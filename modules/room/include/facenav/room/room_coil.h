@@ -17,11 +17,9 @@ struct RoomCoil {
   RigidTransform<Marker, Coil> marker_T_coil;
 };
 
-/// Mounts the marker's plate on the back of the coil so that it faces the cameras (`mri_T_view`'s +z is the
-/// cameras' viewing direction, +y down in their image, in Mri) while the coil is at `target`.
-RoomCoil mountedCoil(const RigidTransform<Mri, frames::Target>& target, const Eigen::Matrix3d& mri_R_view);
-
-/// The coil without its marker plate, Coil frame, mm: two wings, housing, handle, stem to the plate.
+/// Two wings, housing and handle, Coil frame, mm.
+surface::TriangleMesh coilBodyMesh();
+/// The body and the stem to the marker's plate, without the plate.
 surface::TriangleMesh coilMesh(const RoomCoil& coil);
 
 }  // namespace facenav::room
