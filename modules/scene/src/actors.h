@@ -5,6 +5,8 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
+
 #include "facenav/guidance/target.h"
 #include "facenav/scene/coil_shape.h"
 #include "facenav/scene/palette.h"
@@ -31,6 +33,10 @@ void setSliceIndex(vtkImageSlice* slice, int index);
 /// In Coil coordinates.
 struct CoilActors {
   vtkSmartPointer<vtkActor> body, windings, axis, axis_on_top, tip;
+  std::array<vtkActor*, 5> all() const { return {body, windings, axis, axis_on_top, tip}; }
+  /// The axis and its tip are drawn over the head too.
+  void addTo(vtkRenderer* renderer, vtkRenderer* on_top) const;
+  void removeFrom(vtkRenderer* renderer, vtkRenderer* on_top) const;
   void setTransform(vtkLinearTransform* coil);
   void setVisible(bool is_visible, bool is_axis_visible);
 };
@@ -39,6 +45,7 @@ CoilActors makeCoilActors(const CoilShape& shape);
 /// In Mri coordinates.
 struct TargetActors {
   vtkSmartPointer<vtkActor> ring, ring_on_top, line, cortex;
+  std::array<vtkActor*, 4> all() const { return {ring, ring_on_top, line, cortex}; }
 };
 TargetActors makeTargetActors(const guidance::Target& target, bool is_active);
 

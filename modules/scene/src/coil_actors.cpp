@@ -6,6 +6,7 @@
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
 #include <vtkSphereSource.h>
+#include <vtkRenderer.h>
 #include <vtkTransform.h>
 #include <vtkTubeFilter.h>
 
@@ -86,8 +87,19 @@ CoilActors makeCoilActors(const CoilShape& shape) {
 }
 
 void CoilActors::setTransform(vtkLinearTransform* coil) {
-  for (vtkActor* actor : {body.Get(), windings.Get(), axis.Get(), axis_on_top.Get(), tip.Get()})
-    actor->SetUserTransform(coil);
+  for (vtkActor* actor : all()) actor->SetUserTransform(coil);
+}
+
+void CoilActors::addTo(vtkRenderer* renderer, vtkRenderer* on_top) const {
+  for (vtkActor* actor : {body.Get(), windings.Get(), axis.Get()}) renderer->AddActor(actor);
+  for (vtkActor* actor : {axis_on_top.Get(), tip.Get()}) on_top->AddActor(actor);
+}
+
+void CoilActors::removeFrom(vtkRenderer* renderer, vtkRenderer* on_top) const {
+  for (vtkActor* actor : all()) {
+    renderer->RemoveActor(actor);
+    on_top->RemoveActor(actor);
+  }
 }
 
 void CoilActors::setVisible(bool is_visible, bool is_axis_visible) {

@@ -1,7 +1,6 @@
 #include "facenav/scene/navigation_scene.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkCamera.h>
 #include <vtkCellPicker.h>
 #include <vtkImageSlice.h>
 #include <vtkLight.h>
@@ -11,7 +10,6 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkTexture.h>
 #include <vtkTransform.h>
 
 #include <array>
@@ -21,11 +19,36 @@
 #include "facenav/volume/vtk_image.h"
 #include "head_icon.h"
 #include "image_bridge.h"
+#include "scene_camera.h"
+#include "target_layer.h"
 
 namespace facenav::scene {
 namespace {
 
-constexpr double kCameraDistance_mm = 540.0;  // fills the view with a head of 110 mm half height
+void setUpBanner(vtkTextActor* banner) {
+  vtkTextProperty* words = banner->GetTextProperty();
+  words->SetFontSize(22);
+  words->BoldOn();
+  words->SetJustificationToCentered();
+  words->SetVerticalJustificationToCentered();
+  words->SetColor(palette::kText[0], palette::kText[1], palette::kText[2]);
+  words->SetBackgroundColor(0.02, 0.02, 0.025);
+  words->SetBackgroundOpacity(0.82);
+  banner->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  banner->SetPosition(0.5, 0.90);
+  banner->VisibilityOff();
+}
+
+void addLights(vtkRenderer* renderer) {
+  vtkNew<vtkLight> key, fill;
+  key->SetLightTypeToHeadlight();
+  key->SetIntensity(0.8);
+  fill->SetLightTypeToCameraLight();
+  fill->SetPosition(-0.8, 0.9, 0.6);
+  fill->SetIntensity(0.35);
+  renderer->AddLight(key);
+  renderer->AddLight(fill);
+}
 
 }  // namespace
 
@@ -34,36 +57,24 @@ struct NavigationScene::Implementation {
   HeadIcon icon;
   vtkNew<vtkTransform> head_transform, coil_transform, ghost_transform;
   vtkSmartPointer<vtkActor> scalp, brain;
-  vtkSmartPointer<vtkTexture> brain_texture;
   std::array<vtkSmartPointer<vtkImageSlice>, 3> slices;
   volume::VoxelGrid grid;
   CoilActors coil, ghost;
-  std::vector<TargetActors> targets;
-  std::size_t active_target = 0;
-  std::optional<guidance::Target> active;
+  TargetLayer targets{renderer, on_top, head_transform};
+  SceneCamera viewpoint{renderer->GetActiveCamera()};
   vtkNew<vtkTextActor> banner;
   vtkSmartPointer<vtkRenderWindow> offscreen;
   SceneLayers layers;
   ViewFrame view_frame = ViewFrame::head_fixed;
-  double camera_angle_rad = 0.58;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
   bool has_ghost = false, is_live = false, is_on_target = false, is_grey = false;
-  Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
-  double radius_mm = 110.0;
 
   Implementation();
   bool coilIsShown() const { return is_live && camera_T_mri && camera_T_coil; }
   void updateTransforms();
   void updateVisibility();
-  void updateColours();
   void setGrey(bool grey);
-  void placeCamera(const Eigen::Vector3d& from, const Eigen::Vector3d& up) {
-    placeCamera(from, up, centre_mm, 1.0);
-  }
-  void placeCamera(const Eigen::Vector3d& from, const Eigen::Vector3d& up, const Eigen::Vector3d& at_mm,
-                   double distance);
-  void placeInCamera();
   void syncIcon();
 };
 
@@ -75,27 +86,9 @@ NavigationScene::Implementation::Implementation() {
   on_top->SetLayer(1);
   on_top->InteractiveOff();
   on_top->SetActiveCamera(renderer->GetActiveCamera());
-  renderer->GetActiveCamera()->SetViewAngle(28.0);
   renderer->UseFXAAOn();  // smooth edges at a tenth of multi-sampling's cost in software rendering
-  vtkNew<vtkLight> fill;
-  fill->SetLightTypeToCameraLight();
-  fill->SetPosition(-0.8, 0.9, 0.6);
-  fill->SetIntensity(0.35);
-  vtkNew<vtkLight> key;
-  key->SetLightTypeToHeadlight();
-  key->SetIntensity(0.8);
-  renderer->AddLight(key);
-  renderer->AddLight(fill);
-  banner->GetTextProperty()->SetFontSize(22);
-  banner->GetTextProperty()->BoldOn();
-  banner->GetTextProperty()->SetJustificationToCentered();
-  banner->GetTextProperty()->SetVerticalJustificationToCentered();
-  banner->GetTextProperty()->SetColor(palette::kText[0], palette::kText[1], palette::kText[2]);
-  banner->GetTextProperty()->SetBackgroundColor(0.02, 0.02, 0.025);
-  banner->GetTextProperty()->SetBackgroundOpacity(0.82);
-  banner->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  banner->SetPosition(0.5, 0.90);
-  banner->VisibilityOff();
+  addLights(renderer);
+  setUpBanner(banner);
   on_top->AddActor2D(banner);
   vtkNew<vtkCallbackCommand> before_render;
   before_render->SetClientData(this);
@@ -131,9 +124,7 @@ void NavigationScene::Implementation::updateVisibility() {
   }
   coil.setVisible(coilIsShown() && layers.coil, layers.coil_axis);
   ghost.setVisible(has_ghost && layers.coil, true);
-  for (auto& t : targets)
-    for (vtkActor* actor : {t.ring.Get(), t.ring_on_top.Get(), t.line.Get(), t.cortex.Get()})
-      actor->SetVisibility(layers.targets);
+  targets.setVisible(layers.targets);
   setGrey(is_live && !coilIsShown());
 }
 
@@ -147,38 +138,7 @@ void NavigationScene::Implementation::setGrey(bool grey) {
     setColour(brain, grey ? palette::Rgb{0.45, 0.46, 0.48} : palette::Rgb{1.0, 0.93, 0.88});
     brain->GetProperty()->SetOpacity(grey ? 0.6 : 1.0);
   }
-  updateColours();
-}
-
-void NavigationScene::Implementation::updateColours() {
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const bool is_active = active && i == active_target;
-    const palette::Rgb colour =
-        is_grey || !is_active ? palette::kLost : (is_on_target ? palette::kBlue : palette::kOrange);
-    for (vtkActor* a : {targets[i].ring.Get(), targets[i].ring_on_top.Get(), targets[i].line.Get(),
-                        targets[i].cortex.Get()})
-      setColour(a, colour);
-  }
-}
-
-void NavigationScene::Implementation::placeCamera(const Eigen::Vector3d& from, const Eigen::Vector3d& up,
-                                                  const Eigen::Vector3d& at_mm, double distance) {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d position =
-      at_mm + from.normalized() * distance * kCameraDistance_mm * radius_mm / 110.0;
-  camera->SetViewAngle(28.0);
-  camera->SetFocalPoint(at_mm.data());
-  camera->SetPosition(position.data());
-  camera->SetViewUp(up.data());
-  camera->OrthogonalizeViewUp();
-}
-
-void NavigationScene::Implementation::placeInCamera() {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(0, 0, 0);
-  camera->SetFocalPoint(0, 0, 1);
-  camera->SetViewUp(0, -1, 0);  // Camera's y points down
-  camera->SetViewAngle(camera_angle_rad * 180.0 / M_PI);
+  targets.setColours(is_grey, is_on_target);
 }
 
 void NavigationScene::Implementation::syncIcon() {
@@ -201,13 +161,7 @@ void NavigationScene::setScalp(const surface::TriangleMesh& scalp) {
   s.scalp = makeScalpActor(scalp);
   s.scalp->SetUserTransform(s.head_transform);
   s.renderer->AddActor(s.scalp);
-  if (!scalp.vertices_mm.empty()) {
-    Eigen::Vector3d low = scalp.vertices_mm.front(), high = low;
-    for (const auto& v : scalp.vertices_mm) low = low.cwiseMin(v), high = high.cwiseMax(v);
-    low.z() = std::max(low.z(), high.z() - 235.0);  // a long neck or shoulders must not shrink the head
-    s.centre_mm = 0.5 * (low + high);
-    s.radius_mm = std::max(40.0, 0.5 * (high - low).maxCoeff());
-  }
+  s.viewpoint.fit(scalp);
   s.updateVisibility();
 }
 
@@ -248,38 +202,16 @@ void NavigationScene::setSliceCentre(const Point<Mri>& centre) {
 
 void NavigationScene::setTargets(const std::vector<guidance::Target>& targets, const std::string& active) {
   auto& s = *implementation_;
-  for (auto& t : s.targets) {
-    for (vtkActor* actor : {t.ring.Get(), t.line.Get(), t.cortex.Get()}) s.renderer->RemoveActor(actor);
-    for (vtkActor* actor : {t.ring_on_top.Get(), t.cortex.Get()}) s.on_top->RemoveActor(actor);
-  }
-  s.targets.clear();
-  s.active.reset();
-  for (const auto& target : targets) {
-    const bool is_active = target.name == active;
-    if (is_active) s.active = target, s.active_target = s.targets.size();
-    s.targets.push_back(makeTargetActors(target, is_active));
-    auto& t = s.targets.back();
-    for (vtkActor* actor : {t.ring.Get(), t.ring_on_top.Get(), t.line.Get(), t.cortex.Get()})
-      actor->SetUserTransform(s.head_transform);
-    for (vtkActor* actor : {t.ring.Get(), t.line.Get()}) s.renderer->AddActor(actor);
-    if (is_active) s.on_top->AddActor(t.ring_on_top);
-    s.on_top->AddActor(t.cortex);
-  }
+  s.targets.set(targets, active);
   s.updateVisibility();
 }
 
 void NavigationScene::setCoilShape(const CoilShape& shape) {
   auto& s = *implementation_;
   for (CoilActors* coil : {&s.coil, &s.ghost}) {
-    if (coil->body) {
-      for (vtkActor* actor : {coil->body.Get(), coil->windings.Get(), coil->axis.Get()})
-        s.renderer->RemoveActor(actor);
-      for (vtkActor* actor : {coil->axis_on_top.Get(), coil->tip.Get()}) s.on_top->RemoveActor(actor);
-    }
+    if (coil->body) coil->removeFrom(s.renderer, s.on_top);
     *coil = makeCoilActors(shape);
-    for (vtkActor* actor : {coil->body.Get(), coil->windings.Get(), coil->axis.Get()})
-      s.renderer->AddActor(actor);
-    for (vtkActor* actor : {coil->axis_on_top.Get(), coil->tip.Get()}) s.on_top->AddActor(actor);
+    coil->addTo(s.renderer, s.on_top);
   }
   s.coil.setTransform(s.coil_transform);
   vtkNew<vtkTransform> placed_ghost;
@@ -307,32 +239,8 @@ void NavigationScene::setLayers(const SceneLayers& layers) {
 
 void NavigationScene::setView(ViewPreset preset) {
   auto& s = *implementation_;
-  if (s.view_frame == ViewFrame::camera) return s.placeInCamera();
-  const Eigen::Vector3d up(0, 0, 1);
-  switch (preset) {  // Mri: x right, y anterior, z superior
-    case ViewPreset::front:
-      return s.placeCamera({0, 1, 0.05}, up);
-    case ViewPreset::back:
-      return s.placeCamera({0, -1, 0.05}, up);
-    case ViewPreset::left:
-      return s.placeCamera({-1, 0, 0.05}, up);
-    case ViewPreset::right:
-      return s.placeCamera({1, 0, 0.05}, up);
-    case ViewPreset::top:
-      return s.placeCamera({0, 0, 1}, {0, 1, 0});
-    case ViewPreset::right_front:
-      return s.placeCamera({0.75, 0.8, 0.42}, up);
-    case ViewPreset::left_front:
-      return s.placeCamera({-0.75, 0.8, 0.42}, up);
-    case ViewPreset::target: {
-      if (!s.active) return s.placeCamera({-0.75, 0.8, 0.42}, up);
-      // Oblique to the coil's axis and from the front, so that axis, ring and face are all in sight.
-      const Eigen::Vector3d out = -s.active->mri_T_target.rotation().col(2);
-      const Eigen::Vector3d at = s.centre_mm + 0.28 * s.radius_mm * out;  // room for the coil above the head
-      return s.placeCamera(out * 0.35 + Eigen::Vector3d(0.62 * (out.x() < 0 ? -1 : 1), 0.85, 0.0), up, at,
-                           1.05);
-    }
-  }
+  if (s.view_frame == ViewFrame::camera) return s.viewpoint.placeInCamera();
+  s.viewpoint.place(preset, s.targets.active());
 }
 
 void NavigationScene::setViewFrame(ViewFrame frame) {
@@ -342,7 +250,7 @@ void NavigationScene::setViewFrame(ViewFrame frame) {
 }
 
 void NavigationScene::setCameraAngle(double vertical_rad) {
-  implementation_->camera_angle_rad = vertical_rad;
+  implementation_->viewpoint.setAngle(vertical_rad);
 }
 
 void NavigationScene::setHeadPose(const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri) {
@@ -362,8 +270,9 @@ void NavigationScene::setCoilPose(const Tracked<RigidTransform<Camera, Coil>>& c
 }
 
 void NavigationScene::setOnTarget(bool is_on_target) {
-  implementation_->is_on_target = is_on_target;
-  implementation_->updateColours();
+  auto& s = *implementation_;
+  s.is_on_target = is_on_target;
+  s.targets.setColours(s.is_grey, is_on_target);
 }
 
 void NavigationScene::setBanner(const std::string& words) {

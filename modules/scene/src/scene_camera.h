@@ -1,0 +1,36 @@
+#pragma once
+// SceneCamera: from where the 3-D picture is seen, in the head's own axes or from the left camera's place.
+// Private to scene.
+
+#include <optional>
+
+#include "facenav/guidance/target.h"
+#include "facenav/scene/navigation_scene.h"
+#include "facenav/surface/triangle_mesh.h"
+
+class vtkCamera;
+
+namespace facenav::scene {
+
+class SceneCamera {
+ public:
+  explicit SceneCamera(vtkCamera* camera);
+  /// Centre and size of what is looked at; an empty mesh changes nothing.
+  void fit(const surface::TriangleMesh& scalp);
+  void setAngle(double vertical_rad) { angle_rad_ = vertical_rad; }
+  /// World = Mri.
+  void place(ViewPreset preset, const std::optional<guidance::Target>& active);
+  /// World = Camera: at the left camera's place, with its angle of view.
+  void placeInCamera();
+
+ private:
+  void place(const Eigen::Vector3d& from, const Eigen::Vector3d& up, const Eigen::Vector3d& at_mm,
+             double distance);
+  void placeOverTarget(const guidance::Target& target);
+
+  vtkCamera* camera_;
+  double angle_rad_ = 0.58, radius_mm_ = 110.0;
+  Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace facenav::scene
