@@ -1,12 +1,15 @@
-// facenav series DIR [--json]: the DICOM series under DIR, one a line, the recommended one first. No patient
-// name.
+// facenav series DIR [--json] [--thumbnails OUT]: the DICOM series under DIR, one a line, the recommended one
+// first, with a small picture of each where asked for. No patient name.
 
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "facenav/core/error.h"
 #include "facenav/dicom/series.h"
+#include "facenav/dicom/thumbnail.h"
+#include "facenav/scene/png.h"
 
 namespace facenav::app {
 namespace {
@@ -38,8 +41,8 @@ std::string stateOf(const dicom::SeriesInfo& info) {
 using Row = std::vector<std::string>;
 
 Row rowOf(const dicom::SeriesInfo& info) {
-  std::string name = info.description + (info.part.empty() ? "" : ", " + info.part);
-  if (name.empty()) name = "(no description)";
+  const std::string name = (info.description.empty() ? "(no description)" : info.description) +
+                           (info.part.empty() ? "" : ", " + info.part);
   std::string shape =
       std::to_string(info.columns) + " x " + std::to_string(info.rows) + " x " + std::to_string(info.slices);
   if (info.spacing_mm[2] > 0)
@@ -100,22 +103,57 @@ nlohmann::json toJson(const dicom::SeriesInfo& info) {
           {"files", files}};
 }
 
+RgbImage toRgb(const dicom::Thumbnail& picture) {
+  RgbImage image(picture.width_px, picture.height_px);
+  for (std::size_t i = 0; i < picture.grey.size(); ++i)
+    std::fill_n(image.rgb.begin() + std::ptrdiff_t(3 * i), 3, picture.grey[i]);
+  return image;
+}
+
+/// One PNG a series, named by its place in the list (01.png); the names, empty where a series has no picture.
+std::vector<std::string> writeThumbnails(const std::vector<dicom::SeriesInfo>& series,
+                                         const std::filesystem::path& folder, TaskMonitor& monitor) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault)
+    throw Error("cannot be made (" + fault.message() + ")", folder.string(), "choose another folder");
+  std::vector<std::string> names(series.size());
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    monitor.report("drawing thumbnails", double(s) / double(series.size()));
+    const auto picture = dicom::makeThumbnail(series[s]);
+    if (!picture) continue;
+    const std::string number = std::to_string(s + 1);
+    names[s] = std::string(number.size() < 2 ? "0" : "") + number + ".png";
+    scene::writePng(toRgb(*picture), folder / names[s]);
+  }
+  return names;
+}
+
 }  // namespace
 
 void addSeries(CLI::App& app, Context& context) {
   struct Options {
-    std::string folder;
+    std::string folder, thumbnails;
     bool is_json = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("series", "list the DICOM series found under a folder");
-  verb->add_option("DIR", options->folder, "a folder (with all below it) or one DICOM file")->required();
+  verb->add_option("DIR", options->folder, "a folder (with all below it), a DICOMDIR, or one DICOM file")
+      ->required();
   verb->add_flag("--json", options->is_json, "everything known about each series, as JSON");
+  verb->add_option("--thumbnails", options->thumbnails,
+                   "folder for a PNG of each series' middle image: 01.png is the first of the list, ..");
   verb->callback([options, &context] {
     const auto series = dicom::listSeries(options->folder, context.monitor);
+    std::vector<std::string> pictures(series.size());
+    if (!options->thumbnails.empty())
+      pictures = writeThumbnails(series, options->thumbnails, context.monitor);
     if (options->is_json) {
       nlohmann::json list = nlohmann::json::array();
-      for (const auto& info : series) list.push_back(toJson(info));
+      for (std::size_t s = 0; s < series.size(); ++s) {
+        list.push_back(toJson(series[s]));
+        if (!pictures[s].empty()) list.back()["thumbnail"] = pictures[s];
+      }
       const auto replace = nlohmann::json::error_handler_t::replace;  // file names need not be UTF-8
       std::printf("%s\n", list.dump(2, ' ', false, replace).c_str());
     } else {

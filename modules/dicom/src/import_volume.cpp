@@ -110,7 +110,7 @@ ImportedVolume importVolume(const fs::path& input, const std::optional<std::stri
                             TaskMonitor& monitor) {
   std::error_code error;
   if (!fs::exists(input, error)) throw Error("does not exist", input.string(), "check the path");
-  const bool is_folder = fs::is_directory(input, error);
+  const bool is_folder = fs::is_directory(input, error) || isDicomDir(input);
   if (!is_folder && isNiftiName(input)) return importNifti(input);
   const auto series = is_folder ? listSeries(input, monitor) : seriesAround(input, monitor);
   ImportedVolume imported;

@@ -10,6 +10,8 @@ namespace facenav::dicom {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr char kDicomDirClass[] = "1.2.840.10008.1.3.10";  // Media Storage Directory Storage
+
 struct DamagedFile {
   fs::path file;
   std::string problem, start;  // the first bytes, where its Series UID may still be read
@@ -24,11 +26,21 @@ std::string faultOf(const Error& error, const fs::path& file) {
   return words.substr(0, words.rfind("; "));
 }
 
+/// By its meta header: a table of contents of files that are found anyway, damaged or not.
+bool isDicomDir(FilePrefix& file) {
+  constexpr std::uint64_t kPreamble = 132, kMetaHeader = 512;
+  const std::string& bytes = file.bytes();
+  if (!file.ensure(kPreamble) || bytes.compare(128, 4, "DICM") != 0) return false;
+  file.ensure(std::min(file.fileSize(), kPreamble + kMetaHeader));
+  return bytes.substr(kPreamble, kMetaHeader).find(kDicomDirClass) != std::string::npos;
+}
+
 std::optional<DamagedFile> readInto(const fs::path& path, std::vector<SliceHeader>& headers) {
   constexpr std::uint64_t kStart = 16 << 10;
   std::optional<FilePrefix> file;
   try {
     file.emplace(path);
+    if (isDicomDir(*file)) return std::nullopt;
     if (auto header = readSliceHeader(*file)) headers.push_back(std::move(*header));
     return std::nullopt;
   } catch (const Error& error) {
@@ -111,6 +123,17 @@ std::optional<SliceHeader> readHeaderOf(const fs::path& path) {
   return readSliceHeader(file);
 }
 
+bool isDicomDir(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;
+  try {
+    FilePrefix file(path);
+    return isDicomDir(file);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std::string& where,
                                   TaskMonitor& monitor) {
   std::vector<SliceHeader> headers;
@@ -119,9 +142,6 @@ std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std:
     if (f % 16 == 0) monitor.report("reading DICOM headers", double(f) / double(files.size()));
     if (auto damage = readInto(files[f], headers)) damaged.push_back(std::move(*damage));
   }
-  headers.erase(std::remove_if(headers.begin(), headers.end(),
-                               [](const SliceHeader& h) { return h.sop_class == "1.2.840.10008.1.3.10"; }),
-                headers.end());  // DICOMDIR: a table of contents of the files found anyway
   if (headers.empty() && damaged.size() == 1)
     throw Error(damaged[0].problem, damaged[0].file.string(), "copy it again");
   if (headers.empty() && damaged.empty())
@@ -137,6 +157,10 @@ std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std:
 }
 
 std::vector<SeriesInfo> listSeries(const fs::path& folder, TaskMonitor& monitor) {
+  if (isDicomDir(folder)) {  // the files it names lie under its folder (PS3.10 8.6), and so may others
+    const fs::path whole = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+    return scanFiles(filesUnder(whole, true), whole.string(), monitor);
+  }
   return scanFiles(filesUnder(folder, true), folder.string(), monitor);
 }
 

@@ -3,6 +3,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/dicom/series.h"
+#include "isolated_codec.h"
 #include "pixel_decoder.h"
 #include "series_scan.h"
 #include "slice_stack.h"
@@ -69,9 +70,15 @@ class Loader {
     volume.modality = headers_[0].modality;
     volume.orientation_source = "DICOM";
     volume.voxels.resize(volume.grid.count());
-    for (std::size_t h = 0; h < headers_.size(); ++h) {
+    for (std::size_t h = 0; h < headers_.size();) {
       monitor_.report("reading DICOM images", double(h) / double(headers_.size()));
-      loadFile(h, volume);
+      const std::size_t end = batchEnd(h);
+      if (end > h + 1 && loadBatch(h, end, volume)) {
+        h = end;
+        continue;
+      }
+      for (const std::size_t last = std::max(end, h + 1); h < last; ++h)  // one by one: the culprit is named
+        loadFile(h, Isolation::each_image, [&](int k) { return sliceOf(volume, k); });
     }
     for (std::size_t h = 0; h < headers_.size(); ++h) checkTwins(h, volume);
     monitor_.report("reading DICOM images", 1.0);
@@ -83,17 +90,52 @@ class Loader {
     return std::size_t(stack_.grid.size[0]) * std::size_t(stack_.grid.size[1]);
   }
 
-  void loadFile(std::size_t h, volume::Volume& volume) {
+  float* sliceOf(volume::Volume& volume, int k) const {
+    return volume.voxels.data() + imageSize() * std::size_t(k);
+  }
+
+  /// Decodes the images of file `h`; `place(k)` is where slice k goes.
+  template <class Place>
+  void loadFile(std::size_t h, Isolation isolation, Place place) {
     if (slices_of_[h].empty()) return;
     FilePrefix file(headers_[h].file);
     headers_[h].layout = walkHeader(file);
-    const PixelDecoder decoder(file, headers_[h]);
-    for (const int k : slices_of_[h]) {
-      const std::vector<float> image = decoder.image(stack_.order[std::size_t(k)].frame);
-      FACENAV_EXPECT(image.size() == imageSize(), "an image of another size than its header says");
-      std::copy(image.begin(), image.end(),
-                volume.voxels.begin() + std::ptrdiff_t(imageSize() * std::size_t(k)));
-    }
+    const VoxelFormat& voxels = headers_[h].voxels;
+    FACENAV_EXPECT(std::size_t(voxels.rows) * voxels.columns == imageSize(),
+                   "an image of another size than its stack");
+    const PixelDecoder decoder(file, headers_[h], isolation);
+    for (const int k : slices_of_[h]) decoder.decode(stack_.order[std::size_t(k)].frame, place(k));
+  }
+
+  /// One past the files, from `h` on, that one child process decompresses: starting one costs a millisecond
+  /// or more.
+  std::size_t batchEnd(std::size_t h) const {
+    constexpr std::size_t kMostImages = 16;
+    std::size_t images = 0;
+    while (h < headers_.size() && usesForeignCodec(headers_[h]) &&
+           (images += slices_of_[h].size()) <= kMostImages)
+      ++h;
+    return h;
+  }
+
+  /// False where a codec failed on any of the files [begin, end).
+  bool loadBatch(std::size_t begin, std::size_t end, volume::Volume& volume) {
+    std::vector<int> slices;
+    for (std::size_t h = begin; h < end; ++h)
+      slices.insert(slices.end(), slices_of_[h].begin(), slices_of_[h].end());
+    if (slices.empty()) return true;
+    const std::size_t image_bytes = imageSize() * sizeof(float);
+    const SharedMemory images(slices.size() * image_bytes);
+    const auto place = [&](int k) {
+      const auto at = std::find(slices.begin(), slices.end(), k) - slices.begin();
+      return reinterpret_cast<float*>(images.begin() + std::size_t(at) * image_bytes);
+    };
+    if (!runInChild([&] {
+          for (std::size_t h = begin; h < end; ++h) loadFile(h, Isolation::none, place);
+        }))
+      return false;
+    for (const int k : slices) std::copy_n(place(k), imageSize(), sliceOf(volume, k));
+    return true;
   }
 
   /// Images at the place of a slice must equal it.

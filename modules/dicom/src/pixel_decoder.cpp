@@ -66,29 +66,37 @@ template <class T>
 T withinStoredBits(T value, const VoxelFormat& format) {
   using Wide = std::int64_t;
   const int shift = format.high_bit + 1 - format.bits_stored;
-  // Vendors that lie about other depths exist, so bits above the stored ones are cut off only where they are
-  // known to hold something else, and at 12 bits, where dcm2niix cuts them too.
-  if (!format.has_embedded_overlay && shift == 0 && format.bits_stored != 12) return value;
   Wide bits = (Wide(value) >> shift) & ((Wide(1) << format.bits_stored) - 1);
   if (format.is_signed && bits >> (format.bits_stored - 1) & 1) bits -= Wide(1) << format.bits_stored;
   return T(bits);
 }
 
+/// Vendors that lie about other depths exist, so bits above the stored ones are cut off only where they are
+/// known to hold something else, and at 12 bits, where dcm2niix cuts them too.
+bool needsMask(const VoxelFormat& format) {
+  return format.has_embedded_overlay || format.high_bit + 1 != format.bits_stored || format.bits_stored == 12;
+}
+
 template <class T>
-std::vector<float> rescaled(std::string_view bytes, bool is_big_endian, const VoxelFormat& format,
-                            const ImagePlace& place) {
+void rescale(std::string_view bytes, bool is_big_endian, const VoxelFormat& format, const ImagePlace& place,
+             float* out) {
   // NIfTI keeps slope and intercept in 32 bits; the same here, so that values equal dcm2niix's to the last
   // bit.
   const double slope = float(place.slope), intercept = float(place.intercept);
-  std::vector<float> values(bytes.size() / sizeof(T));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    T value = load<T>(bytes.data() + i * sizeof(T), is_big_endian);
-    if constexpr (std::is_integral_v<T>) value = withinStoredBits(value, format);
-    values[i] = float(slope * double(value) + intercept);
+  const std::size_t count = bytes.size() / sizeof(T);
+  const bool is_masked = std::is_integral_v<T> && needsMask(format);
+  for (std::size_t i = 0; i < count; ++i) {
+    T value;
+    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));  // the common case: vectorised
+    if (is_big_endian || is_masked) {
+      value = load<T>(bytes.data() + i * sizeof(T), is_big_endian);
+      if constexpr (std::is_integral_v<T>)
+        if (is_masked) value = withinStoredBits(value, format);
+    }
+    out[i] = float(slope * double(value) + intercept);
     if constexpr (!std::is_integral_v<T>)
-      if (!(values[i] - values[i] == 0)) values[i] = 0.f;
+      if (!(out[i] - out[i] == 0)) out[i] = 0.f;
   }
-  return values;
 }
 
 }  // namespace
@@ -116,11 +124,17 @@ std::string voxelProblem(const SliceHeader& header) {
   return {};
 }
 
+bool usesForeignCodec(const SliceHeader& header) {
+  const Coding coding = codingOf(header.layout.transfer_syntax);
+  return coding == Coding::jpeg || coding == Coding::jpeg_ls || coding == Coding::jpeg_2000;
+}
+
 void PixelDecoder::refuse(const std::string& what) const {
   throw Error(what, header_.file.string(), "copy or export it again");
 }
 
-PixelDecoder::PixelDecoder(FilePrefix& file, const SliceHeader& header) : file_(file), header_(header) {
+PixelDecoder::PixelDecoder(FilePrefix& file, const SliceHeader& header, Isolation isolation)
+    : file_(file), header_(header), isolation_(isolation) {
   const std::string problem = voxelProblem(header);
   if (!problem.empty()) throw Error(problem, header.file.string(), "choose another series");
   const FileLayout& layout = header.layout;
@@ -185,7 +199,7 @@ PixelDecoder::Raw PixelDecoder::raw(int frame) const {
     if (!size || size->width != v.columns || size->height != v.rows || size->components != 1)
       refuse("compressed pixel data is damaged or of another size than its header says");
     const std::string& syntax = header_.layout.transfer_syntax;
-    const auto decode = [&]() -> std::string {
+    const auto decompressed = [&]() -> std::string {
       gdcm::JPEGCodec jpeg;
       gdcm::JPEGLSCodec jpeg_ls;
       gdcm::JPEG2000Codec jpeg_2000;
@@ -194,7 +208,8 @@ PixelDecoder::Raw PixelDecoder::raw(int frame) const {
       return decompress(jpeg_2000, v, syntax, stream);
     };
     constexpr std::size_t kWidestVoxel = 4;
-    raw.owned = runIsolated(decode, voxels * kWidestVoxel);
+    raw.owned = isolation_ == Isolation::each_image ? runIsolated(decompressed, voxels * kWidestVoxel)
+                                                    : decompressed();
   }
   for (const int bits : {8, 16, 32})
     if (raw.owned.size() / voxels == std::size_t(bits / 8)) raw.bits = bits;
@@ -203,26 +218,30 @@ PixelDecoder::Raw PixelDecoder::raw(int frame) const {
   return raw;
 }
 
-std::vector<float> PixelDecoder::image(int frame) const {
+void PixelDecoder::decode(int frame, float* out) const {
   if (frame < 0 || frame >= header_.voxels.frames || header_.images.empty() ||
       (header_.images.size() > 1 && std::size_t(frame) >= header_.images.size()))
     refuse("does not hold the frame asked for");
   const ImagePlace& place = header_.images[header_.images.size() == 1 ? 0 : std::size_t(frame)];
   const VoxelFormat& v = header_.voxels;
   const Raw data = raw(frame);
-  const auto as = [&](auto type) {
-    return rescaled<decltype(type)>(data.bytes, data.is_big_endian, v, place);
-  };
+  const auto as = [&](auto type) { rescale<decltype(type)>(data.bytes, data.is_big_endian, v, place, out); };
   if (header_.layout.is_float) return data.bits == 64 ? as(double{}) : as(float{});
   if (data.bits == 8 && data.is_big_endian && header_.layout.is_pixel_vr_word) {
     std::string swapped(data.bytes);  // 8-bit voxels travel in 16-bit words
     for (std::size_t i = 0; i + 1 < swapped.size(); i += 2) std::swap(swapped[i], swapped[i + 1]);
-    return v.is_signed ? rescaled<std::int8_t>(swapped, false, v, place)
-                       : rescaled<std::uint8_t>(swapped, false, v, place);
+    return v.is_signed ? rescale<std::int8_t>(swapped, false, v, place, out)
+                       : rescale<std::uint8_t>(swapped, false, v, place, out);
   }
   if (data.bits == 8) return v.is_signed ? as(std::int8_t{}) : as(std::uint8_t{});
   if (data.bits == 16) return v.is_signed ? as(std::int16_t{}) : as(std::uint16_t{});
   return v.is_signed ? as(std::int32_t{}) : as(std::uint32_t{});
+}
+
+std::vector<float> PixelDecoder::image(int frame) const {
+  std::vector<float> values(std::size_t(header_.voxels.rows) * header_.voxels.columns);
+  decode(frame, values.data());
+  return values;
 }
 
 std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel) {

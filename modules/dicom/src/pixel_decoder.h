@@ -9,12 +9,17 @@
 
 namespace facenav::dicom {
 
+/// Where GDCM's codecs run: in a child process an image (isolated_codec.h), or here, for who is such a child.
+enum class Isolation { each_image, none };
+
 class PixelDecoder {
  public:
   /// Throws Error naming the file: pixels missing, cut off, colour, of a kind FaceNav does not read, ..
-  PixelDecoder(FilePrefix& file, const SliceHeader& header);
+  PixelDecoder(FilePrefix& file, const SliceHeader& header, Isolation isolation = Isolation::each_image);
   /// rows x columns values of frame `frame` (from 0): slope * stored + intercept.
   std::vector<float> image(int frame) const;
+  /// The same to `out`, which holds rows x columns values.
+  void decode(int frame, float* out) const;
 
  private:
   struct Raw {
@@ -30,11 +35,14 @@ class PixelDecoder {
 
   FilePrefix& file_;
   const SliceHeader& header_;
+  Isolation isolation_;
   std::vector<ByteRange> fragments_;
 };
 
 /// In words why the voxels of this file cannot be read, from its header alone; empty when they can.
 std::string voxelProblem(const SliceHeader& header);
+/// The voxels are compressed in a way that only GDCM's codecs read.
+bool usesForeignCodec(const SliceHeader& header);
 /// The frame of `stream` unpacked into little-endian voxels of `bytes_per_voxel`; empty when damaged.
 std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel);
 

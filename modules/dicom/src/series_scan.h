@@ -18,6 +18,9 @@ std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folde
 std::vector<SeriesInfo> scanFiles(const std::vector<std::filesystem::path>& files, const std::string& where,
                                   TaskMonitor& monitor);
 
+/// A DICOMDIR, whatever its name. False for what cannot be read.
+bool isDicomDir(const std::filesystem::path& path);
+
 /// Reads the header of one file; throws Error naming it.
 std::optional<SliceHeader> readHeaderOf(const std::filesystem::path& path);
 

@@ -217,6 +217,11 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
     if (info.problem.empty()) info.slices = int(used.size());
   }
   if (!info.problem.empty()) used = group.images;
+  const ImageRef middle = used[used.size() / 2];
+  if (headers[std::size_t(middle.header)].layout.has_pixels) {
+    info.thumbnail_file = headers[std::size_t(middle.header)].file;
+    info.thumbnail_frame = middle.frame;
+  }
   collectFiles(info, headers, used);
   info.is_loadable = info.problem.empty();
   addNotes(info, first);

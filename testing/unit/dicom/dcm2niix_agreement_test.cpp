@@ -5,6 +5,7 @@
 
 #include "compare_volumes.h"
 #include "dicom_bytes.h"
+#include "enhanced_file.h"
 #include "facenav/dicom/import_volume.h"
 
 namespace facenav::testing {
@@ -157,6 +158,74 @@ TEST(Dcm2niixAgreement, JpegLossless) {
 TEST(Dcm2niixAgreement, JpegLs) {
   FACENAV_NEEDS_PROGRAM("dcmcjpls");
   expectAgreementAfter("dcmcjpls");
+}
+
+/// The file's one compressed frame cut into pieces of `most_bytes` (even), each a fragment (PS3.5 A.4).
+std::string withFragments(const std::string& file, std::size_t most_bytes) {
+  const DataSetBytes coder(explicitLittle());
+  const std::string pixels("\xE0\x7F\x10\0OB\0\0\xFF\xFF\xFF\xFF", 12), item("\xFE\xFF\x00\xE0", 4);
+  const std::size_t at = file.rfind(pixels) + pixels.size();
+  const auto lengthAt = [&](std::size_t i) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, file.data() + i + 4, 4);
+    return std::size_t(length);
+  };
+  const std::size_t frame = at + 8 + lengthAt(at);  // after the offset table
+  const std::string stream = file.substr(frame + 8, lengthAt(frame));
+  std::string out = file.substr(0, at) + item + coder.encoded(0, 4);
+  for (std::size_t i = 0; i < stream.size(); i += most_bytes) {
+    const std::string piece = stream.substr(i, most_bytes);
+    out += item + coder.encoded(std::uint32_t(piece.size()), 4) + piece;
+  }
+  return out + std::string("\xFE\xFF\xDD\xE0\0\0\0\0", 8);
+}
+
+// dcm2niix refuses compressed images of several fragments.
+TEST(Dcm2niixAgreement, FragmentedFramesAreReadWhole) {
+  FACENAV_NEEDS_PROGRAM("gdcmconv");
+  FACENAV_NEEDS_PROGRAM("dcmcjpeg");
+  FACENAV_NEEDS_PROGRAM("dcmcjpls");
+  for (const char* program : {"gdcmconv --j2k", "dcmcjpeg +e1", "dcmcjpls"}) {
+    SCOPED_TRACE(program);
+    const TemporaryFolder folder;
+    writeSlices(folder.path() / "in", makeSlices(6));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "in")) {
+      const auto whole = folder.path() / "whole";
+      ASSERT_EQ(std::system((std::string(program) + " '" + entry.path().string() + "' '" + whole.string() +
+                             "' >/dev/null 2>&1")
+                                .c_str()),
+                0);
+      std::ifstream stream(whole, std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+      writeBytes(folder.path() / "out" / entry.path().filename(), withFragments(bytes, 64));
+    }
+    expectSameInWorld(load(folder.path() / "out"), load(folder.path() / "in"));
+  }
+}
+
+// dcm2niix refuses 12-bit JPEG. Lossy, so DCMTK's own decoder tells what it holds.
+TEST(Dcm2niixAgreement, TwelveBitJpegEqualsDcmtksDecoder) {
+  FACENAV_NEEDS_PROGRAM("dcmcjpeg");
+  FACENAV_NEEDS_PROGRAM("dcmdjpeg");
+  const TemporaryFolder folder;
+  writeSlices(folder.path() / "in", makeSlices(6));
+  for (const char* name : {"jpeg", "raw"}) std::filesystem::create_directory(folder.path() / name);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "in")) {
+    const std::string name = entry.path().filename().string();
+    const std::string command = "cd '" + folder.path().string() + "' && dcmcjpeg +ee in/" + name + " jpeg/" +
+                                name + " >/dev/null 2>&1 && dcmdjpeg jpeg/" + name + " raw/" + name +
+                                " >/dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+  }
+  expectSameInWorld(load(folder.path() / "jpeg"), load(folder.path() / "raw"));
+}
+
+// One rescale for all frames: dcm2niix applies the first frame's to all.
+TEST(Dcm2niixAgreement, EnhancedMultiFrame) {
+  FACENAV_NEEDS_PROGRAM("dcm2niix");
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / "in/a", enhancedFile({10, 1, explicitLittle(), false}));
+  expectAgreement(folder.path() / "in");
 }
 
 TEST(Dcm2niixAgreement, Deflated) {

@@ -148,6 +148,40 @@ TEST(ListSeries, OtherFilesArePassedOver) {
   EXPECT_EQ(list(folder.path()).size(), 1u);
 }
 
+/// A table of contents (PS3.10 8): told by the SOP class in its meta header alone.
+std::string dicomDir() {
+  DataSetBytes meta(explicitLittle());
+  meta.raw(0x00020002, "UI", "1.2.840.10008.1.3.10").raw(0x00020010, "UI", "1.2.840.10008.1.2.1");
+  DataSetBytes length(explicitLittle());
+  length.raw(0x00020000, "UL", length.encoded(std::uint32_t(meta.bytes().size()), 4));
+  DataSetBytes content(explicitLittle());
+  content.raw(0x00041130, "CS", "EXPORT").sequence(0x00041220, {});
+  return std::string(128, '\0') + "DICM" + length.bytes() + meta.bytes() + content.bytes();
+}
+
+TEST(ListSeries, DicomDirStandsForItsFolder) {
+  const TemporaryFolder folder;
+  writeSlices(folder.path() / "IMAGES/A", makeSlices(4));
+  writeBytes(folder.path() / "DICOMDIR", dicomDir());
+  for (const auto& input : {folder.path(), folder.path() / "DICOMDIR"}) {
+    const auto series = list(input);
+    ASSERT_EQ(series.size(), 1u) << input;
+    EXPECT_TRUE(series[0].is_loadable) << series[0].problem;
+  }
+  TaskMonitor monitor;
+  EXPECT_EQ(dicom::importVolume(folder.path() / "DICOMDIR", std::nullopt, monitor).volume.grid.size[2], 4);
+}
+
+TEST(ListSeries, DamagedDicomDirLeavesTheSeriesBesideItAlone) {
+  const TemporaryFolder folder;
+  writeSlices(folder.path(), makeSlices(4));
+  const std::string whole = dicomDir();
+  writeBytes(folder.path() / "DICOMDIR", whole.substr(0, whole.size() - 5));
+  const auto series = list(folder.path());
+  ASSERT_EQ(series.size(), 1u);
+  EXPECT_TRUE(series[0].is_loadable) << series[0].problem;
+}
+
 TEST(ListSeries, RefusesWhatHoldsNoDicom) {
   const TemporaryFolder folder;
   EXPECT_THROW(list(folder.path()), Error);

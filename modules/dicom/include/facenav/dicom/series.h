@@ -30,16 +30,19 @@ struct SeriesInfo {
   std::vector<std::vector<int>>
       frames;  // per file the frames of this volume; empty: every frame of every file
   bool is_loadable = false;
-  std::string problem;                 // why not, in words, when !is_loadable
-  std::filesystem::path problem_file;  // the file at fault, where there is one
-  std::vector<std::string> notes;      // duplicates dropped, lossy compression, CT gives the scalp only, ..
-  bool is_fit_for_navigation = false;  // a T1 of the whole head with voxels of at most 1.2 mm
-  std::string fitness;                 // "fit for navigation", or what stands against it, in words
-  bool is_recommended = false;         // the best T1 for navigation among those listed
+  std::string problem;                   // why not, in words, when !is_loadable
+  std::filesystem::path problem_file;    // the file at fault, where there is one
+  std::vector<std::string> notes;        // duplicates dropped, lossy compression, CT gives the scalp only, ..
+  bool is_fit_for_navigation = false;    // a T1 of the whole head with voxels of at most 1.2 mm
+  std::string fitness;                   // "fit for navigation", or what stands against it, in words
+  bool is_recommended = false;           // the best T1 for navigation among those listed
+  std::filesystem::path thumbnail_file;  // its middle image, for thumbnail.h; empty where it holds none
+  int thumbnail_frame = 0;
 };
 
-/// Every series under `folder` (recursively) or of the one file given, the recommended first. Files that are
-/// not DICOM are passed over. Throws Error when the path does not exist or holds no DICOM at all.
+/// Every series under `folder` (recursively) or of the one file given, the recommended first. A DICOMDIR
+/// stands for its folder. Files that are not DICOM are passed over. Throws Error when the path does not exist
+/// or holds no DICOM at all.
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& folder, TaskMonitor& monitor);
 
 /// Throws Error naming the file: missing slice, unequal spacing, mixed orientation, truncated pixel data, ...
