@@ -87,37 +87,32 @@ void note(Pass& pass, double ms, const std::optional<double>& error_mm) {
 
 using Clock = double (*)();
 
-Pass headPass(const Film& film, tracking::HeadTracker& tracker, Clock clock) {
+/// Each frame through a tracker; `error_mm` of a pose against the truth of its frame.
+template <class Tracker, class ErrorOf>
+Pass run(const Film& film, Tracker& tracker, Clock clock, const ErrorOf& error_mm) {
   Pass pass;
-  tracker.start(film.rig, film.reference);
   for (std::size_t i = 0; i < film.frames.size(); ++i) {
     const double start_ms = clock();
     const auto pose = tracker.track(*film.frames[i]);
     const double ms = clock() - start_ms;
-    std::optional<double> error_mm;
-    if (pose) {
-      const auto camera_T_mri = pose->camera_T_head * film.at_reference.reframe<Head, Mri>();
-      error_mm = ((camera_T_mri * film.target).mm - (film.truth[i].camera_T_mri * film.target).mm).norm();
-    }
-    note(pass, ms, error_mm);
+    note(pass, ms, pose ? std::optional<double>(error_mm(*pose, film.truth[i])) : std::nullopt);
   }
   return pass;
 }
 
+Pass headPass(const Film& film, tracking::HeadTracker& tracker, Clock clock) {
+  tracker.start(film.rig, film.reference);
+  return run(film, tracker, clock, [&](const tracking::HeadPose& pose, const room::GroundTruth& truth) {
+    const auto camera_T_mri = pose.camera_T_head * film.at_reference.reframe<Head, Mri>();
+    return ((camera_T_mri * film.target).mm - (truth.camera_T_mri * film.target).mm).norm();
+  });
+}
+
 Pass coilPass(const Film& film, tracking::CoilTracker& tracker, Clock clock) {
-  Pass pass;
   tracker.start(film.rig, film.coil);
-  for (std::size_t i = 0; i < film.frames.size(); ++i) {
-    const double start_ms = clock();
-    const auto pose = tracker.track(*film.frames[i]);
-    const double ms = clock() - start_ms;
-    std::optional<double> error_mm;
-    if (pose)
-      error_mm =
-          (pose->camera_T_marker.translation_mm() - film.truth[i].camera_T_marker->translation_mm()).norm();
-    note(pass, ms, error_mm);
-  }
-  return pass;
+  return run(film, tracker, clock, [&](const tracking::CoilPose& pose, const room::GroundTruth& truth) {
+    return (pose.camera_T_marker.translation_mm() - truth.camera_T_marker->translation_mm()).norm();
+  });
 }
 
 Pass together(const Pass& a, const Pass& b) {

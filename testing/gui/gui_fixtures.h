@@ -7,6 +7,7 @@
 
 #include "facenav/session/preparation.h"
 #include "presenters/case_model.h"
+#include "support/ball_mesh.h"
 #include "support/test_data.h"
 
 namespace facenav::ui::fixtures {
@@ -16,26 +17,6 @@ inline bool waitFor(const std::function<bool()>& condition, int limit_ms = 20000
   timer.start();
   while (!condition() && timer.elapsed() < limit_ms) QApplication::processEvents(QEventLoop::AllEvents, 20);
   return condition();
-}
-
-inline surface::TriangleMesh ballMesh(double radius_mm) {
-  surface::TriangleMesh mesh;
-  const int rows = 30, columns = 40;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const double phi = M_PI * i / (rows - 1), theta = 2 * M_PI * j / (columns - 1);
-      const Eigen::Vector3d d(std::sin(phi) * std::cos(theta), std::sin(phi) * std::sin(theta),
-                              std::cos(phi));
-      mesh.vertices_mm.push_back(radius_mm * d);
-      mesh.normals.push_back(d);
-    }
-  for (int i = 0; i + 1 < rows; ++i)
-    for (int j = 0; j + 1 < columns; ++j) {
-      const int a = i * columns + j;
-      mesh.triangles.emplace_back(a, a + columns, a + 1);
-      mesh.triangles.emplace_back(a + 1, a + columns, a + columns + 1);
-    }
-  return mesh;
 }
 
 /// Skin at 90 mm, grey inside; no brain.
@@ -53,7 +34,7 @@ inline casefile::PreparedCase ballCase() {
         prepared.head_mask.voxels.push_back(r < 90);
       }
   prepared.head_mask.grid = grid;
-  prepared.scalp.mesh = ballMesh(90.0);
+  prepared.scalp.mesh = testing::ballMesh(90.0);
   prepared.scalp.has_face = true;
   prepared.findings = {"no brain model: a ball has none"};
   return prepared;

@@ -67,6 +67,13 @@ Vector6d seatError(const ScenarioOptions& options) {
 
 }  // namespace
 
+Parts::Place Parts::at(double share) const {
+  double from = 0.0;
+  auto now = parts_.begin();
+  while (share >= now->until) from = (now++)->until;
+  return {now->label, (share - from) / (now->until - from)};
+}
+
 RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const VirtualPatient& patient) {
   // The patient looks at the cameras: anterior towards them, superior up, the patient's right on the image's
   // left.

@@ -28,17 +28,19 @@ RigidTransform<Room, Coil> coilWithMarkerAt(const Setting& setting, const Eigen:
 }
 
 /// The parts of "lost", in order: until when (0..1), what happens.
-struct Part {
-  double until;
-  const char* label;
-};
-constexpr Part kLostParts[] = {{0.14, "face in view"}, {0.34, "head turns away and back"},
-                               {0.44, "face in view"}, {0.64, "head leaves the view and returns"},
-                               {0.70, "face in view"}, {0.75, "both cameras black"},
-                               {0.79, "face in view"}, {0.83, "left camera black"},
-                               {0.87, "face in view"}, {0.91, "cameras frozen"},
-                               {0.94, "face in view"}, {0.97, "left and right swapped"},
-                               {1.01, "face in view"}};
+const Parts kLostParts({{0.14, "face in view"},
+                        {0.34, "head turns away and back"},
+                        {0.44, "face in view"},
+                        {0.64, "head leaves the view and returns"},
+                        {0.70, "face in view"},
+                        {0.75, "both cameras black"},
+                        {0.79, "face in view"},
+                        {0.83, "left camera black"},
+                        {0.87, "face in view"},
+                        {0.91, "cameras frozen"},
+                        {0.94, "face in view"},
+                        {0.97, "left and right swapped"},
+                        {1.01, "face in view"}});
 
 CameraFault faultOf(const std::string& label) {
   if (label == "both cameras black") return CameraFault::black_both;
@@ -107,12 +109,9 @@ MomentOf lightingScript(const Setting& setting) {
 MomentOf lostScript(const Setting& setting) {
   return [setting](int frame) {
     const double part = setting.part(frame);
-    double from = 0.0;
-    const Part* now = kLostParts;
-    while (part >= now->until) from = now->until, ++now;
-    const double inside = (part - from) / (now->until - from);
+    const auto [label, inside] = kLostParts.at(part);
     Moment moment;
-    moment.label = now->label;
+    moment.label = label;
     moment.fault = faultOf(moment.label);
     Vector6 by = sway(setting.time_s(frame), setting.options.motion);
     if (moment.label == "head turns away and back") by[1] += 160.0 * hill(inside);

@@ -8,19 +8,15 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// The parts of "other_face", in order: until when (0..1), what happens.
-struct Part {
-  double until;
-  const char* label;
-};
-constexpr Part kOtherFaceParts[] = {{0.15, "patient"},
-                                    {0.30, "another person in the patient's place"},
-                                    {0.45, "patient"},
-                                    {0.55, "patient leaves"},
-                                    {0.65, "another person comes in"},
-                                    {0.75, "another person in the patient's place"},
-                                    {0.82, "another person leaves"},
-                                    {0.90, "patient comes back"},
-                                    {1.01, "patient"}};
+const Parts kOtherFaceParts({{0.15, "patient"},
+                             {0.30, "another person in the patient's place"},
+                             {0.45, "patient"},
+                             {0.55, "patient leaves"},
+                             {0.65, "another person comes in"},
+                             {0.75, "another person in the patient's place"},
+                             {0.82, "another person leaves"},
+                             {0.90, "patient comes back"},
+                             {1.01, "patient"}});
 constexpr double kAway_mm = 700.0;
 
 }  // namespace
@@ -53,12 +49,9 @@ MomentOf maskScript(const Setting& setting) {
 MomentOf otherFaceScript(const Setting& setting) {
   return [setting](int frame) {
     const double part = setting.part(frame);
-    double from = 0.0;
-    const Part* now = kOtherFaceParts;
-    while (part >= now->until) from = now->until, ++now;
-    const double inside = (part - from) / (now->until - from);
+    const auto [label, inside] = kOtherFaceParts.at(part);
     Moment moment;
-    moment.label = now->label;
+    moment.label = label;
     Vector6 by = sway(setting.time_s(frame), setting.options.motion);
     if (moment.label == "patient leaves") by[3] += kAway_mm * ease(inside);
     if (moment.label == "another person comes in") by[3] += kAway_mm * ease(1.0 - inside);

@@ -2,6 +2,7 @@
 // What every script starts from, and the small steps they share.
 
 #include <functional>
+#include <vector>
 
 #include "head_motion.h"
 #include "script.h"
@@ -25,6 +26,25 @@ struct Setting {
   HeadMotion motion(MotionSize size) const;
   /// Middle of the seated face, Room mm.
   Eigen::Vector3d face_mm() const { return (seat * face_middle).mm; }
+};
+
+/// What happens one after the other in a script: each part lasts until its share (0..1) of the whole.
+class Parts {
+ public:
+  struct Part {
+    double until;
+    const char* label;
+  };
+  struct Place {
+    const char* label;
+    double inside;  // 0 at the part's start, 1 at its end
+  };
+  /// In order; the last one must reach beyond 1.
+  explicit Parts(std::vector<Part> parts) : parts_(std::move(parts)) {}
+  Place at(double share) const;
+
+ private:
+  std::vector<Part> parts_;
 };
 
 using MomentOf = std::function<Moment(int frame)>;

@@ -21,6 +21,8 @@ class vtkRenderer;
 namespace facenav::scene {
 
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* poly, const palette::Rgb& colour);
+/// In the plane z = 0.
+vtkSmartPointer<vtkPolyData> makeRectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 void setColour(vtkActor* actor, const palette::Rgb& colour);
 
 vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain);

@@ -2,10 +2,8 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkDiskSource.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -15,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actors.h"
 #include "facenav/scene/palette.h"
 #include "image_bridge.h"
 
@@ -43,18 +42,8 @@ vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& c
 
 /// A bar from (0,0) along +x, length 1, width 1: scaled and turned per frame.
 vtkSmartPointer<vtkActor> bar(const palette::Rgb& colour, double depth) {
-  vtkNew<vtkPoints> points;
-  for (const auto& p :
-       {Eigen::Vector2d(0, -0.5), Eigen::Vector2d(1, -0.5), Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0, 0.5)})
-    points->InsertNextPoint(p.x(), p.y(), 0);
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType ids[4] = {0, 1, 2, 3};
-  cells->InsertNextCell(4, ids);
-  vtkNew<vtkPolyData> poly;
-  poly->SetPoints(points);
-  poly->SetPolys(cells);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(poly);
+  mapper->SetInputData(makeRectangle({0, -0.5}, {1, 0.5}));
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetPosition(0, 0, depth);

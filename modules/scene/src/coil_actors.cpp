@@ -5,8 +5,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
-#include <vtkSphereSource.h>
 #include <vtkRenderer.h>
+#include <vtkSphereSource.h>
 #include <vtkTransform.h>
 #include <vtkTubeFilter.h>
 

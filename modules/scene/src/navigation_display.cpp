@@ -2,13 +2,11 @@
 
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkImageMapper3D.h>
 #include <vtkImageProperty.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
@@ -20,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "actors.h"
 #include "facenav/scene/bulls_eye.h"
 #include "facenav/scene/palette.h"
 #include "image_bridge.h"
@@ -110,18 +109,8 @@ vtkSmartPointer<vtkTextActor> NavigationDisplay::Implementation::text(double x, 
 
 vtkSmartPointer<vtkActor2D> NavigationDisplay::Implementation::box(double x, double y, double w, double h,
                                                                    const palette::Rgb& colour) {
-  vtkNew<vtkPoints> points;
-  for (const auto& p :
-       {Eigen::Vector2d(0, 0), Eigen::Vector2d(w, 0), Eigen::Vector2d(w, h), Eigen::Vector2d(0, h)})
-    points->InsertNextPoint(p.x(), p.y(), 0);
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType ids[4] = {0, 1, 2, 3};
-  cells->InsertNextCell(4, ids);
-  vtkNew<vtkPolyData> poly;
-  poly->SetPoints(points);
-  poly->SetPolys(cells);
   vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(poly);
+  mapper->SetInputData(makeRectangle({0, 0}, {w, h}));
   auto actor = vtkSmartPointer<vtkActor2D>::New();
   actor->SetMapper(mapper);
   actor->SetPosition(x, y);

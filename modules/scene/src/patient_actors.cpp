@@ -6,6 +6,7 @@
 #include <vtkLookupTable.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -19,6 +20,15 @@
 #include "image_bridge.h"
 
 namespace facenav::scene {
+
+vtkSmartPointer<vtkPolyData> makeRectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(low.x(), low.y(), 0);
+  plane->SetPoint1(high.x(), low.y(), 0);
+  plane->SetPoint2(low.x(), high.y(), 0);
+  plane->Update();
+  return plane->GetOutput();
+}
 
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* poly, const palette::Rgb& colour) {
   vtkNew<vtkPolyDataMapper> mapper;

@@ -7,32 +7,13 @@
 #include "facenav/scene/display.h"
 #include "facenav/scene/navigation_display.h"
 #include "facenav/scene/palette.h"
+#include "support/ball_mesh.h"
 
 #define FACENAV_NEEDS_DISPLAY() \
   if (!hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run"
 
 namespace facenav::scene {
 namespace {
-
-surface::TriangleMesh ball(double radius_mm) {
-  surface::TriangleMesh mesh;
-  const int rows = 40, columns = 60;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const double phi = M_PI * i / (rows - 1), theta = 2 * M_PI * j / (columns - 1);
-      const Eigen::Vector3d d(std::sin(phi) * std::cos(theta), std::sin(phi) * std::sin(theta),
-                              std::cos(phi));
-      mesh.vertices_mm.push_back(radius_mm * d);
-      mesh.normals.push_back(d);
-    }
-  for (int i = 0; i + 1 < rows; ++i)
-    for (int j = 0; j + 1 < columns; ++j) {
-      const int a = i * columns + j;
-      mesh.triangles.emplace_back(a, a + columns, a + 1);
-      mesh.triangles.emplace_back(a + 1, a + columns, a + columns + 1);
-    }
-  return mesh;
-}
 
 guidance::Target topTarget() {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();  // z down into the head, y anterior, x = y cross z = left
@@ -66,7 +47,7 @@ class NavigationSceneTest : public ::testing::Test {
  protected:
   void prepare() {
     scene_ = std::make_unique<NavigationScene>();
-    scene_->setScalp(ball(100));
+    scene_->setScalp(testing::ballMesh(100, 40, 60));
     scene_->setTargets({topTarget()}, "vertex");
     scene_->setView(ViewPreset::target);
   }

@@ -27,7 +27,7 @@ std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double no
   while (int(views.size()) < count) {
     const Eigen::Matrix3d r = expRotation({0.6 * unit(random), 0.6 * unit(random), 0.4 * unit(random)});
     const Eigen::Vector3d t(110 * unit(random), 80 * unit(random), 560 + 150 * unit(random));
-    BoardView view{"view " + std::to_string(views.size()), {}, {}};
+    BoardView view{"view " + std::to_string(views.size()), {}, {}, {}, {}};
     bool is_inside = true;
     for (const cv::Point3f& p : boardPoints(kBoard)) {
       const Eigen::Vector3d q = r * Eigen::Vector3d(p.x - 80, p.y - 50, 0) + t;
