@@ -14,20 +14,17 @@ namespace {
 
 constexpr char kFile[] = "sign_off.json";
 
-/// What a person looks at: the masks' contours and the surfaces made from them.
-std::map<std::string, std::string> seenFiles(const CaseStore& store) {
-  std::map<std::string, std::string> seen;
-  for (const char* name : {"head_mask.nii.gz", "brain_mask.nii.gz", "scalp.vtp", "brain.vtp"})
-    if (fs::exists(store.folder() / name)) seen[name] = sha256OfFile(store.folder() / name);
-  return seen;
-}
-
 void requireWillingness(const SignOffRequest& request, const std::vector<std::string>& findings) {
   if (request.by.empty()) throw Error("nobody is named who checked the case", {}, "give a name or initials");
   if (findings.empty() || request.acknowledges_findings) return;
   throw Error(
       std::to_string(findings.size()) + " finding(s) are not acknowledged, the first: " + findings.front(),
       {}, "look at each, then acknowledge them");
+}
+
+void requireUnchanged(const SignOffRequest& request, const std::map<std::string, std::string>& now) {
+  if (!request.shown_sha256 || *request.shown_sha256 == now) return;
+  throw Error("the case's files changed since they were shown", {}, "open the case again and look anew");
 }
 
 SignOff readSignOff(const fs::path& path) {
@@ -54,19 +51,55 @@ void write(const SignOff& sign_off, const fs::path& path) {
   writePrivateFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-WorklistEntry entryOf(const fs::path& folder) {
+CaseState stateOf(const CaseStore& store, const SignOffStatus& status) {
+  if (!status.holds()) return CaseState::prepared;
+  return store.targets().targets.empty() ? CaseState::checked : CaseState::planned;
+}
+
+std::vector<std::string> differences(const std::map<std::string, std::string>& then,
+                                     const std::map<std::string, std::string>& now) {
+  std::vector<std::string> names;
+  for (const auto& [name, hash] : then)
+    if (const auto found = now.find(name); found == now.end() || found->second != hash) names.push_back(name);
+  for (const auto& [name, hash] : now)
+    if (!then.count(name)) names.push_back(name);
+  return names;
+}
+
+/// Of every file directly in the case; one that vanishes meanwhile changes it, as it should.
+std::string stampOf(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  std::error_code fault;
+  for (fs::directory_iterator item(folder, fault), end; !fault && item != end; item.increment(fault)) {
+    std::error_code absent;
+    files[item->path().filename().string()] =
+        std::to_string(fs::is_directory(item->path(), absent) ? 0 : fs::file_size(item->path(), absent)) +
+        "@" + std::to_string(fs::last_write_time(item->path(), absent).time_since_epoch().count());
+  }
+  std::string stamp;
+  for (const auto& [name, text] : files) stamp += name + ":" + text + ";";
+  return stamp;
+}
+
+WorklistEntry entryOf(const fs::path& folder, const std::vector<WorklistEntry>& known) {
   WorklistEntry entry;
   entry.folder = folder;
+  entry.stamp = stampOf(folder);
+  for (const auto& earlier : known)
+    if (earlier.folder == folder && earlier.stamp == entry.stamp) return earlier;
+  const std::string stamp = entry.stamp;
   try {
     const auto store = CaseStore::open(folder);
     entry.case_id = store.caseId();
     entry.created_utc = store.createdUtc();
     entry.findings = store.findings();
-    if (const auto sign_off = validSignOff(store)) entry.checked_by = sign_off->by;
-    entry.state = stateOf(store);
+    const auto status = signOffStatus(store);
+    if (status.holds()) entry.checked_by = status.last->by;
+    entry.state = stateOf(store, status);
   } catch (const Error& error) {
     entry = {};
     entry.folder = folder;
+    entry.stamp = stamp;
     entry.problem = error.what();
   }
   return entry;
@@ -86,27 +119,39 @@ std::string toString(CaseState state) {
   return {};
 }
 
+/// What a person looks at: the masks' contours and the surfaces made from them.
+std::map<std::string, std::string> seenFiles(const CaseStore& store) {
+  std::map<std::string, std::string> seen;
+  for (const char* name : {"head_mask.nii.gz", "brain_mask.nii.gz", "scalp.vtp", "brain.vtp"})
+    if (fs::exists(store.folder() / name)) seen[name] = sha256OfFile(store.folder() / name);
+  return seen;
+}
+
 SignOff signOff(const CaseStore& store, const SignOffRequest& request) {
   const auto findings = store.findings();
   requireWillingness(request, findings);
   SignOff sign_off{request.by, utcNow(), request.note, findings, std::nullopt, seenFiles(store)};
+  requireUnchanged(request, sign_off.seen_sha256);
   if (const auto brain = store.brainMask()) sign_off.brain_ml = brain->volume_ml();
   write(sign_off, store.folder() / kFile);
   return sign_off;
 }
 
-std::optional<SignOff> validSignOff(const CaseStore& store) {
+SignOffStatus signOffStatus(const CaseStore& store) {
+  SignOffStatus status;
   const fs::path path = store.folder() / kFile;
-  if (!fs::exists(path)) return std::nullopt;
-  auto sign_off = readSignOff(path);
-  if (sign_off.seen_sha256 != seenFiles(store)) return std::nullopt;
-  return sign_off;
+  if (!fs::exists(path)) return status;
+  status.last = readSignOff(path);
+  status.changed = differences(status.last->seen_sha256, seenFiles(store));
+  return status;
 }
 
-CaseState stateOf(const CaseStore& store) {
-  if (!validSignOff(store)) return CaseState::prepared;
-  return store.targets().targets.empty() ? CaseState::checked : CaseState::planned;
+std::optional<SignOff> validSignOff(const CaseStore& store) {
+  const auto status = signOffStatus(store);
+  return status.holds() ? status.last : std::nullopt;
 }
+
+CaseState stateOf(const CaseStore& store) { return stateOf(store, signOffStatus(store)); }
 
 void recordOverride(const CaseStore& store, const std::string& by, const std::string& reason,
                     const std::string& software_version) {
@@ -116,7 +161,7 @@ void recordOverride(const CaseStore& store, const std::string& by, const std::st
       {"override", software_version, {{"by", by}, {"reason", reason}, {"utc", utcNow()}}, {}});
 }
 
-std::vector<WorklistEntry> listCases(const fs::path& folder) {
+std::vector<WorklistEntry> listCases(const fs::path& folder, const std::vector<WorklistEntry>& known) {
   std::error_code fault;
   fs::directory_iterator content(folder, fault);
   if (fault)
@@ -124,7 +169,7 @@ std::vector<WorklistEntry> listCases(const fs::path& folder) {
                 "check the path");
   std::vector<WorklistEntry> entries;
   for (const auto& item : content)
-    if (fs::is_regular_file(item.path() / "case.json", fault)) entries.push_back(entryOf(item.path()));
+    if (fs::is_regular_file(item.path() / "case.json", fault)) entries.push_back(entryOf(item.path(), known));
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     if (a.problem.empty() != b.problem.empty()) return a.problem.empty();
     return a.created_utc != b.created_utc ? a.created_utc > b.created_utc : a.folder < b.folder;

@@ -59,6 +59,24 @@ TEST(SignOff, IsVoidOnceTheMaskIsAnother) {
   EXPECT_EQ(stateOf(store), CaseState::prepared);
 }
 
+TEST(SignOff, SaysWhichFileMadeItVoidAndRefusesAnotherCaseThanWasShown) {
+  const facenav::testing::TemporaryFolder folder;
+  const auto store = madeStore(folder.path() / "case");
+  EXPECT_FALSE(signOffStatus(store).last);
+  const auto shown = seenFiles(store);
+  signOff(store, {"A. R.", "", true, shown});
+  EXPECT_TRUE(signOffStatus(store).holds());
+  auto edited = *store.brainMask();
+  edited.voxels.front() = !edited.voxels.front();
+  volume::writeMask(edited, store.folder() / "brain_mask.nii.gz");
+  const auto status = signOffStatus(store);
+  ASSERT_TRUE(status.last);
+  EXPECT_FALSE(status.holds());
+  EXPECT_EQ(status.changed, std::vector<std::string>{"brain_mask.nii.gz"});
+  EXPECT_THROW(signOff(store, {"A. R.", "", true, shown}), Error);
+  EXPECT_FALSE(signOffStatus(store).holds());
+}
+
 TEST(SignOff, DoesNotOutliveTheModel) {
   const facenav::testing::TemporaryFolder folder;
   signOff(madeStore(folder.path() / "case"), {"A. R.", "", true});
@@ -107,6 +125,17 @@ TEST(Worklist, ListsCasesWithStateAndNamesTheDamagedLast) {
     EXPECT_EQ(entry.findings.size(), 1u);
   }
   EXPECT_THROW(listCases(folder.path() / "nowhere"), Error);
+}
+
+TEST(Worklist, TakesOverWhatDidNotChangeAndReadsAnewWhatDid) {
+  const facenav::testing::TemporaryFolder folder;
+  const auto store = madeStore(folder.path() / "case");
+  auto known = listCases(folder.path());
+  ASSERT_EQ(known.size(), 1u);
+  known.front().checked_by = "taken over";  // tells a reused entry from one read anew
+  EXPECT_EQ(listCases(folder.path(), known).front().checked_by, "taken over");
+  signOff(store, {"A. R.", "", true});
+  EXPECT_EQ(listCases(folder.path(), known).front().checked_by, "A. R.");
 }
 
 }  // namespace

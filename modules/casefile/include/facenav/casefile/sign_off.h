@@ -24,16 +24,31 @@ struct SignOff {
   std::map<std::string, std::string> seen_sha256;  // file name in the case -> hash
 };
 
+/// File name in the case -> hash of everything that a sign-off vouches for: masks and surfaces.
+std::map<std::string, std::string> seenFiles(const CaseStore& store);
+
 struct SignOffRequest {
   std::string by, note;
   bool acknowledges_findings = false;
+  /// seenFiles() of when the case was shown; given, the sign-off is refused where a file changed since.
+  std::optional<std::map<std::string, std::string>> shown_sha256 = {};
 };
 
-/// Writes sign_off.json (whole, 0600). Throws Error: no name given, or findings that were not acknowledged.
+/// Writes sign_off.json (whole, 0600). Throws Error: no name given, findings that were not acknowledged, or
+/// files that are no longer those shown.
 SignOff signOff(const CaseStore& store, const SignOffRequest& request);
 /// Nothing where there is none, or where a file that it rests on has changed since. Throws Error for a
 /// malformed file.
 std::optional<SignOff> validSignOff(const CaseStore& store);
+/// The last sign-off and whether it still holds.
+struct SignOffStatus {
+  std::optional<SignOff> last;       // nothing: the case was never signed off
+  std::vector<std::string> changed;  // files that changed, came or went since
+
+  bool holds() const { return last.has_value() && changed.empty(); }
+};
+/// Throws Error for a malformed file.
+SignOffStatus signOffStatus(const CaseStore& store);
 /// planned needs a valid sign-off and a target; a target alone leaves the case prepared.
 CaseState stateOf(const CaseStore& store);
 /// A treatment on a case that nobody signed off: kept in case.json with name and reason. Throws Error without
@@ -48,9 +63,12 @@ struct WorklistEntry {
   CaseState state = CaseState::prepared;
   std::vector<std::string> findings;
   std::string checked_by, problem;
+  std::string stamp;  // sizes and times of the case's files: the same stamp, the same entry
 };
 /// The cases directly in `folder`, newest first, damaged ones last. Throws Error when the folder cannot be
-/// read.
-std::vector<WorklistEntry> listCases(const std::filesystem::path& folder);
+/// read. An entry of `known` (an earlier list) is taken over where nothing in its folder changed, which saves
+/// reading and hashing its files.
+std::vector<WorklistEntry> listCases(const std::filesystem::path& folder,
+                                     const std::vector<WorklistEntry>& known = {});
 
 }  // namespace facenav::casefile
