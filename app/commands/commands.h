@@ -23,6 +23,8 @@ void addTarget(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);
+/// `facenav evaluate prepare`, below evaluate.
+void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

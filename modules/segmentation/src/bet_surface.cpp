@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "brain_morphology.h"
+#include "facenav/volume/mask_morphology.h"
 
 namespace facenav::segmentation {
 namespace {

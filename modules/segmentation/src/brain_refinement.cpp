@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "brain_morphology.h"
+#include "facenav/volume/mask_morphology.h"
 
 namespace facenav::segmentation {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "brain_checks.h"
-#include "brain_morphology.h"
+#include "facenav/volume/mask_morphology.h"
 #include "brain_refinement.h"
 #include "brain_start.h"
 #include "facenav/segmentation/segmenter.h"

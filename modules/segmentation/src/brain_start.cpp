@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brain_morphology.h"
+#include "facenav/volume/mask_morphology.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/regrid.h"
 

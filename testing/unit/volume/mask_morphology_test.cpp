@@ -1,23 +1,23 @@
-#include "brain_morphology.h"
+#include "facenav/volume/mask_morphology.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-namespace facenav::segmentation {
+namespace facenav::volume {
 namespace {
 
-volume::Mask emptyMask(int n, double spacing_mm = 1.0) {
-  volume::Mask mask;
+Mask emptyMask(int n, double spacing_mm = 1.0) {
+  Mask mask;
   mask.grid.size = {n, n, n};
   mask.grid.mri_from_voxel.linear() *= spacing_mm;
   mask.voxels.assign(mask.grid.count(), 0);
   return mask;
 }
 
-volume::Mask ball(int n, double radius) {
-  volume::Mask mask = emptyMask(n);
+Mask ball(int n, double radius) {
+  Mask mask = emptyMask(n);
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
@@ -25,12 +25,10 @@ volume::Mask ball(int n, double radius) {
   return mask;
 }
 
-std::size_t countOf(const volume::Mask& mask) {
-  return std::count(mask.voxels.begin(), mask.voxels.end(), 1);
-}
+std::size_t countOf(const Mask& mask) { return std::count(mask.voxels.begin(), mask.voxels.end(), 1); }
 
-TEST(BrainMorphology, DistanceEqualsTheBruteForceSearch) {
-  volume::Mask mask = emptyMask(14, 0.8);
+TEST(MaskMorphology, DistanceEqualsTheBruteForceSearch) {
+  Mask mask = emptyMask(14, 0.8);
   std::mt19937 random(5);
   for (int n = 0; n < 12; ++n) mask.voxels[random() % mask.voxels.size()] = 1;
   const auto distance = distanceTo(mask);
@@ -47,26 +45,39 @@ TEST(BrainMorphology, DistanceEqualsTheBruteForceSearch) {
       }
 }
 
-TEST(BrainMorphology, ErosionUndoesDilationOfABall) {
-  const auto small = ball(41, 8), large = ball(41, 12);
-  EXPECT_GE(volume::overlap(dilate(small, 4), large).dice, 0.95);
-  EXPECT_GE(volume::overlap(erode(large, 4), small).dice, 0.95);
+TEST(MaskMorphology, DistanceIsInMillimetresOnUnequalSpacing) {
+  Mask mask = emptyMask(12);
+  mask.grid.mri_from_voxel.linear() = Eigen::Vector3d(0.7, 1.0, 2.5).asDiagonal();
+  const std::array<int, 3> from{3, 8, 2};
+  mask.voxels[mask.grid.index(from[0], from[1], from[2])] = 1;
+  const auto distance = distanceTo(mask);
+  for (int k = 0; k < 12; ++k)
+    for (int j = 0; j < 12; ++j)
+      for (int i = 0; i < 12; ++i)
+        ASSERT_NEAR(distance[mask.grid.index(i, j, k)], std::hypot(0.7 * (i - 3), j - 8, 2.5 * (k - 2)),
+                    1e-4);
 }
 
-TEST(BrainMorphology, ClosingFillsASlitAndOpeningCutsAThread) {
-  volume::Mask slit = ball(41, 14);
+TEST(MaskMorphology, ErosionUndoesDilationOfABall) {
+  const auto small = ball(41, 8), large = ball(41, 12);
+  EXPECT_GE(overlap(dilate(small, 4), large).dice, 0.95);
+  EXPECT_GE(overlap(erode(large, 4), small).dice, 0.95);
+}
+
+TEST(MaskMorphology, ClosingFillsASlitAndOpeningCutsAThread) {
+  Mask slit = ball(41, 14);
   for (int k = 20; k < 41; ++k)
     for (int j = 0; j < 41; ++j)
       for (int i = 19; i <= 21; ++i) slit.voxels[slit.grid.index(i, j, k)] = 0;
   EXPECT_TRUE(close(slit, 2.5).at(20, 20, 26));
-  volume::Mask thread = ball(41, 10);
+  Mask thread = ball(41, 10);
   for (int k = 0; k < 41; ++k) thread.voxels[thread.grid.index(20, 20, k)] = 1;
   EXPECT_FALSE(open(thread, 2).at(20, 20, 2));
   EXPECT_TRUE(open(thread, 2).at(20, 20, 20));
 }
 
-TEST(BrainMorphology, KeepsTheLargestPartAndFillsHoles) {
-  volume::Mask mask = ball(41, 9);
+TEST(MaskMorphology, KeepsTheLargestPartAndFillsHoles) {
+  Mask mask = ball(41, 9);
   mask.voxels[mask.grid.index(1, 1, 1)] = 1;
   mask.voxels[mask.grid.index(20, 20, 20)] = 0;
   const std::size_t whole = countOf(mask);
@@ -75,4 +86,4 @@ TEST(BrainMorphology, KeepsTheLargestPartAndFillsHoles) {
 }
 
 }  // namespace
-}  // namespace facenav::segmentation
+}  // namespace facenav::volume

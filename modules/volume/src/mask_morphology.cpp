@@ -1,25 +1,24 @@
-#include "brain_morphology.h"
+#include "facenav/volume/mask_morphology.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
-namespace facenav::segmentation {
+namespace facenav::volume {
 namespace {
 
-using volume::Mask;
-using volume::VoxelGrid;
 constexpr float kFar = 1e9f;
 
-/// Lower envelope of parabolas along one line (Felzenszwalb and Huttenlocher 2012), voxel units squared.
+/// Lower envelope of parabolas along one line (Felzenszwalb and Huttenlocher 2012), mm squared.
 struct LineTransform {
   explicit LineTransform(int longest) : f(longest), corner(longest), from(longest), start(longest + 1) {}
   std::vector<float> f;
   std::vector<int> corner;
   std::vector<float> from, start;
 
-  void run(float* line, std::size_t stride, int n) {
+  /// `w`: the squared step in mm^2.
+  void run(float* line, std::size_t stride, int n, float w) {
     for (int i = 0; i < n; ++i) f[i] = line[i * stride];
     int k = -1;
     for (int q = 0; q < n; ++q) {
@@ -27,7 +26,7 @@ struct LineTransform {
       float s = -kFar;
       while (k >= 0) {
         const int v = corner[k];
-        s = ((f[q] + float(q) * q) - (f[v] + float(v) * v)) / (2.f * (q - v));
+        s = ((f[q] + w * float(q) * q) - (f[v] + w * float(v) * v)) / (2.f * w * (q - v));
         if (s > start[k]) break;
         --k;
       }
@@ -39,14 +38,14 @@ struct LineTransform {
     for (int q = 0, c = 0; q < n; ++q) {
       while (c < k && start[c + 1] < q) ++c;
       const float d = float(q - corner[c]);
-      line[q * stride] = d * d + f[corner[c]];
+      line[q * stride] = w * d * d + f[corner[c]];
     }
   }
 };
 
 /// All lines of `n` values `stride` apart that start at `first` + 0 .. `lines` - 1, a block of neighbours at
 /// a time, so that a fetched cache line is used whole.
-void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t stride, int n,
+void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t stride, int n, float w,
               LineTransform& line) {
   constexpr int kBlock = 16;
   std::vector<float> block(std::size_t(n) * kBlock);
@@ -54,7 +53,7 @@ void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t s
     const int width = std::min(kBlock, lines - start);
     for (int q = 0; q < n; ++q)
       std::copy_n(&d[first + start + q * stride], width, &block[std::size_t(q) * kBlock]);
-    for (int l = 0; l < width; ++l) line.run(&block[l], kBlock, n);
+    for (int l = 0; l < width; ++l) line.run(&block[l], kBlock, n, w);
     for (int q = 0; q < n; ++q)
       std::copy_n(&block[std::size_t(q) * kBlock], width, &d[first + start + q * stride]);
   }
@@ -65,19 +64,18 @@ std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
   std::vector<float> d(mask.voxels.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = (mask.voxels[i] != 0) == (target != 0) ? 0.f : kFar;
   LineTransform line(*std::max_element(n.begin(), n.end()));
+  const Eigen::Array3f w = mask.grid.spacing_mm().array().square().cast<float>();
   for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) line.run(&d[mask.grid.index(0, j, k)], 1, n[0]);
-    runLines(d, mask.grid.index(0, 0, k), n[0], n[0], n[1], line);
+    for (int j = 0; j < n[1]; ++j) line.run(&d[mask.grid.index(0, j, k)], 1, n[0], w[0]);
+    runLines(d, mask.grid.index(0, 0, k), n[0], n[0], n[1], w[1], line);
   }
   for (int j = 0; j < n[1]; ++j)
-    runLines(d, mask.grid.index(0, j, 0), n[0], std::size_t(n[0]) * n[1], n[2], line);
+    runLines(d, mask.grid.index(0, j, 0), n[0], std::size_t(n[0]) * n[1], n[2], w[2], line);
   return d;
 }
 
-float squaredRadius(const Mask& mask, double radius_mm) {
-  const double voxels = radius_mm / mask.grid.spacing_mm().mean();
-  return float(voxels * voxels * (1 + 1e-6));
-}
+/// A hair more, so that a voxel at exactly the radius counts whatever the rounding.
+float squaredRadius(double radius_mm) { return float(radius_mm * radius_mm * (1 + 1e-5)); }
 
 Mask keep(const Mask& mask, const std::vector<float>& value, bool (*rule)(float, float), float limit) {
   Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
@@ -122,27 +120,24 @@ std::vector<std::vector<std::uint32_t>> parts(const Mask& mask) {
 
 std::vector<float> distanceTo(const Mask& mask) {
   auto d = squaredDistance(mask, 1);
-  const float spacing = float(mask.grid.spacing_mm().mean());
-  for (float& v : d) v = std::sqrt(v) * spacing;
+  for (float& v : d) v = std::sqrt(v);
   return d;
 }
 
 std::vector<float> depthWithin(const Mask& mask) {
   auto d = squaredDistance(mask, 0);
-  const float spacing = float(mask.grid.spacing_mm().mean());
-  for (float& v : d) v = std::sqrt(v) * spacing;
+  for (float& v : d) v = std::sqrt(v);
   return d;
 }
 
 Mask dilate(const Mask& mask, double radius_mm) {
   return keep(
-      mask, squaredDistance(mask, 1), [](float d, float r) { return d <= r; },
-      squaredRadius(mask, radius_mm));
+      mask, squaredDistance(mask, 1), [](float d, float r) { return d <= r; }, squaredRadius(radius_mm));
 }
 
 Mask erode(const Mask& mask, double radius_mm) {
   return keep(
-      mask, squaredDistance(mask, 0), [](float d, float r) { return d > r; }, squaredRadius(mask, radius_mm));
+      mask, squaredDistance(mask, 0), [](float d, float r) { return d > r; }, squaredRadius(radius_mm));
 }
 
 Mask close(const Mask& mask, double radius_mm) { return erode(dilate(mask, radius_mm), radius_mm); }
@@ -188,6 +183,17 @@ Mask fillHoles(const Mask& mask) {
   return out;
 }
 
+Mask surfaceVoxels(const Mask& mask) {
+  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
+  for (std::size_t v = 0; v < out.voxels.size(); ++v) {
+    if (!mask.voxels[v]) continue;
+    int inner = 0;
+    neighbours(mask.grid, v, [&](std::size_t next) { inner += mask.voxels[next] != 0; });
+    out.voxels[v] = inner < 6;
+  }
+  return out;
+}
+
 Mask intersection(const Mask& a, const Mask& b) {
   Mask out = a;
   for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = a.voxels[i] & b.voxels[i];
@@ -218,4 +224,4 @@ Mask grow(const Mask& seed, const Mask& all, int steps) {
   return out;
 }
 
-}  // namespace facenav::segmentation
+}  // namespace facenav::volume

@@ -1,0 +1,34 @@
+#pragma once
+// The tables of `facenav evaluate prepare`: one row per volume and method (against a true mask, with time and
+// memory), one row per perturbation. Markdown for people, CSV for programs; empty where not measured.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/evaluation/mask_agreement.h"
+
+namespace facenav::evaluation {
+
+struct MaskRow {
+  std::string volume, truth, method;  // truth: "tissue, closed", "with fluid", "" where there is none
+  std::optional<MaskAgreement> agreement;
+  double brain_ml = 0;
+  double wall_s = 0, processor_s = 0, peak_mib = 0;
+  std::string failure;  // one line, where there is no mask
+};
+
+struct PerturbationRow {
+  std::string volume, method, perturbation;
+  bool must_hold = true;               // a standard one, not another kind of head
+  std::optional<MaskAgreement> moved;  // against the unperturbed mask of the same method
+  std::optional<MaskAgreement> truth;  // against the true mask
+  std::string failure;
+};
+
+std::string maskMarkdown(const std::vector<MaskRow>& rows);
+std::string maskCsv(const std::vector<MaskRow>& rows);
+std::string perturbationMarkdown(const std::vector<PerturbationRow>& rows);
+std::string perturbationCsv(const std::vector<PerturbationRow>& rows);
+
+}  // namespace facenav::evaluation
