@@ -24,7 +24,7 @@ packages=(
   libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
   xvfb xauth mricron-data fonts-dejavu-core
 )
-test_packages=(libgtest-dev libgmock-dev dcm2niix dcmtk opencv-doc python3-skimage python3-nibabel)
+test_packages=(libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk opencv-doc python3-skimage python3-nibabel)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }
@@ -98,7 +98,7 @@ build() {
   if [ ! -f build/release/build.ninja ] || ! grep -q "FACENAV_BUILD_TESTS:BOOL=$tests" build/release/CMakeCache.txt; then
     say "configuring"
     [ "$tests" = ON ] && nvcc=$(working_nvcc)
-    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= \
+    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_BUILD_BENCHMARKS="$tests" -DFACENAV_ONLY= \
       ${nvcc:+-DFACENAV_CUDA=ON "-DCMAKE_CUDA_COMPILER=$nvcc"} >"$log" 2>&1 || explain "configuring"
   fi
   ninja -C build/release -n 2>/dev/null | grep -q 'no work to do' && return

@@ -1,7 +1,13 @@
 // The coil's marker beside its peers in one run: error against the truth of a ray-cast scene, and time of a
 // tracked frame and of a whole frame (processor time, one core). Peers: cv::aruco with sub-pixel corners, its
-// pose by solvePnP IPPE from the left image, and by triangulated corners from both. Prints Markdown tables.
+// pose by solvePnP IPPE from the left image, and by triangulated corners from both; the AprilTag library
+// where it is installed. Prints Markdown tables.
 // coil_tracking_benchmark [poses per row, 60]
+
+#ifdef FACENAV_HAS_APRILTAG
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +29,6 @@
 
 using namespace facenav;
 using namespace facenav::tracking;
-using facenav::testing::processor_ms;
 using facenav::testing::quantile;
 namespace scene = facenav::tracking::testing;
 
@@ -50,7 +55,7 @@ struct Conditions {
   scene::SceneOptions options;
 };
 
-std::vector<View> views(const Conditions& conditions, int count) {
+std::vector<View> views(const Conditions& conditions, int count, int dictionary = cv::aruco::DICT_4X4_50) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   std::vector<View> made;
@@ -63,13 +68,25 @@ std::vector<View> views(const Conditions& conditions, int count) {
                                          360 * part(random), 360 * part(random), side_mm);
     scene::SceneOptions options = conditions.options;
     options.seed = unsigned(i + 1);
-    View view{scene::renderMarkers(conditions.rig,
-                                   {{scene::arucoPrint(cv::aruco::DICT_4X4_50, 7), 60.0, truth}}, options),
-              truth};
+    View view{
+        scene::renderMarkers(conditions.rig, {{scene::arucoPrint(dictionary, 7), 60.0, truth}}, options),
+        truth};
     view.frame.captured.s = 10.0 * i;  // too long ago to predict from
     made.push_back(std::move(view));
   }
   return made;
+}
+
+/// From the corners in both images: top left, top right, bottom right, bottom left of a print of 60 mm.
+std::optional<Pose> poseOf(const stereo::StereoRig& rig, const std::vector<cv::Point2f>& left,
+                           const std::vector<cv::Point2f>& right) {
+  if (left.empty() || right.empty()) return std::nullopt;
+  std::vector<Eigen::Vector3d> from_mm, to_mm;
+  for (std::size_t i = 0; i < 4; ++i) {
+    from_mm.emplace_back(i == 1 || i == 2 ? 30.0 : -30.0, i < 2 ? -30.0 : 30.0, 0.0);
+    to_mm.push_back(stereo::triangulate(rig, {left[i].x, left[i].y}, {right[i].x, right[i].y}).mm);
+  }
+  return Pose::fromIsometry(fitRigidPoints(from_mm, to_mm).to_T_from);
 }
 
 class Aruco {
@@ -91,14 +108,7 @@ class Aruco {
     return Pose::fromIsometry(pose);
   }
   std::optional<Pose> fromBoth(const stereo::StereoFrame& frame) const {
-    const auto left = detect(frame.left), right = detect(frame.right);
-    if (left.empty() || right.empty()) return std::nullopt;
-    std::vector<Eigen::Vector3d> from_mm, to_mm;
-    for (std::size_t i = 0; i < 4; ++i) {
-      from_mm.emplace_back(i == 1 || i == 2 ? 30.0 : -30.0, i < 2 ? -30.0 : 30.0, 0.0);
-      to_mm.push_back(stereo::triangulate(rig_, {left[i].x, left[i].y}, {right[i].x, right[i].y}).mm);
-    }
-    return Pose::fromIsometry(fitRigidPoints(from_mm, to_mm).to_T_from);
+    return poseOf(rig_, detect(frame.left), detect(frame.right));
   }
 
  private:
@@ -118,6 +128,49 @@ class Aruco {
   cv::Ptr<cv::aruco::DetectorParameters> parameters_ = cv::aruco::DetectorParameters::create();
 };
 
+#ifdef FACENAV_HAS_APRILTAG
+/// The AprilTag library on a print of its own family, as it comes but for full resolution.
+class AprilTag {
+ public:
+  explicit AprilTag(const stereo::StereoRig& rig) : rig_(rig) {
+    apriltag_detector_add_family(detector_, family_);
+    detector_->quad_decimate = 1.0f;  // half resolution, its default, loses corners' exactness
+    detector_->nthreads = 1;
+  }
+  ~AprilTag() {
+    apriltag_detector_destroy(detector_);
+    tag36h11_destroy(family_);
+  }
+  AprilTag(const AprilTag&) = delete;
+  AprilTag& operator=(const AprilTag&) = delete;
+  std::optional<Pose> fromBoth(const stereo::StereoFrame& frame) const {
+    return poseOf(rig_, detect(frame.left), detect(frame.right));
+  }
+
+ private:
+  std::vector<cv::Point2f> detect(const cv::Mat& grey) const {
+    image_u8_t image{grey.cols, grey.rows, int(grey.step), grey.data};
+    zarray_t* found = apriltag_detector_detect(detector_, &image);
+    std::vector<cv::Point2f> corners;
+    for (int i = 0; i < zarray_size(found); ++i) {
+      apriltag_detection_t* tag = nullptr;
+      zarray_get(found, i, &tag);
+      if (tag->id != 7) continue;
+      // Its corners run counter-clockwise, the print stands upside down beside OpenCV's; pixel centres lie at
+      // .5.
+      for (const int corner : {1, 0, 3, 2})
+        corners.emplace_back(float(tag->p[corner][0] - 0.5), float(tag->p[corner][1] - 0.5));
+      break;
+    }
+    apriltag_detections_destroy(found);
+    return corners;
+  }
+  const stereo::StereoRig& rig_;
+  apriltag_family_t* family_ = tag36h11_create();
+  apriltag_detector_t* detector_ = apriltag_detector_create();
+};
+#endif
+
 struct Figures {
   std::vector<double> translation_mm, rotation_deg, time_ms;
   int lost = 0, wrong = 0;
@@ -126,9 +179,9 @@ struct Figures {
 Figures measure(const std::vector<View>& views, const Method& method) {
   Figures figures;
   for (const View& view : views) {
-    const double start = processor_ms();
+    const double start = processorTime_ms();
     const auto pose = method(view.frame);
-    figures.time_ms.push_back(processor_ms() - start);
+    figures.time_ms.push_back(processorTime_ms() - start);
     if (!pose) {
       ++figures.lost;
       continue;
@@ -159,9 +212,9 @@ Figures tracked(const Conditions& conditions, const std::vector<View>& found, do
     if (!tracker->track(view.frame)) continue;
     stereo::StereoFrame next = view.frame;
     next.captured.s += 0.01;
-    const double start = processor_ms();
+    const double start = processorTime_ms();
     const auto pose = tracker->track(next);
-    figures.time_ms.push_back(processor_ms() - start);
+    figures.time_ms.push_back(processorTime_ms() - start);
     if (!pose) {
       ++figures.lost;
       continue;
@@ -197,6 +250,12 @@ void compare(const Conditions& conditions, int count) {
            measure(found, [&](const auto& f) { return aruco.fromLeft(f); }));
   printRow(conditions.name, "aruco, both, triangulated",
            measure(found, [&](const auto& f) { return aruco.fromBoth(f); }));
+#ifdef FACENAV_HAS_APRILTAG
+  const AprilTag april(conditions.rig);
+  printRow(conditions.name, "AprilTag 36h11 at the same places, both, triangulated",
+           measure(views(conditions, count, cv::aruco::DICT_APRILTAG_36h11),
+                   [&](const auto& f) { return april.fromBoth(f); }));
+#endif
 }
 
 /// Frames without the marker: what a lost coil costs.
@@ -209,12 +268,12 @@ void printLost(const stereo::StereoRig& rig, int count) {
     scene::SceneOptions options;
     options.seed = unsigned(i + 1);
     const auto frame = scene::renderMarkers(rig, {}, options);
-    double start = processor_ms();
+    double start = processorTime_ms();
     if (tracker->track(frame)) std::printf("found a marker where there is none\n");
-    ours_ms.push_back(processor_ms() - start);
-    start = processor_ms();
+    ours_ms.push_back(processorTime_ms() - start);
+    start = processorTime_ms();
     if (aruco.fromBoth(frame)) std::printf("aruco found a marker where there is none\n");
-    peer_ms.push_back(processor_ms() - start);
+    peer_ms.push_back(processorTime_ms() - start);
   }
   std::printf("\nNo marker in the clutter: FaceNav %.2f ms (p99 %.2f), aruco %.2f ms (p99 %.2f)\n",
               quantile(ours_ms, 0.5), quantile(ours_ms, 0.99), quantile(peer_ms, 0.5),
