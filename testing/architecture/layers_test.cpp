@@ -24,6 +24,7 @@ const std::map<std::string, std::set<std::string>> kMayUse{
     {"stereo", {"geometry"}},
     {"dicom", {"volume"}},
     {"segmentation", {"volume"}},
+    {"editing", {"volume"}},
     {"surface", {"volume"}},
     {"atlas", {"volume"}},
     {"capture", {"stereo"}},
