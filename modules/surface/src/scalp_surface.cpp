@@ -2,6 +2,7 @@
 
 #include "face_check.h"
 #include "facenav/core/error.h"
+#include "masked_air.h"
 #include "scalp_edge.h"
 #include "scalp_outline.h"
 
@@ -37,11 +38,13 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
     throw Error("no scalp: the head mask is empty", {}, "redo the head mask");
   const MeshNeighbours neighbours = neighboursOf(scalp.mesh);
   monitor.report("scalp", 0.3);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {4.0, 3.0, 0.7, 4, 2.0});
+  const auto unmasked = withoutMaskStep(volume, head);
+  const volume::Volume& scan = unmasked ? *unmasked : volume;
+  moveOntoEdge(scalp.mesh, neighbours, scan, {4.0, 3.0, 0.7, 4, 2.0});
   monitor.report("scalp", 0.5);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {3.0, 3.0, 0.6, 3, 1.0});
+  moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.6, 3, 1.0});
   monitor.report("scalp", 0.7);
-  moveOntoEdge(scalp.mesh, neighbours, volume, {3.0, 3.0, 0.5, 3, 0.7});
+  moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.5, 3, 0.7});
   scalp.field_of_view = endsOf(volume.grid);
   const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
   scalp.has_face = face.has_face;

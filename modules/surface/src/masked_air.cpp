@@ -1,0 +1,60 @@
+#include "masked_air.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace facenav::surface {
+namespace {
+
+/// The value that more than half of the voxels outside the head have exactly.
+std::optional<float> commonAir(const volume::Volume& scan, const volume::Mask& head) {
+  std::vector<float> outside;
+  for (std::size_t v = 0; v < scan.voxels.size(); v += 7)  // a prime: no axis is favoured
+    if (!head.voxels[v]) outside.push_back(scan.voxels[v]);
+  if (outside.empty()) return {};
+  // A value that more than half have is the median.
+  const auto middle = outside.begin() + std::ptrdiff_t(outside.size() / 2);
+  std::nth_element(outside.begin(), middle, outside.end());
+  const float air = *middle;
+  const auto same = std::count(outside.begin(), outside.end(), air);
+  return 2 * std::size_t(same) > outside.size() ? std::optional<float>(air) : std::nullopt;
+}
+
+/// Values brighter than air that touch it across a face of a voxel.
+std::vector<float> besideAir(const volume::Volume& scan, float air) {
+  std::vector<float> values;
+  const auto& size = scan.grid.size;
+  const std::array<std::size_t, 3> stride{1, std::size_t(size[0]), std::size_t(size[0]) * size[1]};
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) {
+        const std::array<int, 3> at{i, j, k};
+        const std::size_t v = scan.grid.index(i, j, k);
+        if (!(scan.voxels[v] > air)) continue;
+        for (std::size_t a = 0; a < 3; ++a)
+          if ((at[a] > 0 && scan.voxels[v - stride[a]] == air) ||
+              (at[a] + 1 < size[a] && scan.voxels[v + stride[a]] == air)) {
+            values.push_back(scan.voxels[v]);
+            break;
+          }
+      }
+  return values;
+}
+
+}  // namespace
+
+std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const volume::Mask& head) {
+  const auto air = commonAir(scan, head);
+  if (!air) return {};
+  std::vector<float> beside = besideAir(scan, *air);
+  if (beside.size() < 100) return {};
+  // Nearly the least of them: a few voxels inside the head may be darker than the threshold.
+  const auto low = beside.begin() + std::ptrdiff_t(beside.size() / 10);
+  std::nth_element(beside.begin(), low, beside.end());
+  volume::Volume raised = scan;
+  for (float& value : raised.voxels) value = std::max(value, *low);
+  return raised;
+}
+
+}  // namespace facenav::surface
