@@ -47,22 +47,29 @@ Nose findNose(const FaceRelief& relief) {
   return best;
 }
 
-/// Share of the columns 20 to 45 mm beside the midline that fall back by more than 8 mm within 5 mm
-/// downwards: the ledge that defacing leaves. Looked for between `from_row` and `to_row`.
+/// Does `column` fall back by more than 8 mm within 5 mm below `row`, and stay back? An eye socket falls
+/// back, too, but the cheek below it comes forward again by a third of that at least.
+bool isLedge(const FaceRelief& relief, int row, int column) {
+  const float above = relief.at(row, column), below = relief.at(row + 2, column);
+  if (above <= FaceRelief::kNone || below <= FaceRelief::kNone || above - below <= 8) return false;
+  float foremost = below;
+  for (int next = row + 3; next <= row + cells(30); ++next)
+    foremost = std::max(foremost, relief.at(next, column));
+  return foremost < below + (above - below) / 3;
+}
+
+/// Share of the columns 20 to 45 mm beside the midline that have a ledge between `from_row` and `to_row`, on
+/// the side with fewer: defacing cuts across both, a turned head shows the ledge of one brow.
 double ledgeShare(const FaceRelief& relief, int from_row, int to_row) {
-  int with = 0, all = 0;
-  for (int c = -cells(45); c <= cells(45); ++c) {
-    if (std::abs(c) < cells(20)) continue;
-    ++all;
-    for (int row = from_row; row + 2 <= to_row; ++row) {
-      const float above = relief.at(row, relief.midline + c), below = relief.at(row + 2, relief.midline + c);
-      if (above > FaceRelief::kNone && below > FaceRelief::kNone && above - below > 8) {
-        ++with;
-        break;
-      }
-    }
-  }
-  return double(with) / all;
+  int with[2] = {0, 0};
+  for (const int side : {0, 1})
+    for (int c = cells(20); c <= cells(45); ++c)
+      for (int row = from_row; row + 2 <= to_row; ++row)
+        if (isLedge(relief, row, relief.midline + (side ? c : -c))) {
+          ++with[side];
+          break;
+        }
+  return double(std::min(with[0], with[1])) / (cells(45) - cells(20) + 1);
 }
 
 /// Median |left - right| 20 to 40 mm beside the midline against the same on the forehead above, mm.

@@ -21,9 +21,16 @@ ScalpSurface scalpOf(const Volume& volume) {
   return extractScalp(volume, segmentation::makeHeadSegmenter()->segment(volume, monitor).mask, monitor);
 }
 
-Volume virtualPatient() {
-  const Volume full = volume::readNifti(facenav::testing::virtualPatientMri()).volume;
-  return volume::resample(full, volume::isotropicGrid(full.grid, 1.5));
+const Volume& virtualPatient() {
+  static const Volume coarse = [] {
+    const Volume full = volume::readNifti(facenav::testing::virtualPatientMri()).volume;
+    return volume::resample(full, volume::isotropicGrid(full.grid, 1.5));
+  }();
+  return coarse;
+}
+const ScalpSurface& virtualPatientsScalp() {
+  static const ScalpSurface scalp = scalpOf(virtualPatient());
+  return scalp;
 }
 
 /// Sets to 0 what `is_removed` says of a point in Mri.
@@ -51,12 +58,36 @@ TEST(FaceCheck, AcceptsAScanThatEndsAtMidNoseWithCaution) {
   EXPECT_THAT(scalp.findings, Contains(HasSubstr("scan ends at mid-nose")));
 }
 
+/// The scan without all that lies below `z_mm`.
+Volume endingAt(const Volume& scan, double z_mm) {
+  const Volume whole = volume::toRasOrder(scan);
+  Volume cut = whole;
+  const int first = int(std::lround(
+      whole.grid.toVoxel(Point<Mri>(whole.grid.centre().mm.x(), whole.grid.centre().mm.y(), z_mm)).z()));
+  cut.grid.size[2] -= first;
+  cut.grid.mri_from_voxel.translation() = whole.grid.toMri({0.0, 0.0, double(first)}).mm;
+  cut.voxels.assign(whole.voxels.begin() + std::ptrdiff_t(whole.grid.index(0, 0, first)), whole.voxels.end());
+  return cut;
+}
+
+TEST(FaceCheck, AcceptsScansThatEndBelowTheNose) {
+  FACENAV_NEEDS(facenav::testing::virtualPatientMri());
+  const Volume& whole = virtualPatient();
+  double top = -1e9;
+  for (const auto& v : virtualPatientsScalp().mesh.vertices_mm) top = std::max(top, v.z());
+  const auto lip = scalpOf(endingAt(whole, top - 170));
+  EXPECT_TRUE(lip.has_face);
+  EXPECT_THAT(lip.findings, Contains(HasSubstr("scan ends at the upper lip")));
+  const auto nose = scalpOf(endingAt(whole, top - 134));
+  EXPECT_TRUE(nose.has_face);
+  EXPECT_THAT(nose.findings, Contains(HasSubstr("scan ends at mid-nose")));
+}
+
 TEST(FaceCheck, SeesThatTheFaceWasCutAway) {
   FACENAV_NEEDS(facenav::testing::virtualPatientMri());
-  const Volume whole = virtualPatient();
-  const auto whole_scalp = scalpOf(whole);
+  const Volume& whole = virtualPatient();
   double top = -1e9, front = -1e9;
-  for (const auto& v : whole_scalp.mesh.vertices_mm)
+  for (const auto& v : virtualPatientsScalp().mesh.vertices_mm)
     top = std::max(top, v.z()), front = std::max(front, v.y());
   const double brow_z = top - 95;
   const auto box =
