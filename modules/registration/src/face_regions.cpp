@@ -104,4 +104,13 @@ double FaceRegions::softness(const Eigen::Vector3d& p_mri_mm) const {
   return d.z() > -12 ? below * from_nose : below;
 }
 
+double FaceRegions::foreignShare(const Eigen::Vector3d& p_mri_mm) const {
+  // The hairline lies 75 to 110 mm above the tip of the nose, and falls to the ears on both sides.
+  constexpr double kOnSkin = 0.05, kAboveHairline = 0.7, kLowest_mm = 60.0, kHighest_mm = 100.0;
+  const Eigen::Vector3d d = p_mri_mm - nose_;
+  const double above =
+      std::clamp((d.z() + 0.012 * d.x() * d.x() - kLowest_mm) / (kHighest_mm - kLowest_mm), 0.0, 1.0);
+  return kOnSkin + (kAboveHairline - kOnSkin) * above;
+}
+
 }  // namespace facenav::registration

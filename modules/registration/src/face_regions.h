@@ -19,6 +19,9 @@ class FaceRegions {
   /// 0 where skin lies close to bone (forehead, brow, bridge of the nose, cheekbones), 1 where cheeks, lips
   /// and jaw move and sag.
   double softness(const Eigen::Vector3d& p_mri_mm) const;
+  /// How often something else than skin is seen there: hair above the hairline and at the temples, seldom a
+  /// hand, a coil or a mask on the face.
+  double foreignShare(const Eigen::Vector3d& p_mri_mm) const;
 
  private:
   Eigen::Vector3d nose_;

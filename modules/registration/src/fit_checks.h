@@ -9,12 +9,12 @@ namespace facenav::registration {
 /// What the final fit is judged by.
 struct FitEvidence {
   std::size_t face_points = 0;  // on a 3 mm grid, with a counterpart that faces the camera, within 15 mm
-  double close_fraction = 0.0;  // of these: within 1.5 mm of the skin
-  double median_mm = 0.0, best_third_mm = 0.0;  // quantiles of |residual| of face points within 6 mm
+  double close_fraction = 0.0;  // of these, where bare skin is expected: within 1.5 mm of the skin
+  double median_mm = 0.0, best_third_mm = 0.0;  // quantiles of their |residual|, up to 6 mm
   double extent_mm = 0.0;           // four sigma of the close points across or up the face, the smaller
-  double predicted_error_mm = 0.0;  // at the middle of the head
-  double mirror_z = 0.0;            // how much better the skin fits than its mirror image, in sigmas
-  double support = 0.0, rival_support = 0.0;
+  double predicted_error_mm = 0.0;  // the largest in the brain
+  double mirror_log_odds = 0.0;     // logarithm of how much likelier the skin is than its mirror image
+  double rival_log_odds = 1e9;      // of how much likelier the pose is than the best one elsewhere
 };
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,

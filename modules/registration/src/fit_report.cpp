@@ -39,6 +39,17 @@ Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_m
   return carry * covariance * carry.transpose();
 }
 
+/// The largest predicted error where coils aim: up to 60 mm off the head's middle.
+double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& middle) {
+  constexpr double kBrain_mm = 60.0;
+  double worst = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-kBrain_mm, kBrain_mm})
+      worst =
+          std::max(worst, result.predictedError_mm(Point<Mri>(middle + side * Eigen::Vector3d::Unit(axis))));
+  return worst;
+}
+
 }  // namespace
 
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
@@ -60,26 +71,28 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 }
 
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const std::vector<Candidate>& rivals) {
+                       const Eigen::Isometry3d& closest, const std::vector<Candidate>& rivals) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
   result.covariance = inCamera(fit.belief.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
   result.freedom = fit.belief.freedom;
   result.misfit_mm = fit.belief.field_mm;
-  FitEvidence evidence = gatherEvidence(scalp, face, fit.mri_T_camera, rivals);
-  evidence.predicted_error_mm = result.predictedError_mm(Point<Mri>(scalp.middle_mm()));
+  FitEvidence evidence = gatherEvidence(scalp, face, closest, rivals);
+  evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
   requireTrust(evidence);
 
   std::vector<int> all(face.size());
   std::iota(all.begin(), all.end(), 0);
-  const auto matches = FieldFitter(scalp, face, all).match(fit.mri_T_camera);
-  const std::vector<float> weights = patchWeights(matches, 4.0);
+  const FieldFitter fitter(scalp, face, all);
+  const auto matches = fitter.match(fit.mri_T_camera), nearest = fitter.match(closest);
+  const std::vector<float> weights = patchWeights(nearest, 4.0);
   double squares = 0;
   std::size_t offered = 0;
   for (std::size_t p = 0; p < matches.size(); ++p) {
     const double residual = double(matches[p].residual_mm);
-    const bool is_inlier = weights[p] > 0 && std::abs(residual) < fit.limit_mm;
-    offered += matches[p].is_valid && std::abs(residual) < 15;
+    const bool is_inlier =
+        weights[p] > 0 && matches[p].is_valid && std::abs(nearest[p].residual_mm) < fit.limit_mm;
+    offered += nearest[p].is_valid && std::abs(nearest[p].residual_mm) < 15;
     result.is_inlier.push_back(is_inlier);
     result.residual_mm.push_back(residual);
     if (!is_inlier) continue;

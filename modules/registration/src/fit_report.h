@@ -21,9 +21,10 @@ FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const 
 FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                const Eigen::Isometry3d& pose, double limit_mm);
 
-/// Throws Error("not aligned: ...") when the fit is doubtful.
+/// Throws Error("not aligned: ...") when the fit is doubtful. `closest`: the pose before the misfit model,
+/// where the skins lie closest; the model may hold that one lies outside the other all over.
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const std::vector<Candidate>& rivals);
+                       const Eigen::Isometry3d& closest, const std::vector<Candidate>& rivals);
 
 /// The first reason not to try at all: no skin, a defaced scan, hardly any points. Throws Error("not aligned:
 /// ...").

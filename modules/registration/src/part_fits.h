@@ -1,8 +1,7 @@
 #pragma once
 // Fits that leave parts of the face out: hair, a hand, a coil or a mask lifts one region as a whole, and a
 // robust loss over everything then settles between face and hair (on scans that end at mid-nose, 5 mm off).
-// Each part is fitted alone, then all points from there, closely; the pose that most of the skin fits
-// closely wins. Foreign things lie outside the skin, never inside: points inside count against a pose.
+// Each part is fitted alone, then all points from there, closely; the most likely pose wins.
 
 #include "field_fit.h"
 
@@ -18,16 +17,5 @@ struct PartFit {
 /// The best of the poses that `mri_T_camera` (off by up to about 8 mm) leads to. `points`: of the head.
 PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                     const Eigen::Isometry3d& mri_T_camera);
-
-/// How much closer the same points fit in `one` than in `other`, in standard errors: the mean difference of
-/// closeness over patches of 25 mm, which count as independent, since misfit reaches that far.
-double pairedZ(const std::vector<PointMatch>& one, const std::vector<PointMatch>& other);
-
-/// How closely a point fits: 1 on the skin, 0 from a few mm outside on, down to -0.5 inside; the mean over
-/// three reaches, so that neither good nor bad skin models decide by their own noise.
-float closeness(const PointMatch& match);
-
-/// Sum of closeness over the points.
-double support(const FieldFitter& fitter, const Eigen::Isometry3d& mri_T_camera);
 
 }  // namespace facenav::registration

@@ -11,7 +11,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
   FinalFit fit = correct(scalp, face, robust.points, robust.mri_T_camera, robust.limit_mm);
   fit.belief.covariance += robust.doubt;
   monitor.report("checking the fit", 0.9);
-  return report(scalp, face, fit, rivals);
+  return report(scalp, face, fit, robust.mri_T_camera, rivals);
 }
 
 AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,

@@ -100,13 +100,23 @@ TEST(SurfaceAligner, RefusesAnotherPersonsScan) {
               ThrowsMessage<Error>(HasSubstr("not aligned: the face does not fit this MRI")));
 }
 
-TEST(SurfaceAligner, RefusesAMirroredScan) {
-  SkinModel mirrored = ModelHead().skin();
-  for (auto& p : mirrored.points.points_mm) p.x() *= -1;
-  for (auto& n : mirrored.points.normals) n.x() *= -1;
-  for (auto& t : mirrored.triangles) std::swap(t[1], t[2]);
-  EXPECT_THAT([&] { align(mirrored, measure(ModelHead(), facing(8, 4, 0), {})); },
-              ThrowsMessage<Error>(HasSubstr("mirrored")));
+SkinModel mirrored(SkinModel skin) {
+  for (auto& p : skin.points.points_mm) p.x() *= -1;
+  for (auto& n : skin.points.normals) n.x() *= -1;
+  for (auto& t : skin.triangles) std::swap(t[1], t[2]);
+  for (auto& [point, normal] : skin.field_of_view) point.mm.x() *= -1, normal.v.x() *= -1;
+  return skin;
+}
+
+TEST(SurfaceAligner, RefusesAMirroredScanAndNotTheRightOne) {
+  for (const std::uint32_t person : {61u}) {
+    const ModelHead head(person);
+    const auto truth = facing(8, 4, 0);
+    const auto cloud = measure(head, truth, {.seed = person});
+    EXPECT_THAT([&] { align(mirrored(head.skin()), cloud); }, ThrowsMessage<Error>(HasSubstr("mirror")))
+        << person;
+    expectClose(align(head.skin(), cloud), truth, 0.3, 0.15);
+  }
 }
 
 TEST(SurfaceAligner, RefusesWhatLacksAFaceOrShowsTooLittleOfIt) {
