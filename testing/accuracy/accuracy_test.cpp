@@ -37,6 +37,8 @@ TEST(Accuracy, AlignmentHeadAndCoilStayWithinTheGoals) {
   expectWithin(table.figure("", "alignment_target_mm"), 1.0, "alignment at the target");
   expectWithin(table.figure("", "alignment_deg"), 0.3, "alignment, rotation");
   expectWithin(table.figure("still", "jitter_mm"), 0.05, "static jitter");
+  expectWithin(table.figure("protractor", "motion_rms_mm"), 0.3, "protractor");
+  expectWithin(table.figure("protractor", "motion_p95_mm"), 0.6, "protractor");
   expectWithin(table.figure("protractor", "motion_rms_deg"), 0.15, "protractor, rotation");
   expectWithin(table.figure("coil_sweep", "coil_rms_mm"), 0.3, "coil, 400-900 mm");
   expectWithin(table.figure("coil_sweep", "coil_rms_deg"), 0.4, "coil, to 60 deg of tilt");

@@ -49,6 +49,36 @@ TEST_F(BidsBatch, AFailureStaysAloneAndASecondRunGoesOn) {
   EXPECT_THAT(second.output, Not(HasSubstr("sub-bad")));
 }
 
+/// The workflow around a stand-in for facenav-bids that fails for one participant.
+TEST_F(BidsBatch, TheSnakemakeWorkflowRunsEachParticipantAndGoesOnAfterAFailure) {
+  if (std::system("command -v snakemake >/dev/null") != 0) GTEST_SKIP() << "snakemake is not installed";
+  const fs::path program = folder_.path() / "stand_in", broken = folder_.path() / "broken";
+  std::ofstream(program) << "#!/bin/sh\necho \"$@\"\ncase \"$5\" in 02) test ! -e " << broken.string()
+                         << " ;; esac\n";
+  fs::permissions(program, fs::perms::owner_all);
+  for (const char* label : {"01", "02", "03"})
+    std::ofstream(addImage(std::string("sub-") + label, std::string("sub-") + label)) << "a volume";
+  const auto workflow = [&] {
+    return runProgram(
+        "snakemake", "-s '" FACENAV_SOURCE_DIR "/resources/snakemake/Snakefile' --cores 2 --keep-going -d '" +
+                         folder_.path().string() + "' --config bids='" + dataset().string() + "' out='" +
+                         output().string() + "' facenav_bids='" + program.string() + "'");
+  };
+  std::ofstream(broken) << "yes";
+  EXPECT_EQ(workflow().status, 1);
+  EXPECT_TRUE(fs::exists(output() / "logs/sub-01.done"));
+  EXPECT_FALSE(fs::exists(output() / "logs/sub-02.done"));
+  EXPECT_TRUE(fs::exists(output() / "logs/sub-03.done"));
+  EXPECT_FALSE(fs::exists(output() / "participants_table.txt"));
+
+  fs::remove(broken);
+  const auto first = fs::last_write_time(output() / "logs/sub-01.done");
+  EXPECT_EQ(workflow().status, 0);
+  EXPECT_TRUE(fs::exists(output() / "logs/sub-02.done"));
+  EXPECT_EQ(fs::last_write_time(output() / "logs/sub-01.done"), first) << "what is there is not done again";
+  EXPECT_THAT(readText(output() / "participants_table.txt"), HasSubstr("participant"));
+}
+
 TEST_F(BidsBatch, WrongInputIsOneLine) {
   EXPECT_THAT(run().errors, HasSubstr("no T1w image"));
   std::ofstream(addImage("sub-01", "sub-01")) << "no volume";
