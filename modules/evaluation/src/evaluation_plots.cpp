@@ -104,7 +104,8 @@ void addCoil(const std::vector<RunRecord>& runs, Album& album, const char* file,
 }
 
 void addTimelines(const std::vector<RunRecord>& runs, Album& album) {
-  for (const char* scenario : {"talking", "occlusion", "lighting", "glint", "mask", "mask_on", "other_face", "lost"}) {
+  for (const char* scenario :
+       {"talking", "occlusion", "lighting", "glint", "mask", "mask_on", "other_face", "lost"}) {
     std::vector<Curve> curves;
     double last_s = 0.1;
     for (const auto& run : runs) {

@@ -65,15 +65,15 @@ std::string number(double value) {
 
 class Canvas {
  public:
-  Canvas(const Axis& x, const Axis& y) : x_(x), y_(y) {}
+  Canvas(const Axis& x, const Axis& y, double top) : x_(x), y_(y), top_(top) {}
   double px(double x) const { return kLeft + (x - x_.low) / (x_.high - x_.low) * (kWidth - kLeft - kRight); }
   double py(double y) const {
-    return kHeight - kBottom - (y - y_.low) / (y_.high - y_.low) * (kHeight - kTop - kBottom);
+    return kHeight - kBottom - (y - y_.low) / (y_.high - y_.low) * (kHeight - top_ - kBottom);
   }
 
   void drawGrid(std::ostream& svg) const {
     for (double x = x_.low; x <= x_.high + x_.step / 2; x += x_.step)
-      svg << "<line x1='" << px(x) << "' x2='" << px(x) << "' y1='" << kTop << "' y2='" << kHeight - kBottom
+      svg << "<line x1='" << px(x) << "' x2='" << px(x) << "' y1='" << top_ << "' y2='" << kHeight - kBottom
           << "' stroke='#ddd'/><text x='" << px(x) << "' y='" << kHeight - kBottom + 18
           << "' text-anchor='middle'>" << number(x) << "</text>";
     for (double y = y_.low; y <= y_.high + y_.step / 2; y += y_.step)
@@ -83,10 +83,12 @@ class Canvas {
   }
   void drawCurve(std::ostream& svg, const Curve& curve, const std::string& colour) const {
     if (curve.is_line || curve.is_reference) drawLine(svg, curve, colour);
-    if (curve.is_reference || curve.points.size() > 120) return;
+    const bool is_crowded = curve.points.size() > 120;
+    if (curve.is_reference || (curve.is_line && is_crowded)) return;
     for (const auto& [x, y] : curve.points)
       if (std::isfinite(x) && std::isfinite(y))
-        svg << "<circle cx='" << px(x) << "' cy='" << py(y) << "' r='3' fill='" << colour << "'/>";
+        svg << "<circle cx='" << px(x) << "' cy='" << py(y) << "' r='" << (is_crowded ? 2 : 3) << "' fill='"
+            << colour << (is_crowded ? "' fill-opacity='0.5'/>" : "'/>");
   }
 
  private:
@@ -102,17 +104,23 @@ class Canvas {
     svg << "'/>";
   }
   Axis x_, y_;
+  double top_;
 };
 
-void drawLegend(std::ostream& svg, const std::vector<Curve>& curves,
-                const std::vector<std::string>& colours) {
-  double x = kLeft + 10;
+/// The legend's lines, as many as the names need; returns where they end.
+double drawLegend(std::ostream& svg, const std::vector<Curve>& curves,
+                  const std::vector<std::string>& colours) {
+  constexpr double kRow = 16, kFirst = 32;
+  double x = kLeft + 10, y = kFirst;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    svg << "<line x1='" << x << "' x2='" << x + 22 << "' y1='32' y2='32' stroke='" << colours[i]
-        << "' stroke-width='3'" << (curves[i].is_reference ? " stroke-dasharray='6 5'" : "") << "/><text x='"
-        << x + 27 << "' y='36'>" << escaped(curves[i].name) << "</text>";
-    x += 42 + 6.6 * double(curves[i].name.size());
+    const double width = 42 + 6.6 * double(curves[i].name.size());
+    if (x > kLeft + 10 && x + width > kWidth - kRight) x = kLeft + 10, y += kRow;
+    svg << "<line x1='" << x << "' x2='" << x + 22 << "' y1='" << y << "' y2='" << y << "' stroke='"
+        << colours[i] << "' stroke-width='3'" << (curves[i].is_reference ? " stroke-dasharray='6 5'" : "")
+        << "/><text x='" << x + 27 << "' y='" << y + 4 << "'>" << escaped(curves[i].name) << "</text>";
+    x += width;
   }
+  return y + kTop - kFirst;
 }
 
 }  // namespace
@@ -126,8 +134,8 @@ std::string svgPlot(const PlotText& text, const std::vector<Curve>& curves) {
     for (const auto& [x, y] : curve.points)
       if (std::isfinite(x) && std::isfinite(y)) x_range.include(x), y_range.include(y);
   }
-  const Canvas canvas(niceAxis(x_range), niceAxis(y_range));
-  std::ostringstream svg;
+  std::ostringstream svg, legend;
+  const Canvas canvas(niceAxis(x_range), niceAxis(y_range), drawLegend(legend, curves, colours));
   svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kWidth << ' ' << kHeight
       << "' font-family='sans-serif' font-size='12' fill='#222'><rect width='100%' height='100%' "
          "fill='white'/>";
@@ -135,7 +143,7 @@ std::string svgPlot(const PlotText& text, const std::vector<Curve>& curves) {
       << "</text>";
   canvas.drawGrid(svg);
   for (std::size_t i = 0; i < curves.size(); ++i) canvas.drawCurve(svg, curves[i], colours[i]);
-  drawLegend(svg, curves, colours);
+  svg << legend.str();
   svg << "<text x='" << kWidth / 2 << "' y='" << kHeight - 12 << "' text-anchor='middle'>"
       << escaped(text.x_label) << "</text><text transform='translate(18 " << kHeight / 2
       << ") rotate(-90)' text-anchor='middle'>" << escaped(text.y_label) << "</text></svg>\n";

@@ -54,6 +54,24 @@ TEST(SvgPlot, HoldsEachCurveAndEscapesItsText) {
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
+std::size_t countOf(const std::string& word, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST(SvgPlot, ShowsEveryMarkHoweverMany) {
+  Curve marks{"marks", {}, false};
+  for (int i = 0; i < 500; ++i) marks.points.push_back({i, i % 7});
+  EXPECT_EQ(countOf("<circle", svgPlot({"t", "x", "y"}, {marks})), 500u);
+}
+
+TEST(SvgPlot, WrapsALegendThatIsTooWide) {
+  std::vector<Curve> curves(5, Curve{"patient, f 654 b 79, seed 21", {{0, 1}, {1, 2}}});
+  const std::string svg = svgPlot({"t", "x", "y"}, curves);
+  EXPECT_EQ(countOf("x='107'", svg), 3u) << "two names a line";
+}
+
 TEST(SvgPlot, OfNothingIsStillAPlot) { EXPECT_THAT(svgPlot({"t", "x", "y"}, {}), Not(HasSubstr("nan"))); }
 
 TEST(HtmlReport, EscapesAndRefersToFigures) {
