@@ -55,6 +55,8 @@ class MarkerCoilTracker final : public CoilTracker {
     bool is_seen_in_left = false, is_seen_in_right = false;
   };
 
+  /// The whole frame. A coil that stays lost is looked for in one image at a time, by turns, and in the other
+  /// only when that one shows a marker: half the time, and found one frame later at most.
   Search searchAll(const stereo::StereoFrame& frame) const;
   void fitDetections(const stereo::StereoFrame& frame, const std::vector<MarkerDetection>& seen, bool is_left,
                      Search& search) const;
@@ -84,6 +86,7 @@ class MarkerCoilTracker final : public CoilTracker {
   };
   std::optional<Past> last_, before_;
   std::vector<std::size_t> last_markers_;
+  int lost_frames_ = 0;  // in a row
   std::optional<MarkerSighting> sighting_;
   stereo::RigUncertainty uncertainty_;
   std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
@@ -99,6 +102,7 @@ void MarkerCoilTracker::start(const stereo::StereoRig& rig, const CoilModel& coi
   last_.reset();
   before_.reset();
   sighting_.reset();
+  lost_frames_ = 0;
 }
 
 Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
@@ -124,6 +128,7 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   }
   last_.reset();
   before_.reset();
+  ++lost_frames_;
   if (found) return Lost{LostReason::camera};
   if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
   return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
@@ -163,13 +168,13 @@ std::optional<Solution> MarkerCoilTracker::fitPredicted(const stereo::StereoFram
 
 MarkerCoilTracker::Search MarkerCoilTracker::searchAll(const stereo::StereoFrame& frame) const {
   Search search;
-  const auto in_left = detectMarkers(frame.left, setup_.patterns);
-  search.is_seen_in_left = !in_left.empty();
-  fitDetections(frame, in_left, true, search);
-  if (!search.good.empty()) return search;
-  const auto in_right = detectMarkers(frame.right, setup_.patterns);
-  search.is_seen_in_right = !in_right.empty();
-  fitDetections(frame, in_right, false, search);
+  const bool is_left_first = lost_frames_ % 2 == 0;
+  for (const bool is_left : {is_left_first, !is_left_first}) {
+    const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup_.patterns);
+    (is_left ? search.is_seen_in_left : search.is_seen_in_right) = !seen.empty();
+    fitDetections(frame, seen, is_left, search);
+    if (!search.good.empty() || (seen.empty() && lost_frames_ > 0)) break;
+  }
   return search;
 }
 
@@ -302,6 +307,7 @@ Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_c
 }
 
 Tracked<CoilPose> MarkerCoilTracker::accept(const Solution& solution, double t_s) {
+  lost_frames_ = 0;
   before_ = last_;
   last_ = Past{solution.fit.camera_T_coil, t_s};
   last_markers_ = solution.markers;
