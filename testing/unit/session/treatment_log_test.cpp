@@ -1,0 +1,71 @@
+#include "facenav/session/treatment_log.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "facenav/casefile/poses_csv.h"
+#include "session_fakes.h"
+#include "support/test_data.h"
+
+namespace facenav::session {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr int kFrames = 20, kLostFrom = 8, kLostTo = 12;
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::unique_ptr<Session> session() {
+  const RigidTransform<Camera, Marker> marker(Eigen::Quaterniond::Identity(), {0, 0, 500});
+  auto navigator = std::make_unique<Navigator>(
+      fakes::setup(), std::make_unique<fakes::Head>([](std::int64_t n) {
+        return n >= kLostFrom && n < kLostTo ? std::nullopt : std::optional(RigidTransform<Camera, Head>());
+      }),
+      std::make_unique<fakes::Coil>(marker));
+  navigator->setTarget(fakes::targetAt(marker.reframe<Camera, Coil>()));
+  return std::make_unique<Session>(std::make_unique<fakes::Source>(kFrames, 0.02), std::move(navigator),
+                                   SessionOptions{});
+}
+
+TEST(TreatmentLog, KeepsPosesGuidanceLossesAndPulses) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(*running, folder.path());
+    place = log.folder();
+    log.addEvent("override", "B. C.: emergency");
+    running->start();
+    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    log.addPulse();
+    EXPECT_EQ(log.pulses(), 1);
+    EXPECT_EQ(log.failure(), "");
+  }
+  const auto rows = casefile::readPoses(place / "poses.csv");
+  ASSERT_FALSE(rows.empty());
+  int lost_heads = 0;
+  for (const auto& row : rows)
+    lost_heads += row.object == casefile::PoseObject::head && row.reason.has_value();
+  EXPECT_GT(lost_heads, 0);
+  EXPECT_LE(lost_heads, kLostTo - kLostFrom + 1);  // the blanked last state may be one more
+  const std::string events = contentOf(place / "events.jsonl");
+  for (const char* word : {"session started", "override", "emergency", "face found", "face lost", "no_face",
+                           "coil found", "pulse", "session ended"})
+    EXPECT_THAT(events, HasSubstr(word));
+  EXPECT_THAT(contentOf(place / "guidance.csv"), HasSubstr("spot"));
+}
+
+TEST(TreatmentLog, IsRefusedWhereTheCaseCannotBeWritten) {
+  const testing::TemporaryFolder folder;
+  auto idle = session();
+  EXPECT_THROW(TreatmentLog(*idle, folder.path() / "nowhere"), Error);
+}
+
+}  // namespace
+}  // namespace facenav::session
