@@ -1,0 +1,35 @@
+#pragma once
+// ContourMontage: what a person looks at before signing a model off: slices through the whole brain in three
+// orientations with the masks' contours, on one sheet. Computed, not rendered: needs no display.
+
+#include <vector>
+
+#include "facenav/core/rgb_image.h"
+#include "facenav/scene/slice_scene.h"
+
+namespace facenav::scene {
+
+struct MontageOptions {
+  int columns = 8, tile_px = 150;  // a tile is square
+  int axial_rows = 2, coronal_rows = 2, sagittal_rows = 1;
+};
+
+/// Top-left pixel of a tile and the slice that it shows (the middle of the content in the other two axes).
+struct MontageTile {
+  int u = 0, v = 0;
+  volume::Anatomical orientation = volume::Anatomical::axial;
+  Point<Mri> centre;
+};
+
+struct Montage {
+  RgbImage picture;
+  std::vector<MontageTile> tiles;
+  int tile_px = 0;
+};
+
+/// Even steps through `content` (the brain's mask, the head's where there is none), each tile cut to it with
+/// a margin; axial from top to bottom, coronal from front to back, sagittal from right to left. Empty for an
+/// empty mask. Crosshair and targets of `scene` are not drawn.
+Montage contourMontage(const SliceScene& scene, const volume::Mask& content, const MontageOptions& options);
+
+}  // namespace facenav::scene
