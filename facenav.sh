@@ -19,7 +19,7 @@ binaries="$root/build/release/bin"
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libeigen3-dev libspdlog-dev nlohmann-json3-dev libcli11-dev libssl-dev zlib1g-dev
-  libvtk9-dev libvtk9-qt-dev libgdcm-dev libnifti-dev libnifti2-dev libgiftiio-dev
+  libvtk9-dev libvtk9-qt-dev libgdcm-dev libdcmtk-dev libnifti-dev libnifti2-dev libgiftiio-dev
   libopencv-dev libopencv-contrib-dev opencv-data
   libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
   xvfb xauth mricron-data fonts-dejavu-core
@@ -62,6 +62,25 @@ install_packages() {
   { as_root apt-get update &&
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 </dev/null ||
     explain "package installation"
+}
+
+# The tests start an archive of their own on loopback; the package's service must never run beside it.
+install_orthanc() {
+  [ -z "$(missing_packages orthanc)" ] && return
+  missing=(orthanc)
+  local policy=/usr/sbin/policy-rc.d
+  if [ -d /etc/systemd/system ] && [ ! -e /etc/systemd/system/orthanc.service ]; then
+    as_root ln -s /dev/null /etc/systemd/system/orthanc.service
+  fi
+  if [ -e "$policy" ]; then
+    install_packages orthanc
+  else
+    as_root sh -c "printf '#!/bin/sh\nexit 101\n' >$policy && chmod +x $policy"
+    (install_packages orthanc)  # in a subshell: its failure must not leave the policy behind
+    local status=$?
+    as_root rm -f "$policy"
+    [ "$status" -eq 0 ] || exit "$status"
+  fi
 }
 
 # The virtual patient: a real adult T1 with a whole face, in npm's brainbrowser (AGPL: installed by name, never committed).
@@ -129,6 +148,7 @@ case "${1:-}" in
   test)
     shift
     set_up "${packages[@]}" "${test_packages[@]}"
+    install_orthanc
     build ON
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"

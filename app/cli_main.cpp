@@ -53,6 +53,7 @@ int runCommandLine(int argc, char** argv) {
   cli.set_version_flag("--version", app::softwareVersion());
   cli.require_subcommand(0, 1);
   app::addSeries(cli, context);
+  app::addPacs(cli, context);
   app::addPrepare(cli, context);
   app::addCheck(cli, context);
   app::addWorklist(cli, context);

@@ -9,6 +9,7 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/scene/png.h"
+#include "facenav/session/face_measures_picture.h"
 #include "facenav/session/navigator.h"
 #include "facenav/session/preparation.h"
 #include "facenav/session/skin_fit_picture.h"
@@ -165,9 +166,16 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
                             {{"head", request.head_segmenter}, {"brain", request.brain_segmenter}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
   auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace);
+  if (prepared.navigation_check && !prepared.navigation_check->landmarks.points.empty()) {
+    const auto& check = *prepared.navigation_check;
+    const auto picture = store.folder() / "face_measures.png";
+    scene::writePng(session::drawFaceMeasures(prepared.scalp, check.landmarks, check.measures), picture);
+    fs::permissions(picture, fs::perms::owner_read | fs::perms::owner_write);
+  }
   std::optional<double> brain_ml;
   if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
-  return {std::move(store), imported.description, prepared.findings, brain_ml};
+  return {std::move(store), imported.description, prepared.findings, brain_ml,
+          std::move(prepared.navigation_check)};
 }
 
 session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore& store,

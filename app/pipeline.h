@@ -28,6 +28,7 @@ struct PrepareOutcome {
   casefile::CaseStore store;
   std::vector<std::string> description, findings;  // plain words for the radiographer
   std::optional<double> brain_ml;
+  std::optional<surface::NavigationCheck> navigation_check;
 };
 /// INPUT -> case folder, whole or not at all. Throws Error.
 PrepareOutcome prepareCase(Context& context, const PrepareRequest& request);

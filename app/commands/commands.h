@@ -9,6 +9,7 @@
 namespace facenav::app {
 
 void addSeries(CLI::App& app, Context& context);
+void addPacs(CLI::App& app, Context& context);
 void addPrepare(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);

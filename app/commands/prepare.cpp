@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "navigation_sheet.h"
 #include "pipeline.h"
 
 namespace facenav::app {
@@ -26,6 +27,7 @@ void addPrepare(CLI::App& app, Context& context) {
     if (context.is_quiet) return;
     for (const auto& line : outcome.description) std::printf("%s\n", line.c_str());
     if (outcome.brain_ml) std::printf("brain: %.0f ml\n", *outcome.brain_ml);
+    if (outcome.navigation_check) printNavigationCheck(*outcome.navigation_check);
     for (const auto& finding : outcome.findings) std::printf("note: %s\n", finding.c_str());
     std::printf("case written: %s\n", outcome.store.folder().c_str());
   });

@@ -1,10 +1,14 @@
-// facenav worklist DIR and facenav check CASE: the radiographer's list of cases, and the sign-off.
+// facenav worklist DIR and facenav check CASE: the radiographer's list of cases, a case's import check, and
+// the sign-off.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "facenav/casefile/navigation_check_file.h"
 #include "facenav/casefile/sign_off.h"
+#include "facenav/core/error.h"
+#include "navigation_sheet.h"
 
 namespace facenav::app {
 namespace {
@@ -50,8 +54,7 @@ void addWorklist(CLI::App& app, Context& context) {
 }
 
 void addCheck(CLI::App& app, Context& context) {
-  auto* verb =
-      app.add_subcommand("check", "sign a prepared case off: who looked at its model, findings acknowledged");
+  auto* verb = app.add_subcommand("check", "show a case's import check and, with --by, sign the case off");
   struct Request {
     std::filesystem::path case_folder;
     casefile::SignOffRequest sign_off;
@@ -59,15 +62,21 @@ void addCheck(CLI::App& app, Context& context) {
   auto request = std::make_shared<Request>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("--by", request->sign_off.by,
-                   "name or initials of who looked at the model (not the patient's)")
-      ->required();
+                   "sign off: name or initials of who looked at the model (not the patient's)");
   verb->add_flag("--acknowledge-findings", request->sign_off.acknowledges_findings,
                  "every finding was looked at");
   verb->add_option("--note", request->sign_off.note, "kept with the sign-off");
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
-    if (!context.is_quiet)
+    if (!context.is_quiet) {
+      if (const auto check = casefile::navigationCheckOf(store)) printNavigationCheck(*check);
       for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
+    }
+    if (request->sign_off.by.empty()) {
+      if (request->sign_off.acknowledges_findings || !request->sign_off.note.empty())
+        throw Error("nobody is named who checked the case", {}, "give a name or initials with --by");
+      return;
+    }
     const auto sign_off = casefile::signOff(store, request->sign_off);
     if (context.is_quiet) return;
     if (sign_off.brain_ml) std::printf("brain: %.0f ml\n", *sign_off.brain_ml);

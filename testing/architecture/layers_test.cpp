@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::set<std::string>> kMayUse{
     {"core", {}},
     {"geometry", {"core"}},
+    {"pacs", {"core"}},
     {"volume", {"geometry"}},
     {"stereo", {"geometry"}},
     {"dicom", {"volume"}},
@@ -94,7 +95,7 @@ TEST(Layers, NoQtBelowTheWindow) {
 }
 
 TEST(Layers, NoGdcmNorPclInAPublicHeader) {
-  static const std::regex kHidden("^(gdcm|pcl/|dlib/|embree)");
+  static const std::regex kHidden("^(gdcm|dcmtk/|pcl/|dlib/|embree)");
   for (const auto& entry : fs::directory_iterator(kModules)) {
     if (!entry.is_directory()) continue;
     for (const auto& file : sourcesUnder(entry.path() / "include"))

@@ -47,7 +47,7 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb : {"series", "prepare", "check", "worklist", "locate", "target", "export",
+  for (const char* verb : {"series", "pacs", "prepare", "check", "worklist", "locate", "target", "export",
                            "calibrate", "align", "track", "guide", "simulate", "marker", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
@@ -62,6 +62,14 @@ TEST_F(CommandLine, SeriesOfAMissingFolder) {
 TEST_F(CommandLine, SeriesOfAFolderWithoutDicom) {
   writeText(at("a.txt"), "no DICOM");
   expectRefused(runFacenav("series " + folder_.path().string()), folder_.path().filename().string());
+}
+
+TEST_F(CommandLine, PacsThatDoesNotAnswer) {
+  expectRefused(runFacenav("pacs echo --host 127.0.0.1 --port 1 --title NOBODY"), "does not answer");
+  expectRefused(runFacenav("pacs get --host 127.0.0.1 --port 1 --title NOBODY --study 1.2 --series 1.2.3 -o " +
+                           at("in").string()),
+                "127.0.0.1:1", at("in"));
+  EXPECT_TRUE(isClean());
 }
 
 TEST_F(CommandLine, PrepareOfAMissingFile) {

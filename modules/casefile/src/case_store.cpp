@@ -1,6 +1,7 @@
 #include "facenav/casefile/case_store.h"
 
 #include "case_json.h"
+#include "facenav/casefile/navigation_check_file.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/nifti.h"
 #include "private_files.h"
@@ -45,6 +46,10 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
   if (prepared.atlas) {
     atlas::writeAtlasMap(*prepared.atlas, folder / "atlas.vti");
     files.push_back("atlas.vti");
+  }
+  if (prepared.navigation_check) {
+    writeNavigationCheck(*prepared.navigation_check, folder / "navigation_check.json");
+    files.push_back("navigation_check.json");
   }
   return files;
 }

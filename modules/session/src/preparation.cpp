@@ -15,6 +15,7 @@ constexpr double kBrainLow_ml = 900.0, kBrainHigh_ml = 1900.0;  // adults, sexes
 struct HeadPart {
   volume::Mask mask;
   surface::ScalpSurface scalp;
+  surface::NavigationCheck check;
   std::vector<std::string> warnings;
 };
 struct BrainPart {
@@ -28,7 +29,20 @@ HeadPart prepareHead(const volume::Volume& mri, const segmentation::Segmenter& s
                      TaskMonitor& monitor) {
   auto result = segmenter.segment(mri, monitor);
   auto scalp = surface::extractScalp(mri, result.mask, monitor);
-  return {std::move(result.mask), std::move(scalp), std::move(result.warnings)};
+  auto check = surface::checkForNavigation(mri, result.mask, scalp);
+  return {std::move(result.mask), std::move(scalp), std::move(check), std::move(result.warnings)};
+}
+
+/// Those of the check's findings that must be acknowledged: what the scalp's own findings say already, and
+/// what holds for every file of its kind, is shown but not repeated.
+std::vector<std::string> worthAcknowledging(const surface::NavigationCheck& check) {
+  std::vector<std::string> lines;
+  for (const auto& finding : check.findings) {
+    const bool is_said =
+        finding.topic == "face" || finding.topic == "ears" || finding.topic == "left and right";
+    if (!is_said && finding.verdict != surface::Verdict::fine) lines.push_back(inWords(finding));
+  }
+  return lines;
 }
 
 void registerTo(const atlas::BrainTemplate& atlas, const volume::Volume& mri, BrainPart& part,
@@ -91,6 +105,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
     prepared.head_mask = std::move(part.mask);
     prepared.scalp = std::move(part.scalp);
     prepared.findings = std::move(part.warnings);
+    prepared.navigation_check = std::move(part.check);
   } catch (...) {
     brain_monitor.cancel();  // then the other thread ends at its next report
     brain_task.wait();
@@ -101,7 +116,8 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
   prepared.brain_mask = std::move(part.mask);
   prepared.brain = std::move(part.model);
   prepared.atlas = std::move(part.atlas);
-  for (const auto* more : {&prepared.scalp.findings, &part.findings})
+  auto checked = worthAcknowledging(*prepared.navigation_check);
+  for (const auto* more : {&prepared.scalp.findings, &checked, &part.findings})
     prepared.findings.insert(prepared.findings.end(), more->begin(), more->end());
   return prepared;
 }

@@ -13,6 +13,7 @@
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/surface/brain_model.h"
+#include "facenav/surface/navigation_check.h"
 #include "facenav/surface/scalp_surface.h"
 #include "facenav/volume/volume.h"
 
@@ -41,6 +42,7 @@ struct PreparedCase {
   surface::ScalpSurface scalp;
   std::optional<surface::BrainModel> brain;
   std::optional<atlas::AtlasMap> atlas;
+  std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
 };
 

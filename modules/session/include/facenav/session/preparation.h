@@ -1,5 +1,6 @@
 #pragma once
-// The PREPARE arrow of the data flow: MRI -> head and brain masks -> scalp and brain model -> PreparedCase.
+// The PREPARE arrow of the data flow: MRI -> head and brain masks -> scalp and brain model -> PreparedCase,
+// with the import check (surface/navigation_check.h).
 // Head and brain run on two threads. Without a brain (a CT, say) the case goes on with the scalp alone, and a
 // finding says so, since a face can still be aligned to it; without a head there is no case.
 

@@ -1,0 +1,19 @@
+#pragma once
+// navigation_check.json of a case: the import check's findings, landmarks (Mri mm) and measures, as prepare
+// made them. Cases of before have none.
+
+#include <optional>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/surface/navigation_check.h"
+
+namespace facenav::casefile {
+
+/// A whole file, 0600.
+void writeNavigationCheck(const surface::NavigationCheck& check, const std::filesystem::path& path);
+/// Throws Error naming file and key.
+surface::NavigationCheck readNavigationCheck(const std::filesystem::path& path);
+/// Nothing where the case has none.
+std::optional<surface::NavigationCheck> navigationCheckOf(const CaseStore& store);
+
+}  // namespace facenav::casefile

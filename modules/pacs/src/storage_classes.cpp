@@ -1,0 +1,26 @@
+#include "storage_classes.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcuid.h>
+
+namespace facenav::pacs {
+
+const std::vector<std::string>& imageClasses() {
+  static const std::vector<std::string> classes{
+      UID_MRImageStorage, UID_EnhancedMRImageStorage, UID_LegacyConvertedEnhancedMRImageStorage,
+      UID_CTImageStorage, UID_EnhancedCTImageStorage, UID_LegacyConvertedEnhancedCTImageStorage};
+  return classes;
+}
+
+const std::vector<std::string>& imageSyntaxes() {
+  static const std::vector<std::string> syntaxes{
+      UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax,
+      UID_BigEndianExplicitTransferSyntax,    UID_DeflatedExplicitVRLittleEndianTransferSyntax,
+      UID_JPEGProcess14SV1TransferSyntax,     UID_JPEGProcess14TransferSyntax,
+      UID_JPEGLSLosslessTransferSyntax,       UID_JPEGLSLossyTransferSyntax,
+      UID_JPEG2000LosslessOnlyTransferSyntax, UID_JPEG2000TransferSyntax,
+      UID_JPEGProcess2_4TransferSyntax,       UID_RLELosslessTransferSyntax};
+  return syntaxes;
+}
+
+}  // namespace facenav::pacs

@@ -1,0 +1,34 @@
+#pragma once
+// Anthropometric landmarks found on the scalp of an MRI (names and definitions: Farkas, Anthropometry of the
+// Head and Face, 1994), in Mri mm. Each carries the standard deviation with which it can be placed at all;
+// one that lies on the scan's edge is marked, since the true point may lie beyond.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/surface/scalp_surface.h"
+
+namespace facenav::surface {
+
+struct FaceLandmark {
+  std::string name;  // "nasion", "pronasale", "endocanthion R", ..; R and L are the patient's
+  Point<Mri> point;
+  double sd_mm = 1.0;   // along a typical measure
+  bool is_cut = false;  // on the scan's edge
+};
+
+struct FaceLandmarks {
+  std::vector<FaceLandmark> points;
+  double circumference_mm = 0.0;  // over glabella and opisthocranion, as a tape lies; 0 where not measurable
+  bool is_circumference_cut = false;
+  Direction<Mri> right, front, up;  // the head's own axes
+
+  /// Nothing where it was not found.
+  std::optional<FaceLandmark> find(const std::string& name) const;
+};
+
+/// Empty where the scalp has no nose. About a second.
+FaceLandmarks findFaceLandmarks(const ScalpSurface& scalp);
+
+}  // namespace facenav::surface

@@ -1,0 +1,181 @@
+#include "facenav/surface/navigation_check.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "facenav/core/error.h"
+
+namespace facenav::surface {
+namespace {
+
+constexpr const char* kThinSlices = "a 3-D T1 (MPRAGE, BRAVO, TFE) with voxels of 1 mm, at most 1.2 mm";
+constexpr const char* kWholeHead =
+    "a field of view from above the vertex to below the chin, with 10 mm of air around nose and ears";
+
+std::string text(const char* format, double a, double b = 0) {
+  char buffer[200];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+double cutArea_mm2(const ScanQuality& scan, const std::string& name) {
+  for (const ScanSide& side : scan.sides)
+    if (side.name == name) return side.cut_area_mm2;
+  return 0;
+}
+
+CheckFinding checkFacePresence(const ScalpSurface& scalp) {
+  std::string words;
+  for (const auto& finding : scalp.findings)
+    if (finding.find("ear ") == std::string::npos) words += (words.empty() ? "" : "; ") + finding;
+  if (!scalp.has_face)
+    return {"face", Verdict::not_usable, words.empty() ? "there is no face to align to" : words,
+            std::string("the original, not defaced images; ") + kWholeHead};
+  if (!words.empty()) return {"face", Verdict::caution, words, kWholeHead};
+  return {"face", Verdict::fine, "brow, eyes and nose are there, whole", ""};
+}
+
+CheckFinding checkEars(const ScanQuality& scan) {
+  constexpr double kEar_mm2 = 30;
+  const bool right = cutArea_mm2(scan, "right") > kEar_mm2, left = cutArea_mm2(scan, "left") > kEar_mm2;
+  if (!right && !left) return {"ears", Verdict::fine, "both ears lie within the field of view", ""};
+  return {
+      "ears", Verdict::caution,
+      std::string(right && left ? "both sides of the head are"
+                  : right       ? "the right side of the head is"
+                                : "the left side of the head is") +
+          " cut by the field of view: no measure over the ears, and targets far to the side lack their scalp",
+      kWholeHead};
+}
+
+CheckFinding checkVertex(const ScanQuality& scan) {
+  constexpr double kTouch_mm2 = 30, kMuch_mm2 = 1500;
+  const double cut_mm2 = cutArea_mm2(scan, "top");
+  if (cut_mm2 < kTouch_mm2)
+    return {"vertex", Verdict::fine, "the top of the head lies within the field of view", ""};
+  return {"vertex", cut_mm2 < kMuch_mm2 ? Verdict::caution : Verdict::not_usable,
+          text("the top of the head is cut over %.0f cm2: targets there have no scalp", cut_mm2 / 100),
+          kWholeHead};
+}
+
+CheckFinding checkSpacing(const ScanQuality& scan) {
+  constexpr double kFine_mm = 1.205, kUsable_mm = 2.0;
+  const std::string words = text("voxels of %.2f to %.2f mm", scan.smallest_voxel_mm, scan.largest_voxel_mm);
+  if (scan.largest_voxel_mm <= kFine_mm) return {"spacing", Verdict::fine, words, ""};
+  const bool is_usable = scan.largest_voxel_mm <= kUsable_mm;
+  return {"spacing", is_usable ? Verdict::caution : Verdict::not_usable,
+          words + (is_usable ? ": the skin is placed less well than with 1 mm"
+                             : ": too coarse to place skin or cortex"),
+          kThinSlices};
+}
+
+CheckFinding checkNoise(const ScanQuality& scan) {
+  constexpr double kFine_mm = 0.15, kUsable_mm = 0.5;
+  if (scan.is_air_blanked)
+    return {"noise", Verdict::fine,
+            "not measurable, the air around the head was erased; the skin's edge is clear", ""};
+  if (scan.noise <= 0)
+    return {"noise", Verdict::caution, "not measurable, the scan holds no air beside the head", kWholeHead};
+  const std::string words = text("the noise moves the skin by %.2f mm (signal to noise %.0f)",
+                                 scan.skin_jitter_mm, scan.skin_step / scan.noise);
+  if (scan.skin_jitter_mm <= kFine_mm) return {"noise", Verdict::fine, words, ""};
+  return {"noise", scan.skin_jitter_mm <= kUsable_mm ? Verdict::caution : Verdict::not_usable, words,
+          "a head coil with more channels, less acceleration, or two averages"};
+}
+
+CheckFinding checkGhosts(const ScanQuality& scan) {
+  constexpr double kFine = 0.02, kUsable = 0.08;  // of the skin's step; the ACR's limit in phantoms is 0.025
+  if (scan.is_air_blanked || scan.noise <= 0)
+    return {"ghosts", Verdict::fine, "not measurable, there is no untouched air beside the head", ""};
+  const std::string words =
+      text("ghosts in the air beside the head reach %.1f %% of the skin's signal", 100 * scan.ghost_share) +
+      (scan.ghost_share > kFine ? " (" + scan.ghost_direction + "): the head moved, or an artefact" : "");
+  if (scan.ghost_share <= kFine) return {"ghosts", Verdict::fine, words, ""};
+  return {"ghosts", scan.ghost_share <= kUsable ? Verdict::caution : Verdict::not_usable, words,
+          "the scan again, head padded still, phase encoding left-right so that ghosts miss the face"};
+}
+
+CheckFinding checkWrapping(const ScanQuality& scan) {
+  constexpr double kShare = 0.2;
+  for (const ScanSide& side : scan.sides)
+    if (side.wrapped_share > kShare)
+      return {"wrap-around", Verdict::caution,
+              "tissue of the opposite side appears at the " + side.name + " of the scan (" +
+                  text("%.0f %%", 100 * side.wrapped_share) + " of what is cut there)",
+              "phase oversampling, or a larger field of view"};
+  return {"wrap-around", Verdict::fine, "nothing appears on the wrong side of the scan", ""};
+}
+
+CheckFinding checkLeftRight(const volume::Volume& mri) {
+  if (mri.orientation_source == "DICOM")
+    return {"left and right", Verdict::fine,
+            "rest on Image Position and Orientation (Patient), as the scanner wrote them; a wrong patient "
+            "position "
+            "entered at the scanner cannot be seen here",
+            ""};
+  return {"left and right", Verdict::caution,
+          "rest on the file's " + mri.orientation_source +
+              ", which any program on the way may have changed: compare a mole, a scar or the parting with "
+              "the person",
+          "the DICOM images, or a capsule taped to the right temple"};
+}
+
+CheckFinding checkScale(const std::vector<FaceMeasure>& measures) {
+  std::string unusual;
+  int count = 0;
+  for (const auto& measure : measures)
+    if (!measure.isUsual()) {
+      ++count;
+      unusual += (unusual.empty() ? "" : ", ") + measure.name + text(" %.0f mm", measure.value_mm);
+    }
+  if (measures.empty())
+    return {"scale", Verdict::caution, "no landmark was found, so nothing can be held against the person",
+            kWholeHead};
+  if (count == 0)
+    return {"scale", Verdict::fine,
+            std::to_string(measures.size()) + " measures of face and head lie within the adult range", ""};
+  return {"scale", Verdict::caution,
+          "outside the adult range: " + unusual +
+              "; a child, another population, a template head or a wrong voxel size: measure the person",
+          ""};
+}
+
+}  // namespace
+
+std::string toString(Verdict verdict) {
+  return verdict == Verdict::fine ? "fine" : verdict == Verdict::caution ? "caution" : "not usable";
+}
+
+Verdict verdictFrom(const std::string& words) {
+  for (const Verdict verdict : {Verdict::fine, Verdict::caution, Verdict::not_usable})
+    if (toString(verdict) == words) return verdict;
+  throw Error("is no verdict (fine, caution, not usable)", words);
+}
+
+std::string inWords(const CheckFinding& finding) {
+  return finding.topic + ", " + toString(finding.verdict) + ": " + finding.finding +
+         (finding.ask.empty() ? "" : "; ask for " + finding.ask);
+}
+
+Verdict NavigationCheck::verdict() const {
+  Verdict worst = Verdict::fine;
+  for (const auto& finding : findings) worst = std::max(worst, finding.verdict);
+  return worst;
+}
+
+NavigationCheck checkForNavigation(const volume::Volume& mri, const volume::Mask& head,
+                                   const ScalpSurface& scalp) {
+  FACENAV_EXPECT(head.grid.size == mri.grid.size, "mask and volume differ in size");
+  const ScanQuality scan = measureScan(mri, head, scalp.mesh);
+  NavigationCheck check;
+  if (scalp.has_face) {
+    check.landmarks = findFaceLandmarks(scalp);
+    check.measures = measureFace(check.landmarks, scan.largest_voxel_mm);
+  }
+  check.findings = {checkFacePresence(scalp), checkEars(scan),     checkVertex(scan),
+                    checkSpacing(scan),       checkNoise(scan),    checkGhosts(scan),
+                    checkWrapping(scan),      checkLeftRight(mri), checkScale(check.measures)};
+  return check;
+}
+
+}  // namespace facenav::surface

@@ -1,0 +1,210 @@
+#include "facenav/surface/scan_quality.h"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <vector>
+
+namespace facenav::surface {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
+constexpr const char* kNames[3][2] = {{"left", "right"}, {"back", "front"}, {"bottom", "top"}};
+constexpr const char* kDirections[3] = {"left-right", "front-back", "up-down"};
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+class ScanMeter {
+ public:
+  ScanMeter(const volume::Volume& mri, const volume::Mask& head, const TriangleMesh& scalp)
+      : mri_(mri), head_(head), scalp_(scalp), grid_(mri.grid) {}
+
+  ScanQuality measure() {
+    quality_.largest_voxel_mm = grid_.spacing_mm().maxCoeff();
+    quality_.smallest_voxel_mm = grid_.spacing_mm().minCoeff();
+    measureSkin();
+    findShadows();
+    measureAir();
+    for (int axis = 0; axis < 3; ++axis)
+      for (int end = 0; end < 2; ++end) measureSide(axis, end);
+    return quality_;
+  }
+
+ private:
+  /// The patient's axis that runs most nearly along voxel axis `axis`, and whether it runs backwards.
+  std::pair<int, bool> patientAxis(int axis) const {
+    const Vector3d along = grid_.mri_from_voxel.linear().col(axis);
+    int patient = 0;
+    along.cwiseAbs().maxCoeff(&patient);
+    return {patient, along[patient] < 0};
+  }
+
+  /// Air to skin along the normals: the step's height, and its steepest millimetre.
+  void measureSkin() {
+    constexpr double kOutside_mm = 5, kInside_mm = 5, kStep_mm = 0.5;
+    constexpr std::size_t kSamples = 3000;
+    std::vector<double> steps, slopes;
+    const std::size_t stride = std::max<std::size_t>(1, scalp_.vertices_mm.size() / kSamples);
+    for (std::size_t v = 0; v < scalp_.vertices_mm.size(); v += stride) {
+      double outside = 0, highest = 0, before = 0, slope = 0;
+      for (double t = kOutside_mm; t >= -kInside_mm; t -= kStep_mm) {
+        const double value = volume::sampleLinear(
+            mri_, grid_.toVoxel(Point<Mri>(scalp_.vertices_mm[v] + t * scalp_.normals[v])));
+        if (t == kOutside_mm) outside = before = value;
+        slope = std::max(slope, (value - before) / kStep_mm);
+        highest = std::max(highest, value);
+        before = value;
+      }
+      if (highest > outside) steps.push_back(highest - outside), slopes.push_back(slope);
+    }
+    quality_.skin_step = medianOf(steps);
+    slope_per_mm_ = medianOf(slopes);
+  }
+
+  /// Per axis, which lines of voxels along it meet the head (or pass within `gap` voxels of it).
+  void findShadows() {
+    gap_ = int(std::ceil(8 / quality_.smallest_voxel_mm));  // off the skin's own blur
+    for (int axis = 0; axis < 3; ++axis) {
+      shadow_[std::size_t(axis)].assign(
+          std::size_t(grid_.size[std::size_t(across(axis))]) * grid_.size[std::size_t(along(axis))], 0);
+      first_[std::size_t(axis)].assign(shadow_[std::size_t(axis)].size(), INT_MAX);
+      last_[std::size_t(axis)].assign(shadow_[std::size_t(axis)].size(), INT_MIN);
+    }
+    for (int k = 0; k < grid_.size[2]; ++k)
+      for (int j = 0; j < grid_.size[1]; ++j)
+        for (int i = 0; i < grid_.size[0]; ++i)
+          if (head_.at(i, j, k)) markShadows({i, j, k});
+    for (int axis = 0; axis < 3; ++axis) dilateShadow(axis);
+  }
+
+  static int across(int axis) { return (axis + 1) % 3; }
+  static int along(int axis) { return (axis + 2) % 3; }
+  std::size_t line(int axis, const Vector3i& p) const {
+    return std::size_t(p[across(axis)]) + std::size_t(grid_.size[std::size_t(across(axis))]) * p[along(axis)];
+  }
+
+  void markShadows(const Vector3i& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t at = line(axis, p), a = std::size_t(axis);
+      shadow_[a][at] = 1;
+      first_[a][at] = std::min(first_[a][at], p[axis]);
+      last_[a][at] = std::max(last_[a][at], p[axis]);
+    }
+  }
+
+  void dilateShadow(int axis) {
+    const int width = grid_.size[std::size_t(across(axis))], height = grid_.size[std::size_t(along(axis))];
+    auto& shadow = shadow_[std::size_t(axis)];
+    for (const bool is_row : {true, false}) {
+      const auto in = shadow;
+      for (int v = 0; v < height; ++v)
+        for (int u = 0; u < width; ++u)
+          for (int k = -gap_; k <= gap_; ++k) {
+            const int s = is_row ? u + k : u, t = is_row ? v : v + k;
+            if (s >= 0 && t >= 0 && s < width && t < height && in[std::size_t(s) + std::size_t(width) * t])
+              shadow[std::size_t(u) + std::size_t(width) * v] = 1;
+          }
+    }
+  }
+
+  /// Air that no line along an axis joins to the head holds noise alone; ghosts are copies of the head along
+  /// the phase-encoding axis, so they lie on lines along that one.
+  void measureAir() {
+    struct Sum {
+      double square = 0, plain = 0;
+      std::size_t count = 0;
+    } corners, beside[3];
+    float least = 1e30f, most = -1e30f;
+    for (int k = 0; k < grid_.size[2]; k += 2)
+      for (int j = 0; j < grid_.size[1]; j += 2)
+        for (int i = 0; i < grid_.size[0]; i += 2) {
+          const Vector3i p(i, j, k);
+          int joined = 0, axis = -1;
+          for (int a = 0; a < 3; ++a)
+            if (shadow_[std::size_t(a)][line(a, p)]) ++joined, axis = a;
+          if (joined > 1 || (joined == 1 && !isBeyond(axis, p))) continue;
+          const float value = mri_.at(i, j, k);
+          least = std::min(least, value), most = std::max(most, value);
+          Sum& sum = joined == 1 ? beside[axis] : corners;
+          sum.square += double(value) * value, sum.plain += value, ++sum.count;
+        }
+    judgeNoise(corners.count, corners.plain, corners.square, least, most);
+    if (quality_.noise <= 0 || quality_.skin_step <= 0 || least < 0) return;  // CT holds table and headrest
+    for (int axis = 0; axis < 3; ++axis) {
+      if (beside[axis].count < 200) continue;
+      const double extra =
+          beside[axis].plain / double(beside[axis].count) - corners.plain / double(corners.count);
+      if (extra / quality_.skin_step > quality_.ghost_share)
+        quality_.ghost_share = extra / quality_.skin_step,
+        quality_.ghost_direction = kDirections[patientAxis(axis).first];
+    }
+  }
+
+  /// Before or behind all of the head on its line, by the gap.
+  bool isBeyond(int axis, const Vector3i& p) const {
+    const std::size_t at = line(axis, p), a = std::size_t(axis);
+    return first_[a][at] == INT_MAX || p[axis] < first_[a][at] - gap_ || p[axis] > last_[a][at] + gap_;
+  }
+
+  /// Magnitude images: the air is Rayleigh distributed, its mean square twice the variance of the signal
+  /// (Gudbjartsson and Patz 1995). Signed or offset values (CT): the plain deviation.
+  void judgeNoise(std::size_t count, double plain, double square, float least, float most) {
+    if (count < 200) return;
+    const double mean = plain / double(count), variance = square / double(count) - mean * mean;
+    quality_.is_air_blanked = most <= least || variance <= 0;
+    if (quality_.is_air_blanked) return;
+    quality_.noise = least < 0 ? std::sqrt(variance) : std::sqrt(square / double(count) / 2);
+    if (slope_per_mm_ > 0) quality_.skin_jitter_mm = quality_.noise / slope_per_mm_;
+  }
+
+  /// Value and mask in the outermost slices of one side: the head there is cut; and tissue there that is no
+  /// part of the head, in line with a cut on the opposite side, has wrapped around.
+  void measureSide(int axis, int end) {
+    const auto [patient, is_reversed] = patientAxis(axis);
+    ScanSide& side = quality_.sides[std::size_t(2 * patient + (end ^ int(is_reversed)))];
+    side.name = kNames[patient][end ^ int(is_reversed)];
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const Vector3d spacing = grid_.spacing_mm();
+    std::size_t cut = 0, cut_opposite = 0, wrapped = 0;
+    Vector3i here, there;
+    here[axis] = end ? grid_.size[axis] - 1 : 0;
+    there[axis] = end ? 0 : grid_.size[axis] - 1;
+    for (here[u] = 0; here[u] < grid_.size[std::size_t(u)]; ++here[u])
+      for (here[v] = 0; here[v] < grid_.size[std::size_t(v)]; ++here[v]) {
+        there[u] = here[u], there[v] = here[v];
+        const bool is_cut = head_.at(here[0], here[1], here[2]);
+        cut += is_cut;
+        if (!head_.at(there[0], there[1], there[2])) continue;
+        ++cut_opposite;
+        wrapped += !is_cut && mri_.at(here[0], here[1], here[2]) > tissueLevel();
+      }
+    side.cut_area_mm2 = double(cut) * spacing[u] * spacing[v];
+    if (cut_opposite > 20) side.wrapped_share = double(wrapped) / double(cut_opposite);
+  }
+
+  double tissueLevel() const { return std::max(0.3 * quality_.skin_step, 6 * quality_.noise); }
+
+  const volume::Volume& mri_;
+  const volume::Mask& head_;
+  const TriangleMesh& scalp_;
+  const volume::VoxelGrid& grid_;
+  ScanQuality quality_;
+  double slope_per_mm_ = 0;
+  int gap_ = 0;
+  std::array<std::vector<char>, 3> shadow_;
+  std::array<std::vector<int>, 3> first_, last_;  // of the head on each line
+};
+
+}  // namespace
+
+ScanQuality measureScan(const volume::Volume& mri, const volume::Mask& head, const TriangleMesh& scalp) {
+  return ScanMeter(mri, head, scalp).measure();
+}
+
+}  // namespace facenav::surface

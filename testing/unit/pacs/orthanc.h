@@ -1,0 +1,96 @@
+#pragma once
+// A real archive for the tests: Orthanc (Debian package), started on loopback on free ports with storage of
+// its own in a temporary folder, stopped at the end.
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "facenav/core/error.h"
+#include "facenav/pacs/pacs.h"
+#include "support/test_data.h"
+
+namespace facenav::testing {
+
+inline std::string orthancProgram() {
+  for (const char* path : {"/usr/sbin/Orthanc", "/usr/bin/Orthanc"})
+    if (std::filesystem::exists(path)) return path;
+  return {};
+}
+
+inline int freePort() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  ::bind(socket, reinterpret_cast<sockaddr*>(&address), length);
+  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &length);
+  ::close(socket);
+  return ntohs(address.sin_port);
+}
+
+class Orthanc {
+ public:
+  /// `more`: further lines of its configuration, each ending with a comma.
+  explicit Orthanc(const std::string& more = "") {
+    node_.port = freePort();
+    node_.own_port = freePort();
+    node_.title = "ORTHANC";
+    node_.timeout_s = 20;
+    const auto config = folder_.path() / "orthanc.json";
+    std::ofstream(config)
+        << "{" << more << "\"Name\": \"test\", \"HttpServerEnabled\": false, \"DicomAet\": \"ORTHANC\", "
+        << "\"DicomCheckCalledAet\": true, \"DicomAlwaysAllowGet\": true, \"DicomPort\": " << node_.port
+        << ", \"StorageDirectory\": \"" << (folder_.path() / "storage").string()
+        << "\", \"IndexDirectory\": \"" << (folder_.path() / "storage").string()
+        << "\", \"ConcurrentJobs\": 1, \"Plugins\": [], \"DicomModalities\": {\"us\": [\"FACENAV\", "
+        << "\"127.0.0.1\", " << node_.own_port << "]}}";
+    process_ = ::fork();
+    if (process_ == 0) {
+      const auto log = (folder_.path() / "log").string();
+      if (!std::freopen(log.c_str(), "w", stdout) || !std::freopen(log.c_str(), "w", stderr)) ::_exit(1);
+      ::execl(orthancProgram().c_str(), "Orthanc", config.c_str(), nullptr);
+      ::_exit(1);
+    }
+  }
+  ~Orthanc() {
+    ::kill(process_, SIGTERM);
+    for (int i = 0; i < 100; ++i) {
+      if (::waitpid(process_, nullptr, WNOHANG) == process_) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+  }
+
+  const pacs::PacsNode& node() const { return node_; }
+  /// Waits until it answers `node`.
+  bool answers(const pacs::PacsNode& node) const {
+    for (int i = 0; i < 300; ++i) try {
+        pacs::echo(node);
+        return true;
+      } catch (const Error&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      }
+    return false;
+  }
+
+ private:
+  TemporaryFolder folder_;
+  pacs::PacsNode node_;
+  pid_t process_ = -1;
+};
+
+}  // namespace facenav::testing
+
+#define FACENAV_NEEDS_ORTHANC() \
+  if (facenav::testing::orthancProgram().empty()) GTEST_SKIP() << "Debian package orthanc is not installed"

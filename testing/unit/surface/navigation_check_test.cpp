@@ -1,0 +1,151 @@
+// The import check on balls of known noise, ghosts, cuts and wrap-around.
+
+#include "facenav/surface/navigation_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "facenav/core/error.h"
+
+namespace facenav::surface {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kRadius_mm = 30, kSignal = 400;
+constexpr int kSize = 96;
+
+struct Ball {
+  volume::Volume mri;
+  volume::Mask mask;
+  TriangleMesh skin;
+};
+
+/// A soft-edged ball of kSignal in Rayleigh noise, 1 mm voxels, centred at `centre` (voxels).
+Ball makeBall(double noise, const Eigen::Vector3d& centre = {48, 48, 48}) {
+  Ball ball;
+  ball.mri.grid.size = {kSize, kSize, kSize};
+  ball.mask.grid = ball.mri.grid;
+  std::mt19937 random(20260401);
+  std::normal_distribution<double> normal(0, noise > 0 ? noise : 1);
+  for (int k = 0; k < kSize; ++k)
+    for (int j = 0; j < kSize; ++j)
+      for (int i = 0; i < kSize; ++i) {
+        const double r = (Eigen::Vector3d(i, j, k) - centre).norm();
+        const double signal = kSignal / (1 + std::exp((r - kRadius_mm) / 0.5));  // steepest: kSignal / 2 a mm
+        const double value = noise > 0 ? std::hypot(signal + normal(random), normal(random)) : signal;
+        ball.mri.voxels.push_back(float(value));
+        ball.mask.voxels.push_back(r < kRadius_mm);
+      }
+  for (int s = 0; s < 2000; ++s) {
+    const Eigen::Vector3d n = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    ball.skin.vertices_mm.push_back(centre + kRadius_mm * n);
+    ball.skin.normals.push_back(n);
+  }
+  return ball;
+}
+
+CheckFinding findingOf(const Ball& ball, const std::string& topic) {
+  ScalpSurface scalp;
+  scalp.mesh = ball.skin;
+  for (const auto& finding : checkForNavigation(ball.mri, ball.mask, scalp).findings)
+    if (finding.topic == topic) return finding;
+  ADD_FAILURE() << "no finding on " << topic;
+  return {};
+}
+
+TEST(ScanQuality, NoiseAndWhatItDoesToTheSkin) {
+  for (const double noise : {5.0, 20.0}) {
+    const Ball ball = makeBall(noise);
+    const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
+    EXPECT_NEAR(scan.noise, noise, 0.03 * noise);
+    EXPECT_NEAR(scan.skin_step, kSignal, 0.15 * kSignal);
+    // Slope kSignal / (4 * 0.5 mm) = 200 a mm; trilinear values over 0.5 mm see a little less of it, and the
+    // steepest of several noisy ones a little more.
+    EXPECT_NEAR(scan.skin_jitter_mm, noise / 200, 0.35 * noise / 200);
+    EXPECT_LT(scan.ghost_share, 0.005);
+  }
+}
+
+TEST(ScanQuality, GhostsAndTheirDirection) {
+  Ball ball = makeBall(4);
+  const Ball clean = ball;
+  for (int k = 0; k < kSize;
+       ++k)  // 5 % of the ball, half the field of view away along y, as a moving head gives
+    for (int j = 0; j < kSize; ++j)
+      for (int i = 0; i < kSize; ++i)
+        ball.mri.voxels[ball.mri.grid.index(i, j, k)] += 0.05f * clean.mri.at(i, (j + kSize / 2) % kSize, k);
+  const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
+  EXPECT_GT(scan.ghost_share, 0.015);
+  EXPECT_EQ(scan.ghost_direction, "front-back");
+  EXPECT_NE(findingOf(ball, "ghosts").verdict, Verdict::fine);
+  EXPECT_THAT(findingOf(ball, "ghosts").ask, HasSubstr("phase encoding"));
+  EXPECT_EQ(findingOf(clean, "ghosts").verdict, Verdict::fine);
+}
+
+TEST(ScanQuality, ErasedAirIsSaid) {
+  Ball ball = makeBall(0);
+  for (std::size_t v = 0; v < ball.mri.voxels.size(); ++v)
+    if (!ball.mask.voxels[v]) ball.mri.voxels[v] = 0;
+  EXPECT_TRUE(measureScan(ball.mri, ball.mask, ball.skin).is_air_blanked);
+  EXPECT_THAT(findingOf(ball, "noise").finding, HasSubstr("erased"));
+}
+
+TEST(ScanQuality, CutSidesByTheirPatientNames) {
+  const Ball top = makeBall(4, {48, 48, kSize - 20});
+  const auto scan = measureScan(top.mri, top.mask, top.skin);
+  for (const ScanSide& side : scan.sides)
+    if (side.name == "top")  // a disc at 19 mm from the centre
+      EXPECT_NEAR(side.cut_area_mm2, M_PI * (kRadius_mm * kRadius_mm - 19 * 19), 60);
+    else
+      EXPECT_EQ(side.cut_area_mm2, 0) << side.name;
+  EXPECT_NE(findingOf(top, "vertex").verdict, Verdict::fine);
+  Ball flipped = makeBall(4, {20, 48, 48});  // low i is the patient's right where i runs to the left
+  flipped.mri.grid.mri_from_voxel.linear()(0, 0) = -1;
+  flipped.mask.grid = flipped.mri.grid;
+  EXPECT_THAT(findingOf(flipped, "ears").finding, HasSubstr("the right side"));
+}
+
+TEST(ScanQuality, WrapAroundOnTheOppositeSide) {
+  Ball ball = makeBall(4, {48, kSize - 20, 48});
+  EXPECT_EQ(findingOf(ball, "wrap-around").verdict, Verdict::fine);
+  for (int k = 0; k < kSize; ++k)
+    for (int j = 0; j < 11; ++j)  // what lies beyond the front's end comes back at the back
+      for (int i = 0; i < kSize; ++i)
+        if ((Eigen::Vector3d(i, kSize + j, k) - Eigen::Vector3d(48, kSize - 20, 48)).norm() < kRadius_mm)
+          ball.mri.voxels[ball.mri.grid.index(i, j, k)] = float(kSignal);
+  const auto finding = findingOf(ball, "wrap-around");
+  EXPECT_EQ(finding.verdict, Verdict::caution);
+  EXPECT_THAT(finding.finding, HasSubstr("back"));
+}
+
+TEST(NavigationCheck, SaysWhatLeftAndRightRestOn) {
+  Ball ball = makeBall(4);
+  ball.mri.orientation_source = "DICOM";
+  EXPECT_EQ(findingOf(ball, "left and right").verdict, Verdict::fine);
+  ball.mri.orientation_source = "qform";
+  EXPECT_EQ(findingOf(ball, "left and right").verdict, Verdict::caution);
+  EXPECT_THAT(findingOf(ball, "left and right").finding, HasSubstr("qform"));
+}
+
+TEST(NavigationCheck, WithoutAFaceIsNotUsableAndMeasuresNothing) {
+  const Ball ball = makeBall(4);
+  ScalpSurface scalp;
+  scalp.mesh = ball.skin;
+  scalp.findings = {"the face was removed below the brow (a defaced scan): there is no face to align to"};
+  const auto check = checkForNavigation(ball.mri, ball.mask, scalp);
+  EXPECT_EQ(check.verdict(), Verdict::not_usable);
+  EXPECT_TRUE(check.measures.empty());
+  EXPECT_THAT(inWords(check.findings[0]), HasSubstr("ask for the original"));
+}
+
+TEST(NavigationCheck, VerdictsByTheirWords) {
+  for (const Verdict verdict : {Verdict::fine, Verdict::caution, Verdict::not_usable})
+    EXPECT_EQ(verdictFrom(toString(verdict)), verdict);
+  EXPECT_THROW(verdictFrom("good"), Error);
+}
+
+}  // namespace
+}  // namespace facenav::surface
