@@ -24,6 +24,7 @@ namespace {
 struct Start {
   tracking::HeadReference reference;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
+  std::shared_ptr<const registration::ScalpField> scalp = nullptr;  // aligned to, where it was done now
 };
 
 /// The first frame in which both cameras see a face; tracking without an alignment starts there.
@@ -66,7 +67,7 @@ Start startOf(Context& context, const TrackRequest& request, const capture::Reco
   if (!capture) capture = readStoredCapture(store.folder(), recording.rig);
   if (!capture) return startFromStoredPose(context, store, recording);
   outcome.alignment = alignCase(context, store, recording.rig, *capture, request.aligner);
-  return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri};
+  return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri, outcome.alignment->scalp};
 }
 
 /// What alignment.json says of a target; 0 where it says nothing.
@@ -80,7 +81,8 @@ double predictedError_mm(const casefile::CaseStore& store, const std::string& ta
 session::Navigator makeNavigator(Context& context, const TrackRequest& request,
                                  const capture::Recording& recording, Start start,
                                  const tracking::CoilModel& coil) {
-  session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {}};
+  session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
+                                start.scalp};
   session::Navigator navigator(setup, context.registrations.head_trackers.create(request.head_tracker),
                                context.registrations.coil_trackers.create(request.coil_tracker));
   if (!request.target.empty()) {

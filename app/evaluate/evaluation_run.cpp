@@ -8,7 +8,6 @@
 namespace facenav::app {
 namespace {
 
-
 /// Whole square inside both images, seen from the front.
 bool isMarkerInView(const stereo::StereoRig& rig, const Eigen::Isometry3d& camera_T_marker, double size_mm) {
   constexpr double kMargin_px = 3.0;
@@ -114,11 +113,9 @@ void runSequence(Context& context, EvaluationSequence& sequence, const surface::
     alignOrTakeOver(context, sequence, scalp, target, methods, last, run);
     if (!last) return;
     LastCall head, coil;
-    session::NavigatorSetup setup{sequence.source->rig(),
-                                  last->outcome.reference,
-                                  last->outcome.result.camera_T_mri,
-                                  sequence.coil,
-                                  {}};
+    session::NavigatorSetup setup{
+        sequence.source->rig(), last->outcome.reference, last->outcome.result.camera_T_mri, sequence.coil, {},
+        last->outcome.scalp};
     session::Navigator navigator(
         setup, timed(context.registrations.head_trackers.create(methods.head_tracker), head),
         timed(context.registrations.coil_trackers.create(methods.coil_tracker), coil));

@@ -64,6 +64,8 @@ void TreatPresenter::start() {
   setup.reference = outcome_->reference;
   setup.camera_T_mri_at_reference = outcome_->result.camera_T_mri;
   setup.coil = coil_;
+  setup.scalp = outcome_->scalp;
+  setup.watchdog = session::DriftWatchdog::Mode::own_thread;
   tasks_.start(tr("Starting the trackers"), [this, setup](TaskMonitor&) -> TaskRunner::Delivery {
     std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
     return [this, navigator] { startNavigator(navigator); };

@@ -89,16 +89,16 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
   monitor.report("finding the face", 0.0);
   // The field of the scalp is built while the face is found and measured.
   auto field = std::async(std::launch::async,
-                          [&] { return std::make_unique<registration::ScalpField>(skinModel(scalp)); });
+                          [&] { return std::make_shared<const registration::ScalpField>(skinModel(scalp)); });
   AlignmentOutcome outcome;
   outcome.landmarks = findFace(rig, capture.plain, detector);
   const auto cloud =
       stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
   outcome.face = cutFace(cloud, outcome.landmarks);
   requireUnmovedCameras(rig, capture.pattern, outcome.face);
-  const auto built = field.get();
-  outcome.result = aligner.align(*built, outcome.face.cloud, outcome.landmarks.start, monitor);
-  outcome.regions = registration::fitByRegion(*built, outcome.face.cloud, outcome.result);
+  outcome.scalp = field.get();
+  outcome.result = aligner.align(*outcome.scalp, outcome.face.cloud, outcome.landmarks.start, monitor);
+  outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {
     outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);

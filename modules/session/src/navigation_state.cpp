@@ -55,6 +55,7 @@ NavigationState blanked(const NavigationState& state, LostReason reason) {
 std::string lossInWords(const NavigationState& state) {
   if (!state.failure.empty()) return "STOPPED: " + state.failure;
   if (!state.rig_fault.empty()) return "CAMERAS MOVED: calibrate them again";
+  if (state.has_drifted) return "DRIFT: the face no longer matches the MRI, align again";
   if (!state.head) return headWords(state.head.reason());
   if (!state.is_aligned) return "NOT ALIGNED: align the head first";
   if (!state.camera_T_mri) return headWords(state.camera_T_mri.reason());

@@ -25,6 +25,13 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
   head_->start(rig_, setup.reference);
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
+  if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
+    const auto check = std::make_shared<const DriftCheck>(rig_, setup.scalp, setup.reference,
+                                                          *setup.camera_T_mri_at_reference);
+    watchdog_ = std::make_unique<DriftWatchdog>(
+        [check](const auto& frame, const auto& camera_T_mri) { return check->measure(frame, camera_T_mri); },
+        setup.watchdog);
+  }
 }
 
 void Navigator::setTarget(std::optional<ChosenTarget> target) {
@@ -35,6 +42,7 @@ void Navigator::setTarget(std::optional<ChosenTarget> target) {
 NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> frame) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const Timestamp begin = Timestamp::now();
+  double watching_ms = 0.0;  // no part of tracking: live it runs beside it
   NavigationState state;
   state.frame = frame->number;
   state.captured = frame->captured;
@@ -46,6 +54,9 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     state.coil = coil_->track(*frame);
     rig_check_.add(*frame, state.head, coil_->sighting());
     place(state);
+    const Timestamp tracked = Timestamp::now();
+    watch(frame, state);
+    if (watchdog_) watching_ms = (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
     if (rig_check_.verdict().hasMoved()) {  // nothing measured with these cameras can be trusted
@@ -56,7 +67,7 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     state.images = std::move(frame);
     state = blanked(state, LostReason::camera);
   }
-  state.processing_ms = state.latency_ms = (Timestamp::now() - begin) * 1e3;
+  state.processing_ms = state.latency_ms = (Timestamp::now() - begin) * 1e3 - watching_ms;
   return state;
 }
 
@@ -69,6 +80,18 @@ void Navigator::place(NavigationState& state) const {
     state.camera_T_coil = {state.coil->camera_T_marker * marker_T_coil_, state.coil.quality()};
   else
     state.camera_T_coil = Lost{state.coil.reason()};
+}
+
+/// A face that no longer lies where it is tracked is lost, whatever the tracker says.
+void Navigator::watch(const std::shared_ptr<const stereo::StereoFrame>& frame, NavigationState& state) {
+  if (!watchdog_) return;
+  const bool was_alarmed = watchdog_->isAlarmed();
+  watchdog_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
+  if (!watchdog_->isAlarmed()) return;
+  if (!was_alarmed) head_->forgetLearnt();
+  state.has_drifted = true;
+  state.head = Lost{LostReason::high_residual};
+  state.camera_T_mri = Lost{LostReason::high_residual};
 }
 
 void Navigator::guide(NavigationState& state) {

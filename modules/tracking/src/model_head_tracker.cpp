@@ -72,6 +72,13 @@ class ModelHeadTracker : public HeadTracker {
     return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
 
+  void forgetLearnt() override {
+    keys_ = KeyFrames(model_);
+    wander_.assign(model_.level[0].patches.size(), 0.0);
+    last_.reset();
+    lost_frames_ = 0;
+  }
+
  private:
   struct Last {
     Eigen::Isometry3d motion;

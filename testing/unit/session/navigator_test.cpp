@@ -80,6 +80,32 @@ TEST(Navigator, RefusesEveryPoseWhenTheCamerasHaveMoved) {
   }
 }
 
+/// A watchdog whose face lies elsewhere from the second second to the fifth.
+TEST(Navigator, ShowsNoPoseOfAHeadThatHasDrifted) {
+  auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
+  navigator.setWatchdog(std::make_unique<DriftWatchdog>(
+      [](const stereo::StereoFrame& frame, const auto&) {
+        DriftFinding finding;
+        const double t_s = frame.captured.s;
+        finding.verdict =
+            t_s > 2.0 && t_s < 5.0 ? DriftFinding::Verdict::drifted : DriftFinding::Verdict::agrees;
+        return finding;
+      },
+      DriftWatchdog::Mode::in_line));
+  for (int i = 0; i < 8 * 30; ++i) {
+    const auto state = navigator.process(fakes::frame(i, i / 30.0));
+    const double t_s = i / 30.0;
+    if (t_s < 2.0 || t_s > 6.0) {
+      EXPECT_TRUE(state.head && state.camera_T_mri) << t_s;
+    } else if (t_s > 4.0 && t_s < 5.0) {
+      ASSERT_FALSE(state.head || state.camera_T_mri) << t_s;
+      EXPECT_EQ(state.camera_T_mri.reason(), LostReason::high_residual);
+      EXPECT_EQ(state.guidance.state, guidance::State::lost);
+      EXPECT_NE(lossInWords(state).find("DRIFT: the face no longer matches the MRI"), std::string::npos);
+    }
+  }
+}
+
 TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {
   auto setup = fakes::setup();
   const RigidTransform<Coil, Marker> coil_T_marker(Eigen::Quaterniond::Identity(), {0, 80, -30});

@@ -5,6 +5,7 @@
 // measured and the nearest large surface taken.
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ struct AlignmentOutcome {
   tracking::HeadReference reference;  // for the head tracker: plain frame, inlier points with their pixels
   // Per target: standard error, and what 95 of 100 errors stay below.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
+
+  std::shared_ptr<const registration::ScalpField> scalp;  // aligned to; for the drift watchdog
 
   casefile::StoredAlignment stored() const;
 };

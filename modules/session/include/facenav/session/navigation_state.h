@@ -33,6 +33,7 @@ struct NavigationState {
   double processing_ms = 0.0;  // head + coil + guidance
   double latency_ms = 0.0;     // from the frame's arrival to this state
   std::uint64_t dropped = 0;   // frames overwritten before they were tracked, since the start
+  bool has_drifted = false;    // the watchdog's alarm: the face does not lie where it is tracked
   std::string rig_fault;       // why every pose is refused: the cameras have moved since their calibration
   std::string failure;         // an Error that ended the session, in words
 };

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "facenav/guidance/guidance.h"
+#include "facenav/session/drift_watchdog.h"
 #include "facenav/session/navigation_state.h"
 #include "facenav/session/rig_check.h"
 #include "facenav/stereo/stereo_rig.h"
@@ -21,6 +22,9 @@ struct NavigatorSetup {
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri_at_reference;
   tracking::CoilModel coil;
   guidance::Tolerance tolerance;
+  /// The skin that was aligned, for the drift watchdog; null: none watches.
+  std::shared_ptr<const registration::ScalpField> scalp = nullptr;
+  DriftWatchdog::Mode watchdog = DriftWatchdog::Mode::in_line;
 };
 
 /// The chosen target with the alignment's predicted error there (mm, 0: unknown).
@@ -36,6 +40,8 @@ class Navigator {
             std::unique_ptr<tracking::CoilTracker> coil);
 
   void setTarget(std::optional<ChosenTarget> target);
+  /// In place of the one that the setup's scalp gave; null: none.
+  void setWatchdog(std::unique_ptr<DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   const stereo::StereoRig& rig() const { return rig_; }
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
   /// ("camera").
@@ -43,6 +49,7 @@ class Navigator {
 
  private:
   void place(NavigationState& state) const;
+  void watch(const std::shared_ptr<const stereo::StereoFrame>& frame, NavigationState& state);
   void guide(NavigationState& state);
 
   stereo::StereoRig rig_;
@@ -50,6 +57,7 @@ class Navigator {
   RigidTransform<Marker, Coil> marker_T_coil_;
   guidance::Tolerance tolerance_;
   RigCheck rig_check_;
+  std::unique_ptr<DriftWatchdog> watchdog_;  // null: none
   std::unique_ptr<tracking::HeadTracker> head_;
   std::unique_ptr<tracking::CoilTracker> coil_;
   std::optional<ChosenTarget> target_;

@@ -48,6 +48,8 @@ class HeadTracker {
   /// Any frame after start(); frames may have been dropped in between, and the first may be far from the
   /// reference.
   virtual Tracked<HeadPose> track(const stereo::StereoFrame& frame) = 0;
+  /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.
+  virtual void forgetLearnt() {}
 };
 
 /// Each makes its own face detector, or shares the one given (its landmark model takes 100 MB).

@@ -1,0 +1,215 @@
+#include "facenav/session/drift_check.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "facenav/core/error.h"
+
+namespace facenav::session {
+namespace {
+
+constexpr int kCell_px = 4;         // of the map of the reference's skin
+constexpr double kReach_mm = 12.0;  // of a point from the skin, at most: a hand, hair, the wall lie beyond
+constexpr double kPointError_px = 0.1;    // disparity of a point without dots, beside its stated deviation
+constexpr double kCommonError_px = 0.06;  // of it that the whole face shares (measured in the room, 5 rigs)
+constexpr double kDepthMargin_mm = 20.0;  // beyond the face as expected, that is searched
+constexpr std::size_t kMostSamples = 6000;
+constexpr std::size_t kFewestSamples = 400;
+constexpr double kLeastFacing = 0.4;  // cosine: stereo bleeds over the face's outline
+constexpr int kTile_px = 32;          // over which stereo errors go together
+constexpr int kIterations = 10;
+constexpr double kBiweight = 4.685;  // 95 % efficiency for normal errors (Huber 1981)
+constexpr double kDegree = M_PI / 180;
+constexpr double kHalfFace_mm = 70.0;
+// What may pass: the check's own error apart, less than half of a wrong pose (3 mm, 2 degrees).
+constexpr double kTolerated_mm = 1.2, kTolerated_deg = 0.8;
+constexpr double kSurely = 3.0;                                // standard errors beyond that for an alarm
+constexpr double kWorstSigma_mm = 1.0, kWorstSigma_deg = 0.8;  // a vaguer answer is none
+
+/// Sums of the normal equations, and what each tile of the image pulls by.
+struct Normal {
+  Matrix6d h = Matrix6d::Zero();
+  Vector6d g = Vector6d::Zero();
+  std::map<std::pair<int, int>, Vector6d> pulls;
+  std::vector<double> distances;  // in standard deviations
+  int used = 0;
+
+  /// Holds for errors that a whole tile shares (Liang & Zeger 1986).
+  Matrix6d covariance() const {
+    Matrix6d pull = Matrix6d::Zero();
+    for (const auto& tile : pulls) pull += tile.second * tile.second.transpose();
+    const Matrix6d inverse = h.inverse();
+    const double count = double(pulls.size());
+    return count / std::max(1.0, count - 6.0) * inverse * pull * inverse;
+  }
+};
+
+/// Spread of normal errors from the smallest third of their lengths: more than half of the face may be
+/// covered.
+double spreadOf(std::vector<double>& lengths) {
+  constexpr double kShare = 0.35, kQuantile = 0.4538;  // P(|x| < 0.4538) = 0.35
+  const auto at = lengths.begin() + std::ptrdiff_t(kShare * double(lengths.size()));
+  std::nth_element(lengths.begin(), at, lengths.end());
+  return *at / kQuantile;
+}
+
+DriftFinding::Verdict verdictOn(const DriftFinding& f) {
+  if (f.shift_mm > kTolerated_mm + kSurely * f.shift_sigma_mm ||
+      f.turn_deg > kTolerated_deg + kSurely * f.turn_sigma_deg)
+    return DriftFinding::Verdict::drifted;
+  const bool is_sharp = f.shift_sigma_mm < kWorstSigma_mm && f.turn_sigma_deg < kWorstSigma_deg;
+  return is_sharp ? DriftFinding::Verdict::agrees : DriftFinding::Verdict::unknown;
+}
+
+}  // namespace
+
+double DriftCheck::depthPerPixel_mm(double depth_mm) const {
+  return depth_mm * depth_mm / (rig_.left.k(0, 0) * rig_.baseline_mm());
+}
+
+std::optional<float> DriftCheck::SkinMap::at(const Eigen::Vector2d& px) const {
+  const int x = int(std::floor(px.x() / kCell_px)), y = int(std::floor(px.y() / kCell_px));
+  if (!(px.x() >= 0 && px.y() >= 0) || x >= columns || y >= rows) return std::nullopt;
+  const float misfit = misfit_mm[std::size_t(y) * std::size_t(columns) + std::size_t(x)];
+  if (std::isnan(misfit)) return std::nullopt;
+  return misfit;
+}
+
+DriftCheck::DriftCheck(const stereo::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
+                       const tracking::HeadReference& reference,
+                       const RigidTransform<Camera, Mri>& camera_T_mri)
+    : rig_(rig), scalp_(std::move(scalp)), mri_T_head_(camera_T_mri.isometry().inverse()) {
+  FACENAV_EXPECT(scalp_ != nullptr, "a scalp is needed");
+  skin_.columns = rig.width_px / kCell_px + 1, skin_.rows = rig.height_px / kCell_px + 1;
+  std::vector<std::pair<double, int>> sums(std::size_t(skin_.columns) * std::size_t(skin_.rows));
+  const auto& points = reference.surface.points_mm;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / 2000);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& px = reference.surface_left_px[i];
+    const auto skin = scalp_->fine((mri_T_head_ * points[i]).cast<float>());
+    if (!(std::abs(skin.distance_mm) < float(kReach_mm))) continue;
+    auto& cell = sums.at(std::size_t(int(px.y()) / kCell_px) * std::size_t(skin_.columns) +
+                         std::size_t(int(px.x()) / kCell_px));
+    cell.first += skin.distance_mm, ++cell.second;
+    if (i % step == 0) surface_mm_.push_back(points[i]);
+  }
+  for (const auto& [sum, count] : sums)
+    skin_.misfit_mm.push_back(count > 0 ? float(sum / count) : std::numeric_limits<float>::quiet_NaN());
+  for (const auto& p : surface_mm_) centre_mm_ += p / double(surface_mm_.size());
+  const auto at_reference =
+      offsetOf(measureSkin(reference.frame, Eigen::Isometry3d::Identity()), Eigen::Isometry3d::Identity());
+  if (at_reference) bias_ = at_reference->xi;
+}
+
+std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const stereo::StereoFrame& frame,
+                                                        const Eigen::Isometry3d& motion) const {
+  std::vector<Sample> samples;
+  stereo::FaceCloudOptions options;
+  options.match = stereo::quickSkinOptions();
+  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+  double nearest_mm = 1e9, farthest_mm = 0;
+  for (const auto& p_head_mm : surface_mm_) {
+    const Eigen::Vector3d p_mm = motion * p_head_mm;
+    if (p_mm.z() < 50) return samples;
+    const Eigen::Vector2d px = stereo::project(rig_.left, p_mm);
+    low = low.cwiseMin(px), high = high.cwiseMax(px);
+    nearest_mm = std::min(nearest_mm, p_mm.z()), farthest_mm = std::max(farthest_mm, p_mm.z());
+  }
+  if (surface_mm_.empty() || !((high - low).maxCoeff() < 1e5)) return samples;
+  const cv::Rect box =
+      cv::Rect(cv::Point(int(low.x()), int(low.y())), cv::Point(int(high.x()), int(high.y()))) &
+      cv::Rect(0, 0, rig_.width_px, rig_.height_px);
+  if (box.width < 40 || box.height < 40) return samples;
+  options.left_roi = box;
+  options.nearest_mm = std::max(50.0, nearest_mm - kDepthMargin_mm);
+  options.farthest_mm = farthest_mm + kDepthMargin_mm;
+  stereo::FaceCloud face;
+  try {
+    TaskMonitor monitor;
+    face = stereo::measureFace(rig_, frame, options, monitor);
+  } catch (const Error&) {  // too little texture, too dark: nothing is known
+    return samples;
+  }
+  const std::size_t step = std::max<std::size_t>(1, face.cloud.size() / kMostSamples);
+  for (std::size_t i = 0; i < face.cloud.size(); i += step) {
+    const Eigen::Vector3d at_reference_mm = motion.inverse() * face.cloud.points_mm[i];
+    if (at_reference_mm.z() < 50) continue;
+    const auto misfit_mm = skin_.at(stereo::project(rig_.left, at_reference_mm));
+    if (!misfit_mm) continue;
+    samples.push_back({face.cloud.points_mm[i], face.left_px[i], *misfit_mm,
+                       std::hypot(double(face.sigma_mm[i]),
+                                  kPointError_px * depthPerPixel_mm(face.cloud.points_mm[i].z()))});
+  }
+  return samples;
+}
+
+std::optional<DriftCheck::Offset> DriftCheck::offsetOf(const std::vector<Sample>& samples,
+                                                       const Eigen::Isometry3d& motion) const {
+  if (samples.size() < kFewestSamples) return std::nullopt;
+  const Eigen::Isometry3d head_T_camera = motion.inverse();
+  Eigen::Isometry3d corrected = Eigen::Isometry3d::Identity();  // Head
+  const Eigen::Vector3d eye_mm = head_T_camera.translation();
+  Normal sums;
+  double scale = 3.0;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    sums = {};
+    for (const auto& sample : samples) {
+      const Eigen::Vector3d p_mm = corrected * (head_T_camera * sample.p_mm);
+      const auto skin = scalp_->fine((mri_T_head_ * p_mm).cast<float>());
+      if (!(std::abs(skin.distance_mm) < float(kReach_mm))) continue;
+      const Eigen::Vector3d outward = mri_T_head_.linear().transpose() * skin.gradient.cast<double>();
+      if (outward.dot(eye_mm - p_mm) < kLeastFacing * (eye_mm - p_mm).norm()) continue;
+      const double off_mm = double(skin.distance_mm) - sample.misfit_mm;
+      const double distance = off_mm / sample.sigma_mm;
+      sums.distances.push_back(std::abs(distance));
+      const double q = std::pow(distance / (kBiweight * scale), 2);
+      if (q >= 1) continue;
+      const double weight = (1 - q) * (1 - q) / (sample.sigma_mm * sample.sigma_mm);
+      Vector6d j;
+      j << (p_mm - centre_mm_).cross(outward), outward;
+      const Vector6d pull = -weight * off_mm * j;
+      sums.h.noalias() += weight * j * j.transpose();
+      sums.g += pull;
+      const auto tile = std::pair(int(sample.left_px.x()) / kTile_px, int(sample.left_px.y()) / kTile_px);
+      sums.pulls.try_emplace(tile, Vector6d::Zero()).first->second += pull;
+      ++sums.used;
+    }
+    if (sums.used < int(kFewestSamples)) return std::nullopt;
+    const Vector6d xi = sums.h.ldlt().solve(sums.g);
+    if (!xi.allFinite()) return std::nullopt;
+    corrected =
+        Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_) * corrected;
+    scale = std::max(0.7, spreadOf(sums.distances));
+  }
+  Offset offset;
+  offset.xi << logRotation(corrected.linear()), corrected * centre_mm_ - centre_mm_;
+  offset.covariance = sums.covariance();
+  offset.points = sums.used;
+  return offset;
+}
+
+DriftFinding DriftCheck::measure(const stereo::StereoFrame& frame,
+                                 const RigidTransform<Camera, Mri>& camera_T_mri) const {
+  DriftFinding finding;
+  const Eigen::Isometry3d motion = camera_T_mri.isometry() * mri_T_head_;  // = camera_T_head
+  const auto offset = offsetOf(measureSkin(frame, motion), motion);
+  if (!offset) return finding;
+  const Vector6d drift = offset->xi - bias_;
+  finding.points = offset->points;
+  finding.shift_mm = drift.tail<3>().norm();
+  finding.turn_deg = drift.head<3>().norm() / kDegree;
+  const double common_mm = kCommonError_px * depthPerPixel_mm((motion * centre_mm_).z());
+  finding.shift_sigma_mm =
+      std::hypot(std::sqrt(offset->covariance.bottomRightCorner<3, 3>().trace()), common_mm);
+  finding.turn_sigma_deg =
+      std::hypot(std::sqrt(offset->covariance.topLeftCorner<3, 3>().trace()), common_mm / kHalfFace_mm) /
+      kDegree;
+  finding.verdict = verdictOn(finding);
+  return finding;
+}
+
+}  // namespace facenav::session
