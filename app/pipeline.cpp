@@ -105,6 +105,7 @@ void addRows(const session::NavigationState& state, bool is_aligned, bool has_co
                                      state.head ? HeadMotion(state.head->camera_T_head, state.head.quality())
                                                 : HeadMotion(Lost{state.head.reason()})));
   }
+  rows.back().detail = session::lossWord(state);
   if (has_coil_file) {
     rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::coil, state.camera_T_coil));
   } else {

@@ -12,7 +12,8 @@ constexpr double kWidth_mm = 78, kLength_mm = 112, kDepth_mm = 95;  // semi-axes
 const Eigen::Vector3d kFace_mm(0, 0, 600);
 
 double bump(double x, double y, double cx, double cy, double sx, double sy) {
-  return std::exp(-0.5 * (std::pow((x - cx) / sx, 2) + std::pow((y - cy) / sy, 2)));
+  const double u = (x - cx) / sx, v = (y - cy) / sy, square = u * u + v * v;
+  return square > 40 ? 0.0 : std::exp(-0.5 * square);  // beyond: 2e-9
 }
 
 float cubic(const cv::Mat1f& image, double x, double y) {
@@ -59,7 +60,7 @@ SyntheticFace SyntheticFace::stranger() {
 
 // Depth (mm, away from the camera) of the skin over the face's plane; x right, y down from the nose tip.
 double SyntheticFace::height(double x, double y) const {
-  const double r = std::pow(x / kWidth_mm, 2) + std::pow((y + 10) / kLength_mm, 2);
+  const double u = x / kWidth_mm, v = (y + 10) / kLength_mm, r = u * u + v * v;
   const double ellipsoid =
       r < 0.96 ? kDepth_mm * (1 - std::sqrt(1 - r)) : kDepth_mm * (0.8 + 6.0 * (r - 0.96));
   return ellipsoid - nose_mm_ * bump(x, y, 0, 0, 9, 13) - 6 * bump(x, y, 0, -25, 7, 14) +
@@ -73,16 +74,21 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
   if (to_axis <= 0 || ray.z() <= 0.1) return {};
   const Eigen::Vector3d across = origin + (middle - origin.z()) / ray.z() * ray - kFace_mm;
   if (across.head<2>().norm() > 165) return {};
-  double t = (kFace_mm.z() - 30 - origin.z()) / ray.z();
+  double t = (kFace_mm.z() - 30 - origin.z()) / ray.z(), last_t = t, last_gap = 0;
   for (int i = 0; i < 60; ++i) {
     const Eigen::Vector3d p = origin + t * ray - kFace_mm;
     const double gap = height(p.x(), p.y()) - p.z();
-    if (std::abs(gap) < 1e-5) {
+    if (std::abs(gap) < 1e-4) {
       is_hit = p.z() < kDepth_mm;
       break;
     }
     if (p.z() > kDepth_mm + 10) break;
-    t += (gap > 0 ? 0.6 : 0.9) * gap / std::max(0.3, ray.z());
+    const double damped = (gap > 0 ? 0.6 : 0.9) * gap / std::max(0.3, ray.z());
+    // The secant, where it goes the same way and not much farther.
+    const double secant = i < 3 || gap == last_gap ? damped : -gap * (t - last_t) / (gap - last_gap);
+    const bool is_safe = secant * damped > 0 && std::abs(secant) < 2.5 * std::abs(damped);
+    last_t = t, last_gap = gap;
+    t += is_safe ? secant : damped;
   }
   return origin + t * ray - kFace_mm;
 }

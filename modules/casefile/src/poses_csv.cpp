@@ -10,7 +10,7 @@ namespace {
 
 struct Columns {
   std::size_t frame, t_s, object, status, tx, ty, tz, qw, qx, qy, qz, quality, reason;
-  std::optional<std::size_t> of_frame;  // not in FORMATS.md: other tools' files lack it
+  std::optional<std::size_t> of_frame, detail;  // not in FORMATS.md: other tools' files lack them
   explicit Columns(const CsvTable& table)
       : frame(table.column("frame")),
         t_s(table.column("t_s")),
@@ -25,7 +25,8 @@ struct Columns {
         qz(table.column("qz")),
         quality(table.column("quality")),
         reason(table.column("reason")),
-        of_frame(table.findColumn("of_frame")) {}
+        of_frame(table.findColumn("of_frame")),
+        detail(table.findColumn("detail")) {}
 };
 
 PoseObject readObject(const CsvTable& table, std::size_t row, const Columns& columns) {
@@ -52,6 +53,7 @@ PoseRow readRow(const CsvTable& table, std::size_t row, const Columns& columns) 
   pose.t_s = table.number(row, columns.t_s);
   pose.object = readObject(table, row, columns);
   if (columns.of_frame) pose.of_frame = table.text(row, *columns.of_frame);
+  if (columns.detail) pose.detail = table.text(row, *columns.detail);
   const std::string& status = table.text(row, columns.status);
   if (status == "tracked") {
     pose.pose = readPose(table, row, columns);
@@ -72,7 +74,7 @@ PoseRow readRow(const CsvTable& table, std::size_t row, const Columns& columns) 
 }  // namespace
 
 std::string posesCsvHeader() {
-  return "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason,of_frame\n";
+  return "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason,of_frame,detail\n";
 }
 
 std::string toCsvLine(const PoseRow& row) {
@@ -80,14 +82,14 @@ std::string toCsvLine(const PoseRow& row) {
                      (row.object == PoseObject::head ? "head," : "coil,");
   if (!row.pose)
     return line + "lost,,,,,,,,0," + toString(row.reason.value_or(LostReason::stale)) + "," + row.of_frame +
-           "\n";
+           "," + row.detail + "\n";
   Eigen::Quaterniond q(row.pose->linear());
   q.normalize();
   if (q.w() < 0) q.coeffs() *= -1;
   line += "tracked";
   for (int i = 0; i < 3; ++i) line += "," + fixed(row.pose->translation()[i], 6);
   for (const double value : {q.w(), q.x(), q.y(), q.z()}) line += "," + fixed(value, 9);
-  return line + "," + fixed(row.quality, 4) + ",," + row.of_frame + "\n";
+  return line + "," + fixed(row.quality, 4) + ",," + row.of_frame + ",\n";
 }
 
 void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path) {

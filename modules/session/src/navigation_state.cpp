@@ -3,7 +3,36 @@
 namespace facenav::session {
 namespace {
 
-std::string headWords(LostReason reason) {
+using tracking::LossDetail;
+
+std::string detailWords(LossDetail detail) {
+  switch (detail) {
+    case LossDetail::not_found:
+      return "FACE NOT FOUND: let the face look towards the cameras";
+    case LossDetail::covered:
+      return "FACE COVERED: move the coil or hand aside";
+    case LossDetail::too_far:
+      return "FACE TOO FAR AWAY: come nearer to the cameras";
+    case LossDetail::blurred:
+      return "PICTURE BLURRED: hold still, check focus";
+    case LossDetail::one_camera:
+      return "ONE CAMERA DOES NOT SEE THE FACE: clear its view";
+    case LossDetail::frozen:
+      return "CAMERA FROZEN: its picture repeats";
+    case LossDetail::no_picture:
+      return "NO PICTURE: check both cameras and the light";
+    case LossDetail::swapped:
+      return "CAMERAS SWAPPED: exchange left and right";
+    case LossDetail::doubtful:
+    case LossDetail::unknown:
+      break;
+  }
+  return {};
+}
+
+std::string headWords(LostReason reason, LossDetail detail) {
+  const std::string words = detailWords(detail);
+  if (!words.empty()) return words;
   switch (reason) {
     case LostReason::no_face:
       return "FACE NOT SEEN: let the face look towards the cameras";
@@ -46,19 +75,26 @@ NavigationState blanked(const NavigationState& state, LostReason reason) {
   out.coil = Lost{reason};
   out.camera_T_mri = Lost{reason};
   out.camera_T_coil = Lost{reason};
+  out.head_detail = LossDetail::unknown;  // that of a frame gone by
   out.guidance = {};
   out.guidance.reason = reason;
   out.guidance.instruction = lossInWords(out);
   return out;
 }
 
+std::string lossWord(const NavigationState& state) {
+  if (state.head) return {};
+  if (!state.rig_fault.empty()) return "cameras_moved";
+  return state.has_drifted ? "drift" : toString(state.head_detail);
+}
+
 std::string lossInWords(const NavigationState& state) {
   if (!state.failure.empty()) return "STOPPED: " + state.failure;
   if (!state.rig_fault.empty()) return "CAMERAS MOVED: calibrate them again";
   if (state.has_drifted) return "DRIFT: the face no longer matches the MRI, align again";
-  if (!state.head) return headWords(state.head.reason());
+  if (!state.head) return headWords(state.head.reason(), state.head_detail);
   if (!state.is_aligned) return "NOT ALIGNED: align the head first";
-  if (!state.camera_T_mri) return headWords(state.camera_T_mri.reason());
+  if (!state.camera_T_mri) return headWords(state.camera_T_mri.reason(), state.head_detail);
   if (!state.coil) return coilWords(state.coil.reason());
   return {};
 }

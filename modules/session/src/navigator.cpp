@@ -51,6 +51,7 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
   state.target = target_ ? target_->target.name : "";
   if (isUsable(*frame, rig_)) {
     state.head = head_->track(*frame);
+    if (!state.head) state.head_detail = head_->lossDetail();
     state.coil = coil_->track(*frame);
     rig_check_.add(*frame, state.head, coil_->sighting());
     place(state);

@@ -1,8 +1,8 @@
 #pragma once
 // CoarseSearch: where the face has gone, from its looks alone: eighth-size pictures of the reference face, as
-// it was, leaning, nearer and farther, found in both images by NCC. Needs no face detector (a covered or cut
-// face has none to offer, and a cascade takes tens of milliseconds), and one picture a frame keeps each frame
-// short.
+// it was, leaning, turned, nearer and farther, and of each key frame, found in both images by NCC. Needs no
+// face detector (a covered or cut face has none to offer, and a cascade takes tens of milliseconds), and a
+// few pictures a frame keep each frame short.
 
 #include <array>
 #include <optional>
@@ -19,19 +19,27 @@ class CoarseSearch {
   CoarseSearch() = default;
   CoarseSearch(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key, const PatchModel& model);
 
-  /// The head's motion since the reference, roughly; nothing where either image holds nothing like the face.
-  /// `attempt` counts up from 0 while the face is lost: even ones look for it as it was, the others for it
-  /// changed.
-  std::optional<Eigen::Isometry3d> find(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
-                                        int attempt) const;
+  /// Where the head may be, roughly, as motions since the reference: from the reference's picture, and from
+  /// the next two of the others. `attempt` counts up from 0 while the face is lost. Empty where nothing in
+  /// both images looks like the face.
+  std::vector<Eigen::Isometry3d> find(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
+                                      int attempt) const;
+  /// The face as it is seen at `motion` (a key frame), to be looked for, too.
+  void add(const stereo::StereoRig& rig, const std::array<cv::Mat, 2>& grey, const PatchModel& model,
+           const Eigen::Isometry3d& motion);
 
  private:
   struct Picture {
-    double roll_rad = 0.0, scale = 1.0;
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // of the head, that it shows
     std::array<cv::Mat1f, 2> face;
     std::array<Eigen::Vector2d, 2> centre_px;  // of the model's centre in the picture
   };
-  Picture turned(const Picture& upright, double roll_rad, double scale) const;
+  /// The picture with every pixel moved by `now_from_then` about the face's middle.
+  Picture changed(const Picture& picture, const Eigen::Matrix2d& now_from_then,
+                  const Eigen::Matrix3d& turn) const;
+  std::optional<Eigen::Isometry3d> locate(const stereo::StereoRig& rig,
+                                          const std::array<cv::Mat1f, 2>& images,
+                                          const Picture& picture) const;
 
   std::vector<Picture> pictures_;  // the first: as it was
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();

@@ -11,7 +11,6 @@ constexpr double kDarkest_grey = 6.0;   // mean below it: covered or switched of
 constexpr double kFlattest_grey = 2.5;  // standard deviation below it: no picture
 constexpr double kNoisyShare = 0.35;    // of pixels that change between images where the sensor's noise shows
 constexpr double kMoving_mm_s = 5.0;    // no head stops from this within one frame
-constexpr double kTolerableAge_mm = 1.0;  // motion since a single repeated image that may pass
 constexpr std::size_t kHistory = 31, kLeastHistory = 2;
 constexpr int kRowStep = 3;
 
@@ -30,7 +29,6 @@ void FrameGuard::start(const stereo::StereoFrame& reference) {
   left_ = reference.left.clone();
   right_ = reference.right.clone();
   new_image_s_ = reference.captured.s;
-  repeats_ = 0;
   changed_.clear();
 }
 
@@ -64,20 +62,16 @@ std::optional<LostReason> FrameGuard::judge(const Change& left, const Change& ri
     const double face_change = left_repeats ? right.face : left.face;
     return streamIsNoisy() || face_change > 0.01 ? std::optional(LostReason::camera) : std::nullopt;
   }
-  if (streamIsNoisy()) {
-    if (repeats_ >= 2 || moved_mm > kTolerableAge_mm) return LostReason::stale;
-    return std::nullopt;
-  }
-  return moved_mm > 0 ? std::optional(LostReason::stale) : std::nullopt;
+  return streamIsNoisy() || moved_mm > 0 ? std::optional(LostReason::stale) : std::nullopt;
 }
 
 std::optional<LostReason> FrameGuard::check(const stereo::StereoFrame& frame, double speed_mm_s,
                                             const cv::Rect& left_face, const cv::Rect& right_face) {
   const auto fits = [&](const cv::Mat& image) { return image.size() == size_ && image.type() == CV_8UC1; };
+  detail_ = LossDetail::no_picture;
   if (!fits(frame.left) || !fits(frame.right)) return LostReason::camera;
   const Change left = change(frame.left, left_, left_face), right = change(frame.right, right_, right_face);
   const bool is_new = left.all > 0 && right.all > 0;
-  repeats_ = is_new ? 0 : repeats_ + 1;
   const double age_s = std::max(0.0, frame.captured.s - new_image_s_);
   const double moved_mm = speed_mm_s > kMoving_mm_s ? speed_mm_s * age_s : 0.0;
   const auto verdict = judge(left, right, moved_mm);
@@ -89,6 +83,7 @@ std::optional<LostReason> FrameGuard::check(const stereo::StereoFrame& frame, do
     if (changed_.size() > kHistory) changed_.erase(changed_.begin());
   }
   if (isBlank(frame.left) || isBlank(frame.right)) return LostReason::camera;
+  detail_ = LossDetail::frozen;
   return verdict;
 }
 

@@ -2,9 +2,9 @@
 // FrameGuard: is this pair of images news at all? Black, blank, of another size, or frozen.
 //
 // A frozen camera repeats its image bit for bit. With sensor noise two images are never equal, so repetition
-// in a stream that has shown noise is a freeze. Without noise (a rendered recording) a still head repeats its
-// images too, and its pose is right: then repetition counts as a freeze only where the head was moving
-// before, or where the other camera's view of the face goes on changing.
+// in a stream that has shown noise is a freeze, from the first repeated image on. Without noise (a rendered
+// recording) a still head repeats its images too, and its pose is right: then repetition counts as a freeze
+// only where the head was moving before, or where the other camera's view of the face goes on changing.
 
 #include <cstdint>
 #include <optional>
@@ -12,6 +12,7 @@
 
 #include "facenav/core/tracked.h"
 #include "facenav/stereo/stereo_frame.h"
+#include "facenav/tracking/loss_detail.h"
 
 namespace facenav::tracking {
 
@@ -22,6 +23,8 @@ class FrameGuard {
   /// where the face was last seen in each image.
   std::optional<LostReason> check(const stereo::StereoFrame& frame, double speed_mm_s,
                                   const cv::Rect& left_face, const cv::Rect& right_face);
+  /// Of the fault that check() gave last: frozen, or no picture.
+  LossDetail detail() const { return detail_; }
 
  private:
   struct Change {
@@ -34,7 +37,7 @@ class FrameGuard {
   cv::Size size_;
   cv::Mat left_, right_;      // the previous images
   double new_image_s_ = 0.0;  // when both images last were new
-  int repeats_ = 0;
+  LossDetail detail_ = LossDetail::unknown;
   std::vector<float> changed_;  // of recent pairs that differed, the smaller share of left and right
 };
 

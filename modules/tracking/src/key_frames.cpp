@@ -75,15 +75,19 @@ const KeyFrame& KeyFrames::nearest(const Eigen::Isometry3d& motion) {
   return keys_[chosen_];
 }
 
-void KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
+bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
                       const PoseFit& fit, const Verdict& verdict) {
-  if (unfinished_) return goOn(rig, model);
-  if (keys_.size() >= kMost || verdict.quality < kLeastQuality || fit.scale > kWorstScale) return;
-  if (std::sqrt(verdict.covariance.bottomRightCorner<3, 3>().trace()) > kWorstSigma_mm) return;
-  if (keys_[chosen_].generation + 1 > kOldestGeneration) return;
+  if (unfinished_) {
+    goOn(rig, model);
+    return false;
+  }
+  if (keys_.size() >= kMost || verdict.quality < kLeastQuality || fit.scale > kWorstScale) return false;
+  if (std::sqrt(verdict.covariance.bottomRightCorner<3, 3>().trace()) > kWorstSigma_mm) return false;
+  if (keys_[chosen_].generation + 1 > kOldestGeneration) return false;
   for (const auto& key : keys_)
-    if (angleBetween(key.motion, fit.motion) < kNewSide_rad) return;
+    if (angleBetween(key.motion, fit.motion) < kNewSide_rad) return false;
   begin(rig, model, frame, fit, verdict);
+  return true;
 }
 
 void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,

@@ -29,8 +29,8 @@ class KeyFrames {
   /// alike.
   const KeyFrame& nearest(const Eigen::Isometry3d& motion);
 
-  /// After each tracked frame: goes on learning, or begins to where the frame shows a new side well.
-  void learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
+  /// After each tracked frame: goes on learning, or begins to where the frame shows a new side well (true).
+  bool learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict);
   /// The track was lost: what is being learnt may be wrong.
   void forgetUnfinished() { unfinished_.reset(); }

@@ -21,8 +21,12 @@
 namespace facenav::tracking {
 namespace {
 
-constexpr double kLongestGap_s = 0.3;   // beyond it a prediction is worth nothing
-constexpr double kTrustMemory_s = 0.7;  // over which a patch shows whether it moves by itself
+constexpr double kLongestGap_s = 0.3;    // beyond it a prediction is worth nothing
+constexpr double kTrustMemory_s = 0.7;   // over which a patch shows whether it moves by itself
+constexpr int kRoughLevel = 2;           // where fits that only choose a start end
+constexpr double kLeastLikeness = 0.15;  // after it: less is no face
+constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
+constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
@@ -48,18 +52,19 @@ class ModelHeadTracker : public HeadTracker {
                   "look for blur, darkness or a covered face");
     rig_ = rig;
     keys_ = KeyFrames(model_);
-    coarse_ = CoarseSearch(rig, key, model_);
+    coarse_ = reference_search_ = CoarseSearch(rig, key, model_);
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
     lost_frames_ = 0;
+    detail_at_start_ = detailIn(key[0]);
     guard_.start(reference.frame);
   }
 
   Tracked<HeadPose> track(const stereo::StereoFrame& frame) override {
     const auto fault =
         guard_.check(frame, last_ ? last_->velocity.tail<3>().norm() : 0.0, left_box_, right_box_);
-    if (fault) return lost(*fault);
+    if (fault) return refused(*fault);
     const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
     const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
     if (is_recent && lost_frames_ == 0) {
@@ -72,8 +77,11 @@ class ModelHeadTracker : public HeadTracker {
     return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
 
+  LossDetail lossDetail() const override { return detail_; }
+
   void forgetLearnt() override {
     keys_ = KeyFrames(model_);
+    coarse_ = reference_search_;
     wander_.assign(model_.level[0].patches.size(), 0.0);
     last_.reset();
     lost_frames_ = 0;
@@ -119,25 +127,31 @@ class ModelHeadTracker : public HeadTracker {
     return factors;
   }
 
-  // The prediction failed: coarse to fine from there, then wherever the face may be. One search and at most
-  // three fits a frame, so that no frame takes long.
+  // The prediction failed: from there, and from wherever a picture of the face is found, a coarse fit each;
+  // the one after which the patches look most as they should is fitted to the end. So no frame takes long.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     const std::array<ImagePyramid, 2> now = {ImagePyramid(frame.left), ImagePyramid(frame.right)};
-    LostReason reason = LostReason::no_face;
-    if (last_ && lost_frames_ % 2 == 0) {
-      const auto there = attempt(now, expected.value_or(last_->motion));
-      if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
-      reason = *there.verdict.lost;
+    auto starts = coarse_.find(rig_, now, lost_frames_);
+    const bool is_found = !starts.empty();
+    if (last_) starts.insert(starts.begin(), expected.value_or(last_->motion));
+    PoseFit best;
+    for (const auto& start : starts) {
+      const PoseFit rough = roughly(now, start);
+      if (rough.likeness > best.likeness) best = rough;
     }
-    if (const auto start = coarse_.find(rig_, now, lost_frames_ / (last_ ? 2 : 1))) {
-      const auto there = attempt(now, *start);
-      if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
-      reason = *there.verdict.lost;
-    }
-    if (last_ && lost_frames_ % 2 == 0 && attempt({now[1], now[0]}, last_->motion).verdict.isTracked())
-      reason = LostReason::camera;  // left and right are swapped
-    return lost(reason);
+    if (last_ && roughly({now[1], now[0]}, last_->motion).likeness >
+                     std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
+      return lost(LostReason::camera, LossDetail::swapped);
+    if (best.likeness < kLeastLikeness)
+      return lost(LostReason::no_face, is_found ? LossDetail::doubtful : LossDetail::not_found);
+    const auto there = attempt(now, best.motion);
+    if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
+    return lost(*there.verdict.lost, detailOf(there, now));
+  }
+
+  PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) const {
+    return fitPose(rig_, model_, model_.level[0], now, start, kLevels - 1, {}, kRoughLevel);
   }
 
   struct Attempt {
@@ -147,12 +161,41 @@ class ModelHeadTracker : public HeadTracker {
 
   Attempt attempt(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
-    PoseFit fit = fitPose(rig_, model_, key.level, now, start, kLevels - 1, trust());
+    PoseFit fit = fitPose(rig_, model_, key.level, now, start, kRoughLevel - 1, trust());
     Verdict verdict = judge(model_, fit, key.covariance);
     return {std::move(fit), std::move(verdict)};
   }
 
-  Tracked<HeadPose> lost(LostReason reason) {
+  // In words only: where patches look as they should, but too few, the rest is covered.
+  LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now) const {
+    if (*there.verdict.lost == LostReason::camera) return LossDetail::one_camera;
+    const double depth_mm = (there.fit.motion * model_.centre_mm).z();
+    if (depth_mm > kFar * model_.centre_mm.z()) return LossDetail::too_far;
+    if (detailIn(now[0]) < kBlurred * detail_at_start_) return LossDetail::blurred;
+    return *there.verdict.lost == LostReason::few_features ? LossDetail::covered : LossDetail::doubtful;
+  }
+
+  // How much of the face's contrast is fine detail: that between level 0 and 1, by that between 1 and 2.
+  double detailIn(const ImagePyramid& image) const {
+    const cv::Rect half(left_box_.x / 2, left_box_.y / 2, left_box_.width / 2, left_box_.height / 2);
+    const cv::Mat1w& coarse = image.level[1].pixels;
+    const cv::Rect box = half & cv::Rect({}, coarse.size());
+    if (box.area() < 100) return detail_at_start_;
+    cv::Mat1f grey, smooth, smoother;
+    coarse(box).convertTo(grey, CV_32F, 1.0 / kGreyScale);
+    cv::blur(grey, smooth, {3, 3});
+    cv::blur(grey, smoother, {9, 9});
+    return cv::norm(grey, smooth, cv::NORM_L2) / (1e-3 + cv::norm(smooth, smoother, cv::NORM_L2));
+  }
+
+  // Pictures that are no news: the track goes on from before with the next good ones.
+  Tracked<HeadPose> refused(LostReason fault) {
+    detail_ = guard_.detail();
+    return Lost{fault};
+  }
+
+  Tracked<HeadPose> lost(LostReason reason, LossDetail detail) {
+    detail_ = detail;
     ++lost_frames_;
     if (last_) last_->velocity.setZero();
     keys_.forgetUnfinished();
@@ -161,7 +204,9 @@ class ModelHeadTracker : public HeadTracker {
 
   Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     learnTrust(frame.captured, fit);
-    keys_.learn(rig_, model_, frame, fit, verdict);
+    detail_ = LossDetail::unknown;
+    if (keys_.learn(rig_, model_, frame, fit, verdict))
+      coarse_.add(rig_, {frame.left, frame.right}, model_, fit.motion);
     remember(frame.captured, fit);
     HeadPose pose;
     pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
@@ -217,7 +262,9 @@ class ModelHeadTracker : public HeadTracker {
   stereo::StereoRig rig_;
   PatchModel model_;
   KeyFrames keys_;
-  CoarseSearch coarse_;
+  CoarseSearch coarse_, reference_search_;  // the second: without what was learnt since start()
+  LossDetail detail_ = LossDetail::unknown;
+  double detail_at_start_ = 0.0;
   FrameGuard guard_;
   std::optional<Last> last_;
   std::vector<double> wander_;  // per patch of level 0: mean square distance beyond the expected

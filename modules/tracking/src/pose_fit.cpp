@@ -17,6 +17,8 @@ constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (H
 constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's linearisation means nothing
 constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
 constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arrived
+constexpr float kAlikeShare = 0.6f;    // of the correlation expected
+constexpr int kFewestAlike = 10;       // patches in view, of both cameras, to say anything
 constexpr float kLeastScale = 0.5f;
 constexpr int kIterations[kLevels] = {8, 5, 5, 6};
 constexpr double kSettled_px[kLevels] = {0.01, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
@@ -99,6 +101,15 @@ class LevelFit {
       fit.pull += pull * pull.transpose();
     }
     fit.sights = std::move(sights_);
+  }
+
+  double likeness() const {
+    int seen = 0, alike = 0;
+    for (const auto& sight : sights_)
+      for (const auto& one : sight)
+        if (one.is_visible && one.expected_ncc > 0.3f)
+          ++seen, alike += one.ncc > kAlikeShare * one.expected_ncc;
+    return seen < kFewestAlike ? 0.0 : double(alike) / seen;
   }
 
   // How far the step moves the patches, pixels of the level.
@@ -292,11 +303,11 @@ Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
 
 PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& finest,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
-                const std::vector<float>& trust) {
+                const std::vector<float>& trust, int last_level) {
   PoseFit fit;
   fit.motion = start;
   const std::vector<float> even;
-  for (int l = first_level; l >= 0; --l) {
+  for (int l = first_level; l >= last_level; --l) {
     const PatchLevel& patches = l == 0 ? finest : model.level[l];
     if (patches.patches.size() < 4) continue;
     LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
@@ -309,6 +320,7 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
       moved_px = level.motion_px(xi);
       if (moved_px < kSettled_px[l]) break;
     }
+    if (l == last_level) fit.likeness = level.likeness();
     if (l > 0) continue;
     fit.is_settled = moved_px < kUnsettled_px;
     level.finish(fit);

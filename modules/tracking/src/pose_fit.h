@@ -35,13 +35,15 @@ struct PoseFit {
   int regions = 0;                   // that pull
   double scale = 1.0;                // spread of distances; 1 where the error model holds
   bool is_settled = false;           // the last step moved no patch by more than a small part of a pixel
-  PatchSights sights;                // of level 0
+  PatchSights sights;                // of level 0; empty where the fit ended above
+  double likeness = 0.0;  // share of the patches in view, of the last level, that look as they should
 };
 
 /// Coarse to fine from `start`, beginning at `first_level`. `finest` stands in for the model's level 0 (a
-/// later key frame's looks of the same patches). `trust`: one factor per patch of level 0 (or empty).
+/// later key frame's looks of the same patches). Ends after `last_level`: above 0 a fit costs a fifth, to
+/// choose among starts by their likeness. `trust`: one factor per patch of level 0 (or empty).
 PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& finest,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
-                const std::vector<float>& trust);
+                const std::vector<float>& trust, int last_level = 0);
 
 }  // namespace facenav::tracking

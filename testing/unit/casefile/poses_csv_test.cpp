@@ -32,19 +32,21 @@ std::string faultOf(const std::string& content) {
 TEST(PosesCsv, WritesTheColumnsOfTheFormat) {
   const HeadPose pose(Eigen::Quaterniond(-0.5, 0.5, -0.5, 0.5),
                       {1.5, -2, 600.25});  // w < 0: written as its negative
-  EXPECT_EQ(posesCsvHeader(), "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason,of_frame\n");
+  EXPECT_EQ(posesCsvHeader(),
+            "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason,of_frame,detail\n");
   EXPECT_EQ(toCsvLine(poseRow(3, 0.05, PoseObject::head, Tracked<HeadPose>(pose, 0.875))),
             "3,0.050000,head,tracked,1.500000,-2.000000,600.250000,0.500000000,-0.500000000,0.500000000,"
-            "-0.500000000,0.8750,,mri\n");
+            "-0.500000000,0.8750,,mri,\n");
   EXPECT_EQ(toCsvLine(poseRow(4, 0.1, PoseObject::coil, Tracked<CoilPose>(Lost{LostReason::no_marker}))),
-            "4,0.100000,coil,lost,,,,,,,,0,no_marker,coil\n");
+            "4,0.100000,coil,lost,,,,,,,,0,no_marker,coil,\n");
 }
 
 TEST(PosesCsv, RoundTripHoldsMicrometres) {
   const TemporaryFolder folder;
   const CoilPose pose(Eigen::Quaterniond(0.3, 0.1, -0.8, 0.2), {-31.234567, 12.5, 701.999});
-  writePoses({poseRow(0, 0.0, PoseObject::head, Tracked<HeadPose>(Lost{LostReason::high_residual})),
-              poseRow(0, 0.0, PoseObject::coil, Tracked<CoilPose>(pose, 0.5))},
+  auto lost = poseRow(0, 0.0, PoseObject::head, Tracked<HeadPose>(Lost{LostReason::high_residual}));
+  lost.detail = "drift";
+  writePoses({lost, poseRow(0, 0.0, PoseObject::coil, Tracked<CoilPose>(pose, 0.5))},
              folder.path() / "poses.csv");
   const auto rows = readPoses(folder.path() / "poses.csv");
   ASSERT_EQ(rows.size(), 2u);
@@ -56,6 +58,7 @@ TEST(PosesCsv, RoundTripHoldsMicrometres) {
   EXPECT_THAT(*coil, PoseNear(pose, 1e-6, 2e-6));
   EXPECT_EQ(coil.quality(), 0.5);
   EXPECT_EQ(rows[0].of_frame, "mri");
+  EXPECT_EQ(rows[0].detail, "drift");
   EXPECT_EQ(rows[1].of_frame, "coil");
 }
 

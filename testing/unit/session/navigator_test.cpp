@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "session_fakes.h"
 #include "support/matchers.h"
 
@@ -101,9 +103,26 @@ TEST(Navigator, ShowsNoPoseOfAHeadThatHasDrifted) {
       ASSERT_FALSE(state.head || state.camera_T_mri) << t_s;
       EXPECT_EQ(state.camera_T_mri.reason(), LostReason::high_residual);
       EXPECT_EQ(state.guidance.state, guidance::State::lost);
+      EXPECT_EQ(lossWord(state), "drift");
       EXPECT_NE(lossInWords(state).find("DRIFT: the face no longer matches the MRI"), std::string::npos);
     }
   }
+}
+
+TEST(NavigationState, SaysWhatALossLooksLike) {
+  using tracking::LossDetail;
+  std::set<std::string> words;
+  for (const auto detail : {LossDetail::unknown, LossDetail::not_found, LossDetail::covered,
+                            LossDetail::too_far, LossDetail::blurred, LossDetail::one_camera,
+                            LossDetail::frozen, LossDetail::no_picture, LossDetail::swapped}) {
+    NavigationState state;
+    state.head = Lost{LostReason::few_features};
+    state.head_detail = detail;
+    words.insert(lossInWords(state));
+    EXPECT_EQ(lossWord(state), tracking::toString(detail));
+  }
+  EXPECT_EQ(words.size(), 9u);
+  EXPECT_EQ(words.count(""), 0u);
 }
 
 TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {

@@ -43,7 +43,8 @@ TEST(FrameGuard, AFrozenPairIsStaleWhereTheStreamHasShownNoise) {
   for (int i = 1; i < 6; ++i) guard.check(frameAt(i / 60.0, 0, 1.5, i), 0.2, kFace, kFace);
   auto frozen = frameAt(5 / 60.0, 0, 1.5, 5);
   frozen.captured.s = 6 / 60.0;
-  EXPECT_FALSE(guard.check(frozen, 0.2, kFace, kFace)) << "one repeated image of a slow head may pass";
+  EXPECT_EQ(guard.check(frozen, 0.2, kFace, kFace), LostReason::stale) << "from the first repeated image on";
+  EXPECT_EQ(guard.detail(), LossDetail::frozen);
   frozen.captured.s = 7 / 60.0;
   EXPECT_EQ(guard.check(frozen, 0.2, kFace, kFace), LostReason::stale);
   EXPECT_FALSE(guard.check(frameAt(8 / 60.0, 0, 1.5, 8), 0.2, kFace, kFace)) << "new images again";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/core/error.h"
@@ -45,6 +46,17 @@ SyntheticView viewAt(int frame, double yaw_deg) {
   return view;
 }
 
+/// Turned by `yaw_deg` about the neck.
+SyntheticView turnedView(int frame, double yaw_deg) {
+  SyntheticView view;
+  view.motion = Eigen::Translation3d(0, 0, 700) *
+                Eigen::AngleAxisd(yaw_deg * kDegree, Eigen::Vector3d::UnitY()) *
+                Eigen::Translation3d(0, 0, -700);
+  view.seed = std::uint64_t(frame) + 1;
+  view.time_s = frame / 30.0;
+  return view;
+}
+
 SyntheticView stillView(int frame) {
   SyntheticView view;
   view.seed = std::uint64_t(frame) + 1;
@@ -67,12 +79,17 @@ class HeadTrackers : public ::testing::Test {
     if (!std::filesystem::exists(SyntheticFace::portraitPath()))
       GTEST_SKIP() << "no portrait (python3-skimage)";
     rig_ = testing::convergingRig();
-    face_ = std::make_unique<SyntheticFace>(SyntheticFace::astronaut());
+    static const SyntheticFace shared = SyntheticFace::astronaut();  // its rays are made once
+    face_ = &shared;
   }
   void start(tracking::HeadTracker& tracker, bool with_surface) const {
-    SyntheticView view;
-    view.seed = 99;
-    tracker.start(rig_, face_->reference(rig_, with_surface, view));
+    static std::map<bool, tracking::HeadReference> references;
+    if (references.count(with_surface) == 0) {
+      SyntheticView view;
+      view.seed = 99;
+      references[with_surface] = face_->reference(rig_, with_surface, view);
+    }
+    tracker.start(rig_, references[with_surface]);
   }
   Errors follow(tracking::HeadTracker& tracker, const std::vector<SyntheticView>& views) const {
     Errors errors;
@@ -100,7 +117,7 @@ class HeadTrackers : public ::testing::Test {
   }
 
   stereo::StereoRig rig_;
-  std::unique_ptr<SyntheticFace> face_;
+  const SyntheticFace* face_ = nullptr;
 };
 
 TEST_F(HeadTrackers, Features7FollowsWithinTwoMillimetresAtTheCortex) {
@@ -204,14 +221,16 @@ const Damage kDamages[] = {
 };
 
 TEST_F(HeadTrackers, RefuseEveryDamagedFrameAndGoOnAfterIt) {
+  std::vector<stereo::StereoFrame> frames;
+  for (int i = 0; i < 2 * int(std::size(kDamages)); ++i) frames.push_back(face_->render(rig_, viewAt(i, 8)));
   for (bool is_model : {true, false}) {
     const auto tracker = make(is_model);
     start(*tracker, true);
-    int frame = 0;
+    std::size_t frame = 0;
     for (const auto& damage : kDamages) {
-      ASSERT_TRUE(tracker->track(face_->render(rig_, viewAt(frame++, 8))).isTracked())
-          << "not found again, before " << damage.name;
-      auto damaged = face_->render(rig_, viewAt(frame++, 8));
+      ASSERT_TRUE(tracker->track(frames[frame++]).isTracked()) << "not found again, before " << damage.name;
+      auto damaged = frames[frame++];
+      damaged.left = damaged.left.clone(), damaged.right = damaged.right.clone();
       damage.apply(damaged);
       EXPECT_FALSE(tracker->track(damaged).isTracked())
           << damage.name << (is_model ? ", model" : ", features7");
@@ -232,13 +251,14 @@ TEST_F(HeadTrackers, SwappedSidesAreTheCamerasFault) {
 
 TEST_F(HeadTrackers, AnotherPersonIsNotTracked) {
   const SyntheticFace stranger = SyntheticFace::stranger();
+  std::vector<stereo::StereoFrame> frames = {face_->render(rig_, stillView(0))};
+  for (int i = 1; i < 4; ++i) frames.push_back(stranger.render(rig_, stillView(i)));
   for (bool is_model : {true, false}) {
     const auto tracker = make(is_model);
     start(*tracker, true);
-    ASSERT_TRUE(tracker->track(face_->render(rig_, stillView(0))).isTracked());
-    for (int frame = 1; frame < 4; ++frame)
-      EXPECT_FALSE(tracker->track(stranger.render(rig_, stillView(frame))).isTracked())
-          << (is_model ? "model" : "features7");
+    ASSERT_TRUE(tracker->track(frames[0]).isTracked());
+    for (std::size_t frame = 1; frame < 4; ++frame)
+      EXPECT_FALSE(tracker->track(frames[frame]).isTracked()) << (is_model ? "model" : "features7");
   }
 }
 
@@ -253,6 +273,64 @@ TEST_F(HeadTrackers, AFaceLostIsFoundAgainElsewhereAtOnce) {
   const auto pose = tracker->track(face_->render(rig_, back));
   ASSERT_TRUE(pose.isTracked());
   EXPECT_LT(errorOf(*pose, back).at_point_mm, 0.3);
+}
+
+TEST_F(HeadTrackers, AFaceLostAtTheSideIsFoundAgainThere) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  for (int i = 0; i <= 7; ++i)  // turning to 28 degrees
+    ASSERT_TRUE(tracker->track(face_->render(rig_, turnedView(i, 4.0 * i))).isTracked()) << i;
+  SyntheticView hidden = turnedView(8, 28);
+  hidden.cover_mm = cv::Rect2d(-200, -200, 400, 400);
+  EXPECT_FALSE(tracker->track(face_->render(rig_, hidden)).isTracked());
+  SyntheticView back = turnedView(30, 26);  // longer ago than a prediction holds
+  back.motion.pretranslate(Eigen::Vector3d(-25, 15, 20));
+  int frames = 0;
+  for (bool is_found = false; !is_found && frames < 6; ++frames) {
+    back.seed = 100 + std::uint64_t(frames), back.time_s += 1.0 / 30;
+    const auto pose = tracker->track(face_->render(rig_, back));
+    is_found = pose.isTracked();
+    if (is_found) {
+      EXPECT_LT(errorOf(*pose, back).at_point_mm, 0.5);
+    }
+  }
+  EXPECT_LT(frames, 6) << "0.2 s";
+}
+
+TEST_F(HeadTrackers, AFrozenCameraIsNoticedInItsFirstRepeatedFrame) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  auto frame = face_->render(rig_, stillView(0));
+  for (int i = 1; i < 4; ++i) {
+    frame = face_->render(rig_, stillView(i));
+    ASSERT_TRUE(tracker->track(frame).isTracked());
+  }
+  frame.captured.s += 1.0 / 30;
+  EXPECT_FALSE(tracker->track(frame).isTracked()) << "both repeat";
+  EXPECT_EQ(tracker->lossDetail(), tracking::LossDetail::frozen);
+  auto half = face_->render(rig_, stillView(6));
+  half.left = frame.left;
+  EXPECT_FALSE(tracker->track(half).isTracked()) << "one repeats";
+  EXPECT_EQ(tracker->lossDetail(), tracking::LossDetail::frozen);
+  EXPECT_TRUE(tracker->track(face_->render(rig_, stillView(7))).isTracked()) << "it goes on";
+}
+
+TEST_F(HeadTrackers, ALossSaysWhatItLooksLike) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  ASSERT_TRUE(tracker->track(face_->render(rig_, stillView(0))).isTracked());
+  SyntheticView view = stillView(1);
+  view.cover_mm = cv::Rect2d(-200, -75, 400, 400);  // all but the upper forehead
+  EXPECT_FALSE(tracker->track(face_->render(rig_, view)).isTracked());
+  EXPECT_EQ(tracking::toString(tracker->lossDetail()), "covered");
+  auto nobody = face_->render(rig_, stillView(2));
+  fillNoise(nobody.left, 1), fillNoise(nobody.right, 2);
+  EXPECT_FALSE(tracker->track(nobody).isTracked());
+  EXPECT_EQ(tracking::toString(tracker->lossDetail()), "not_found");
+  auto swapped = face_->render(rig_, stillView(3));
+  std::swap(swapped.left, swapped.right);
+  EXPECT_FALSE(tracker->track(swapped).isTracked());
+  EXPECT_EQ(tracking::toString(tracker->lossDetail()), "swapped");
 }
 
 TEST_F(HeadTrackers, TheSameFramesGiveTheSamePoses) {

@@ -25,6 +25,7 @@ struct PoseRow {
   double quality = 0.0;                   // 0..1
   std::optional<LostReason> reason;       // when lost
   std::string of_frame = {};  // what the pose places in Camera: mri, head, coil, marker; "" unknown
+  std::string detail = {};    // when lost: one word finer than the reason, for people; "" none
 
   /// The pose with the frames that the reader knows it has, or Lost.
   template <class To, class From>
@@ -48,8 +49,8 @@ constexpr const char* frameWord() {
 template <class To, class From>
 PoseRow poseRow(std::int64_t frame, double t_s, PoseObject object,
                 const Tracked<RigidTransform<To, From>>& pose) {
-  if (!pose) return {frame, t_s, object, std::nullopt, 0.0, pose.reason(), frameWord<From>()};
-  return {frame, t_s, object, pose->isometry(), pose.quality(), std::nullopt, frameWord<From>()};
+  if (!pose) return {frame, t_s, object, std::nullopt, 0.0, pose.reason(), frameWord<From>(), {}};
+  return {frame, t_s, object, pose->isometry(), pose.quality(), std::nullopt, frameWord<From>(), {}};
 }
 
 std::string posesCsvHeader();

@@ -33,13 +33,19 @@ struct NavigationState {
   double processing_ms = 0.0;  // head + coil + guidance
   double latency_ms = 0.0;     // from the frame's arrival to this state
   std::uint64_t dropped = 0;   // frames overwritten before they were tracked, since the start
-  bool has_drifted = false;    // the watchdog's alarm: the face does not lie where it is tracked
-  std::string rig_fault;       // why every pose is refused: the cameras have moved since their calibration
-  std::string failure;         // an Error that ended the session, in words
+  tracking::LossDetail head_detail =
+      tracking::LossDetail::unknown;  // where the head is lost: what it looks like
+  bool has_drifted = false;           // the watchdog's alarm: the face does not lie where it is tracked
+  std::string rig_fault;  // why every pose is refused: the cameras have moved since their calibration
+  std::string failure;    // an Error that ended the session, in words
 };
 
 /// The same state with every pose lost for `reason` and guidance blanked; images stay, to be seen.
 NavigationState blanked(const NavigationState& state, LostReason reason);
+
+/// One word for poses.csv: why the head is lost, finer than its reason ("covered", "drift", "cameras_moved");
+/// empty where it is tracked or nothing more is known.
+std::string lossWord(const NavigationState& state);
 
 /// What to tell the user when something is lost, head first: "FACE HIDDEN: move the coil or hand aside".
 /// Empty when both are tracked.

@@ -13,6 +13,7 @@
 #include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
 #include "facenav/tracking/face_landmarks.h"
+#include "facenav/tracking/loss_detail.h"
 
 namespace facenav::tracking {
 
@@ -48,6 +49,8 @@ class HeadTracker {
   /// Any frame after start(); frames may have been dropped in between, and the first may be far from the
   /// reference.
   virtual Tracked<HeadPose> track(const stereo::StereoFrame& frame) = 0;
+  /// Of the last frame, where it was lost.
+  virtual LossDetail lossDetail() const { return LossDetail::unknown; }
   /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.
   virtual void forgetLearnt() {}
 };

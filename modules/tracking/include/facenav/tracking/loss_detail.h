@@ -1,0 +1,25 @@
+#pragma once
+// LossDetail: what a loss of the head looks like, finer than LostReason and for people: the banner and the
+// column "detail" of poses.csv say it. Never decides anything.
+
+#include <string>
+
+namespace facenav::tracking {
+
+enum class LossDetail {
+  unknown,
+  not_found,   // nothing in the pictures looks like the face
+  covered,     // part of it is where it should be, too little for a pose
+  too_far,     // something like it, far from where it was learnt
+  blurred,     // the picture has lost its detail: defocus, or motion
+  one_camera,  // one camera sees the face, the other does not
+  doubtful,    // found, but the pose is not sure enough
+  frozen,      // a camera repeats its picture
+  no_picture,  // black, blank, or of another size
+  swapped,     // left and right exchanged
+};
+
+/// One word: "covered".
+std::string toString(LossDetail detail);
+
+}  // namespace facenav::tracking
