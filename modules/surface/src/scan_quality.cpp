@@ -120,7 +120,8 @@ class ScanMeter {
       double square = 0, plain = 0;
       std::size_t count = 0;
     } corners, beside[3];
-    float least = 1e30f, most = -1e30f;
+    float least = 1e30f;
+    std::size_t erased = 0;
     for (int k = 0; k < grid_.size[2]; k += 2)
       for (int j = 0; j < grid_.size[1]; j += 2)
         for (int i = 0; i < grid_.size[0]; i += 2) {
@@ -130,11 +131,15 @@ class ScanMeter {
             if (shadow_[std::size_t(a)][line(a, p)]) ++joined, axis = a;
           if (joined > 1 || (joined == 1 && !isBeyond(axis, p))) continue;
           const float value = mri_.at(i, j, k);
-          least = std::min(least, value), most = std::max(most, value);
+          least = std::min(least, value);
+          if (isErased(p)) {
+            ++erased;
+            continue;
+          }
           Sum& sum = joined == 1 ? beside[axis] : corners;
           sum.square += double(value) * value, sum.plain += value, ++sum.count;
         }
-    judgeNoise(corners.count, corners.plain, corners.square, least, most);
+    judgeNoise(corners.count, corners.plain, corners.square, least, erased);
     if (quality_.noise <= 0 || quality_.skin_step <= 0 || least < 0) return;  // CT holds table and headrest
     for (int axis = 0; axis < 3; ++axis) {
       if (beside[axis].count < 200) continue;
@@ -146,6 +151,18 @@ class ScanMeter {
     }
   }
 
+  /// The same value as all around it: filled in by a program (turned or defaced scans), and no measurement.
+  bool isErased(const Vector3i& p) const {
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1}) {
+        Vector3i q = p;
+        q[axis] += step;
+        if (grid_.contains(q[0], q[1], q[2]) && mri_.at(q[0], q[1], q[2]) != mri_.at(p[0], p[1], p[2]))
+          return false;
+      }
+    return true;
+  }
+
   /// Before or behind all of the head on its line, by the gap.
   bool isBeyond(int axis, const Vector3i& p) const {
     const std::size_t at = line(axis, p), a = std::size_t(axis);
@@ -154,11 +171,11 @@ class ScanMeter {
 
   /// Magnitude images: the air is Rayleigh distributed, its mean square twice the variance of the signal
   /// (Gudbjartsson and Patz 1995). Signed or offset values (CT): the plain deviation.
-  void judgeNoise(std::size_t count, double plain, double square, float least, float most) {
-    if (count < 200) return;
+  void judgeNoise(std::size_t count, double plain, double square, float least, std::size_t erased) {
+    constexpr std::size_t kEnough = 200;
+    quality_.is_air_blanked = count < kEnough && erased >= kEnough;
+    if (count < kEnough) return;
     const double mean = plain / double(count), variance = square / double(count) - mean * mean;
-    quality_.is_air_blanked = most <= least || variance <= 0;
-    if (quality_.is_air_blanked) return;
     quality_.noise = least < 0 ? std::sqrt(variance) : std::sqrt(square / double(count) / 2);
     if (slope_per_mm_ > 0) quality_.skin_jitter_mm = quality_.noise / slope_per_mm_;
   }

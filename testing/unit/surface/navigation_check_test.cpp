@@ -93,6 +93,17 @@ TEST(ScanQuality, ErasedAirIsSaid) {
   EXPECT_THAT(findingOf(ball, "noise").finding, HasSubstr("erased"));
 }
 
+TEST(ScanQuality, PartlyErasedAirCountsNeitherAsNoiseNorAsGhosts) {
+  Ball ball = makeBall(10);
+  for (int k = 0; k < kSize; ++k)  // two corners filled with 0, as resampling a turned scan leaves them
+    for (int j = 0; j < kSize; ++j)
+      for (int i = 0; i < kSize; ++i)
+        if (i + j < 30 || i + j > 2 * kSize - 30) ball.mri.voxels[ball.mri.grid.index(i, j, k)] = 0;
+  const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
+  EXPECT_NEAR(scan.noise, 10, 0.4);
+  EXPECT_LT(scan.ghost_share, 0.005);
+}
+
 TEST(ScanQuality, CutSidesByTheirPatientNames) {
   const Ball top = makeBall(4, {48, 48, kSize - 20});
   const auto scan = measureScan(top.mri, top.mask, top.skin);
