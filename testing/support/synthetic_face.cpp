@@ -67,19 +67,23 @@ double SyntheticFace::height(double x, double y) const {
          6 * bump(x, y, -31, -33, 12, 8) + 6 * bump(x, y, 31, -33, 12, 8) - 3 * bump(x, y, 0, 32, 20, 8);
 }
 
-Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray,
-                                   bool& is_hit) const {
+Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit,
+                                   double& near_t) const {
   is_hit = false;
   const double to_axis = (kFace_mm - origin).dot(ray), middle = kFace_mm.z() + 50;
   if (to_axis <= 0 || ray.z() <= 0.1) return {};
   const Eigen::Vector3d across = origin + (middle - origin.z()) / ray.z() * ray - kFace_mm;
   if (across.head<2>().norm() > 165) return {};
-  double t = (kFace_mm.z() - 30 - origin.z()) / ray.z(), last_t = t, last_gap = 0;
+  constexpr double kBefore_mm = 8;  // of a hit close by: what lies nearer still is found first
+  double t = near_t > 0 ? near_t - kBefore_mm : (kFace_mm.z() - 30 - origin.z()) / ray.z();
+  near_t = 0;
+  double last_t = t, last_gap = 0;
   for (int i = 0; i < 60; ++i) {
     const Eigen::Vector3d p = origin + t * ray - kFace_mm;
     const double gap = height(p.x(), p.y()) - p.z();
     if (std::abs(gap) < 1e-4) {
       is_hit = p.z() < kDepth_mm;
+      near_t = is_hit ? t : 0;
       break;
     }
     if (p.z() > kDepth_mm + 10) break;
@@ -114,13 +118,18 @@ cv::Mat SyntheticFace::image(const stereo::CameraModel& camera, const Eigen::Iso
   const Eigen::Isometry3d head_T_camera = (camera_T_left * view.motion).inverse();
   const Eigen::Vector3d lamp = Eigen::Vector3d(view.lamp_x, -0.4, -1).normalized(),
                         origin = head_T_camera.translation();
-  for (int y = 0; y < size.height; ++y)
+  std::vector<double> wave(static_cast<std::size_t>(size.width));
+  for (int x = 0; x < size.width; ++x) wave[std::size_t(x)] = 25 * std::sin(x / 17.0);
+  for (int y = 0; y < size.height; ++y) {
+    const double down = std::cos(y / 23.0);
+    double near_t = 0;
     for (int x = 0; x < size.width; ++x) {
       const Eigen::Vector2d n(rays(y, x)[0], rays(y, x)[1]);
       bool is_hit = false;
-      const Eigen::Vector3d p = hit(origin, (head_T_camera.linear() * n.homogeneous()).normalized(), is_hit);
+      const Eigen::Vector3d p =
+          hit(origin, (head_T_camera.linear() * n.homogeneous()).normalized(), is_hit, near_t);
       if (!is_hit) {
-        shaded(y, x) = float(70 + 25 * std::sin(x / 17.0) * std::cos(y / 23.0) + (x / 40 + y / 40) % 2 * 20);
+        shaded(y, x) = float(70 + wave[std::size_t(x)] * down + (x / 40 + y / 40) % 2 * 20);
         continue;
       }
       if (view.cover_mm.contains({p.x(), p.y()})) {
@@ -138,6 +147,7 @@ cv::Mat SyntheticFace::image(const stereo::CameraModel& camera, const Eigen::Iso
                                 texture_centre_px_.y() + texture_px_per_mm_ * (p.y() - slide));
       shaded(y, x) = float(view.gain * light * grey);
     }
+  }
   cv::GaussianBlur(shaded, shaded, {5, 5}, 0.6);
   cv::Mat1f noise(size);
   cv::RNG random(seed);
@@ -163,16 +173,18 @@ tracking::HeadReference SyntheticFace::reference(const stereo::StereoRig& rig, b
   reference.frame = render(rig, view);
   if (!with_surface) return reference;
   const Eigen::Isometry3d head_T_camera = view.motion.inverse();
-  for (int y = 0; y < rig.height_px; y += 2)
+  for (int y = 0; y < rig.height_px; y += 2) {
+    double near_t = 0;
     for (int x = 0; x < rig.width_px; x += 2) {
       bool is_hit = false;
       const Eigen::Vector3d ray = stereo::undistort(rig.left, {double(x), double(y)}).homogeneous();
       const Eigen::Vector3d p =
-          hit(head_T_camera.translation(), (head_T_camera.linear() * ray).normalized(), is_hit);
+          hit(head_T_camera.translation(), (head_T_camera.linear() * ray).normalized(), is_hit, near_t);
       if (!is_hit || p.z() > 70) continue;
       reference.surface.points_mm.push_back(view.motion * (p + kFace_mm));
       reference.surface_left_px.emplace_back(float(x), float(y));
     }
+  }
   return reference;
 }
 

@@ -44,7 +44,9 @@ class SyntheticFace {
                 const SyntheticView& view, std::uint64_t seed) const;
   const cv::Mat2d& raysOf(const stereo::CameraModel& camera, cv::Size size) const;
   double height(double x, double y) const;
-  Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit) const;
+  /// `near_t`: where a ray close by hit, or 0; set to where this one does.
+  Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit,
+                      double& near_t) const;
 
   mutable std::list<std::pair<cv::Matx33d, cv::Mat2d>> rays_;
   cv::Mat1f portrait_;
