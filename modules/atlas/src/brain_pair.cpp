@@ -12,14 +12,18 @@ constexpr double kMargin_mm = 12.0;  // around the template's brain
 constexpr double kWindow_mm = 9.0;   // half width of the local normalisation: a gyrus and its neighbours
 constexpr float kInside = 0.5f;
 
-/// Axis-parallel grid of the wanted spacing around what is > 0.
-volume::VoxelGrid gridAround(const volume::Volume& brain, double spacing_mm) {
+Eigen::AlignedBox3d boxOf(const volume::Volume& brain) {
   Eigen::AlignedBox3d box;
   for (int k = 0; k < brain.grid.size[2]; ++k)
     for (int j = 0; j < brain.grid.size[1]; ++j)
       for (int i = 0; i < brain.grid.size[0]; ++i)
         if (brain.at(i, j, k) > 0) box.extend(brain.grid.mri_from_voxel * Eigen::Vector3d(i, j, k));
   if (box.isEmpty()) throw Error("the brain is empty, nothing to register the atlas to");
+  return box;
+}
+
+/// Axis-parallel grid of the wanted spacing around the brain.
+volume::VoxelGrid gridAround(const Eigen::AlignedBox3d& box, double spacing_mm) {
   volume::VoxelGrid grid;
   const Eigen::Vector3d low_mm = box.min().array() - kMargin_mm;
   for (int a = 0; a < 3; ++a)
@@ -38,21 +42,29 @@ volume::Volume asVolume(const volume::Mask& mask) {
 /// On `grid`, band-limited to it: sampled at about the source's own spacing, then averaged.
 ScalarField sampledOn(const volume::Volume& source, const volume::VoxelGrid& grid) {
   const double ratio = grid.spacing_mm().minCoeff() / source.grid.spacing_mm().minCoeff();
-  const int fine = std::clamp(int(std::lround(ratio)), 1, 8);
+  const int fine = std::clamp(int(std::lround(ratio)), 1, 8), parts = fine * fine * fine;
+  const Eigen::Affine3d to_source = source.grid.mri_from_voxel.inverse() * grid.mri_from_voxel;
+  std::vector<Eigen::Vector3d> offsets;
+  for (int c = 0; c < parts; ++c) {
+    const Eigen::Array3d part(c % fine, c / fine % fine, c / fine / fine);
+    offsets.push_back(to_source.linear() * ((part + 0.5) / fine - 0.5).matrix());
+  }
   ScalarField mean(grid.size);
   forSlices(grid.size[2], [&](int k) {
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i) {
-        double sum = 0;
-        for (int c = 0; c < fine * fine * fine; ++c) {
-          const Eigen::Vector3d part(c % fine, c / fine % fine, c / fine / fine);
-          const Eigen::Vector3d at = Eigen::Vector3d(i, j, k) + ((part.array() + 0.5) / fine - 0.5).matrix();
-          sum += volume::sampleLinear(source, source.grid.toVoxel(Point<Mri>(grid.mri_from_voxel * at)));
-        }
-        mean.values[mean.index(i, j, k)] = float(sum / (fine * fine * fine));
+    for (int j = 0; j < grid.size[1]; ++j) {
+      Eigen::Vector3d at = to_source * Eigen::Vector3d(0, j, k);
+      for (int i = 0; i < grid.size[0]; ++i, at += to_source.linear().col(0)) {
+        float sum = 0;
+        for (const auto& offset : offsets) sum += volume::sampleLinear(source, at + offset);
+        mean.values[mean.index(i, j, k)] = sum / float(parts);
       }
+    }
   });
   return mean;
+}
+
+volume::Volume reduced(const volume::Volume& source, const volume::VoxelGrid& grid) {
+  return {grid, sampledOn(source, grid).values, source.modality, source.orientation_source};
 }
 
 BrainPair::Moments momentsOf(const ScalarField& brain, const volume::VoxelGrid& grid) {
@@ -102,19 +114,29 @@ Channels channelsOf(const ScalarField& t1, ScalarField brain, double spacing_mm)
 
 }  // namespace
 
-BrainPair::BrainPair(const volume::Volume& template_brain, const volume::Volume& mri,
-                     const volume::Mask& brain, double spacing_mm)
-    : grid_(gridAround(template_brain, spacing_mm)) {
-  volume::Volume template_mask = template_brain;
-  for (float& v : template_mask.voxels) v = v > 0;
-  const ScalarField inside = sampledOn(template_mask, grid_);
-  template_moments_ = momentsOf(inside, grid_);
-  fixed_ = channelsOf(sampledOn(template_brain, grid_), inside, spacing_mm);
-
+BrainImages::BrainImages(const volume::Volume& template_t1_fine, const volume::Volume& mri,
+                         const volume::Mask& brain, double finest_mm)
+    : template_box_mm(boxOf(template_t1_fine)) {
   const volume::Volume mask = asVolume(brain);
-  patient_grid_ = gridAround(mask, spacing_mm);
-  patient_brain_ = sampledOn(mask, patient_grid_);
-  patient_t1_ = sampledOn(mri, patient_grid_);
+  patient_box_mm = boxOf(mask);
+  volume::Volume template_mask = template_t1_fine;
+  for (float& v : template_mask.voxels) v = v > 0;
+  const auto template_grid = gridAround(template_box_mm, finest_mm),
+             patient_grid = gridAround(patient_box_mm, finest_mm);
+  template_t1 = reduced(template_t1_fine, template_grid);
+  template_brain = reduced(template_mask, template_grid);
+  patient_t1 = reduced(mri, patient_grid);
+  patient_brain = reduced(mask, patient_grid);
+}
+
+BrainPair::BrainPair(const BrainImages& images, double spacing_mm)
+    : grid_(gridAround(images.template_box_mm, spacing_mm)),
+      patient_grid_(gridAround(images.patient_box_mm, spacing_mm)),
+      patient_t1_(sampledOn(images.patient_t1, patient_grid_)),
+      patient_brain_(sampledOn(images.patient_brain, patient_grid_)) {
+  const ScalarField inside = sampledOn(images.template_brain, grid_);
+  template_moments_ = momentsOf(inside, grid_);
+  fixed_ = channelsOf(sampledOn(images.template_t1, grid_), inside, spacing_mm);
   patient_moments_ = momentsOf(patient_brain_, patient_grid_);
 }
 

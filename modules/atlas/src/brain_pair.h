@@ -14,11 +14,20 @@ struct Channels {
 };
 constexpr float kBrainWeight = 1.0f;  // of the mask channel, against T1 of unit deviation
 
+/// Template and patient band-limited to the finest spacing, once for all levels.
+struct BrainImages {
+  /// `brain`: the patient's mask; all volumes any grid. Throws Error for an empty brain.
+  BrainImages(const volume::Volume& template_brain, const volume::Volume& mri, const volume::Mask& brain,
+              double finest_mm);
+
+  Eigen::AlignedBox3d template_box_mm, patient_box_mm;  // of the brains, in their worlds
+  volume::Volume template_t1, template_brain, patient_t1, patient_brain;
+};
+
 class BrainPair {
  public:
-  /// `brain`: the patient's mask; all volumes any grid. Smoothed to `spacing_mm` before sampling.
-  BrainPair(const volume::Volume& template_brain, const volume::Volume& mri, const volume::Mask& brain,
-            double spacing_mm);
+  /// `spacing_mm`: the images' own or coarser; they are smoothed to it before sampling.
+  BrainPair(const BrainImages& images, double spacing_mm);
 
   const volume::VoxelGrid& grid() const { return grid_; }  // world = MNI space
   const Channels& fixed() const { return fixed_; }

@@ -41,19 +41,20 @@ AtlasFit registerAtlas(const volume::Volume& mri, const volume::Mask& brain, con
                        const AtlasOptions& options, TaskMonitor& monitor) {
   const char* kStep = "registering the atlas";
   monitor.report(kStep, 0.0);
-  const BrainPair coarsest(atlas.brain, mri, brain, kAffineCoarse_mm);
+  const BrainImages images(atlas.brain, mri, brain, options.spacing_mm);
+  const BrainPair coarsest(images, kAffineCoarse_mm);
   Eigen::Affine3d affine = coarseAffine(coarsest, monitor);
   monitor.report(kStep, 0.05);
-  affine = fitAffine(BrainPair(atlas.brain, mri, brain, kAffineFine_mm), affine, 25);
+  affine = fitAffine(BrainPair(images, kAffineFine_mm), affine, 25);
   monitor.report(kStep, 0.1);
   auto displacement =
       runDemons(coarsest, affine, noDisplacement(coarsest.grid().size), options.iterations_coarse,
                 [&](double part) { monitor.report(kStep, 0.1 + 0.05 * part); });
-  const BrainPair middle(atlas.brain, mri, brain, 2 * options.spacing_mm);
+  const BrainPair middle(images, 2 * options.spacing_mm);
   displacement =
       runDemons(middle, affine, onGrid(displacement, coarsest.grid(), middle.grid()),
                 options.iterations_coarse, [&](double part) { monitor.report(kStep, 0.15 + 0.25 * part); });
-  const BrainPair fine(atlas.brain, mri, brain, options.spacing_mm);
+  const BrainPair fine(images, options.spacing_mm);
   displacement =
       runDemons(fine, affine, onGrid(displacement, middle.grid(), fine.grid()), options.iterations_fine,
                 [&](double part) { monitor.report(kStep, 0.4 + 0.6 * part); });

@@ -6,15 +6,34 @@
 namespace facenav::atlas {
 namespace {
 
-/// Running mean along one line of `count` values, `stride` apart.
-void meanAlong(const float* in, float* out, int count, std::size_t stride, int radius) {
+/// Running mean along a line of `count` values.
+void meanAlong(const float* in, float* out, int count, int radius) {
   double sum = 0;
   int n = 0;
-  for (int t = 0; t < std::min(radius, count); ++t) sum += in[t * stride], ++n;
+  for (int t = 0; t < std::min(radius, count); ++t) sum += in[t], ++n;
   for (int t = 0; t < count; ++t) {
-    if (t + radius < count) sum += in[(t + radius) * stride], ++n;
-    if (t - radius - 1 >= 0) sum -= in[(t - radius - 1) * stride], --n;
-    out[t * stride] = float(sum / n);
+    if (t + radius < count) sum += in[t + radius], ++n;
+    if (t - radius - 1 >= 0) sum -= in[t - radius - 1], --n;
+    out[t] = float(sum / n);
+  }
+}
+
+/// The same across `count` rows of `width` values, rows `stride` apart: whole rows at a time.
+void meanAcross(const float* in, float* out, int count, std::size_t stride, int width, int radius) {
+  std::vector<double> sum(width, 0.0);
+  int n = 0;
+  const auto add = [&](int row, double sign) {
+    const float* from = in + row * stride;
+    for (int i = 0; i < width; ++i) sum[i] += sign * double(from[i]);
+    n += sign > 0 ? 1 : -1;
+  };
+  for (int t = 0; t < std::min(radius, count); ++t) add(t, 1);
+  for (int t = 0; t < count; ++t) {
+    if (t + radius < count) add(t + radius, 1);
+    if (t - radius - 1 >= 0) add(t - radius - 1, -1);
+    float* to = out + t * stride;
+    const double share = 1.0 / n;
+    for (int i = 0; i < width; ++i) to[i] = float(share * sum[i]);
   }
 }
 
@@ -46,15 +65,13 @@ ScalarField boxMean(const ScalarField& field, int radius) {
   forSlices(nk, [&, ni = ni, nj = nj](int k) {
     std::vector<float> rows(std::size_t(ni) * nj);
     for (int j = 0; j < nj; ++j)
-      meanAlong(&field.values[field.index(0, j, k)], &rows[std::size_t(j) * ni], ni, 1, radius);
-    for (int i = 0; i < ni; ++i)
-      meanAlong(&rows[i], &along_ij.values[along_ij.index(i, 0, k)], nj, ni, radius);
+      meanAlong(&field.values[field.index(0, j, k)], &rows[std::size_t(j) * ni], ni, radius);
+    meanAcross(rows.data(), &along_ij.values[along_ij.index(0, 0, k)], nj, ni, ni, radius);
   });
   ScalarField mean(field.size);
   forSlices(nj, [&, ni = ni, nj = nj, nk = nk](int j) {
-    for (int i = 0; i < ni; ++i)
-      meanAlong(&along_ij.values[along_ij.index(i, j, 0)], &mean.values[mean.index(i, j, 0)], nk,
-                std::size_t(ni) * nj, radius);
+    const std::size_t first = field.index(0, j, 0);
+    meanAcross(&along_ij.values[first], &mean.values[first], nk, std::size_t(ni) * nj, ni, radius);
   });
   return mean;
 }

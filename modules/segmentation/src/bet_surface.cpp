@@ -67,31 +67,44 @@ std::vector<Vector3d> normalsOf(const BetSurface& s) {
   return normals;
 }
 
-/// Nearest-voxel look-up in an image whose voxels are cubes along the axes of Mri.
+/// Nearest-voxel look-up along a ray in an image whose voxels are cubes along the axes of Mri.
 struct Sampler {
   explicit Sampler(const Volume& v)
-      : image(v), origin(v.grid.mri_from_voxel.translation()), per_mm(1.0 / v.grid.spacing_mm().mean()) {}
-  float operator()(const Vector3d& p_mm) const {
-    const Vector3d q = (p_mm - origin) * per_mm;
-    const int i = int(std::lround(q.x())), j = int(std::lround(q.y())), k = int(std::lround(q.z()));
-    return image.grid.contains(i, j, k) ? image.at(i, j, k) : outside;
+      : image(v),
+        origin(v.grid.mri_from_voxel.translation()),
+        per_mm(float(1.0 / v.grid.spacing_mm().mean())),
+        stride{1, v.grid.size[0], v.grid.size[0] * v.grid.size[1]} {}
+  /// Voxel coordinates plus a half, so that cutting off the decimals rounds.
+  Eigen::Array3f toVoxel(const Vector3d& p_mm) const {
+    return (p_mm - origin).cast<float>().array() * per_mm + 0.5f;
+  }
+  float operator()(const Eigen::Array3f& q) const {
+    const auto& n = image.grid.size;
+    if (!(q[0] >= 0 && q[1] >= 0 && q[2] >= 0 && q[0] < float(n[0]) && q[1] < float(n[1]) &&
+          q[2] < float(n[2])))
+      return outside;
+    return image.voxels[std::size_t(int(q[0])) + std::size_t(int(q[1])) * stride[1] +
+                        std::size_t(int(q[2])) * stride[2]];
   }
   const Volume& image;
   Vector3d origin;
-  double per_mm;
+  float per_mm;
+  std::array<int, 3> stride;
   float outside = 0;
 };
 
-constexpr double kMinDepth_mm = 20,
-                 kMaxDepth_mm = 10;  // how far in the minimum and the maximum are sought (Smith 2002)
+constexpr int kMinDepth_mm = 20,
+              kMaxDepth_mm = 10;  // how far in the minimum and the maximum are sought (Smith 2002)
 constexpr double kMinRadius_mm = 3.33, kMaxRadius_mm = 10;  // of curvature (Smith 2002)
 
 /// The pull along the normal, as a share of the mean edge length: Smith's equation 13.
 double intensityPull(const Sampler& sample, const Vector3d& p, const Vector3d& n, const BetIntensities& t,
                      double bt) {
   float lowest = t.median, highest = t.t;
-  for (double d = 0; d <= kMinDepth_mm; d += 1.0) {
-    const float value = sample(p - d * n);
+  Eigen::Array3f at = sample.toVoxel(p);
+  const Eigen::Array3f step = n.cast<float>().array() * sample.per_mm;  // 1 mm inwards
+  for (int d = 0; d <= kMinDepth_mm; ++d, at -= step) {
+    const float value = sample(at);
     lowest = std::min(lowest, value);
     if (d < kMaxDepth_mm) highest = std::max(highest, value);
   }

@@ -77,6 +77,72 @@ std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
 /// A hair more, so that a voxel at exactly the radius counts whatever the rounding.
 float squaredRadius(double radius_mm) { return float(radius_mm * radius_mm * (1 + 1e-5)); }
 
+/// Steps of a line to its nearest voxel of the wanted kind, as squared mm; kFar beyond `reach` steps.
+void squaredAlong(const std::uint8_t* row, float* out, int n, bool is_set, float w, int reach) {
+  int since = reach + 1;
+  for (int i = 0; i < n; ++i) {
+    since = (row[i] != 0) == is_set ? 0 : std::min(since + 1, reach + 1);
+    out[i] = float(since);
+  }
+  since = reach + 1;
+  for (int i = n - 1; i >= 0; --i) {
+    since = out[i] == 0 ? 0 : std::min(since + 1, reach + 1);
+    const float steps = std::min(out[i], float(since));
+    out[i] = steps > float(reach) ? kFar : w * steps * steps;
+  }
+}
+
+/// out[row] = the least of in[row + t] + w t^2 over |t| <= reach, rows `stride` apart: whole rows at a time,
+/// rows without anything near are skipped.
+void leastAcross(const float* in, float* out, int rows, std::size_t stride, int width, float w, int reach) {
+  std::vector<std::uint8_t> is_near(rows);
+  for (int r = 0; r < rows; ++r) {
+    const float* from = in + r * stride;
+    is_near[r] = std::any_of(from, from + width, [](float d) { return d < kFar; });
+  }
+  for (int r = 0; r < rows; ++r) {
+    float* to = out + r * stride;
+    std::copy_n(in + r * stride, width, to);
+    for (int t = std::max(-reach, -r); t <= std::min(reach, rows - 1 - r); ++t) {
+      if (t == 0 || !is_near[r + t]) continue;
+      const float* from = in + (r + t) * stride;
+      const float add = w * float(t) * float(t);
+      for (int i = 0; i < width; ++i) {
+        const float d = from[i] + add;
+        to[i] = d < to[i] ? d : to[i];
+      }
+    }
+  }
+}
+
+/// Squared distances up to `radius_mm` (kFar or any greater value beyond): windows instead of envelopes,
+/// which neighbours share in vector registers. For small radii.
+std::vector<float> squaredDistanceWithin(const Mask& mask, bool is_set, double radius_mm) {
+  const auto& n = mask.grid.size;
+  const Eigen::Vector3d h = mask.grid.spacing_mm();
+  std::array<int, 3> reach;
+  for (int a = 0; a < 3; ++a) reach[a] = int(radius_mm / h[a] * (1 + 1e-5));
+  const std::size_t row = n[0], slab = row * n[1];
+  std::vector<float> d(mask.voxels.size()), lines(slab);
+  for (int k = 0; k < n[2]; ++k) {
+    for (int j = 0; j < n[1]; ++j)
+      squaredAlong(&mask.voxels[mask.grid.index(0, j, k)], &lines[j * row], n[0], is_set, float(h[0] * h[0]),
+                   reach[0]);
+    leastAcross(lines.data(), &d[k * slab], n[1], row, n[0], float(h[1] * h[1]), reach[1]);
+  }
+  std::vector<float> out(d.size());
+  for (int j = 0; j < n[1]; ++j)
+    leastAcross(&d[j * row], &out[j * row], n[2], slab, n[0], float(h[2] * h[2]), reach[2]);
+  return out;
+}
+
+constexpr int kWindow = 24;  // voxels: beyond, an envelope is faster
+
+std::vector<float> squaredDistanceUpTo(const Mask& mask, bool is_set, double radius_mm) {
+  if (radius_mm / mask.grid.spacing_mm().minCoeff() > kWindow) return squaredDistance(mask, is_set);
+  return squaredDistanceWithin(mask, is_set, radius_mm);
+}
+
 Mask keep(const Mask& mask, const std::vector<float>& value, bool (*rule)(float, float), float limit) {
   Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
   for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = rule(value[i], limit);
@@ -132,12 +198,14 @@ std::vector<float> depthWithin(const Mask& mask) {
 
 Mask dilate(const Mask& mask, double radius_mm) {
   return keep(
-      mask, squaredDistance(mask, 1), [](float d, float r) { return d <= r; }, squaredRadius(radius_mm));
+      mask, squaredDistanceUpTo(mask, true, radius_mm), [](float d, float r) { return d <= r; },
+      squaredRadius(radius_mm));
 }
 
 Mask erode(const Mask& mask, double radius_mm) {
   return keep(
-      mask, squaredDistance(mask, 0), [](float d, float r) { return d > r; }, squaredRadius(radius_mm));
+      mask, squaredDistanceUpTo(mask, false, radius_mm), [](float d, float r) { return d > r; },
+      squaredRadius(radius_mm));
 }
 
 Mask close(const Mask& mask, double radius_mm) { return erode(dilate(mask, radius_mm), radius_mm); }

@@ -58,6 +58,23 @@ TEST(MaskMorphology, DistanceIsInMillimetresOnUnequalSpacing) {
                     1e-4);
 }
 
+TEST(MaskMorphology, DilationAndErosionEqualTheirDefinitionAtAnyRadius) {
+  Mask mask = emptyMask(23);
+  mask.grid.mri_from_voxel.linear() = Eigen::Vector3d(0.7, 1.0, 1.4).asDiagonal();
+  std::mt19937 random(9);
+  for (auto& voxel : mask.voxels) voxel = random() % 200 == 0;
+  Mask rest = mask;
+  for (auto& voxel : rest.voxels) voxel = !voxel;
+  const auto distance = distanceTo(mask);
+  for (double radius_mm : {0.5, 1.0, 1.4, 2.1, 3.0, 4.0, 30.0}) {
+    const Mask wide = dilate(mask, radius_mm), narrow = erode(rest, radius_mm);
+    for (std::size_t v = 0; v < distance.size(); ++v) {
+      ASSERT_EQ(wide.voxels[v] != 0, distance[v] <= radius_mm + 1e-5) << radius_mm;
+      ASSERT_EQ(narrow.voxels[v] != 0, distance[v] > radius_mm + 1e-5) << radius_mm;
+    }
+  }
+}
+
 TEST(MaskMorphology, ErosionUndoesDilationOfABall) {
   const auto small = ball(41, 8), large = ball(41, 12);
   EXPECT_GE(overlap(dilate(small, 4), large).dice, 0.95);
