@@ -27,6 +27,13 @@ void addPrepare(CLI::App& app, Context& context) {
     if (context.is_quiet) return;
     for (const auto& line : outcome.description) std::printf("%s\n", line.c_str());
     if (outcome.brain_ml) std::printf("brain: %.0f ml\n", *outcome.brain_ml);
+    if (const auto quality = outcome.store.brainQuality()) {
+      std::printf("phi-theta surface: %.1f mm from the true one (median), 95 %% within %.1f mm\n",
+                  quality->surface_median_mm, quality->surface_p95_mm);
+      if (!quality->regions.empty())
+        std::printf("mask: least certain at the %s (confidence %.2f)\n",
+                    quality->regions.front().region.c_str(), quality->regions.front().confidence);
+    }
     if (outcome.navigation_check) printNavigationCheck(*outcome.navigation_check);
     for (const auto& finding : outcome.findings) std::printf("note: %s\n", finding.c_str());
     std::printf("case written: %s\n", outcome.store.folder().c_str());

@@ -1,5 +1,6 @@
 #include "case_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -28,6 +29,29 @@ Provenance readProvenance(const JsonReader& json) {
   if (json.has("options")) step.options = readTextMap(json.at("options"));
   if (json.has("input_sha256")) step.input_sha256 = readTextMap(json.at("input_sha256"));
   return step;
+}
+
+BrainQuality readBrainQuality(const JsonReader& json) {
+  BrainQuality quality;
+  quality.surface_median_mm = json.at("surface_median_mm").number();
+  quality.surface_p95_mm = json.at("surface_p95_mm").number();
+  for (const JsonReader& region : json.at("regions").elements())
+    quality.regions.push_back(
+        {region.at("region").text(), region.at("confidence").number(), region.at("doubt_mm").number()});
+  return quality;
+}
+
+double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
+
+Json toJson(const BrainQuality& quality) {
+  Json regions = Json::array();
+  for (const RegionConfidence& r : quality.regions)
+    regions.push_back({{"region", r.region},
+                       {"confidence", rounded(r.confidence, 1000)},
+                       {"doubt_mm", rounded(r.doubt_mm, 100)}});
+  return {{"surface_median_mm", rounded(quality.surface_median_mm, 100)},
+          {"surface_p95_mm", rounded(quality.surface_p95_mm, 100)},
+          {"regions", regions}};
 }
 
 Json toJson(const Provenance& step) {
@@ -71,6 +95,7 @@ CaseJson readCaseJson(const std::filesystem::path& path) {
     content.files = readTexts(json.at("files"));
   }
   if (json.has("findings")) content.findings = readTexts(json.at("findings"));
+  if (json.has("brain_quality")) content.brain_quality = readBrainQuality(json.at("brain_quality"));
   if (json.has("provenance"))
     for (const JsonReader& step : json.at("provenance").elements())
       content.provenance.push_back(readProvenance(step));
@@ -85,6 +110,7 @@ void writeCaseJson(const CaseJson& content, const std::filesystem::path& path) {
   json["mri"] = {{"modality", content.modality}, {"orientation_source", content.orientation_source}};
   json["files"] = content.files;
   json["findings"] = content.findings;
+  if (content.brain_quality) json["brain_quality"] = toJson(*content.brain_quality);
   json["provenance"] = Json::array();
   for (const Provenance& step : content.provenance) json["provenance"].push_back(toJson(step));
   writePrivateFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -17,6 +17,7 @@ struct CaseJson {
   std::vector<std::string> files;            // that must be there, relative to the case
   std::vector<std::string> findings;
   std::vector<Provenance> provenance;
+  std::optional<BrainQuality> brain_quality;
 };
 
 /// Throws Error naming file and key; another schema version than ours is refused with the remedy.

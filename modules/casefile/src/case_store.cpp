@@ -94,6 +94,7 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
     content.orientation_source = prepared.mri.orientation_source;
     content.files = writeContent(prepared, fresh.path());
     content.findings = prepared.findings;
+    content.brain_quality = prepared.brain_quality;
     content.provenance = provenance;
     writeCaseJson(content, fresh.path() / "case.json");
     if (isCase(place)) keepFromOld(place, fresh.path());
@@ -109,6 +110,9 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
 std::string CaseStore::caseId() const { return readCaseJson(folder_ / "case.json").case_id; }
 std::string CaseStore::createdUtc() const { return readCaseJson(folder_ / "case.json").created_utc; }
 std::vector<std::string> CaseStore::findings() const { return readCaseJson(folder_ / "case.json").findings; }
+std::optional<BrainQuality> CaseStore::brainQuality() const {
+  return readCaseJson(folder_ / "case.json").brain_quality;
+}
 std::vector<Provenance> CaseStore::provenance() const {
   return readCaseJson(folder_ / "case.json").provenance;
 }

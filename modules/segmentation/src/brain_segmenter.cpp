@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "brain_checks.h"
-#include "facenav/volume/mask_morphology.h"
 #include "brain_refinement.h"
 #include "brain_start.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 
 namespace facenav::segmentation {
@@ -17,6 +17,7 @@ using volume::VoxelGrid;
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
 constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
 
+constexpr float kMostDoubt_mm = 30;  // where another limit finds no brain at all
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
 constexpr double kSafeShare = 0.8;  // of the first guess's ball: nothing but brain, its fluid and ventricles
 
@@ -54,6 +55,34 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
                     kSmithsThreshold);
 }
 
+constexpr double kStrict = 0.16, kGenerous = 0.16;  // tissue shares about the one that is taken
+constexpr int kDoubtStep = 2;                       // voxels between the places where doubt is stated
+
+/// Where a stricter and a more generous limit of tissue would put the surface. The classes' own spread bounds
+/// the limit: fluid reaches up to about 0.25 of the way to grey matter, grey matter down to about 0.6.
+std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Volume& flat, const Mask& first,
+                                    const TissueModel& tissue) {
+  RefinementOptions strict, generous;
+  strict.tissue_share += kStrict;
+  generous.tissue_share -= kGenerous;
+  std::vector<float> furthest(brain.voxels.size(), 0);
+  for (const auto& options : {strict, generous}) {
+    const Mask other = refineBrain(flat, first, tissue, options);
+    const auto away = volume::distanceTo(volume::surfaceVoxels(other));
+    for (std::size_t v = 0; v < away.size(); ++v) furthest[v] = std::max(furthest[v], away[v]);
+  }
+  const Mask surface = volume::surfaceVoxels(brain);
+  std::vector<BoundaryDoubt> doubts;
+  std::size_t at = 0;
+  for (int k = 0; k < brain.grid.size[2]; ++k)
+    for (int j = 0; j < brain.grid.size[1]; ++j)
+      for (int i = 0; i < brain.grid.size[0]; ++i, ++at)
+        if (surface.voxels[at] && (i + j + k) % kDoubtStep == 0)
+          doubts.push_back(
+              {brain.grid.toMri({double(i), double(j), double(k)}), std::min(furthest[at], kMostDoubt_mm)});
+  return doubts;
+}
+
 class BrainSegmenter : public Segmenter {
  public:
   SegmentationResult segment(const Volume& volume, TaskMonitor& monitor) const override {
@@ -75,10 +104,12 @@ class BrainSegmenter : public Segmenter {
     const TissueModel tissue = fitTissue(image, erode(first, kCore_mm), &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
-    const Mask brain = refineBrain(corrected(image, tissue), first, tissue, RefinementOptions());
-    monitor.report("checking the brain", 0.95);
+    const Volume flat = corrected(image, tissue);
+    const Mask brain = refineBrain(flat, first, tissue, RefinementOptions());
+    monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;
     result.mask = volume::resample(brain, volume.grid);
+    result.doubts = doubtsOf(brain, flat, first, tissue);
     result.warnings = checkBrain(result.mask);
     return result;
   }

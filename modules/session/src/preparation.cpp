@@ -6,6 +6,9 @@
 #include <mutex>
 
 #include "facenav/core/error.h"
+#include "facenav/session/brain_confidence.h"
+#include "facenav/surface/cortex_surface.h"
+#include "facenav/surface/surface_distance.h"
 
 namespace facenav::session {
 namespace {
@@ -22,6 +25,7 @@ struct BrainPart {
   std::optional<volume::Mask> mask;
   std::optional<surface::BrainModel> model;
   std::optional<atlas::AtlasMap> atlas;
+  std::optional<casefile::BrainQuality> quality;
   std::vector<std::string> findings;
 };
 
@@ -59,6 +63,15 @@ void registerTo(const atlas::BrainTemplate& atlas, const volume::Volume& mri, Br
                           "): no MNI coordinates or labels");
 }
 
+/// How far the phi-theta picture lies from the surface itself, at every tenth of its vertices.
+void measureSurfaces(BrainPart& part, TaskMonitor& monitor) {
+  constexpr int kEvery = 10;
+  const auto cortex = surface::extractCortex(*part.mask, {}, monitor);
+  const auto distance = surface::summarise(surface::signedDistances_mm(cortex, part.model->mesh, kEvery));
+  part.quality->surface_median_mm = distance.median_mm;
+  part.quality->surface_p95_mm = distance.p95_mm;
+}
+
 BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter& segmenter,
                        const atlas::BrainTemplate* atlas, TaskMonitor& monitor) {
   BrainPart part;
@@ -72,6 +85,10 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
       part.findings.push_back(figure + ", outside the usual 900-1900 ml of adults: check the mask");
     part.mask = std::move(result.mask);
     if (atlas) registerTo(*atlas, mri, part, monitor);
+    part.quality.emplace();
+    part.quality->regions = regionConfidence(result.doubts, part.atlas ? &*part.atlas : nullptr, atlas);
+    for (auto& words : whereToLook(part.quality->regions)) part.findings.push_back(std::move(words));
+    measureSurfaces(part, monitor);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
@@ -116,6 +133,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
   prepared.brain_mask = std::move(part.mask);
   prepared.brain = std::move(part.model);
   prepared.atlas = std::move(part.atlas);
+  prepared.brain_quality = std::move(part.quality);
   auto checked = worthAcknowledging(*prepared.navigation_check);
   for (const auto* more : {&prepared.scalp.findings, &checked, &part.findings})
     prepared.findings.insert(prepared.findings.end(), more->begin(), more->end());

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "facenav/atlas/lobes.h"
 #include "facenav/core/error.h"
 #include "support/test_data.h"
 
@@ -31,6 +32,18 @@ TEST_F(Colin27, AClickBesideTheCortexFindsTheNearestLabelAndFarAwayNone) {
   const auto outside = labelAt(colin.aal, {0, 200, 0});
   EXPECT_TRUE(outside.name.empty());
   EXPECT_TRUE(labelAt(colin.aal, {500, 500, 500}).name.empty());
+}
+
+TEST_F(Colin27, LobesHaveNamesThatOneLooksUp) {
+  const LobeMap lobes(readColin27().aal);
+  EXPECT_EQ(lobes.at({-40, 16, -32}), "left temporal pole");
+  EXPECT_EQ(lobes.at({40, 16, -32}), "right temporal pole");
+  EXPECT_EQ(lobes.at({-30, -70, -40}), "left cerebellum");
+  EXPECT_EQ(lobes.at({20, -98, 5}), "right occipital lobe");
+  EXPECT_EQ(lobes.at({37, -21, 62}), "right motor strip");
+  EXPECT_EQ(lobes.at({-20, 62, 32}), "left frontal lobe");  // a little outside the cortex
+  EXPECT_EQ(lobes.at({0, 200, 0}), "");
+  EXPECT_EQ(lobes.at({900, 0, 0}), "");
 }
 
 TEST(BrainTemplate, AMissingAtlasNamesThePackage) {

@@ -59,6 +59,23 @@ TEST(CaseStore, GivesBackWhatWasPrepared) {
   EXPECT_FALSE(store.alignment());
 }
 
+TEST(CaseStore, KeepsWhatPrepareThinksOfItsBrain) {
+  const TemporaryFolder folder;
+  PreparedCase prepared = preparedCase();
+  EXPECT_FALSE(CaseStore::create(folder.path() / "without", prepared, provenance(), false).brainQuality());
+  prepared.brain_quality =
+      BrainQuality{{{"left temporal pole", 0.625, 4.25}, {"cerebellum", 1, 0.5}}, 0.75, 3.5};
+  CaseStore::create(folder.path() / "case", prepared, provenance(), false);
+  const auto quality = CaseStore::open(folder.path() / "case").brainQuality();
+  ASSERT_TRUE(quality);
+  ASSERT_EQ(quality->regions.size(), 2u);
+  EXPECT_EQ(quality->regions[0].region, "left temporal pole");
+  EXPECT_DOUBLE_EQ(quality->regions[0].confidence, 0.625);
+  EXPECT_DOUBLE_EQ(quality->regions[0].doubt_mm, 4.25);
+  EXPECT_DOUBLE_EQ(quality->surface_median_mm, 0.75);
+  EXPECT_DOUBLE_EQ(quality->surface_p95_mm, 3.5);
+}
+
 TEST(CaseStore, KeepsAHeadWithoutABrain) {
   const TemporaryFolder folder;
   CaseStore::create(folder.path() / "case", withoutBrain(), provenance(), false);

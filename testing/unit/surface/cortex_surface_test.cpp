@@ -6,6 +6,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/surface/closest_point.h"
+#include "facenav/surface/surface_distance.h"
 #include "support/matchers.h"
 
 namespace facenav {
@@ -24,6 +25,31 @@ volume::Mask ball(double radius_mm) {
       for (int i = 0; i < 70; ++i)
         mask.voxels.push_back(mask.grid.toMri({double(i), double(j), double(k)}).mm.norm() <= radius_mm);
   return mask;
+}
+
+TEST(SurfaceDistance, OfTwoBallsIsTheDifferenceOfTheirRadii) {
+  TaskMonitor monitor;
+  const auto small = surface::extractCortex(ball(25), {}, monitor),
+             large = surface::extractCortex(ball(30), {}, monitor);
+  const auto inwards = surface::signedDistances_mm(small, large),
+             outwards = surface::signedDistances_mm(large, small, 7);
+  EXPECT_EQ(inwards.size(), small.vertices_mm.size());
+  EXPECT_EQ(outwards.size(), (large.vertices_mm.size() + 6) / 7);
+  for (float d : inwards) ASSERT_NEAR(d, -5, 1.2);
+  for (float d : outwards) ASSERT_NEAR(d, 5, 1.2);
+  const auto figures = surface::summarise(inwards);
+  EXPECT_NEAR(figures.median_mm, 5, 0.3);
+  EXPECT_GE(figures.p95_mm, figures.median_mm);
+  EXPECT_EQ(surface::summarise({}).max_mm, 0);
+}
+
+TEST(SurfaceDistance, StatesTheQuantilesOfTheSizes) {
+  std::vector<float> distances;
+  for (int n = 0; n <= 100; ++n) distances.push_back(float(n % 2 ? n : -n));
+  const auto figures = surface::summarise(distances);
+  EXPECT_EQ(figures.median_mm, 50);
+  EXPECT_EQ(figures.p95_mm, 95);
+  EXPECT_EQ(figures.max_mm, 100);
 }
 
 TEST(CortexSurface, LiesOnTheBallAndPointsOutwards) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "facenav/atlas/atlas_map.h"
+#include "facenav/casefile/brain_quality.h"
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/surface/brain_model.h"
@@ -44,6 +45,7 @@ struct PreparedCase {
   std::optional<atlas::AtlasMap> atlas;
   std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
+  std::optional<BrainQuality> brain_quality;
 };
 
 /// A step's record in case.json.
@@ -68,6 +70,7 @@ class CaseStore {
   /// When the model was made, as 20100412T134501Z; empty in cases of before this was kept.
   std::string createdUtc() const;
   std::vector<std::string> findings() const;
+  std::optional<BrainQuality> brainQuality() const;  // nothing in cases of before this was kept
   std::vector<Provenance> provenance() const;
   /// Adds a step's record to case.json.
   void addProvenance(const Provenance& step) const;
@@ -77,7 +80,7 @@ class CaseStore {
   surface::ScalpSurface scalp() const;
   std::optional<surface::BrainModel> brain() const;
   std::optional<atlas::AtlasMap> atlas() const;  // nothing where the case was made without
-  guidance::TreatmentPlan targets() const;  // empty plan where targets.json is absent
+  guidance::TreatmentPlan targets() const;       // empty plan where targets.json is absent
   void setTargets(const guidance::TreatmentPlan& plan) const;
   std::optional<StoredAlignment> alignment() const;  // nothing where alignment.json is absent
   void setAlignment(const StoredAlignment& alignment) const;

@@ -11,15 +11,25 @@
 
 namespace facenav::segmentation {
 
+/// How uncertain a place of the mask's surface is: the same method with its thresholds set otherwise, within
+/// what the scan allows, puts the surface this far away.
+struct BoundaryDoubt {
+  Point<Mri> place;
+  float doubt_mm;
+};
+
 struct SegmentationResult {
   volume::Mask mask;                  // on the grid of the input volume
   std::vector<std::string> warnings;  // plain words for the radiographer
+  std::vector<BoundaryDoubt> doubts =
+      {};  // spread evenly over the mask's surface; empty: the method states none
 };
 
 class Segmenter {
  public:
   virtual ~Segmenter() = default;
-  /// Throws Error when there is nothing to segment ("no head in this volume", "no brain can be modelled: ...").
+  /// Throws Error when there is nothing to segment ("no head in this volume", "no brain can be modelled:
+  /// ...").
   virtual SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const = 0;
 };
 
@@ -27,8 +37,8 @@ class Segmenter {
 std::unique_ptr<Segmenter> makeHeadSegmenter();
 /// "bet": a deformable surface after Smith 2002, with what heads with a long neck need.
 std::unique_ptr<Segmenter> makeBetSegmenter();
-/// "brain", the default: BET's surface, then bias field and tissue classes, then grey and white matter with closed sulci,
-/// torn off from dura, eyes and neck. T1 MR.
+/// "brain", the default: BET's surface, then bias field and tissue classes, then grey and white matter with
+/// closed sulci, torn off from dura, eyes and neck. T1 MR.
 std::unique_ptr<Segmenter> makeBrainSegmenter();
 
 }  // namespace facenav::segmentation
