@@ -1,0 +1,21 @@
+#pragma once
+// A brain mask corrected by hand. brain_mask.nii.gz is always the mask in force, so that every other tool
+// reads the right one; the automatic mask is kept beside it as brain_mask_auto.nii.gz from the first
+// correction on, and either can be shown again. A correction makes an earlier sign-off void (sign_off.h).
+
+#include "facenav/casefile/case_store.h"
+
+namespace facenav::casefile {
+
+bool hasEditedBrainMask(const CaseStore& store);
+/// As prepare made it, edited or not; nothing where the case has no brain.
+std::optional<volume::Mask> automaticBrainMask(const CaseStore& store);
+/// Puts `mask` into force. Whole files, 0600; the automatic mask is put aside before. Throws Error: the case
+/// has no brain mask, another grid, disk full.
+void saveEditedBrainMask(const CaseStore& store, const volume::Mask& mask);
+/// The automatic mask is in force again; the edited one is gone. Nothing happens where there is none.
+void revertToAutomaticBrainMask(const CaseStore& store);
+/// brain.vtp and brain_texture.png anew, for the mask in force.
+void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain);
+
+}  // namespace facenav::casefile

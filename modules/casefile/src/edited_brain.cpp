@@ -1,0 +1,59 @@
+#include "facenav/casefile/edited_brain.h"
+
+#include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/volume/nifti.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char kInForce[] = "brain_mask.nii.gz", kAutomatic[] = "brain_mask_auto.nii.gz";
+
+void makePrivate(const fs::path& path) {
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+/// Whole: a copy that breaks off leaves no file under the name.
+void keepAutomatic(const CaseStore& store) {
+  if (hasEditedBrainMask(store)) return;
+  WholeFile copy(store.folder() / kAutomatic);
+  fs::copy_file(store.folder() / kInForce, copy.temporaryPath(), fs::copy_options::overwrite_existing);
+  makePrivate(copy.temporaryPath());
+  copy.commit();
+}
+
+}  // namespace
+
+bool hasEditedBrainMask(const CaseStore& store) { return fs::is_regular_file(store.folder() / kAutomatic); }
+
+std::optional<volume::Mask> automaticBrainMask(const CaseStore& store) {
+  if (hasEditedBrainMask(store)) return volume::readMask(store.folder() / kAutomatic);
+  return store.brainMask();
+}
+
+void saveEditedBrainMask(const CaseStore& store, const volume::Mask& mask) {
+  const auto present = store.brainMask();
+  if (!present)
+    throw Error("the case has no brain mask to correct", store.folder().string(), "prepare the case anew");
+  if (!present->grid.matches(mask.grid))
+    throw Error("the corrected mask lies on another grid than the scan", store.folder().string(),
+                "correct this case's own mask");
+  keepAutomatic(store);
+  volume::writeMask(mask, store.folder() / kInForce);
+  makePrivate(store.folder() / kInForce);
+}
+
+void revertToAutomaticBrainMask(const CaseStore& store) {
+  if (!hasEditedBrainMask(store)) return;
+  fs::rename(store.folder() / kAutomatic, store.folder() / kInForce);
+}
+
+void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain) {
+  const fs::path vtp = store.folder() / "brain.vtp", texture = store.folder() / "brain_texture.png";
+  surface::writeBrain(brain, vtp, texture);
+  makePrivate(vtp);
+  makePrivate(texture);
+}
+
+}  // namespace facenav::casefile
