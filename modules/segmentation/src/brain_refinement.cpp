@@ -11,19 +11,6 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-/// One pass of the kernel 1-2-1 along each axis (sigma 0.7 voxels).
-Volume smoothed(const Volume& image) {
-  Volume out = image;
-  const auto& n = image.grid.size;
-  const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
-  for (int a = 0; a < 3; ++a) {
-    const std::vector<float> from = out.voxels;
-    for (std::size_t i = stride[a]; i + stride[a] < from.size(); ++i)
-      out.voxels[i] = 0.25f * (from[i - stride[a]] + 2 * from[i] + from[i + stride[a]]);
-  }
-  return out;
-}
-
 /// The connected body of white matter: what the neck's muscles, which look like grey matter, do not have.
 Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue, double tear_mm) {
   const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
@@ -37,6 +24,18 @@ Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue,
 }
 
 }  // namespace
+
+Volume smoothed(const Volume& image) {
+  Volume out = image;
+  const auto& n = image.grid.size;
+  const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<float> from = out.voxels;
+    for (std::size_t i = stride[a]; i + stride[a] < from.size(); ++i)
+      out.voxels[i] = 0.25f * (from[i - stride[a]] + 2 * from[i] + from[i + stride[a]]);
+  }
+  return out;
+}
 
 volume::Mask refineBrain(const volume::Volume& flat, const Mask& first, const TissueModel& tissue,
                          const RefinementOptions& options) {

@@ -9,8 +9,9 @@
 namespace facenav::segmentation {
 
 struct RefinementOptions {
-  double search_mm = 8;        // tissue is sought this far outside the first surface
-  double tissue_share = 0.42;  // lower limit of tissue, between fluid (0) and grey matter (1)
+  double search_mm = 8;  // tissue is sought this far outside the first surface
+  double tissue_share =
+      0.2;  // lower limit of tissue, between fluid (0) and grey matter (1) as fitTissue has them
   double brightest = 1.35;     // upper limit, times white matter: above are fat and vessels
   double white_tear_mm = 1.0;  // white matter thinner than twice this does not belong to its connected body
   double white_reach_mm = 14;  // tissue lies at most this far from that body
@@ -21,6 +22,9 @@ struct RefinementOptions {
   double deep_mm = 5;          // .. what lies this deep is inside: ventricles, fissures
   double smooth_mm = 1.5;      // spikes thinner than twice this are cut
 };
+
+/// One pass of the kernel 1-2-1 along each axis (sigma 0.7 voxels).
+volume::Volume smoothed(const volume::Volume& image);
 
 /// `flat`: bias-corrected, cubic voxels; `first` on its grid. May be empty.
 volume::Mask refineBrain(const volume::Volume& flat, const volume::Mask& first, const TissueModel& tissue,

@@ -55,11 +55,11 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
                     kSmithsThreshold);
 }
 
-constexpr double kStrict = 0.16, kGenerous = 0.16;  // tissue shares about the one that is taken
-constexpr int kDoubtStep = 2;                       // voxels between the places where doubt is stated
+constexpr double kStrict = 0.2, kGenerous = 0.2;  // tissue shares about the one that is taken
+constexpr int kDoubtStep = 2;                     // voxels between the places where doubt is stated
 
-/// Where a stricter and a more generous limit of tissue would put the surface. The classes' own spread bounds
-/// the limit: fluid reaches up to about 0.25 of the way to grey matter, grey matter down to about 0.6.
+/// Where a stricter and a more generous limit of tissue would put the surface: from the fluid's own mean to
+/// where grey matter's class begins.
 std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Volume& flat, const Mask& first,
                                     const TissueModel& tissue) {
   RefinementOptions strict, generous;
@@ -101,7 +101,9 @@ class BrainSegmenter : public Segmenter {
     const Mask first = volume::resample(whole, grid);
     const Volume image = volume::resample(working, grid);
     monitor.report("measuring grey and white matter", 0.6);
-    const TissueModel tissue = fitTissue(image, erode(first, kCore_mm), &rough);
+    // Without the voxels' noise, which would spread the fluid's class down into air and with it the limit of
+    // tissue.
+    const TissueModel tissue = fitTissue(smoothed(image), erode(first, kCore_mm), &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
     const Volume flat = corrected(image, tissue);

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
 #include "head_phantom.h"
@@ -49,6 +51,24 @@ TEST(BrainSegmenter, FindsThePhantomsBrainAboveALongNeck) {
   const auto overlap = volume::overlap(brain, head.brain);
   EXPECT_GE(overlap.dice, 0.98);
   EXPECT_GE(overlap.inside, 0.98);
+}
+
+TEST(BrainSegmenter, StatesItsDoubtAllOverTheMasksSurface) {
+  const HeadPhantom& head = plainHead();
+  TaskMonitor monitor;
+  const auto result = makeBrainSegmenter()->segment(head.volume, monitor);
+  const auto to_surface_mm = volume::distanceTo(volume::surfaceVoxels(result.mask));
+  std::array<int, 8> in_octant{};
+  const Eigen::Vector3d centre = result.mask.grid.centre().mm;
+  for (const auto& doubt : result.doubts) {
+    const Eigen::Array3i at = result.mask.grid.toVoxel(doubt.place).array().round().cast<int>();
+    ASSERT_TRUE(result.mask.grid.contains(at[0], at[1], at[2]));
+    ASSERT_LE(to_surface_mm[result.mask.grid.index(at[0], at[1], at[2])], 2.5);  // a voxel of either grid
+    ASSERT_GE(doubt.doubt_mm, 0);
+    const auto side = (doubt.place.mm - centre).array() > 0;
+    ++in_octant[side[0] + 2 * side[1] + 4 * side[2]];
+  }
+  for (int upper = 4; upper < 8; ++upper) EXPECT_GT(in_octant[upper], 500) << upper;
 }
 
 TEST(BrainSegmenter, FindsAChildsBrainInABiasField) {
