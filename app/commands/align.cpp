@@ -75,6 +75,7 @@ void runAlign(Context& context, const AlignRequest& request) {
     std::printf("predicted error at %s: %.2f mm (95 of 100 below %.2f mm)\n", target.c_str(), error_mm,
                 stored.predicted_tre_p95_mm.at(target));
   printWorstRegions(outcome.regions);
+  for (const auto& caution : stored.cautions) std::printf("caution: %s\n", caution.c_str());
 }
 
 }  // namespace

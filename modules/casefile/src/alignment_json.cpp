@@ -16,8 +16,16 @@ double atLeastZero(const JsonReader& json) {
 }  // namespace
 
 StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan) {
-  StoredAlignment stored{
-      result.camera_T_mri, result.rms_mm, result.max_mm, result.inlier_fraction, result.points, {}, {}};
+  StoredAlignment stored{result.camera_T_mri,
+                         result.rms_mm,
+                         result.max_mm,
+                         result.inlier_fraction,
+                         result.points,
+                         {},
+                         {},
+                         result.face_scale,
+                         result.face_scale_sigma,
+                         result.cautions};
   for (const guidance::Target& target : plan.targets) {
     stored.predicted_tre_mm[target.name] = result.predictedError_mm(target.cortex_point);
     stored.predicted_tre_p95_mm[target.name] = result.errorBound_mm(target.cortex_point);
@@ -34,6 +42,11 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
   json["points"] = alignment.points;
   json["predicted_tre_mm"] = alignment.predicted_tre_mm;
   if (!alignment.predicted_tre_p95_mm.empty()) json["predicted_tre_p95_mm"] = alignment.predicted_tre_p95_mm;
+  if (alignment.face_scale_sigma > 0) {
+    json["face_scale"] = alignment.face_scale;
+    json["face_scale_sigma"] = alignment.face_scale_sigma;
+  }
+  if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
   writePrivateFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
@@ -50,6 +63,10 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
                                  std::pair{"predicted_tre_p95_mm", &alignment.predicted_tre_p95_mm}})
     if (json.has(key))
       for (const auto& [name, value] : json.at(key).members()) (*map)[name] = atLeastZero(value);
+  if (json.has("face_scale")) alignment.face_scale = atLeastZero(json.at("face_scale"));
+  if (json.has("face_scale_sigma")) alignment.face_scale_sigma = atLeastZero(json.at("face_scale_sigma"));
+  if (json.has("cautions"))
+    for (const auto& words : json.at("cautions").elements()) alignment.cautions.push_back(words.text());
   return alignment;
 }
 

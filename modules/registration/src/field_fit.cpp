@@ -47,7 +47,7 @@ bool areDistinct(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const E
 }
 
 FieldFitter::FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& cloud,
-                         const std::vector<int>& points, std::optional<double> mirror_x_mm)
+                         const std::vector<int>& points)
     : scalp_(scalp), pivot_(scalp.middle_mm().cast<float>()) {
   const bool has_normals = cloud.normals.size() == cloud.size();
   for (int a = 0; a < 3; ++a) {
@@ -57,7 +57,6 @@ FieldFitter::FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& clou
     normals_[a].reserve(points.size());
     for (const int p : points) normals_[a].push_back(float(cloud.normals[std::size_t(p)][a]));
   }
-  if (mirror_x_mm) mirror_sign_ = -1.0f, mirror_offset_mm_ = float(2 * *mirror_x_mm);
 }
 
 template <bool kIsFine>
@@ -68,11 +67,10 @@ void FieldFitter::measure(Block& block, std::size_t first, const View& view) con
     for (int i = 0; i < n; ++i)
       block.at[a][i] = view.r[a][0] * x[i] + view.r[a][1] * y[i] + view.r[a][2] * z[i] + view.t[a];
   for (int i = 0; i < n; ++i) {
-    const Eigen::Vector3f query(mirror_sign_ * block.at[0][i] + mirror_offset_mm_, block.at[1][i],
-                                block.at[2][i]);
+    const Eigen::Vector3f query(block.at[0][i], block.at[1][i], block.at[2][i]);
     const FieldSample sample = kIsFine ? scalp_.fine(query) : scalp_.coarse(query);
     block.residual[i] = sample.distance_mm;
-    block.normal[0][i] = mirror_sign_ * sample.gradient.x();
+    block.normal[0][i] = sample.gradient.x();
     block.normal[1][i] = sample.gradient.y();
     block.normal[2][i] = sample.gradient.z();
   }

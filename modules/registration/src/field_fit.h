@@ -5,7 +5,6 @@
 // mri_T_camera.
 
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "facenav/geometry/rotation.h"
@@ -28,9 +27,7 @@ struct PointMatch {
 
 class FieldFitter {
  public:
-  /// `mirror_x_mm`: fits the skin mirrored at that sagittal plane instead.
-  FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& cloud, const std::vector<int>& points,
-              std::optional<double> mirror_x_mm = {});
+  FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& cloud, const std::vector<int>& points);
 
   std::size_t size() const { return points_[0].size(); }
   /// One per point, 0..1, or empty.
@@ -52,7 +49,6 @@ class FieldFitter {
   const ScalpField& scalp_;
   std::vector<float> points_[3], normals_[3];  // x, y, z
   std::vector<float> weights_;
-  float mirror_sign_ = 1.0f, mirror_offset_mm_ = 0.0f;
   Eigen::Vector3f pivot_;  // increments rotate about the head's middle
 };
 

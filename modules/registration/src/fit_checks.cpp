@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "part_fits.h"
 #include "skin_likelihood.h"
 
 namespace facenav::registration {
@@ -16,11 +19,18 @@ namespace {
 // that fits best still tells; swollen skin lifts the best third, but not the median as far. Measured: right
 // head 0.1-0.35 mm median and 0.6-0.9 close, wrong head 1.3-2.4 mm and 0.2-0.5 close.
 constexpr double kWrongMedian_mm = 0.9, kWrongThird_mm = 0.5, kLeastClose = 0.3;
-// Logarithms of odds. Measured: right heads +5 to +29, mirrored ones -5 to -55, a forehead alone -1.
+// Logarithms of odds.
 constexpr double kMirrored = -5.0, kLeastUnmirrored = 1.0, kRival = 3.0;
+// How much likelier (logarithm) a face must be at another size; the fit beside the pose sees 2 % at most,
+// since what is off by more than the misfit's limit does not count there.
+constexpr double kScaled = 10.0;
+// Sizes: a rim of 0.6 % is what scanners and calibrations are off by (MisfitPrior). One in twenty is said,
+// what chance hardly makes and matters at the cortex (2 % of 100 mm) is refused.
+constexpr double kCautionScale_z = 2.0, kRefusedScale_z = 4.0, kRefusedScale = 0.02;
+constexpr double kLoose_mm = 0.6, kSuspect_mm = 0.3;
 constexpr double kHairy = 0.35;           // where hair is this frequent, it says nothing about the head
 constexpr double kLeastExtent_mm = 45.0;  // a whole face has 120, forehead to mid-nose 80
-constexpr double kLargestError_mm = 2.5;
+constexpr double kLargestError_mm = 2.0;
 
 std::string oneDecimal(double value) {
   char text[32];
@@ -45,20 +55,36 @@ double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
   return std::min(extent.x(), extent.z());
 }
 
-/// How much likelier the skin is than its mirror image, fitted near the pose.
+/// How much likelier the skin is than its mirror image. The face is mirrored instead of the skin, which is
+/// the same, and fitted with as much care as the face itself, from three turns near the pose.
 double mirrorLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                      const Eigen::Isometry3d& mri_T_camera) {
+  const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
+  PointCloud<Camera> mirrored = pick(face, points);
+  for (auto& p : mirrored.points_mm) p = flipped(p);
+  for (auto& n : mirrored.normals) n = flipped(n);
+  std::vector<int> all(mirrored.size());
+  std::iota(all.begin(), all.end(), 0);
   const Eigen::Vector3d middle = scalp.middle_mm();
-  const SkinLikelihood logLikelihood(scalp, face, points);
-  const FieldFitter mirrored(scalp, face, points, middle.x());
+  const Eigen::Vector3d flip(-1, 1, 1);
+  Eigen::Isometry3d twin = Eigen::Isometry3d::Identity();
+  twin.linear() = flip.asDiagonal() * mri_T_camera.linear() * flip.asDiagonal();
+  twin.translation() = flipped(mri_T_camera.translation()) + Eigen::Vector3d(2 * middle.x(), 0, 0);
+  const FieldFitter fitter(scalp, mirrored, all);
+  const SkinLikelihood logLikelihood(scalp, mirrored, all);
   double most = -1e9;
+  Eigen::Isometry3d best = twin;
   for (const double yaw_deg : {-8.0, 0.0, 8.0}) {
     Vector6d turn = Vector6d::Zero();
     turn[2] = yaw_deg * M_PI / 180.0;
-    const Eigen::Isometry3d pose = settle(mirrored, increment(turn, middle, mri_T_camera), 12.0f);
-    most = std::max(most, logLikelihood(mirrored.match(pose)));
+    const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f);
+    const double here = logLikelihood(fitter.match(pose));
+    if (here > most) most = here, best = pose;
   }
-  return logLikelihood(FieldFitter(scalp, face, points).match(mri_T_camera)) - most;
+  best = bestOfParts(scalp, mirrored, all, best).mri_T_camera;
+  most = std::max(most, logLikelihood(fitter.match(best)));
+  const FieldFitter given(scalp, face, points);
+  return SkinLikelihood(scalp, face, points)(given.match(mri_T_camera)) - most;
 }
 
 /// How much likelier the pose is than the best that the face finds elsewhere.
@@ -77,6 +103,40 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
   }
   return logLikelihood(everything.match(mri_T_camera)) - most;
 }
+
+bool isNoFit(const FitEvidence& evidence) {
+  return (evidence.median_mm > kWrongMedian_mm && evidence.best_third_mm > kWrongThird_mm) ||
+         evidence.close_fraction < kLeastClose;
+}
+
+/// The size of the live face over the scan's at which it would fit, and the logarithm of how much likelier;
+/// cameras whose calibration is off in scale see everything so.
+std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud<Camera>& face,
+                                       const std::vector<int>& points,
+                                       const Eigen::Isometry3d& mri_T_camera) {
+  const SkinLikelihood logLikelihood(scalp, face, points);
+  const double as_is = logLikelihood(FieldFitter(scalp, face, points).match(mri_T_camera));
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const int p : points) centre += face.points_mm[std::size_t(p)] / double(points.size());
+  PointCloud<Camera> scaled = face;
+  std::pair<double, double> best{1.0, 0.0};
+  for (const double scale : {0.88, 0.91, 0.94, 0.96, 0.975, 1.025, 1.04, 1.06, 1.09, 1.12}) {
+    for (const int p : points) scaled.points_mm[std::size_t(p)] = face.points_mm[std::size_t(p)] / scale;
+    const FieldFitter fitter(scalp, scaled, points);
+    const Eigen::Isometry3d start = mri_T_camera * Eigen::Translation3d(centre - centre / scale);
+    const double log_odds = logLikelihood(fitter.match(settle(fitter, start, 8.0f))) - as_is;
+    if (log_odds > best.second) best = {scale, log_odds};
+  }
+  return best;
+}
+
+/// By how many standard errors the scale differs from one, what scanners are off by included.
+double scaleZ(const FitEvidence& evidence) {
+  if (!(evidence.scale_sigma > 0)) return 0.0;
+  return std::abs(evidence.scale - 1.0) / std::hypot(evidence.scale_sigma, MisfitPrior().scale);
+}
+
+std::string percentOf(double scale) { return oneDecimal(100.0 * scale) + " %"; }
 
 }  // namespace
 
@@ -105,6 +165,9 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
     evidence.median_mm = core[core.size() / 2];
   }
   evidence.mirror_log_odds = mirrorLogOdds(scalp, face, sparse, mri_T_camera);
+  if (isNoFit(evidence) || evidence.median_mm > kSuspect_mm)
+    std::tie(evidence.fitting_scale, evidence.scale_log_odds) =
+        fittingScale(scalp, face, sparse, mri_T_camera);
   if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals);
   return evidence;
 }
@@ -113,13 +176,20 @@ void requireTrust(const FitEvidence& evidence) {
   const auto refuse = [](const std::string& why, const std::string& remedy) {
     throw Error("not aligned: " + why, {}, remedy);
   };
-  if (evidence.face_points < 300 || evidence.extent_mm < kLeastExtent_mm)
+  const bool is_resized = evidence.scale_log_odds > kScaled;  // then little of it lies close
+  if (evidence.face_points < 300 || (evidence.extent_mm < kLeastExtent_mm && !is_resized))
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
-  if (evidence.mirror_log_odds < kMirrored)
+  if (evidence.mirror_log_odds < kMirrored &&
+      !(is_resized && evidence.scale_log_odds > -evidence.mirror_log_odds))
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
-  if ((evidence.median_mm > kWrongMedian_mm && evidence.best_third_mm > kWrongThird_mm) ||
-      evidence.close_fraction < kLeastClose)
+  const bool is_scaled = scaleZ(evidence) > kRefusedScale_z && std::abs(evidence.scale - 1) > kRefusedScale;
+  if (is_resized || is_scaled)
+    refuse("the face does not fit this MRI: the cameras measure it at " +
+               percentOf(is_resized ? evidence.fitting_scale : evidence.scale) + " of its size there",
+           "check the square size that the cameras were calibrated with, and that this is the patient's own "
+           "MRI");
+  if (isNoFit(evidence))
     refuse("the face does not fit this MRI (median distance " + oneDecimal(evidence.median_mm) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
   if (evidence.mirror_log_odds < kLeastUnmirrored)
@@ -131,6 +201,19 @@ void requireTrust(const FitEvidence& evidence) {
     refuse("too little of the face was measured to fix the pose (predicted error " +
                oneDecimal(evidence.predicted_error_mm) + " mm)",
            "show more of the face to both cameras");
+}
+
+std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
+  std::vector<std::string> cautions;
+  if (scaleZ(evidence) > kCautionScale_z)
+    cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
+                       " of the MRI's size (+/- " + oneDecimal(100 * evidence.scale_sigma) +
+                       "): check the square size that they were calibrated with");
+  if (std::max(evidence.median_mm, evidence.misfit_mm) > kLoose_mm)
+    cautions.push_back("the skin fits loosely (by " +
+                       oneDecimal(std::max(evidence.median_mm, evidence.misfit_mm)) +
+                       " mm): check that this is the patient's own MRI, and a calm face");
+  return cautions;
 }
 
 }  // namespace facenav::registration

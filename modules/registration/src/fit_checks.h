@@ -13,8 +13,13 @@ struct FitEvidence {
   double median_mm = 0.0, best_third_mm = 0.0;  // quantiles of their |residual|, up to 6 mm
   double extent_mm = 0.0;           // four sigma of the close points across or up the face, the smaller
   double predicted_error_mm = 0.0;  // the largest in the brain
+  double misfit_mm = 0.0;           // size of the smooth misfit
   double mirror_log_odds = 0.0;     // logarithm of how much likelier the skin is than its mirror image
-  double rival_log_odds = 1e9;      // of how much likelier the pose is than the best one elsewhere
+  // The live face over the scan in size: fitted beside the pose, with its standard error; and the factor at
+  // which a face that does not fit would (nothing: at none).
+  double scale = 1.0, scale_sigma = 0.0;
+  double fitting_scale = 1.0, scale_log_odds = 0.0;
+  double rival_log_odds = 1e9;  // of how much likelier the pose is than the best one elsewhere
 };
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
@@ -22,5 +27,8 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
 
 /// Throws Error("not aligned: ...") naming the first reason.
 void requireTrust(const FitEvidence& evidence);
+
+/// What is no reason to refuse, but to look, in plain words.
+std::vector<std::string> cautionsOf(const FitEvidence& evidence);
 
 }  // namespace facenav::registration

@@ -79,7 +79,11 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   result.misfit_mm = fit.belief.field_mm;
   FitEvidence evidence = gatherEvidence(scalp, face, closest, rivals);
   evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
+  evidence.misfit_mm = result.misfit_mm;
+  evidence.scale = result.face_scale = 1.0 + fit.belief.scale;
+  evidence.scale_sigma = result.face_scale_sigma = fit.belief.scale_sigma;
   requireTrust(evidence);
+  result.cautions = cautionsOf(evidence);
 
   std::vector<int> all(face.size());
   std::iota(all.begin(), all.end(), 0);

@@ -22,6 +22,8 @@ struct LinearModel {
   Design design;
   MatrixXd distance_mm;
   MatrixXd fixed;  // covariance of what has no free size: offset and scale
+  MatrixXd scale_covariance;
+  VectorXd stretch_mm;  // residual of a live face of twice the size
 };
 
 /// Rotations are stated at this lever, so that all six columns are of one size.
@@ -31,7 +33,7 @@ constexpr double kPatch_mm = 12.0;
 LinearModel linearModel(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
                         const Eigen::Vector3d& pivot, const MisfitPrior& prior) {
   const auto n = Eigen::Index(patches.size());
-  LinearModel model{VectorXd(n), VectorXd(n), VectorXd(n), Design(n, 6), MatrixXd(n, n), MatrixXd(n, n)};
+  LinearModel model{VectorXd(n), VectorXd(n), VectorXd(n), Design(n, 6), MatrixXd(n, n), {}, {}, VectorXd(n)};
   Eigen::Matrix<double, Eigen::Dynamic, 4> modes(n, 4);
   for (Eigen::Index i = 0; i < n; ++i) {
     const SkinPatch& patch = patches[std::size_t(i)];
@@ -42,12 +44,14 @@ LinearModel linearModel(const std::vector<SkinPatch>& patches, const FaceRegions
     modes(i, 0) = prior.offset_mm;
     for (int a = 0; a < 3; ++a)
       modes(i, 1 + a) = prior.scale * patch.normal[a] * (patch.at_mri_mm[a] - pivot[a]);
+    model.stretch_mm[i] = patch.normal.dot(patch.at_mri_mm - pivot);
     for (Eigen::Index j = 0; j <= i; ++j)
       model.distance_mm(i, j) = model.distance_mm(j, i) =
           (patch.at_mri_mm - patches[std::size_t(j)].at_mri_mm).norm();
   }
   model.design.leftCols<3>() /= kLever_mm;
-  model.fixed = modes * modes.transpose();
+  model.scale_covariance = modes.rightCols<3>() * modes.rightCols<3>().transpose();
+  model.fixed = modes.col(0) * modes.col(0).transpose() + model.scale_covariance;
   return model;
 }
 
@@ -64,11 +68,17 @@ struct Estimate {
   double log_likelihood;  // restricted
 };
 
-Estimate estimate(const LinearModel& model, const MatrixXd& correlation, const FieldShape& shape) {
+/// Covariance of the residuals of a right pose.
+MatrixXd misfitCovariance(const LinearModel& model, const MatrixXd& correlation, const FieldShape& shape) {
   const VectorXd size = shape.size_mm * (1.0 + (shape.soft - 1.0) * model.softness.array()).matrix();
   MatrixXd k = size.asDiagonal() * correlation * size.asDiagonal();
   k += model.fixed;
   k.diagonal() += model.noise2;
+  return k;
+}
+
+Estimate estimate(const LinearModel& model, const MatrixXd& correlation, const FieldShape& shape) {
+  const MatrixXd k = misfitCovariance(model, correlation, shape);
   Estimate out{Eigen::LLT<MatrixXd>(k), {}, {}, 0};
   const Design whitened = out.factor.matrixL().solve(model.design);
   const VectorXd residual = out.factor.matrixL().solve(model.residual);
@@ -81,6 +91,20 @@ Estimate estimate(const LinearModel& model, const MatrixXd& correlation, const F
   const double log_information = 2 * Matrix6d(inverse.matrixL()).diagonal().array().log().sum();
   out.log_likelihood = -0.5 * (log_k + log_information + residual.squaredNorm() - rhs.dot(out.error));
   return out;
+}
+
+/// Scale beside the pose: its estimate and variance.
+std::pair<double, double> estimateScale(const LinearModel& model, const FieldShape& shape) {
+  const Eigen::LLT<MatrixXd> factor(
+      misfitCovariance(model, correlation(model.distance_mm, shape.reach_mm), shape) -
+      model.scale_covariance);
+  Eigen::Matrix<double, Eigen::Dynamic, 7> design(model.design.rows(), 7);
+  design << model.design, model.stretch_mm / kLever_mm;
+  design = factor.matrixL().solve(design);
+  const VectorXd residual = factor.matrixL().solve(model.residual);
+  const Eigen::LLT<Eigen::Matrix<double, 7, 7>> inverse(design.transpose() * design);
+  const double scale = inverse.solve(design.transpose() * residual)[6] / kLever_mm;
+  return {scale, inverse.solve(Eigen::Matrix<double, 7, 7>::Identity())(6, 6) / (kLever_mm * kLever_mm)};
 }
 
 struct Weighted {
@@ -161,7 +185,10 @@ PoseBelief believe(const std::vector<SkinPatch>& patches, const FaceRegions& reg
   // The field's size was estimated from as many independent values as its reach leaves on the face: the error
   // is distributed as Student's t, wider than the plug-in covariance says.
   belief.freedom = std::clamp(double(patches.size()) * std::pow(kPatch_mm / belief.reach_mm, 2), 5.0, 60.0);
-  belief.covariance *= belief.freedom / (belief.freedom - 2.0);
+  const double tails = belief.freedom / (belief.freedom - 2.0);
+  belief.covariance *= tails;
+  const auto [scale, variance] = estimateScale(model, shapes.front().shape);
+  belief.scale = scale, belief.scale_sigma = std::sqrt(tails * variance);
   Vector6d units;
   units << Eigen::Vector3d::Constant(1.0 / kLever_mm), Eigen::Vector3d::Ones();
   belief.error = units.asDiagonal() * belief.error;

@@ -26,7 +26,11 @@ struct PoseBelief {
   double freedom = 30.0;                   // degrees of freedom of the t distribution that its tails have
   double field_mm = 0.0;                   // the smooth field's size over firm skin
   double reach_mm = 0.0;                   // and its reach
-  std::vector<double> surprise;            // per patch: what its neighbours do not explain, in sigmas
+  // The live face's size against the scan's, less one, and its standard error: a seventh unknown, fitted
+  // beside the pose without a prior on the scan's scale. Of cameras calibrated with a square of the wrong
+  // size, or of a scanner's gradients. The pose does not follow it.
+  double scale = 0.0, scale_sigma = 0.0;
+  std::vector<double> surprise;  // per patch: what its neighbours do not explain, in sigmas
 };
 
 /// `patches`: about 12 mm; those with surprise beyond 3 sigma are let go gradually.

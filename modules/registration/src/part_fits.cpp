@@ -15,6 +15,9 @@ struct Part {
 constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6}, {0, 1, 0, 0.45},
                            {0, 1, 0.3, 1}, {0, 0.5, 0, 1}, {0.5, 1, 0, 1}, {0.15, 0.85, 0, 0.7}};
 
+/// Patches of 25 mm are less independent than the likelihood takes them to be.
+constexpr double kTemper = 2.0;
+constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
 constexpr double kLeastWeight = 0.02;  // what is less likely by more lies outside a 95 % bound
 
 float quantile(std::vector<float> values, double fraction) {
@@ -62,8 +65,22 @@ PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, con
     for (const float reach_mm : {1.6f, 1.2f}) pose = all.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true});
     poses.push_back({pose, logLikelihood(all.match(pose))});
   }
-  std::sort(poses.begin(), poses.end(),
-            [](const Pose& a, const Pose& b) { return a.log_likelihood > b.log_likelihood; });
+  const auto likeliest_first = [](const Pose& a, const Pose& b) {
+    return a.log_likelihood > b.log_likelihood;
+  };
+  std::sort(poses.begin(), poses.end(), likeliest_first);
+  // On a forehead alone every part may lead to a neighbour of the best pose.
+  const Eigen::Isometry3d centre = poses.front().mri_T_camera;
+  for (int axis = 0; axis < 6; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      Vector6d off = Vector6d::Zero();
+      off[axis] = side * (axis < 3 ? kNearby_rad : kNearby_mm);
+      Eigen::Isometry3d pose = increment(off, scalp.noseTip_mm(), centre);
+      for (const float reach_mm : {2.5f, 1.6f, 1.2f})
+        pose = all.fit(pose, {reach_mm, 0.67f * reach_mm, 3, true});
+      poses.push_back({pose, logLikelihood(all.match(pose))});
+    }
+  std::sort(poses.begin(), poses.end(), likeliest_first);
   PartFit fit{poses.front().mri_T_camera};
   std::vector<Eigen::Isometry3d> seen{fit.mri_T_camera};
   double total = 1;
@@ -71,7 +88,7 @@ PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, con
     const bool is_new = std::all_of(seen.begin(), seen.end(), [&](const Eigen::Isometry3d& s) {
       return areDistinct(s, pose.mri_T_camera, scalp.middle_mm(), 0.005, 0.5);
     });
-    const double weight = std::exp(pose.log_likelihood - poses.front().log_likelihood);
+    const double weight = std::exp((pose.log_likelihood - poses.front().log_likelihood) / kTemper);
     if (!is_new || weight < kLeastWeight) continue;
     seen.push_back(pose.mri_T_camera);
     const Eigen::Isometry3d apart = pose.mri_T_camera * fit.mri_T_camera.inverse();

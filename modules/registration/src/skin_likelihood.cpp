@@ -13,13 +13,15 @@ namespace {
 constexpr double kPatch_mm = 25.0;
 // Sizes that misfit may have, and their weights: log-normal about 0.35 mm, a factor of e^0.8 one sigma.
 constexpr std::array<double, 4> kSigma_mm{0.2, 0.4, 0.8, 1.6}, kWeight{0.31, 0.39, 0.23, 0.07};
-constexpr double kForeignNear_mm = 6.0, kForeignFar_mm = 60.0;  // hair; hands and coils
+constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // hair lies anywhere up to there; hands, coils
 constexpr double kBehind = 0.15, kBehind_mm = 3.0;  // eyes, gross errors: nothing else lies behind the skin
 constexpr double kNowhere_per_mm = 0.03;            // no counterpart: it says next to nothing
+constexpr double kLeastOutside = 0.3;
 
 double foreignDensity(double residual_mm) {
   if (residual_mm <= 0) return kBehind / kBehind_mm * std::exp(residual_mm / kBehind_mm);
-  return 0.65 / kForeignNear_mm * std::exp(-residual_mm / kForeignNear_mm) +
+  constexpr double kArea = 0.9064;  // of exp(-x^4) from 0 on
+  return 0.65 / (kArea * kHair_mm) * std::exp(-std::pow(residual_mm / kHair_mm, 4)) +
          0.2 / kForeignFar_mm * std::exp(-residual_mm / kForeignFar_mm);
 }
 
@@ -48,11 +50,15 @@ double SkinLikelihood::operator()(const std::vector<PointMatch>& matches) const 
     const PointMatch& match = matches[p];
     const double residual_mm = double(match.residual_mm);
     const double foreign = regions_.foreignShare(match.at_mri_mm.cast<double>());
-    const double other = match.is_valid ? foreign * foreignDensity(residual_mm) : kNowhere_per_mm;
-    for (std::size_t s = 0; s < sums.size(); ++s) {
-      const double skin = match.is_valid ? (1 - foreign) * skinDensity(residual_mm, kSigma_mm[s]) : 0.0;
-      sums[s] += double(weights_[p]) * std::log(skin + other);
-    }
+    if (!match.is_valid) continue;
+    // A hand or a coil before the face is rare, but no reason to look for the head elsewhere.
+    const double other = std::max(foreign * foreignDensity(residual_mm),
+                                  residual_mm > 0 ? kLeastOutside * kNowhere_per_mm : 0.0);
+    // One head of hair is one thing: where it is likely, points say less than their number.
+    const double weight = double(weights_[p]) * (1 - foreign);
+    for (std::size_t s = 0; s < sums.size(); ++s)
+      sums[s] += weight *
+                 std::log(((1 - foreign) * skinDensity(residual_mm, kSigma_mm[s]) + other) / kNowhere_per_mm);
   }
   const double best = *std::max_element(sums.begin(), sums.end());
   double total = 0;

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "facenav/core/error.h"
 #include "fit_report.h"
 #include "robust_fit.h"
@@ -21,10 +23,27 @@ AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, 
   return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, monitor);
 }
 
+/// What no residual shows: the whole cloud too near or too far.
+void addSharedDepth(AlignmentResult& result, const PointCloud<Camera>& face, double sigma_mm) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t p = 0; p < face.size(); ++p)
+    if (result.is_inlier[p]) sum += face.points_mm[p];
+  const Eigen::Vector3d along = sigma_mm * sum.normalized();
+  result.covariance.bottomRightCorner<3, 3>() += along * along.transpose();
+}
+
 class SurfaceAligner : public Aligner {
  public:
   AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
                         TaskMonitor& monitor) const override {
+    AlignmentResult result = fit(scalp, face, start, monitor);
+    addSharedDepth(result, face, start.shared_depth_sigma_mm);
+    return result;
+  }
+
+ private:
+  static AlignmentResult fit(const ScalpField& scalp, const PointCloud<Camera>& face,
+                             const AlignmentStart& start, TaskMonitor& monitor) {
     requireMaterial(scalp, face);
     monitor.report("fitting the face", 0.0);
     try {
@@ -35,16 +54,19 @@ class SurfaceAligner : public Aligner {
     } catch (const Error&) {
       // A poor guess: look around it.
     }
-    for (const SearchWidth width : {SearchWidth::near, SearchWidth::any}) {
+    // Hints may mislead and the first search is quick: what it refuses gets a wider one. What the first
+    // search said of the best pose is the reason that counts; wider ones end in worse poses.
+    std::optional<Error> reason;
+    for (const auto& [width, most] :
+         {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})
       try {
-        return search(scalp, face, start, width, 6, monitor);
+        return search(scalp, face, start, width, std::size_t(most), monitor);
       } catch (const Cancelled&) {
         throw;
-      } catch (const Error&) {
-        // Hints may mislead and the first search is quick: what it refuses gets a wider one.
+      } catch (const Error& refusal) {
+        if (!reason) reason = refusal;
       }
-    }
-    return search(scalp, face, start, SearchWidth::thorough, 10, monitor);
+    throw *reason;
   }
 };
 

@@ -21,6 +21,9 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   alignment.points = 15234;
   alignment.predicted_tre_mm = {{"M1 hand L", 0.42}};
   alignment.predicted_tre_p95_mm = {{"M1 hand L", 0.81}};
+  alignment.face_scale = 0.987;
+  alignment.face_scale_sigma = 0.004;
+  alignment.cautions = {"the skin fits loosely"};
   writeAlignment(alignment, folder.path() / "alignment.json");
   const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
   EXPECT_THAT(read.camera_T_mri, PoseNear(alignment.camera_T_mri, 1e-9, 1e-12));
@@ -28,6 +31,9 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   EXPECT_EQ(read.max_mm, 1.7);
   EXPECT_EQ(read.predicted_tre_mm, alignment.predicted_tre_mm);
   EXPECT_EQ(read.predicted_tre_p95_mm, alignment.predicted_tre_p95_mm);
+  EXPECT_DOUBLE_EQ(read.face_scale, 0.987);
+  EXPECT_DOUBLE_EQ(read.face_scale_sigma, 0.004);
+  EXPECT_EQ(read.cautions, alignment.cautions);
 }
 
 TEST(AlignmentJson, RefusesWhatCannotBeAPose) {

@@ -119,6 +119,36 @@ TEST(SurfaceAligner, RefusesAMirroredScanAndNotTheRightOne) {
   }
 }
 
+/// What cameras see whose calibration is off by `scale`: all of space, from the left camera on.
+PointCloud<Camera> resized(PointCloud<Camera> cloud, double scale) {
+  for (auto& p : cloud.points_mm) p *= scale;
+  return cloud;
+}
+
+TEST(SurfaceAligner, TellsTheFacesSizeFromTheScans) {
+  const auto truth = facing(8, 4, 0);
+  const auto cloud = measure(ModelHead(), truth, {.seed = 9});
+  const auto right = align(patientsField(), cloud);
+  EXPECT_NEAR(right.face_scale, 1.0, 3 * right.face_scale_sigma + 0.002);
+  EXPECT_GT(right.face_scale_sigma, 0.0);
+  EXPECT_TRUE(right.cautions.empty()) << right.cautions.front();
+  // The pose stays rigid; the size is reported. Off by far, the face does not fit any more.
+  const auto small = align(patientsField(), resized(cloud, 0.988));
+  EXPECT_NEAR(small.face_scale, 0.988, 0.005);
+  EXPECT_THAT([&] { align(patientsField(), resized(cloud, 1.06)); },
+              ThrowsMessage<Error>(HasSubstr("not aligned")));
+}
+
+TEST(SurfaceAligner, DepthThatAllPointsShareWidensTheBoundAlongTheView) {
+  const auto truth = facing(8, 4, 0);
+  const auto cloud = measure(ModelHead(), truth, {});
+  AlignmentStart start;
+  const double without_mm = align(patientsField(), cloud, start).predictedError_mm(kTarget);
+  start.shared_depth_sigma_mm = 0.4;
+  const double with_mm = align(patientsField(), cloud, start).predictedError_mm(kTarget);
+  EXPECT_NEAR(with_mm, std::hypot(without_mm, 0.4), 1e-6);
+}
+
 TEST(SurfaceAligner, RefusesWhatLacksAFaceOrShowsTooLittleOfIt) {
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {});

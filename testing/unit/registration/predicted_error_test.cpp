@@ -50,13 +50,19 @@ Aligned alignLive(const SkinModel& live, std::uint32_t seed) {
 }
 
 TEST(PredictedError, HoldsForAllKindsOfMisfit) {
-  int within = 0, all = 0;
+  int within = 0, all = 0, refused = 0;
   double worst_bound_mm = 0;
   std::vector<double> errors_mm;
   for (const auto& kind : facenav::testing::misfits())
     for (std::uint32_t seed : {471u, 472u, 473u}) {
-      const Aligned aligned =
-          alignLive(liveSkin(fixture().skin, fixture().scalp.noseTip_mm(), kind.first, seed), seed);
+      Aligned aligned;
+      try {
+        aligned = alignLive(liveSkin(fixture().skin, fixture().scalp.noseTip_mm(), kind.first, seed), seed);
+      } catch (const Error& refusal) {
+        std::printf("%s, seed %u: %s\n", kind.second.c_str(), unsigned(seed), refusal.what());
+        ++refused;
+        continue;
+      }
       const double bound_mm = aligned.result.errorBound_mm(kTarget);
       within += aligned.error_mm <= bound_mm;
       if (aligned.error_mm > bound_mm)
@@ -67,6 +73,7 @@ TEST(PredictedError, HoldsForAllKindsOfMisfit) {
       errors_mm.push_back(aligned.error_mm);
       EXPECT_GT(bound_mm, aligned.result.predictedError_mm(kTarget));
     }
+  EXPECT_LE(refused, 2);
   EXPECT_GE(within, all - 2) << "of " << all << ": 95 % were promised";
   std::nth_element(errors_mm.begin(), errors_mm.begin() + all / 2, errors_mm.end());
   EXPECT_LT(errors_mm[std::size_t(all / 2)], 0.5);

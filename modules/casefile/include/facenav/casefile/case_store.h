@@ -27,6 +27,9 @@ struct StoredAlignment {
   int points = 0;
   // Per target: standard error, and what 95 of 100 errors stay below (absent in files of older versions).
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
+  // Size of the live face over the scan's, and its standard error (0: not estimated, or an older file).
+  double face_scale = 1.0, face_scale_sigma = 0.0;
+  std::vector<std::string> cautions;  // plain words
 };
 /// What alignment.json keeps of a fit, with the predicted error at each target's cortex point.
 StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan);

@@ -21,6 +21,9 @@ struct AlignmentStart {
   std::optional<Direction<Camera>> patient_superior;  // e.g. from chin or mouth to brow
   std::optional<Point<Camera>> nose_tip;
   std::optional<RigidTransform<Camera, Mri>> guess;  // a previous alignment
+  /// Standard error that all depths of the cloud share (calibration, matching): no residual shows it, the
+  /// bound holds it.
+  double shared_depth_sigma_mm = 0.0;
 };
 
 struct AlignmentResult {
@@ -34,6 +37,10 @@ struct AlignmentResult {
                                            // the origin of Mri's image
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
+  // Size of the live face over that of the scan, with its standard error (how well the face fixes it; what
+  // scans and calibrations are off by is not in it). The pose does not follow it. 0: not estimated.
+  double face_scale = 1.0, face_scale_sigma = 0.0;
+  std::vector<std::string> cautions;  // plain words: what a clinician should look at before trusting the fit
 
   /// Predicted standard error at a point of the patient (pose covariance carried there), mm.
   double predictedError_mm(const Point<Mri>& target) const;
