@@ -12,14 +12,16 @@
 #include "facenav/scene/display.h"
 #include "main_window.h"
 #include "pipeline.h"
+#include "presenters/worklist_presenter.h"
 #include "stored_capture.h"
+#include "workspaces/prepare/prepare_workspace.h"
 
 namespace {
 
 using namespace facenav;
 
 struct Arguments {
-  std::string case_folder, recording, workspace, screenshot;
+  std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
   double after_s = 3.0;
 };
 
@@ -40,6 +42,9 @@ ui::Services makeServices() {
   services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
     return dicom::listSeries(folder, monitor);
   };
+  services.makeThumbnail = [](const dicom::SeriesInfo& series) { return dicom::makeThumbnail(series); };
+  services.readTemplate = [] { return atlas::readColin27(); };
+  services.software_version = app::softwareVersion();
   services.prepareCase = [](const ui::PrepareOrder& order, TaskMonitor& monitor) {
     auto context = makeContext(monitor);
     app::PrepareRequest request;
@@ -67,6 +72,12 @@ ui::Services makeServices() {
   return services;
 }
 
+ui::PrepareStep stepNamed(const std::string& name) {
+  if (name == "series") return ui::PrepareStep::series;
+  if (name == "check") return ui::PrepareStep::check;
+  return name == "sign-off" ? ui::PrepareStep::sign_off : ui::PrepareStep::worklist;
+}
+
 void saveScreenshot(ui::MainWindow& window, const std::string& path) {
   const bool is_saved = window.grab().save(QString::fromStdString(path));
   if (!is_saved) std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n", path.c_str());
@@ -79,6 +90,7 @@ void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
   QObject::connect(poll, &QTimer::timeout, &window, [&window, arguments, poll] {
     if (!window.isSettled()) return;
     poll->stop();
+    if (!arguments.step.empty()) window.setPrepareStep(stepNamed(arguments.step));
     QTimer::singleShot(int(arguments.after_s * 1000), &window,
                        [&window, arguments] { saveScreenshot(window, arguments.screenshot); });
   });
@@ -98,6 +110,11 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   ui::MainWindow window(makeServices());
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
     window.restoreLast();
+  window.setCasesFolder(arguments.cases_folder.empty() ? ui::WorklistPresenter::rememberedFolder()
+                                                       : QString::fromStdString(arguments.cases_folder));
+  if (!arguments.override_reason.empty())
+    window.overrideSignOff(QString::fromStdString(arguments.by),
+                           QString::fromStdString(arguments.override_reason));
   if (!arguments.case_folder.empty()) window.openCase(QString::fromStdString(arguments.case_folder));
   if (!arguments.recording.empty()) window.play(QString::fromStdString(arguments.recording));
   if (arguments.workspace == "plan") window.setWorkspace(ui::Workspace::plan);
@@ -114,6 +131,13 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App cli("FaceNav: the workstation window", "facenav-gui");
   cli.add_option("--case", arguments.case_folder, "case folder to open");
+  cli.add_option("--cases", arguments.cases_folder, "folder of cases that the worklist shows; remembered");
+  cli.add_option("--step", arguments.step, "of prepare: worklist, series, check or sign-off")
+      ->check(CLI::IsMember({"worklist", "series", "check", "sign-off"}));
+  auto* reason = cli.add_option("--override", arguments.override_reason,
+                                "treat the case without a sign-off for this reason; recorded in the case");
+  auto* by = cli.add_option("--by", arguments.by, "who overrides");
+  reason->needs(by);
   cli.add_option("--play", arguments.recording, "recording to align with and to play live");
   cli.add_option("--workspace", arguments.workspace, "prepare, plan or treat")
       ->check(CLI::IsMember({"prepare", "plan", "treat"}));

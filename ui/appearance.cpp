@@ -28,6 +28,7 @@ void applyAppearance(QApplication& application) {
   palette.setColor(QPalette::Base, QColor(11, 13, 16));
   palette.setColor(QPalette::AlternateBase, QColor(21, 25, 31));
   palette.setColor(QPalette::Text, QColor(237, 241, 245));
+  palette.setColor(QPalette::PlaceholderText, QColor(158, 171, 184));
   palette.setColor(QPalette::Button, QColor(32, 39, 48));
   palette.setColor(QPalette::ButtonText, QColor(237, 241, 245));
   palette.setColor(QPalette::Highlight, QColor(38, 92, 140));

@@ -20,7 +20,7 @@
 #include "widgets/status_chip.h"
 #include "widgets/task_bar.h"
 #include "workspaces/plan_workspace.h"
-#include "workspaces/prepare_workspace.h"
+#include "workspaces/prepare/prepare_workspace.h"
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
@@ -28,16 +28,21 @@ namespace facenav::ui {
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
-      prepare_(services_, model_, tasks_),
+      queue_(services_),
+      worklist_(queue_),
+      prepare_(services_, model_, tasks_, queue_),
+      sign_off_(model_, tasks_),
+      edit_(model_, tasks_),
+      place_(services_, model_),
       plan_(model_),
       treat_(services_, model_, tasks_),
       stack_(new QStackedWidget(this)) {
   setWindowTitle(tr("FaceNav"));
   setAcceptDrops(true);
-  prepare_workspace_ = new PrepareWorkspace(prepare_, model_, stack_);
+  prepare_workspace_ = new PrepareWorkspace(prepare_, worklist_, queue_, sign_off_, edit_, model_, stack_);
   auto* treat_workspace = new TreatWorkspace(treat_, model_, stack_);
   stack_->addWidget(prepare_workspace_);
-  stack_->addWidget(new PlanWorkspace(plan_, model_, stack_));
+  stack_->addWidget(new PlanWorkspace(plan_, place_, model_, stack_));
   stack_->addWidget(treat_workspace);
   task_bar_ = new TaskBar(tasks_, this);
   auto* centre = new QWidget(this);
@@ -57,7 +62,26 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   resize(std::min(1480, room.width()), std::min(920, room.height()));
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::alignmentChanged, this, &MainWindow::showCaseWords);
+  connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
+  connect(prepare_workspace_, &PrepareWorkspace::caseChosen, this, &MainWindow::openCase);
+  connect(&queue_, &PrepareQueue::prepared, this, [this](const QString&, const QString& case_id) {
+    if (!tasks_.isRunning()) task_bar_->showMessage(tr("case %1 is prepared: check it").arg(case_id), false);
+  });
+  connect(&queue_, &PrepareQueue::choiceNeeded, this, [this](int id) {
+    if (!tasks_.isRunning())
+      task_bar_->showMessage(tr("%1: no series is recommended, choose one").arg(queue_.job(id)->title), true);
+  });
+  connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
+  connect(&treat_, &TreatPresenter::refused, this,
+          [this](const QString& words) { task_bar_->showMessage(words, true); });
+  connect(&model_, &CaseModel::opened, this, [this] {
+    if (is_to_check_) prepare_workspace_->setStep(PrepareStep::check);
+    if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
+    to_override_.reset();
+  });
   connect(&plan_, &PlanPresenter::refused, this,
+          [this](const QString& words) { task_bar_->showMessage(words, true); });
+  connect(&edit_, &EditPresenter::refused, this,
           [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnPlaying);
@@ -67,7 +91,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   });
   setWorkspace(Workspace::prepare);
   showCaseWords();
-  task_bar_->showMessage(tr("Drop a DICOM folder, a NIfTI file or a case anywhere."), false);
+  task_bar_->showMessage(tr("Drop DICOM folders, NIfTI files or a case anywhere."), false);
 }
 
 MainWindow::~MainWindow() = default;
@@ -157,8 +181,23 @@ void MainWindow::setWorkspace(Workspace workspace) {
     widget->setVisible(workspace == Workspace::treat);
 }
 
+void MainWindow::setPrepareStep(PrepareStep step) {
+  setWorkspace(Workspace::prepare);
+  prepare_workspace_->setStep(step);
+}
+
+void MainWindow::setCasesFolder(const QString& folder) { worklist_.setFolder(folder); }
+
+void MainWindow::overrideSignOff(const QString& by, const QString& reason) {
+  to_override_ = Override{by, reason};
+}
+
+/// Preparing takes every core; a treatment must not feel it.
+void MainWindow::holdQueue() { queue_.setHeld(treat_.isRunning()); }
+
 void MainWindow::openCase(const QString& folder) {
   QSettings().setValue("last/case", QFileInfo(folder).absoluteFilePath());
+  is_to_check_ = true;
   prepare_.openCase(folder);
 }
 
@@ -174,7 +213,7 @@ void MainWindow::goOnPlaying() {
     treat_.openRecording(to_play_);
   } else if (model_.isOpen()) {
     to_play_.clear();
-    is_starting_ = true;
+    is_starting_ = model_.mayBeTreated();
     treat_.align(true);
   }
 }
@@ -187,9 +226,12 @@ bool MainWindow::isSettled() const {
 void MainWindow::restoreLast() {
   const QSettings settings;
   restoreGeometry(settings.value("last/geometry").toByteArray());
+  queue_.restore();
   const QString folder = settings.value("last/case").toString();
-  if (!folder.isEmpty() && QFileInfo::exists(folder)) openCase(folder);
-  setWorkspace(Workspace(std::clamp(settings.value("last/workspace", 0).toInt(), 0, 2)));
+  const auto workspace = Workspace(std::clamp(settings.value("last/workspace", 0).toInt(), 0, 2));
+  if (!folder.isEmpty() && QFileInfo::exists(folder))
+    prepare_.openCase(folder);  // the worklist stays in front
+  setWorkspace(workspace);
 }
 
 void MainWindow::showCaseWords() {
@@ -198,7 +240,8 @@ void MainWindow::showCaseWords() {
     return;
   }
   const auto& c = model_.current();
-  QString words = tr("case %1").arg(c.id);
+  QString words = tr("case %1").arg(c.id) + "  \u00b7  " + signOffWords(c.sign_off);
+  if (model_.override() && !c.sign_off.holds()) words += tr(" (override by %1)").arg(model_.override()->by);
   if (c.alignment) words += tr("  \u00b7  aligned %1 mm rms").arg(c.alignment->rms_mm, 0, 'f', 2);
   for (const auto& [name, error_mm] :
        c.alignment ? c.alignment->predicted_tre_mm : std::map<std::string, double>())
@@ -207,6 +250,7 @@ void MainWindow::showCaseWords() {
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {
+  holdQueue();
   cameras_->set(read_out.cameras);
   face_->set(read_out.face);
   coil_->set(read_out.coil);
@@ -218,16 +262,19 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = event->mimeData()->urls().value(0).toLocalFile();
-  if (path.isEmpty()) return;
-  const QFileInfo info(path);
+  for (const QUrl& url : event->mimeData()->urls())
+    if (const QString path = url.toLocalFile(); !path.isEmpty()) take(path);
+}
+
+/// A case is opened, a recording goes to Treat, anything else is queued to become a case.
+void MainWindow::take(const QString& path) {
   if (QFileInfo::exists(path + "/case.json")) return openCase(path);
   if (QFileInfo::exists(path + "/stereo.yml")) {
     setWorkspace(Workspace::treat);
     return treat_.openRecording(path);
   }
-  setWorkspace(Workspace::prepare);
-  prepare_.openInput(info.isFile() && !path.contains(".nii") ? info.absolutePath() : path);
+  setPrepareStep(PrepareStep::worklist);
+  queue_.add(inputOf(path));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -4,9 +4,14 @@
 
 #include <QMainWindow>
 
+#include "presenters/edit_presenter.h"
+#include "presenters/place_presenter.h"
 #include "presenters/plan_presenter.h"
 #include "presenters/prepare_presenter.h"
+#include "presenters/prepare_queue.h"
+#include "presenters/sign_off_presenter.h"
 #include "presenters/treat_presenter.h"
+#include "presenters/worklist_presenter.h"
 
 class QLabel;
 class QStackedWidget;
@@ -18,6 +23,7 @@ class StatusChip;
 class TaskBar;
 class PrepareWorkspace;
 
+enum class PrepareStep;
 enum class Workspace { prepare, plan, treat };
 
 class MainWindow : public QMainWindow {
@@ -28,6 +34,11 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void setWorkspace(Workspace workspace);
+  void setPrepareStep(PrepareStep step);
+  /// The folder that the worklist shows and new cases go to.
+  void setCasesFolder(const QString& folder);
+  /// Recorded in the case, once it is open: it may be treated without a sign-off.
+  void overrideSignOff(const QString& by, const QString& reason);
   void openCase(const QString& folder);
   /// Opens a recording once the case is there, aligns and starts guidance.
   void play(const QString& recording);
@@ -36,6 +47,8 @@ class MainWindow : public QMainWindow {
   /// No task runs, and what play() was asked for has begun or failed.
   bool isSettled() const;
   const TaskRunner& tasks() const { return tasks_; }
+  PrepareQueue& queue() { return queue_; }
+  const WorklistPresenter& worklist() const { return worklist_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -49,11 +62,18 @@ class MainWindow : public QMainWindow {
   void showCaseWords();
   void showLive(const ReadOut& read_out);
   void goOnPlaying();
+  void take(const QString& dropped_path);
+  void holdQueue();
 
   Services services_;
   TaskRunner tasks_;
   CaseModel model_;
+  PrepareQueue queue_;
+  WorklistPresenter worklist_;
   PreparePresenter prepare_;
+  SignOffPresenter sign_off_;
+  EditPresenter edit_;
+  PlacePresenter place_;
   PlanPresenter plan_;
   TreatPresenter treat_;
   PrepareWorkspace* prepare_workspace_;
@@ -63,7 +83,8 @@ class MainWindow : public QMainWindow {
   StatusChip *cameras_, *face_, *coil_;
   TaskBar* task_bar_;
   QString to_play_;
-  bool is_starting_ = false;
+  std::optional<Override> to_override_;
+  bool is_starting_ = false, is_to_check_ = false;
 };
 
 }  // namespace facenav::ui

@@ -18,7 +18,7 @@ void playInWindow(const Context& context, const std::filesystem::path& folder) {
   std::printf("opening the window\n");
   std::fflush(stdout);
   ::execl(window.c_str(), window.c_str(), "--case", (folder / "case").c_str(), "--play",
-          (folder / "recording").c_str(), nullptr);
+          (folder / "recording").c_str(), "--by", "facenav demo", "--override", "virtual patient", nullptr);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
@@ -38,13 +40,95 @@ std::filesystem::path writeRecording(const std::filesystem::path& folder, int fr
   return folder / "recording";
 }
 
+/// A ball case with a target under the coil; signed off when asked.
+std::filesystem::path plannedCase(const std::filesystem::path& folder, bool is_signed_off) {
+  const auto case_folder = fixtures::writeBallCase(folder);
+  guidance::TreatmentPlan plan;
+  plan.targets.push_back(fakes::targetAt(kMarker.reframe<Camera, Coil>()).target);
+  const auto store = casefile::CaseStore::open(case_folder);
+  store.setTargets(plan);
+  if (is_signed_off) casefile::signOff(store, {"XY", "", true});
+  return case_folder;
+}
+
+/// Presenter alone: no window, no display.
+class TreatPresenterTest : public ::testing::Test {
+ protected:
+  TreatPresenterTest() : services_(fakeServices()), treat_(services_, model_, tasks_) {
+    QObject::connect(&tasks_, &TaskRunner::failed, [this](const QString& words) { failure_ = words; });
+  }
+  void openAll(bool is_signed_off) {
+    case_folder_ = plannedCase(folder_.path(), is_signed_off);
+    TaskMonitor monitor;
+    model_.open(loadCase(case_folder_, monitor));
+    treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), 100).string()));
+    settle();
+  }
+  void settle() {
+    fixtures::waitFor([&] { return !tasks_.isRunning(); });
+  }
+  std::string events() const {
+    std::string all;
+    for (const auto& item : std::filesystem::recursive_directory_iterator(case_folder_ / "sessions"))
+      if (item.path().filename() == "events.jsonl") {
+        std::ifstream file(item.path());
+        all.append(std::istreambuf_iterator<char>(file), {});
+      }
+    return all;
+  }
+  testing::TemporaryFolder folder_;
+  Services services_;
+  CaseModel model_;
+  TaskRunner tasks_;
+  TreatPresenter treat_;
+  std::filesystem::path case_folder_;
+  QString failure_;
+};
+
+TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride) {
+  openAll(false);
+  treat_.align(true);
+  EXPECT_FALSE(tasks_.isRunning());
+  EXPECT_FALSE(treat_.isAligned());
+  treat_.overrideSignOff("B. Clinician", "  ");  // no reason, no override
+  EXPECT_FALSE(treat_.mayTreat());
+  treat_.overrideSignOff("B. Clinician", "emergency");
+  ASSERT_TRUE(treat_.mayTreat());
+  EXPECT_EQ(model_.current().store.provenance().back().step, "override");
+  treat_.align(true);
+  settle();
+  settle();
+  ASSERT_TRUE(treat_.isRunning());
+  treat_.countPulse();
+  EXPECT_EQ(treat_.pulses(), 1);
+  treat_.stop();
+  for (const char* word : {"session started", "B. Clinician: emergency", "spot", "pulse"})
+    EXPECT_NE(events().find(word), std::string::npos) << word;
+}
+
+TEST_F(TreatPresenterTest, AnOverrideEndsWithTheCaseBeingOpenedAgain) {
+  openAll(false);
+  treat_.overrideSignOff("B. Clinician", "emergency");
+  TaskMonitor monitor;
+  model_.open(loadCase(case_folder_, monitor));
+  EXPECT_FALSE(treat_.mayTreat());
+}
+
+TEST_F(TreatPresenterTest, AModelThatChangedOnDiskSinceItWasOpenedIsRefused) {
+  openAll(true);
+  ASSERT_TRUE(treat_.mayTreat());
+  std::ofstream(case_folder_ / "scalp.vtp", std::ios::app) << " ";
+  treat_.align(false);
+  settle();
+  EXPECT_FALSE(treat_.isAligned());
+  EXPECT_TRUE(failure_.contains("not signed off"));
+  EXPECT_TRUE(failure_.contains("scalp.vtp"));
+}
+
 TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   testing::TemporaryFolder folder;
-  const auto case_folder = fixtures::writeBallCase(folder.path());
-  guidance::TreatmentPlan plan;
-  plan.targets.push_back(fakes::targetAt(kMarker.reframe<Camera, Coil>()).target);
-  casefile::CaseStore::open(case_folder).setTargets(plan);
+  const auto case_folder = plannedCase(folder.path(), true);
   MainWindow window(fakeServices());
   window.show();
   window.openCase(QString::fromStdString(case_folder.string()));

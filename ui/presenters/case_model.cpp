@@ -1,11 +1,16 @@
 #include "presenters/case_model.h"
 
+#include <QDateTime>
+#include <QLocale>
+
 namespace facenav::ui {
 
 std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMonitor& monitor) {
   auto store = casefile::CaseStore::open(folder);
-  auto loaded = std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}});
+  auto loaded =
+      std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
   loaded->id = QString::fromStdString(store.caseId());
+  loaded->shown_sha256 = casefile::seenFiles(store);  // before reading: a later change cannot be missed
   monitor.report("opening the MRI", 0.1);
   loaded->mri = std::make_shared<volume::Volume>(store.mri());
   monitor.report("opening masks", 0.5);
@@ -17,11 +22,14 @@ std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMo
   loaded->findings = store.findings();
   loaded->plan = store.targets();
   loaded->alignment = store.alignment();
+  loaded->atlas = store.atlas();
+  loaded->sign_off = casefile::signOffStatus(store);
   return loaded;
 }
 
 void CaseModel::open(std::shared_ptr<LoadedCase> loaded) {
   case_ = std::move(loaded);
+  override_.reset();
   emit opened();
 }
 
@@ -34,6 +42,45 @@ void CaseModel::setPlan(const guidance::TreatmentPlan& plan) {
 void CaseModel::setAlignment(const casefile::StoredAlignment& alignment) {
   case_->alignment = alignment;
   emit alignmentChanged();
+}
+
+void CaseModel::setSignOff(const casefile::SignOffStatus& status) {
+  case_->sign_off = status;
+  emit signOffChanged();
+}
+
+void CaseModel::setBrain(std::shared_ptr<const volume::Mask> mask,
+                         std::shared_ptr<const surface::BrainModel> brain,
+                         const std::map<std::string, std::string>& shown,
+                         const casefile::SignOffStatus& status) {
+  case_->brain_mask = std::move(mask);
+  case_->brain = std::move(brain);
+  case_->shown_sha256 = shown;
+  case_->sign_off = status;
+  emit brainChanged();
+  emit signOffChanged();
+}
+
+void CaseModel::setOverride(const Override& given) {
+  override_ = given;
+  emit signOffChanged();
+}
+
+QString dayInWords(const std::string& utc) {
+  QDateTime time = QDateTime::fromString(QString::fromStdString(utc), "yyyyMMdd'T'HHmmss'Z'");
+  time.setTimeSpec(Qt::UTC);
+  if (!time.isValid()) return QString::fromStdString(utc);
+  const QDate day = time.toLocalTime().date();
+  return QLocale::c().toString(day, day.year() == QDate::currentDate().year() ? "d MMM" : "d MMM yyyy");
+}
+
+QString signOffWords(const casefile::SignOffStatus& status) {
+  if (!status.last) return CaseModel::tr("not signed off");
+  const QString by = QString::fromStdString(status.last->by);
+  if (status.holds()) return CaseModel::tr("checked %1 by %2").arg(dayInWords(status.last->utc), by);
+  QStringList names;
+  for (const auto& name : status.changed) names << QString::fromStdString(name);
+  return CaseModel::tr("sign-off of %1 void: %2 changed").arg(by, names.join(", "));
 }
 
 }  // namespace facenav::ui

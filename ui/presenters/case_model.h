@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "facenav/casefile/case_store.h"
+#include "facenav/casefile/sign_off.h"
 #include "facenav/core/task_monitor.h"
 
 namespace facenav::ui {
@@ -21,10 +22,22 @@ struct LoadedCase {
   std::vector<std::string> findings;
   guidance::TreatmentPlan plan;
   std::optional<casefile::StoredAlignment> alignment;
+  std::optional<atlas::AtlasMap> atlas;             // nothing: no MNI coordinates
+  std::map<std::string, std::string> shown_sha256;  // of the files that a sign-off vouches for, as loaded
+  casefile::SignOffStatus sign_off;
+};
+/// A clinician's word that a case may be treated without a valid sign-off; recorded in the case.
+struct Override {
+  QString by, reason;
 };
 
 /// On a worker thread. Throws Error.
 std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMonitor& monitor);
+
+/// "20 Nov" from 20101120T134501Z, in local time; with the year when it is not this one's.
+QString dayInWords(const std::string& utc);
+/// "checked 20 Nov by XY", "not signed off", "sign-off of XY void: brain_mask.nii.gz changed".
+QString signOffWords(const casefile::SignOffStatus& status);
 
 class CaseModel : public QObject {
   Q_OBJECT
@@ -40,14 +53,28 @@ class CaseModel : public QObject {
   void setPlan(const guidance::TreatmentPlan& plan);
   /// Already stored by the alignment step.
   void setAlignment(const casefile::StoredAlignment& alignment);
+  /// Already stored.
+  void setSignOff(const casefile::SignOffStatus& status);
+  /// A corrected brain, already stored; `shown`: hashes of the case's files now.
+  void setBrain(std::shared_ptr<const volume::Mask> mask, std::shared_ptr<const surface::BrainModel> brain,
+                const std::map<std::string, std::string>& shown, const casefile::SignOffStatus& status);
+  /// Until the case is opened again. Already recorded in the case.
+  void setOverride(const Override& given);
+  const std::optional<Override>& override() const { return override_; }
+  /// A valid sign-off, or an override.
+  bool mayBeTreated() const { return isOpen() && (case_->sign_off.holds() || override_); }
 
  signals:
   void opened();
   void planChanged();
+  void brainChanged();
   void alignmentChanged();
+  /// Sign-off or override.
+  void signOffChanged();
 
  private:
   std::shared_ptr<LoadedCase> case_;
+  std::optional<Override> override_;
 };
 
 }  // namespace facenav::ui

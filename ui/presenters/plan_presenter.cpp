@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/surface/closest_point.h"
 
 namespace facenav::ui {
 namespace {
@@ -88,6 +89,13 @@ void PlanPresenter::addTargetAtScalp(const Point<Mri>& scalp_point) {
     return;
   }
   addTarget(nearestVertex(model_.current().brain->mesh, scalp_point));
+}
+
+void PlanPresenter::addTargetNear(const Point<Mri>& point) {
+  if (!model_.isOpen()) return;
+  if (!model_.current().brain) return addTarget(point);
+  const auto nearest = surface::ClosestPoint(model_.current().brain->mesh).nearest(point);
+  addTarget(nearest.is_outside ? nearest.point : point);
 }
 
 void PlanPresenter::removeActive() {
@@ -182,7 +190,7 @@ QString PlanPresenter::describe(const guidance::Target& target) {
   const auto side = [](double mm, const QString& positive, const QString& negative) {
     return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
   };
-  return tr("%1 %2 %3 mm\n%4 mm below the skin\nhandle %5\u00b0 from anterior")
+  return tr("%1 %2 %3\n%4 mm below the skin, handle %5\u00b0 from anterior")
       .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
       .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
       .arg(handleAngle_deg(target), 0, 'f', 0);

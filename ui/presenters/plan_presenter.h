@@ -19,6 +19,8 @@ class PlanPresenter : public QObject {
   void addTarget(const Point<Mri>& cortex_point);
   /// A click on the scalp means the brain surface nearest below it.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
+  /// At the point itself where it lies in the brain, else at the place of the cortex nearest to it.
+  void addTargetNear(const Point<Mri>& point);
   void removeActive();
   void renameActive(const QString& name);
   /// Turns the handle; > 0 as seen along the coil's z, clockwise.

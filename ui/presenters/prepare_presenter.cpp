@@ -5,39 +5,44 @@
 namespace facenav::ui {
 namespace {
 
-bool isNifti(const QString& path) {
-  return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) ||
-         path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
-}
-
 std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdString()); }
 
 }  // namespace
 
 PreparePresenter::PreparePresenter(const Services& services, CaseModel& model, TaskRunner& tasks,
-                                   QObject* parent)
-    : QObject(parent), services_(services), model_(model), tasks_(tasks) {}
+                                   PrepareQueue& queue, QObject* parent)
+    : QObject(parent), services_(services), model_(model), tasks_(tasks), queue_(queue) {}
 
 void PreparePresenter::openInput(const QString& path) {
   if (isNifti(path)) {
     input_ = path;
     series_.clear();
-    lines_ = {{QFileInfo(path).fileName(), tr("NIfTI volume"), true, true}};
+    lines_ = {{QFileInfo(path).fileName(), tr("NIfTI volume"), true, true, {}}};
     emit linesChanged();
     return;
   }
   tasks_.start(tr("Looking for series"), [this, path](TaskMonitor& monitor) -> TaskRunner::Delivery {
     auto series = services_.listSeries(toPath(path), monitor);
-    return [this, path, series = std::move(series)] { setSeries(path, series); };
+    std::vector<std::optional<dicom::Thumbnail>> thumbnails(series.size());
+    for (std::size_t i = 0; i < series.size() && services_.makeThumbnail; ++i) {
+      monitor.report("thumbnails", double(i) / double(series.size()));
+      thumbnails[i] = services_.makeThumbnail(series[i]);
+    }
+    return [this, path, series = std::move(series), thumbnails = std::move(thumbnails)] {
+      setSeries(path, series, thumbnails);
+    };
   });
 }
 
-void PreparePresenter::setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series) {
+void PreparePresenter::setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series,
+                                 const std::vector<std::optional<dicom::Thumbnail>>& thumbnails) {
   input_ = input;
   series_ = series;
   lines_.clear();
-  for (const auto& s : series) {
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const auto& s = series[i];
     SeriesLine line;
+    line.thumbnail = thumbnails[i];
     line.title = s.description.empty() ? tr("(no description)") : QString::fromStdString(s.description);
     line.detail = tr("%1  %2  %3 x %4 x %5  %6 mm  %7")
                       .arg(QString::fromStdString(s.modality), QString::fromStdString(s.plane))
@@ -46,6 +51,9 @@ void PreparePresenter::setSeries(const QString& input, const std::vector<dicom::
                       .arg(s.slices)
                       .arg(s.spacing_mm.maxCoeff(), 0, 'f', 2)
                       .arg(QString::fromStdString(s.date));
+    if (!s.part.empty()) line.title += "  " + QString::fromStdString(s.part);
+    if (!s.fitness.empty()) line.detail += "\n" + QString::fromStdString(s.fitness);
+    for (const auto& note : s.notes) line.detail += "\n" + QString::fromStdString(note);
     if (!s.is_loadable) line.detail = tr("not usable: %1").arg(QString::fromStdString(s.problem));
     line.is_usable = s.is_loadable;
     line.is_recommended = s.is_recommended;
@@ -62,15 +70,11 @@ int PreparePresenter::recommendedLine() const {
   return -1;
 }
 
-void PreparePresenter::prepare(int line, const QString& case_folder) {
+void PreparePresenter::prepare(int line) {
   if (line < 0 || std::size_t(line) >= lines_.size() || !lines_[std::size_t(line)].is_usable) return;
-  PrepareOrder order{toPath(input_), toPath(case_folder), std::nullopt};
-  if (!series_.empty()) order.series_uid = series_[std::size_t(line)].series_uid;
-  tasks_.start(tr("Preparing the case"), [this, order](TaskMonitor& monitor) -> TaskRunner::Delivery {
-    services_.prepareCase(order, monitor);
-    auto loaded = loadCase(order.case_folder, monitor);
-    return [this, loaded] { model_.open(loaded); };
-  });
+  if (series_.empty()) return void(queue_.add(input_));
+  const auto& chosen = series_[std::size_t(line)];
+  queue_.add(input_, chosen.id.empty() ? chosen.series_uid : chosen.id);
 }
 
 void PreparePresenter::openCase(const QString& folder) {
@@ -92,9 +96,7 @@ std::vector<FindingLine> PreparePresenter::findings() const {
                    spacing_mm.maxCoeff() > 1.3});
   lines.push_back(
       {c.scalp->has_face ? tr("a face to align to") : tr("no face to align to"), !c.scalp->has_face});
-  if (c.brain_mask)
-    lines.push_back(
-        {tr("brain %1 ml (usual 900-1900 ml)").arg(std::lround(c.brain_mask->volume_ml())), false});
+  if (c.brain_mask) lines.push_back({tr("brain %1 ml").arg(std::lround(c.brain_mask->volume_ml())), false});
   for (const auto& finding : c.findings) lines.push_back({QString::fromStdString(finding), true});
   return lines;
 }

@@ -1,12 +1,10 @@
 #pragma once
-// PreparePresenter: what the Prepare workspace does: scan a folder for series, prepare one into a case, show
-// findings.
+// PreparePresenter: a folder's series, to choose by hand which one is queued; opening a case; its findings.
 
 #include <QObject>
 
 #include "presenters/case_model.h"
-#include "presenters/services.h"
-#include "presenters/task_runner.h"
+#include "presenters/prepare_queue.h"
 
 namespace facenav::ui {
 
@@ -14,6 +12,7 @@ namespace facenav::ui {
 struct SeriesLine {
   QString title, detail;
   bool is_usable = false, is_recommended = false;
+  std::optional<dicom::Thumbnail> thumbnail;
 };
 /// A finding of the preparation: fine, or something to look at.
 struct FindingLine {
@@ -25,28 +24,32 @@ class PreparePresenter : public QObject {
   Q_OBJECT
 
  public:
-  PreparePresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
+  PreparePresenter(const Services& services, CaseModel& model, TaskRunner& tasks, PrepareQueue& queue,
+                   QObject* parent = nullptr);
 
   /// DICOM folder: lists its series. NIfTI file: one line.
   void openInput(const QString& path);
-  /// The chosen line -> case folder; the case is opened when done.
-  void prepare(int line, const QString& case_folder);
+  /// Puts the chosen line into the queue.
+  void prepare(int line);
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
   /// The line to choose first; -1: none can be used.
   int recommendedLine() const;
+  QString input() const { return input_; }
   std::vector<FindingLine> findings() const;
 
  signals:
   void linesChanged();
 
  private:
-  void setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series);
+  void setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series,
+                 const std::vector<std::optional<dicom::Thumbnail>>& thumbnails);
 
   const Services& services_;
   CaseModel& model_;
   TaskRunner& tasks_;
+  PrepareQueue& queue_;
   QString input_;
   std::vector<dicom::SeriesInfo> series_;
   std::vector<SeriesLine> lines_;

@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "facenav/atlas/brain_template.h"
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
+#include "facenav/dicom/thumbnail.h"
 #include "facenav/session/align_from_capture.h"
 #include "facenav/session/session.h"
 
@@ -26,6 +28,8 @@ struct PrepareOrder {
 
 struct Services {
   std::function<std::vector<dicom::SeriesInfo>(const std::filesystem::path&, TaskMonitor&)> listSeries;
+  /// A small picture of a series; nothing where it holds none.
+  std::function<std::optional<dicom::Thumbnail>(const dicom::SeriesInfo&)> makeThumbnail;
   /// Makes the case folder; replaces the model of a case that exists.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Aligns from a recording's capture pair, or the one stored with the case, and stores the result in the
@@ -35,6 +39,10 @@ struct Services {
       align;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   std::function<tracking::CoilModel(const std::filesystem::path&)> readCoil;
+  /// The labelled atlas; throws Error where it is not installed.
+  std::function<atlas::BrainTemplate()> readTemplate;
+  /// Written into provenance.
+  std::string software_version;
 };
 
 }  // namespace facenav::ui

@@ -1,8 +1,21 @@
 #include "presenters/treat_presenter.h"
 
 #include <QFileInfo>
+#include <QTime>
+
+#include "facenav/core/error.h"
 
 namespace facenav::ui {
+namespace {
+
+/// The files may have changed on the disk since the case was opened: asked again, right before use.
+void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
+  if (is_overridden || casefile::signOffStatus(store).holds()) return;
+  throw Error("the case is not signed off", signOffWords(casefile::signOffStatus(store)).toStdString(),
+              "have it checked (Prepare, step 4)");
+}
+
+}  // namespace
 
 TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), model_(model), tasks_(tasks), coil_(tracking::defaultCoil()) {
@@ -22,7 +35,9 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
   });
 }
 
-TreatPresenter::~TreatPresenter() = default;
+TreatPresenter::~TreatPresenter() {
+  if (session_) session_->stop();
+}
 
 void TreatPresenter::openRecording(const QString& folder) {
   tasks_.start(tr("Opening the recording"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
@@ -42,23 +57,25 @@ void TreatPresenter::openRecording(const QString& folder) {
 }
 
 void TreatPresenter::align(bool then_start) {
-  if (!model_.isOpen() || !recording_) return;
-  tasks_.start(tr("Aligning the head"),
-               [this, then_start, store = model_.current().store,
-                recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto outcome =
-                     std::make_shared<session::AlignmentOutcome>(services_.align(store, recording, monitor));
-                 return [this, outcome, then_start] {
-                   outcome_ = outcome;
-                   model_.setAlignment(outcome->stored());
-                   emit changed();
-                   if (then_start) start();
-                 };
-               });
+  if (!recording_ || !mayTreat()) return;
+  tasks_.start(
+      tr("Aligning the head"),
+      [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
+       recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
+        requireSignOff(store, is_overridden);
+        auto outcome =
+            std::make_shared<session::AlignmentOutcome>(services_.align(store, recording, monitor));
+        return [this, outcome, then_start] {
+          outcome_ = outcome;
+          model_.setAlignment(outcome->stored());
+          emit changed();
+          if (then_start) start();
+        };
+      });
 }
 
 void TreatPresenter::start() {
-  if (!recording_ || !outcome_ || isRunning()) return;
+  if (!recording_ || !outcome_ || isRunning() || !mayTreat()) return;
   session::NavigatorSetup setup;
   setup.rig = recording_->rig;
   setup.reference = outcome_->reference;
@@ -66,10 +83,13 @@ void TreatPresenter::start() {
   setup.coil = coil_;
   setup.scalp = outcome_->scalp;
   setup.watchdog = session::DriftWatchdog::Mode::own_thread;
-  tasks_.start(tr("Starting the trackers"), [this, setup](TaskMonitor&) -> TaskRunner::Delivery {
-    std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
-    return [this, navigator] { startNavigator(navigator); };
-  });
+  tasks_.start(tr("Starting the trackers"),
+               [this, setup, store = model_.current().store,
+                is_overridden = model_.override().has_value()](TaskMonitor&) -> TaskRunner::Delivery {
+                 requireSignOff(store, is_overridden);
+                 std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
+                 return [this, navigator] { startNavigator(navigator); };
+               });
 }
 
 void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator) {
@@ -77,11 +97,43 @@ void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigato
   session_ = std::make_unique<session::Session>(capture::makeSource(*recording_),
                                                 std::make_unique<session::Navigator>(std::move(*navigator)),
                                                 session::SessionOptions{});
+  log_ = std::make_unique<session::TreatmentLog>(*session_, model_.current().store.folder());
+  if (const auto& given = model_.override())
+    log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
+  log_->addEvent("target", target_.toStdString());
+  since_start_.start();
   session_->start();
   emit changed();
 }
 
+void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
+  if (!model_.isOpen()) return;
+  try {
+    casefile::recordOverride(model_.current().store, by.trimmed().toStdString(),
+                             reason.trimmed().toStdString(), services_.software_version);
+    model_.setOverride({by.trimmed(), reason.trimmed()});
+    emit changed();
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+}
+
+void TreatPresenter::countPulse() {
+  if (log_ && isRunning()) log_->addPulse();
+}
+
+QString TreatPresenter::sessionTime() const {
+  if (!session_) return {};
+  return QTime(0, 0).addMSecs(int(since_start_.elapsed())).toString("hh:mm:ss");
+}
+
+QString TreatPresenter::logFailure() const {
+  return log_ ? QString::fromStdString(log_->failure()) : QString();
+}
+
 void TreatPresenter::stop() {
+  if (session_) session_->stop();
+  log_.reset();
   session_.reset();
   emit changed();
 }
@@ -89,6 +141,7 @@ void TreatPresenter::stop() {
 void TreatPresenter::chooseTarget(const QString& name) {
   target_ = name;
   if (session_) session_->setTarget(chosen());
+  if (log_) log_->addEvent("target", name.toStdString());
   emit changed();
 }
 

@@ -1,10 +1,12 @@
 #pragma once
-// TreatPresenter: cameras (a recording), align, guide: runs the Session and says what to show.
+// TreatPresenter: cameras (a recording), align, guide: runs the Session, keeps its log and says what to show.
+// Only a case with a valid sign-off, or an override with name and reason, is treated.
 
 #include <QObject>
 #include <memory>
 
 #include "facenav/session/camera_overlay.h"
+#include "facenav/session/treatment_log.h"
 #include "presenters/case_model.h"
 #include "presenters/read_out.h"
 #include "presenters/services.h"
@@ -27,7 +29,17 @@ class TreatPresenter : public QObject {
   void start();
   void stop();
   void chooseTarget(const QString& name);
+  /// Recorded in the case and in the session's log; without name and reason nothing happens.
+  void overrideSignOff(const QString& by, const QString& reason);
+  /// A TMS pulse was given; counted and logged with where the coil was. Only while guidance runs.
+  void countPulse();
 
+  bool mayTreat() const { return model_.mayBeTreated(); }
+  int pulses() const { return log_ ? log_->pulses() : 0; }
+  /// Since guidance was started, "00:07:31"; empty before.
+  QString sessionTime() const;
+  /// Why the session's log stopped; empty while all is well.
+  QString logFailure() const;
   bool hasRecording() const { return recording_.has_value(); }
   bool isAligned() const { return outcome_ != nullptr; }
   bool isRunning() const { return session_ != nullptr && !session_->hasEnded(); }
@@ -45,6 +57,7 @@ class TreatPresenter : public QObject {
 
  signals:
   void changed();
+  void refused(const QString& words);
 
  private:
   void startNavigator(std::shared_ptr<session::Navigator> navigator);
@@ -57,6 +70,8 @@ class TreatPresenter : public QObject {
   tracking::CoilModel coil_;
   std::shared_ptr<const session::AlignmentOutcome> outcome_;
   std::unique_ptr<session::Session> session_;
+  std::unique_ptr<session::TreatmentLog> log_;  // goes before the session
+  QElapsedTimer since_start_;
   QString target_;
 };
 

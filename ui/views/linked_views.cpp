@@ -51,9 +51,28 @@ void LinkedViews::setTargets(const guidance::TreatmentPlan& plan, const std::str
 }
 
 void LinkedViews::setMasksShown(bool are_shown) {
+  are_masks_shown_ = are_shown;
   if (!slice_scene_) return;
   slice_scene_->contours = are_shown ? contours_ : std::vector<scene::SliceContour>();
   refreshSlices();
+}
+
+void LinkedViews::setContours(const std::vector<scene::SliceContour>& contours) {
+  contours_ = contours;
+  setMasksShown(are_masks_shown_);
+}
+
+void LinkedViews::setBrain(const LoadedCase& loaded) {
+  if (loaded.brain) scene_view_->scene().setBrain(*loaded.brain);
+  scene_view_->refresh();
+}
+
+void LinkedViews::setTool(SliceTool* tool) {
+  for (auto* view : slices_) view->setTool(tool);
+}
+
+Point<Mri> LinkedViews::crosshair() const {
+  return slice_scene_ && slice_scene_->crosshair ? *slice_scene_->crosshair : Point<Mri>();
 }
 
 void LinkedViews::setCrosshair(const Point<Mri>& at) {
@@ -62,6 +81,7 @@ void LinkedViews::setCrosshair(const Point<Mri>& at) {
   scene_view_->scene().setSliceCentre(at);
   scene_view_->refresh();
   refreshSlices();
+  emit crosshairMoved();
 }
 
 void LinkedViews::refreshSlices() {

@@ -19,20 +19,27 @@ class LinkedViews : public QWidget {
   void show(const LoadedCase& loaded);
   void setTargets(const guidance::TreatmentPlan& plan, const std::string& active);
   void setMasksShown(bool are_shown);
+  /// In place of the case's own contours; crosshair, zoom and window stay.
+  void setContours(const std::vector<scene::SliceContour>& contours);
+  /// The brain in the 3-D view, after a correction.
+  void setBrain(const LoadedCase& loaded);
+  void setTool(SliceTool* tool);
+  Point<Mri> crosshair() const;
+  void refreshSlices();
   void setCrosshair(const Point<Mri>& at);
   SceneView& sceneView() { return *scene_view_; }
 
  signals:
+  void crosshairMoved();
   /// Double click on a slice, or click on brain or scalp.
   void chosen(double x_mm, double y_mm, double z_mm, bool is_scalp);
 
  private:
-  void refreshSlices();
-
   std::array<SliceView*, 3> slices_;
   SceneView* scene_view_;
   std::shared_ptr<scene::SliceScene> slice_scene_;
   std::vector<scene::SliceContour> contours_;
+  bool are_masks_shown_ = true;
 };
 
 }  // namespace facenav::ui

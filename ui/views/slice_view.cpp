@@ -40,6 +40,11 @@ void SliceView::setScene(std::shared_ptr<scene::SliceScene> scene) {
   refresh();
 }
 
+void SliceView::setTool(SliceTool* tool) {
+  tool_ = tool;
+  setMouseTracking(tool != nullptr);  // the brush's ring follows the pointer
+}
+
 void SliceView::refresh() {
   is_outdated_ = true;
   update();
@@ -79,19 +84,54 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.drawImage(0, 0, picture_);
   painter.setPen(QColor(158, 171, 184));
   painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignLeft | Qt::AlignTop, nameOf(orientation_));
+  if (draws()) paintTool(painter);
+}
+
+void SliceView::paintTool(QPainter& painter) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Qt::white, 1.4));
+  if (is_stroke_ && !tool_->outline().empty()) {
+    QPolygonF line;
+    for (const auto& p : tool_->outline()) line << QPointF(p.x(), p.y());
+    painter.drawPolyline(line);
+  }
+  const double radius_px = tool_->cursorRadius_mm() / plane().spacing_mm;
+  if (pointer_.x() >= 0 && radius_px > 0) painter.drawEllipse(QPointF(pointer_), radius_px, radius_px);
+}
+
+void SliceView::leaveEvent(QEvent*) {
+  pointer_ = {-1, -1};
+  if (draws()) update();
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->pos();
-  if (scene_ && scene_->mri && event->button() == Qt::LeftButton &&
-      !(event->modifiers() & Qt::ControlModifier))
-    moveCrosshair(pointAt(event->pos()));
+  if (!scene_ || !scene_->mri || event->button() != Qt::LeftButton ||
+      event->modifiers() & Qt::ControlModifier)
+    return;
+  if (!draws()) return moveCrosshair(pointAt(event->pos()));
+  is_stroke_ = true;
+  tool_->press(plane(), Eigen::Vector2d(event->pos().x(), event->pos().y()),
+               event->modifiers() & Qt::ShiftModifier);
+  refresh();
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!is_stroke_ || event->button() != Qt::LeftButton) return;
+  is_stroke_ = false;
+  tool_->release(plane());
+  refresh();
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!scene_ || !scene_->mri) return;
   const QPoint step = event->pos() - last_;
-  last_ = event->pos();
+  last_ = pointer_ = event->pos();
+  if (is_stroke_) {
+    tool_->drag(plane(), Eigen::Vector2d(event->pos().x(), event->pos().y()));
+    return refresh();
+  }
+  if (draws() && event->buttons() == Qt::NoButton) return update();
   if (event->buttons() & Qt::LeftButton && event->modifiers() & Qt::ControlModifier) {
     const double range = std::max(1e-3, scene_->white - scene_->black);
     const double width = range * (1.0 + 0.005 * step.x());
@@ -99,7 +139,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     scene_->black = level - 0.5 * width;
     scene_->white = level + 0.5 * width;
     emit windowChanged();
-  } else if (event->buttons() & Qt::LeftButton) {
+  } else if (event->buttons() & Qt::LeftButton && !draws()) {
     moveCrosshair(pointAt(event->pos()));
   } else if (event->buttons() & Qt::RightButton) {
     zoom_ = std::clamp(zoom_ * (1.0 - 0.01 * step.y()), 0.5, 12.0);
@@ -111,13 +151,17 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (!scene_ || !scene_->mri) return;
+  if (!scene_ || !scene_->mri || draws()) return;
   const auto p = pointAt(event->pos());
   emit chosen(p.mm.x(), p.mm.y(), p.mm.z());
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
   if (!scene_ || !scene_->mri) return;
+  if (draws() && event->modifiers() & Qt::ControlModifier) {
+    tool_->resize(event->angleDelta().y() > 0 ? 1 : -1);
+    return update();
+  }
   const auto p = plane();
   const Eigen::Vector3d normal = p.right.v.cross(p.down.v);
   const double step_mm = event->angleDelta().y() > 0 ? 1.0 : -1.0;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "facenav/scene/slice_scene.h"
+#include "views/slice_tool.h"
 
 namespace facenav::ui {
 
@@ -21,6 +22,8 @@ class SliceView : public QWidget {
   void setScene(std::shared_ptr<scene::SliceScene> scene);
   /// Draws again after the scene's content changed.
   void refresh();
+  /// While it is active the left button draws; it must outlive the view. Null: none.
+  void setTool(SliceTool* tool);
 
  signals:
   void crosshairMoved(double x_mm, double y_mm, double z_mm);
@@ -32,11 +35,15 @@ class SliceView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void leaveEvent(QEvent* event) override;
 
  private:
+  bool draws() const { return tool_ && tool_->isActive(); }
+  void paintTool(QPainter& painter);
   volume::SlicePlane plane() const;
   Point<Mri> pointAt(const QPoint& position) const;
   void moveCrosshair(const Point<Mri>& to);
@@ -47,7 +54,9 @@ class SliceView : public QWidget {
   bool is_outdated_ = true;
   double zoom_ = 1.0;
   Eigen::Vector2d pan_mm_ = Eigen::Vector2d::Zero();
-  QPoint last_;
+  QPoint last_, pointer_{-1, -1};
+  SliceTool* tool_ = nullptr;
+  bool is_stroke_ = false;
 };
 
 }  // namespace facenav::ui

@@ -8,11 +8,13 @@
 #include <QVBoxLayout>
 
 #include "views/linked_views.h"
+#include "widgets/place_panel.h"
 
 namespace facenav::ui {
 
-PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, CaseModel& model, QWidget* parent)
-    : QWidget(parent), presenter_(presenter), model_(model), views_(new LinkedViews(this)) {
+PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CaseModel& model,
+                             QWidget* parent)
+    : QWidget(parent), presenter_(presenter), place_(place), model_(model), views_(new LinkedViews(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 10, 10, 10);
   row->addWidget(views_, 1);
@@ -21,6 +23,17 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, CaseModel& model, QWidget
   connect(&model_, &CaseModel::opened, this, [this] {
     is_outdated_ = true;
     if (isVisible()) showCase();
+  });
+  connect(&model_, &CaseModel::brainChanged, this, [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  });
+  connect(views_, &LinkedViews::crosshairMoved, this, [this] { place_panel_->show(views_->crosshair()); });
+  connect(place_panel_, &PlacePanel::goTo, this, [this](double x, double y, double z) {
+    views_->setCrosshair({x, y, z});
+  });
+  connect(place_panel_, &PlacePanel::targetWanted, this, [this](double x, double y, double z) {
+    presenter_.addTargetNear({x, y, z});
   });
   connect(&presenter_, &PlanPresenter::changed, this, &PlanWorkspace::showPlan);
   connect(views_, &LinkedViews::chosen, this, [this](double x, double y, double z, bool is_scalp) {
@@ -31,7 +44,7 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, CaseModel& model, QWidget
 QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  panel->setFixedWidth(290);
+  panel->setFixedWidth(320);
   auto* column = new QVBoxLayout(panel);
   auto* heading = new QLabel(tr("Targets"), panel);
   heading->setObjectName("heading");
@@ -40,6 +53,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   targets_->setToolTip(tr("double click or F2: rename"));
   detail_ = new QLabel(panel);
   detail_->setWordWrap(true);
+  detail_->setObjectName("figures_text");
   auto* hint = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target."), panel);
   hint->setObjectName("muted");
   hint->setWordWrap(true);
@@ -57,6 +71,8 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   remove_->setToolTip(tr("Del"));
   for (auto* button : {undo_, redo_, remove_}) edit->addWidget(button);
   column->addLayout(edit);
+  place_panel_ = new PlacePanel(place_, panel);
+  column->addWidget(place_panel_);
   connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
   connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
   connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
@@ -97,6 +113,7 @@ void PlanWorkspace::addKeys() {
   key(Qt::Key_E, [this] { presenter_.turnActive(5); });
   key(QKeySequence::Undo, [this] { presenter_.undo(); });
   key(QKeySequence::Redo, [this] { presenter_.redo(); });
+  key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
   key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
   // Seen from above the coil its +x points to the left.
   key(Qt::ALT + Qt::Key_Left, [this] { presenter_.nudgeActive(1, 0); });
@@ -125,7 +142,8 @@ void PlanWorkspace::showPlan() {
   }
   is_filling_ = false;
   const auto* active = presenter_.active();
-  detail_->setText(active ? PlanPresenter::describe(*active) : tr("no target chosen"));
+  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + PlanPresenter::describe(*active)
+                          : tr("no target chosen"));
   undo_->setEnabled(presenter_.canUndo());
   redo_->setEnabled(presenter_.canRedo());
   remove_->setEnabled(active != nullptr);

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "presenters/place_presenter.h"
 #include "presenters/plan_presenter.h"
 
 class QLabel;
@@ -12,12 +13,13 @@ class QPushButton;
 namespace facenav::ui {
 
 class LinkedViews;
+class PlacePanel;
 
 class PlanWorkspace : public QWidget {
   Q_OBJECT
 
  public:
-  PlanWorkspace(PlanPresenter& presenter, CaseModel& model, QWidget* parent = nullptr);
+  PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CaseModel& model, QWidget* parent = nullptr);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -30,8 +32,10 @@ class PlanWorkspace : public QWidget {
   void showPlan();
 
   PlanPresenter& presenter_;
+  PlacePresenter& place_;
   CaseModel& model_;
   LinkedViews* views_;
+  PlacePanel* place_panel_;
   QListWidget* targets_;
   QLabel* detail_;
   QPushButton *undo_, *redo_, *remove_;

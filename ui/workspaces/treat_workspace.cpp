@@ -12,6 +12,7 @@
 #include "views/image_view.h"
 #include "views/scene_view.h"
 #include "widgets/figures_panel.h"
+#include "widgets/override_panel.h"
 
 namespace facenav::ui {
 namespace {
@@ -30,6 +31,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   row->addWidget(makeSide(), 2);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 10, 10, 10);
+  column->addWidget(new OverridePanel(presenter_, model_, this));
   column->addLayout(row, 1);
   column->addWidget(makeSteps());
   timer_.setInterval(kRefresh_ms);
@@ -41,6 +43,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   };
   connect(&model_, &CaseModel::opened, this, markOutdated);
   connect(&model_, &CaseModel::planChanged, this, markOutdated);
+  connect(&model_, &CaseModel::signOffChanged, this, &TreatWorkspace::showSteps);
   showSteps();
 }
 
@@ -64,6 +67,20 @@ QWidget* TreatWorkspace::makeSide() {
   figures_ = new FiguresPanel(side);
   column->addWidget(bulls_eye_, 4);
   column->addWidget(figures_, 5);
+  auto* session = new QHBoxLayout;
+  pulses_ = new QLabel(side);
+  pulses_->setObjectName("session");
+  pulses_->setToolTip(tr("pulses given and time since guidance was started; both go into the session's log"));
+  pulse_ = new QPushButton(tr("Pulse given"), side);
+  pulse_->setToolTip(tr("counts a TMS pulse and keeps where the coil was (P)"));
+  pulse_->setShortcut(Qt::Key_P);
+  session->addWidget(pulses_, 1);
+  session->addWidget(pulse_);
+  column->addLayout(session);
+  connect(pulse_, &QPushButton::clicked, this, [this] {
+    presenter_.countPulse();
+    showSession();
+  });
   return side;
 }
 
@@ -104,14 +121,23 @@ void TreatWorkspace::chooseRecording() {
   if (!folder.isEmpty()) presenter_.openRecording(folder);
 }
 
+void TreatWorkspace::showSession() {
+  const QString failure = presenter_.logFailure();
+  const QString time = presenter_.sessionTime();
+  pulses_->setText(!failure.isEmpty() ? tr("NOT LOGGED: %1").arg(failure)
+                   : time.isEmpty()   ? tr("no session")
+                                      : tr("pulses %1   %2").arg(presenter_.pulses()).arg(time));
+  pulse_->setEnabled(presenter_.isRunning());
+}
+
 void TreatWorkspace::showSteps() {
   const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
   cameras_->setText(tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
   align_->setText(tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
   shows_running_ = presenter_.isRunning();
   guide_->setText(shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
-  align_->setEnabled(presenter_.hasRecording() && model_.isOpen());
-  guide_->setEnabled(presenter_.isAligned());
+  align_->setEnabled(presenter_.hasRecording() && presenter_.mayTreat());
+  guide_->setEnabled(presenter_.isAligned() && presenter_.mayTreat());
   words_->setText(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                                   : tr("open a case first (Ctrl+O)"));
   target_->clear();
@@ -134,11 +160,15 @@ void TreatWorkspace::showCase() {
 
 void TreatWorkspace::refresh() {
   const auto state = presenter_.state();
+  showSession();
   if (presenter_.isRunning() != shows_running_) showSteps();
   ReadOut read_out = makeReadOut(*state);
   const bool was_started = presenter_.isRunning() || state->frame >= 0;
   if (!was_started) {
-    read_out.instruction = presenter_.isAligned() ? tr("READY: start guidance") : tr("NOT ALIGNED");
+    read_out.instruction = !model_.isOpen()         ? tr("NO CASE OPEN")
+                           : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
+                           : presenter_.isAligned() ? tr("READY: start guidance")
+                                                    : tr("NOT ALIGNED");
     read_out.timing.clear();
     read_out.cameras = {
         presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::lost};

@@ -41,6 +41,7 @@ class TreatWorkspace : public QWidget {
   void showSteps();
   void refresh();
   void chooseRecording();
+  void showSession();
 
   TreatPresenter& presenter_;
   CaseModel& model_;
@@ -49,8 +50,8 @@ class TreatWorkspace : public QWidget {
   BullsEyeView* bulls_eye_;
   FiguresPanel* figures_;
   QComboBox* target_;
-  QPushButton *cameras_, *align_, *guide_;
-  QLabel* words_;
+  QPushButton *cameras_, *align_, *guide_, *pulse_;
+  QLabel *words_, *pulses_;
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false;
   QString signature_, last_instruction_;

@@ -8,7 +8,8 @@ namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr char kInForce[] = "brain_mask.nii.gz", kAutomatic[] = "brain_mask_auto.nii.gz";
+constexpr char kInForce[] = "brain_mask.nii.gz", kAutomatic[] = "brain_mask_auto.nii.gz",
+               kDraft[] = "brain_mask_draft.nii.gz";
 
 void makePrivate(const fs::path& path) {
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
@@ -54,6 +55,21 @@ void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain) {
   surface::writeBrain(brain, vtp, texture);
   makePrivate(vtp);
   makePrivate(texture);
+}
+
+std::optional<volume::Mask> brainDraft(const CaseStore& store) {
+  if (!fs::exists(store.folder() / kDraft)) return std::nullopt;
+  return volume::readMask(store.folder() / kDraft);
+}
+
+void saveBrainDraft(const CaseStore& store, const volume::Mask& mask) {
+  volume::writeMask(mask, store.folder() / kDraft);
+  makePrivate(store.folder() / kDraft);
+}
+
+void removeBrainDraft(const CaseStore& store) {
+  std::error_code absent;
+  fs::remove(store.folder() / kDraft, absent);
 }
 
 }  // namespace facenav::casefile

@@ -1,3 +1,4 @@
+#include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sign_off.h"
 
 #include <gmock/gmock.h>
@@ -75,6 +76,28 @@ TEST(SignOff, SaysWhichFileMadeItVoidAndRefusesAnotherCaseThanWasShown) {
   EXPECT_EQ(status.changed, std::vector<std::string>{"brain_mask.nii.gz"});
   EXPECT_THROW(signOff(store, {"A. R.", "", true, shown}), Error);
   EXPECT_FALSE(signOffStatus(store).holds());
+}
+
+TEST(SignOff, ACorrectedMaskMakesItVoidAndTheAutomaticOneIsKept) {
+  const facenav::testing::TemporaryFolder folder;
+  const auto store = madeStore(folder.path() / "case");
+  signOff(store, {"A. R.", "", true});
+  const auto automatic = *store.brainMask();
+  auto edited = automatic;
+  edited.voxels.front() = !edited.voxels.front();
+  saveBrainDraft(store, edited);
+  EXPECT_TRUE(signOffStatus(store).holds());  // a draft is not the case's mask yet
+  EXPECT_EQ(brainDraft(store)->voxels, edited.voxels);
+  saveEditedBrainMask(store, edited);
+  removeBrainDraft(store);
+  EXPECT_FALSE(signOffStatus(store).holds());
+  EXPECT_FALSE(brainDraft(store));
+  EXPECT_EQ(store.brainMask()->voxels, edited.voxels);
+  EXPECT_EQ(automaticBrainMask(store)->voxels, automatic.voxels);
+  saveEditedBrainMask(store, automatic);
+  EXPECT_EQ(automaticBrainMask(store)->voxels, automatic.voxels);
+  EXPECT_EQ(fs::status(store.folder() / "brain_mask.nii.gz").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
 }
 
 TEST(SignOff, DoesNotOutliveTheModel) {

@@ -18,4 +18,9 @@ void revertToAutomaticBrainMask(const CaseStore& store);
 /// brain.vtp and brain_texture.png anew, for the mask in force.
 void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain);
 
+/// A correction under way (brain_mask_draft.nii.gz, 0600), saved now and then; the mask in force is as before.
+std::optional<volume::Mask> brainDraft(const CaseStore& store);
+void saveBrainDraft(const CaseStore& store, const volume::Mask& mask);
+void removeBrainDraft(const CaseStore& store);
+
 }  // namespace facenav::casefile

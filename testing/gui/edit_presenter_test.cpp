@@ -1,0 +1,153 @@
+#include "presenters/edit_presenter.h"
+
+#include <gtest/gtest.h>
+
+#include "facenav/casefile/edited_brain.h"
+#include "gui_fixtures.h"
+
+namespace facenav::ui {
+namespace {
+
+/// The ball case with a brain of 40 mm inside it.
+casefile::PreparedCase ballWithBrain() {
+  auto prepared = fixtures::ballCase();
+  volume::Mask brain = prepared.head_mask;
+  for (int k = 0; k < 50; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 50; ++i)
+        brain.voxels[brain.grid.index(i, j, k)] = brain.grid.toMri(Eigen::Vector3d(i, j, k)).mm.norm() < 40.0;
+  TaskMonitor monitor;
+  prepared.brain = surface::buildBrainModel(prepared.mri, brain, {}, monitor);
+  prepared.brain_mask = std::move(brain);
+  return prepared;
+}
+
+class EditPresenterTest : public ::testing::Test {
+ protected:
+  EditPresenterTest() : edit_(model_, tasks_) {
+    casefile::CaseStore::create(folder_.path() / "case", ballWithBrain(), {}, false);
+    open();
+    plane_ =
+        volume::anatomicalPlane(model_.current().mri->grid, volume::Anatomical::axial, Point<Mri>(0, 0, 2));
+  }
+  void open() {
+    TaskMonitor monitor;
+    model_.open(loadCase(folder_.path() / "case", monitor));
+  }
+  Eigen::Vector2d pixel(double x_mm, double y_mm) const {
+    return plane_.toPixel(Point<Mri>(x_mm, y_mm, 2)).head<2>();
+  }
+  void stroke(const Eigen::Vector2d& from, const Eigen::Vector2d& to, bool is_inverse = false) {
+    edit_.press(plane_, from, is_inverse);
+    edit_.drag(plane_, to);
+    edit_.release(plane_);
+  }
+  bool isBrain(double x_mm, double y_mm, double z_mm = 2) const {
+    const Eigen::Vector3d v = edit_.mask()->grid.toVoxel(Point<Mri>(x_mm, y_mm, z_mm));
+    return edit_.mask()->at(int(std::lround(v.x())), int(std::lround(v.y())), int(std::lround(v.z())));
+  }
+  void settle() {
+    fixtures::waitFor([&] { return !tasks_.isRunning(); });
+  }
+  testing::TemporaryFolder folder_;
+  CaseModel model_;
+  TaskRunner tasks_;
+  EditPresenter edit_;
+  volume::SlicePlane plane_;
+};
+
+TEST_F(EditPresenterTest, ABrushStrokeIsOneStepInTheSliceShownAndComesBack) {
+  edit_.setTool(EditTool::brush);
+  edit_.setRadius_mm(6);
+  EXPECT_TRUE(edit_.isActive());
+  EXPECT_FALSE(isBrain(60, 0));
+  stroke(pixel(50, 0), pixel(70, 0));
+  EXPECT_TRUE(isBrain(50, 0) && isBrain(60, 0) && isBrain(70, 0));
+  EXPECT_FALSE(isBrain(60, 0, 6));  // the next slice: a disc, no ball
+  edit_.undo();
+  EXPECT_FALSE(isBrain(50, 0) || isBrain(70, 0));
+  EXPECT_FALSE(edit_.canUndo());
+  edit_.redo();
+  EXPECT_TRUE(isBrain(60, 0));
+}
+
+TEST_F(EditPresenterTest, EraserAndShiftTakeAwayAndABallReachesTheNextSlice) {
+  edit_.setRadius_mm(6);
+  edit_.setTool(EditTool::eraser);
+  stroke(pixel(0, 0), pixel(10, 0));
+  EXPECT_FALSE(isBrain(0, 0) || isBrain(10, 0));
+  EXPECT_TRUE(isBrain(0, 0, 6));
+  edit_.setBall(true);
+  edit_.setTool(EditTool::brush);
+  stroke(pixel(-20, 0), pixel(-20, 0), true);
+  EXPECT_FALSE(isBrain(-20, 0) || isBrain(-20, 0, 6));
+}
+
+TEST_F(EditPresenterTest, ALassoAddsWhatItSurroundsWhenItIsLetGo) {
+  edit_.setTool(EditTool::lasso);
+  edit_.press(plane_, pixel(50, -20), false);
+  for (const auto& corner : {pixel(75, -20), pixel(75, 20), pixel(50, 20)}) edit_.drag(plane_, corner);
+  EXPECT_EQ(edit_.outline().size(), 4u);
+  EXPECT_FALSE(isBrain(62, 0));
+  edit_.release(plane_);
+  EXPECT_TRUE(isBrain(62, 0));
+  EXPECT_TRUE(edit_.outline().empty());
+}
+
+TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTheSignOff) {
+  casefile::signOff(model_.current().store, {"XY", "", true});
+  open();
+  ASSERT_TRUE(model_.mayBeTreated());
+  const auto before = *model_.current().brain_mask;
+  edit_.setTool(EditTool::brush);
+  stroke(pixel(44, 0), pixel(48, 0));
+  ASSERT_TRUE(edit_.hasUnsaved());
+  EXPECT_TRUE(model_.mayBeTreated());  // the case itself is as it was signed
+  edit_.save();
+  settle();
+  EXPECT_FALSE(edit_.hasUnsaved());
+  EXPECT_FALSE(model_.mayBeTreated());
+  EXPECT_TRUE(model_.current().sign_off.last.has_value());
+  EXPECT_EQ(model_.current().store.brainMask()->voxels, edit_.mask()->voxels);
+  EXPECT_EQ(model_.current().brain_mask->voxels, edit_.mask()->voxels);
+  EXPECT_EQ(casefile::automaticBrainMask(model_.current().store)->voxels, before.voxels);
+  EXPECT_EQ(model_.current().shown_sha256, casefile::seenFiles(model_.current().store));
+  edit_.resetToAutomatic();
+  EXPECT_EQ(edit_.mask()->voxels, before.voxels);
+  edit_.undo();
+  EXPECT_TRUE(isBrain(46, 0));
+}
+
+TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {
+  {
+    EditPresenter other(model_, tasks_);
+    open();
+    other.setTool(EditTool::brush);
+    other.press(plane_, pixel(60, 0), false);
+    other.release(plane_);
+  }  // closed without saving
+  open();
+  EXPECT_TRUE(isBrain(60, 0));
+  EXPECT_TRUE(edit_.hasUnsaved());
+  edit_.discard();
+  EXPECT_FALSE(isBrain(60, 0));
+  EXPECT_FALSE(edit_.hasUnsaved());
+  EXPECT_FALSE(model_.current().store.brainDraft());
+}
+
+TEST_F(EditPresenterTest, InterpolatesBetweenTheSlicesDrawnOn) {
+  edit_.setTool(EditTool::brush);
+  edit_.setRadius_mm(10);
+  for (double z : {50.0, 66.0}) {  // above the brain's top, four slices apart
+    plane_ =
+        volume::anatomicalPlane(model_.current().mri->grid, volume::Anatomical::axial, Point<Mri>(0, 0, z));
+    edit_.press(plane_, plane_.toPixel(Point<Mri>(0, 0, z)).head<2>(), false);
+    edit_.release(plane_);
+  }
+  EXPECT_FALSE(isBrain(0, 0, 58));
+  edit_.interpolate();
+  EXPECT_TRUE(isBrain(0, 0, 58));
+}
+
+}  // namespace
+}  // namespace facenav::ui

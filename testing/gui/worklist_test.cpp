@@ -1,0 +1,165 @@
+#include "presenters/worklist_table.h"
+
+#include <gtest/gtest.h>
+
+#include <QSettings>
+#include <fstream>
+
+#include "gui_fixtures.h"
+#include "presenters/sign_off_presenter.h"
+
+namespace facenav::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WorklistTest : public ::testing::Test {
+ protected:
+  WorklistTest() : queue_(services_), worklist_(queue_), table_(worklist_), filter_(table_) {
+    QSettings().clear();
+    queue_.setHeld(true);  // jobs stay queued
+  }
+  bool show(std::size_t rows) {
+    worklist_.setFolder(QString::fromStdString(folder_.path().string()));
+    return fixtures::waitFor([&] { return worklist_.rows().size() == rows; });
+  }
+  casefile::CaseStore makeCase(const std::string& name) {
+    return casefile::CaseStore::create(folder_.path() / name, fixtures::ballCase(), {}, false);
+  }
+  testing::TemporaryFolder folder_;
+  Services services_;
+  PrepareQueue queue_;
+  WorklistPresenter worklist_;
+  WorklistTable table_;
+  WorklistFilter filter_;
+};
+
+TEST_F(WorklistTest, FollowsTheFolderAsCasesComeAndAreSignedOff) {
+  const auto store = makeCase("one");
+  ASSERT_TRUE(show(1));
+  EXPECT_EQ(worklist_.rows()[0].state, "prepared");
+  EXPECT_EQ(worklist_.rows()[0].findings, 1);
+  EXPECT_EQ(worklist_.rows()[0].age, "now");
+  makeCase("two");
+  ASSERT_TRUE(fixtures::waitFor([&] { return worklist_.rows().size() == 2; }));
+  casefile::signOff(store, {"XY", "", true});
+  ASSERT_TRUE(fixtures::waitFor([&] {
+    for (const auto& row : worklist_.rows())
+      if (row.checked_by == "XY" && row.state == "checked") return true;
+    return false;
+  }));
+  fs::remove_all(folder_.path() / "two");
+  ASSERT_TRUE(fixtures::waitFor([&] { return worklist_.rows().size() == 1; }));
+}
+
+TEST_F(WorklistTest, ShowsTheUnreadableWithItsReasonAndWhatIsQueued) {
+  fs::create_directories(folder_.path() / "broken");
+  std::ofstream(folder_.path() / "broken" / "case.json") << "{";
+  fs::create_directories(folder_.path() / "dropped");
+  queue_.add(QString::fromStdString((folder_.path() / "dropped").string()));
+  ASSERT_TRUE(show(2));
+  EXPECT_EQ(worklist_.rows()[0].state, "queued");
+  EXPECT_EQ(worklist_.rows()[1].state, "unreadable");
+  EXPECT_TRUE(worklist_.rows()[1].detail.contains("case.json"));
+}
+
+TEST_F(WorklistTest, TypingFiltersByEveryWord) {
+  casefile::signOff(makeCase("one"), {"XY", "", true});
+  makeCase("two");
+  ASSERT_TRUE(show(2));
+  EXPECT_EQ(filter_.rowCount(), 2);
+  filter_.setWords("check xy");
+  ASSERT_EQ(filter_.rowCount(), 1);
+  EXPECT_EQ(filter_.row(filter_.index(0, 0)).checked_by, "XY");
+  filter_.setWords("checked prepared");
+  EXPECT_EQ(filter_.rowCount(), 0);
+}
+
+TEST_F(WorklistTest, AFolderThatCannotBeReadIsSaid) {
+  worklist_.setFolder("/proc/nowhere");
+  ASSERT_TRUE(fixtures::waitFor([&] { return !worklist_.problem().isEmpty(); }));
+  EXPECT_TRUE(worklist_.rows().empty());
+}
+
+TEST(Age, IsInWords) {
+  const QDateTime now(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
+  EXPECT_EQ(ageInWords(now.addSecs(-20), now), "now");
+  EXPECT_EQ(ageInWords(now.addSecs(-12 * 60), now), "12 min");
+  EXPECT_EQ(ageInWords(now.addSecs(-3 * 3600), now), "3 h");
+  EXPECT_EQ(ageInWords(now.addDays(-5), now), "5 days");
+  EXPECT_EQ(ageInWords(now.addDays(-35), now), "5 weeks");
+}
+
+class SignOffPresenterTest : public ::testing::Test {
+ protected:
+  SignOffPresenterTest() : presenter_(model_, tasks_) {
+    QSettings().clear();
+    model_.open(fixtures::loadBallCase(folder_.path()));
+    QObject::connect(&tasks_, &TaskRunner::failed, [this](const QString& words) { failure_ = words; });
+  }
+  void tickAll() {
+    for (int i = 0; i < presenter_.items().size(); ++i) presenter_.setSeen(i, true);
+  }
+  void waitForTask() {
+    fixtures::waitFor([&] { return !tasks_.isRunning(); });
+  }
+  testing::TemporaryFolder folder_;
+  CaseModel model_;
+  TaskRunner tasks_;
+  SignOffPresenter presenter_;
+  QString failure_;
+};
+
+TEST_F(SignOffPresenterTest, NeedsEveryTickAndAName) {
+  ASSERT_EQ(presenter_.items().size(), 2);  // the outlines and the ball's one finding
+  presenter_.setName("XY");
+  EXPECT_FALSE(presenter_.canSign());
+  presenter_.setSeen(0, true);
+  EXPECT_FALSE(presenter_.canSign());
+  presenter_.sign();
+  EXPECT_FALSE(tasks_.isRunning());
+  presenter_.setSeen(1, true);
+  EXPECT_TRUE(presenter_.canSign());
+  presenter_.setName("  ");
+  EXPECT_FALSE(presenter_.canSign());
+}
+
+TEST_F(SignOffPresenterTest, SignsInTheCaseAndRemembersTheName) {
+  tickAll();
+  presenter_.setName("XY");
+  presenter_.setNote("nose tip is fine");
+  presenter_.sign();
+  waitForTask();
+  EXPECT_TRUE(presenter_.holds());
+  EXPECT_TRUE(presenter_.statusWords().startsWith("checked "));
+  EXPECT_TRUE(model_.mayBeTreated());
+  const auto stored = casefile::validSignOff(model_.current().store);
+  ASSERT_TRUE(stored);
+  EXPECT_EQ(stored->by, "XY");
+  EXPECT_EQ(stored->note, "nose tip is fine");
+  EXPECT_EQ(SignOffPresenter(model_, tasks_).name(), "XY");
+}
+
+TEST_F(SignOffPresenterTest, IsRefusedWhenTheFilesAreNoLongerThoseShown) {
+  std::ofstream(model_.current().store.folder() / "scalp.vtp", std::ios::app) << " ";
+  tickAll();
+  presenter_.setName("XY");
+  presenter_.sign();
+  waitForTask();
+  EXPECT_FALSE(presenter_.holds());
+  EXPECT_TRUE(failure_.contains("changed since they were shown"));
+}
+
+TEST_F(SignOffPresenterTest, SaysWhatMadeItVoid) {
+  casefile::signOff(model_.current().store, {"XY", "", true});
+  std::ofstream(model_.current().store.folder() / "scalp.vtp", std::ios::app) << " ";
+  TaskMonitor monitor;
+  model_.open(loadCase(model_.current().store.folder(), monitor));
+  EXPECT_TRUE(presenter_.isVoid());
+  EXPECT_FALSE(model_.mayBeTreated());
+  EXPECT_TRUE(presenter_.statusWords().contains("scalp.vtp"));
+  EXPECT_TRUE(presenter_.statusWords().contains("XY"));
+}
+
+}  // namespace
+}  // namespace facenav::ui

@@ -1,0 +1,105 @@
+#pragma once
+// EditPresenter: correcting the brain's mask by hand: the tools' state, the strokes that a slice view hands
+// over, undo, autosave of a draft, and saving (which voids a sign-off). The geometry is in module editing.
+
+#include <QObject>
+#include <QTimer>
+#include <set>
+
+#include "facenav/editing/lasso.h"
+#include "facenav/editing/mask_autosave.h"
+#include "presenters/case_model.h"
+#include "presenters/task_runner.h"
+#include "views/slice_tool.h"
+
+namespace facenav::ui {
+
+enum class EditTool { none, brush, eraser, threshold, lasso, grow };
+
+class EditPresenter : public QObject, public SliceTool {
+  Q_OBJECT
+
+ public:
+  EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
+  ~EditPresenter() override;
+
+  /// A case is open that has a brain mask, or a grid for one.
+  bool canEdit() const { return editor_ != nullptr; }
+  EditTool tool() const { return tool_; }
+  void setTool(EditTool tool);
+  double radius_mm() const { return radius_mm_; }
+  void setRadius_mm(double radius_mm);
+  bool isBall() const { return is_ball_; }
+  /// Ball, else a disc in the slice shown.
+  void setBall(bool is_ball);
+
+  void smooth();
+  void fillHoles();
+  /// Between the slices drawn on in the orientation drawn on last.
+  void interpolate();
+  void resetToAutomatic();
+  void undo();
+  void redo();
+  bool canUndo() const { return editor_ && editor_->canUndo(); }
+  bool canRedo() const { return editor_ && editor_->canRedo(); }
+  /// Differs from the case's own mask, or a draft is not saved.
+  bool hasUnsaved() const;
+  /// Into the case, with the brain's model made anew; on a worker.
+  void save();
+  /// Throws the draft away: the case's own mask again.
+  void discard();
+
+  /// Follow the mask under correction; null while there is none.
+  std::shared_ptr<const volume::Mask> mask() const;
+  std::shared_ptr<const volume::Mask> automatic() const;
+  /// "brush 5.0 mm   brain 1 412 ml   +120 -40 voxels": for the panel.
+  QString words() const;
+  /// The last step's name, to say what Undo would undo.
+  QString lastStep() const;
+
+  // SliceTool
+  bool isActive() const override { return canEdit() && tool_ != EditTool::none; }
+  void press(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px, bool is_inverse) override;
+  void drag(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px) override;
+  void release(const volume::SlicePlane& plane) override;
+  double cursorRadius_mm() const override;
+  const std::vector<Eigen::Vector2d>& outline() const override { return outline_; }
+  void resize(int steps) override;
+
+ signals:
+  /// Tool, size, history, saved or not.
+  void changed();
+  /// The mask's voxels; `is_stroke`: more will follow at once.
+  void maskChanged(bool is_stroke);
+  void refused(const QString& words);
+
+ private:
+  struct Subject;
+  void open();
+  void keepDraft();
+  std::unique_ptr<editing::MaskAutosave> makeAutosave() const;
+  void dab(const volume::SlicePlane& plane, const Eigen::Vector2d& from_px, const Eigen::Vector2d& to_px);
+  void finish(const QString& name, const editing::MaskChange& change);
+  void noteSlice(const volume::SlicePlane& plane);
+  void autosave();
+  template <class Action>
+  void guarded(Action action);
+
+  CaseModel& model_;
+  TaskRunner& tasks_;
+  std::shared_ptr<editing::MaskEditor> editor_;
+  std::unique_ptr<editing::MaskAutosave> autosave_;
+  std::uint64_t saved_revision_ = 0;
+  bool has_draft_ = false;
+  EditTool tool_ = EditTool::none;
+  double radius_mm_ = 5.0;
+  bool is_ball_ = false, is_inverse_ = false;
+  std::vector<Eigen::Vector2d> outline_;
+  Eigen::Vector2d last_px_ = Eigen::Vector2d::Zero();
+  editing::ValueRange range_{0, 0};
+  int drawn_axis_ = -1;
+  std::set<int> drawn_slices_;
+  QTimer autosave_timer_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,42 @@
+#pragma once
+// PlacePresenter: names a place of the open case's brain: patient RAS and MNI coordinates, AAL and Brodmann
+// label; and reads typed coordinates.
+
+#include <QObject>
+
+#include "facenav/atlas/brain_template.h"
+#include "presenters/case_model.h"
+#include "presenters/services.h"
+
+namespace facenav::ui {
+
+struct Place {
+  Point<Mri> ras;
+  std::optional<Point<Mni>> mni;  // nothing: the case has no atlas
+  QString aal, brodmann;          // empty: no label near by
+};
+
+class PlacePresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  PlacePresenter(const Services& services, CaseModel& model, QObject* parent = nullptr);
+
+  Place at(const Point<Mri>& ras) const;
+  /// "RAS  -37.2  -21.0  58.1" / "MNI  -38  -22  56" / "Precentral_L, BA 4 (2 mm away)".
+  QString describe(const Point<Mri>& ras) const;
+  /// "-37 -21 58", "RAS -37,-21,58", "MNI -38 -22 56"; `is_mni` where neither word is typed. Nothing, with
+  /// `words` saying why, where it cannot be read or the case has no atlas.
+  std::optional<Point<Mri>> read(const QString& typed, bool is_mni, QString& words) const;
+  bool hasAtlas() const { return model_.isOpen() && model_.current().atlas; }
+
+ private:
+  const atlas::BrainTemplate* labels() const;
+
+  const Services& services_;
+  CaseModel& model_;
+  mutable std::shared_ptr<const atlas::BrainTemplate> labels_;
+  mutable bool has_tried_ = false;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,100 @@
+#include "presenters/sign_off_presenter.h"
+
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::ui {
+namespace {
+
+// Adults' brain with cerebellum, both sexes; the same limits as the segmentation's own check.
+constexpr double kNormalBrainLeast_ml = 1100, kNormalBrainMost_ml = 1700;
+const char* const kName = "sign_off/by";
+
+}  // namespace
+
+SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)
+    : QObject(parent), model_(model), tasks_(tasks), name_(QSettings().value(kName).toString()) {
+  const auto beginAnew = [this] {
+    items_ = QStringList{tr("The outlines follow skin and brain on every slice of the montage")};
+    for (const auto& finding : model_.current().findings) items_ << QString::fromStdString(finding);
+    seen_.assign(std::size_t(items_.size()), false);
+    note_.clear();
+    emit changed();
+  };
+  connect(&model_, &CaseModel::opened, this, beginAnew);
+  connect(&model_, &CaseModel::brainChanged, this, beginAnew);  // what was ticked was another outline
+  connect(&model_, &CaseModel::signOffChanged, this, &SignOffPresenter::changed);
+}
+
+void SignOffPresenter::setSeen(int item, bool is_seen) {
+  if (item < 0 || std::size_t(item) >= seen_.size() || seen_[std::size_t(item)] == is_seen) return;
+  seen_[std::size_t(item)] = is_seen;
+  emit changed();
+}
+
+void SignOffPresenter::setName(const QString& name) {
+  if (name == name_) return;
+  name_ = name;
+  emit changed();
+}
+
+std::vector<VolumeLine> SignOffPresenter::volumes() const {
+  std::vector<VolumeLine> lines;
+  if (!model_.isOpen()) return lines;
+  if (!model_.current().brain_mask)
+    return {{tr("no brain model: the case holds the scalp alone"), false, 0.0}};
+  const double ml = model_.current().brain_mask->volume_ml();
+  VolumeLine line;
+  line.is_normal = ml >= kNormalBrainLeast_ml && ml <= kNormalBrainMost_ml;
+  line.fraction = (ml - kNormalBrainLeast_ml) / (kNormalBrainMost_ml - kNormalBrainLeast_ml);
+  line.words = tr("brain %1 ml, %2 the normal range of adults, %3 to %4 ml")
+                   .arg(std::lround(ml))
+                   .arg(line.is_normal              ? tr("inside")
+                        : ml < kNormalBrainLeast_ml ? tr("below")
+                                                    : tr("above"))
+                   .arg(kNormalBrainLeast_ml, 0, 'f', 0)
+                   .arg(kNormalBrainMost_ml, 0, 'f', 0);
+  lines.push_back(line);
+  return lines;
+}
+
+QString SignOffPresenter::whatIsMissing() const {
+  if (!model_.isOpen()) return tr("no case is open");
+  if (holds()) return tr("signed off already");
+  const auto open = std::count(seen_.begin(), seen_.end(), false);
+  if (open > 0) return tr("%1 of %2 still to be ticked").arg(open).arg(seen_.size());
+  if (name_.trimmed().isEmpty()) return tr("your name or initials are missing");
+  return {};
+}
+
+bool SignOffPresenter::canSign() const { return !tasks_.isRunning() && whatIsMissing().isEmpty(); }
+
+void SignOffPresenter::sign() {
+  if (!canSign()) return;
+  const QString name = name_.trimmed();
+  QSettings().setValue(kName, name);
+  const casefile::SignOffRequest request{name.toStdString(), note_.trimmed().toStdString(), true,
+                                         model_.current().shown_sha256};
+  tasks_.start(tr("Signing off"),
+               [this, request, store = model_.current().store](TaskMonitor&) -> TaskRunner::Delivery {
+                 casefile::signOff(store, request);
+                 const auto status = casefile::signOffStatus(store);
+                 return [this, status, folder = store.folder()] {
+                   if (model_.isOpen() && model_.current().store.folder() == folder)
+                     model_.setSignOff(status);
+                 };
+               });
+}
+
+bool SignOffPresenter::holds() const { return model_.isOpen() && model_.current().sign_off.holds(); }
+
+bool SignOffPresenter::isVoid() const {
+  return model_.isOpen() && model_.current().sign_off.last && !model_.current().sign_off.holds();
+}
+
+QString SignOffPresenter::statusWords() const {
+  return model_.isOpen() ? signOffWords(model_.current().sign_off) : QString();
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,54 @@
+#pragma once
+// SignOffPresenter: the page on which a named person takes the open case's model as seen: volumes against the
+// normal range, every finding with its own tick, name and note. Nothing can be signed with a tick missing,
+// and only what was shown is signed.
+
+#include <QObject>
+
+#include "presenters/case_model.h"
+#include "presenters/task_runner.h"
+
+namespace facenav::ui {
+
+struct VolumeLine {
+  QString words;  // "brain 1 412 ml, normal 1 100-1 700 ml"
+  bool is_normal = true;
+  double fraction = 0.5;  // place in the normal range, 0..1 inside it
+};
+
+class SignOffPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
+
+  /// What must be ticked: the outlines on the montage, then each finding, word for word.
+  const QStringList& items() const { return items_; }
+  bool isSeen(int item) const { return seen_[std::size_t(item)]; }
+  void setSeen(int item, bool is_seen);
+  QString name() const { return name_; }
+  /// Name or initials; remembered for the next case.
+  void setName(const QString& name);
+  void setNote(const QString& note) { note_ = note; }
+  std::vector<VolumeLine> volumes() const;
+  bool canSign() const;
+  /// Why it cannot be signed yet, in words; empty when it can.
+  QString whatIsMissing() const;
+  void sign();
+  /// "checked 20 Nov by XY", "not signed off", "void: brain_mask.nii.gz changed since XY checked it".
+  QString statusWords() const;
+  bool isVoid() const;
+  bool holds() const;
+
+ signals:
+  void changed();
+
+ private:
+  CaseModel& model_;
+  TaskRunner& tasks_;
+  QStringList items_;
+  std::vector<bool> seen_;
+  QString name_, note_;
+};
+
+}  // namespace facenav::ui

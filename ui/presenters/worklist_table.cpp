@@ -1,0 +1,111 @@
+#include "presenters/worklist_table.h"
+
+#include <algorithm>
+
+namespace facenav::ui {
+namespace {
+
+constexpr qlonglong kBeforeAll_s = 1000000000000;  // thirty thousand years
+
+QVariant textOf(const WorklistRow& row, int column) {
+  switch (column) {
+    case WorklistTable::state:
+      return row.state;
+    case WorklistTable::name:
+      return row.name;
+    case WorklistTable::age:
+      return row.age;
+    case WorklistTable::findings:
+      return row.findings < 0 ? QString() : QString::number(row.findings);
+    case WorklistTable::checked_by:
+      return row.checked_by;
+    default:
+      return row.detail;
+  }
+}
+
+QVariant sortKey(const WorklistRow& row, int column) {
+  if (column == WorklistTable::state) return row.state_order;
+  if (column == WorklistTable::findings) return row.findings;
+  if (column == WorklistTable::age) {  // jobs have no time yet: before all cases, in their own order
+    if (row.job_id) return qlonglong(row.job_id) - kBeforeAll_s;
+    return row.created.isValid() ? -row.created.toSecsSinceEpoch() : qlonglong(0);
+  }
+  return textOf(row, column).toString().toLower();
+}
+
+}  // namespace
+
+WorklistTable::WorklistTable(WorklistPresenter& presenter, QObject* parent)
+    : QAbstractTableModel(parent), presenter_(presenter), rows_(presenter.rows()) {
+  connect(&presenter_, &WorklistPresenter::changed, this, &WorklistTable::update);
+}
+
+/// Rows are told apart by job or folder, so that the view keeps its selection while figures change.
+void WorklistTable::update() {
+  const auto& fresh = presenter_.rows();
+  const bool is_same_list =
+      fresh.size() == rows_.size() &&
+      std::equal(fresh.begin(), fresh.end(), rows_.begin(), [](const auto& a, const auto& b) {
+        return a.job_id == b.job_id && a.case_folder == b.case_folder;
+      });
+  if (is_same_list) {
+    rows_ = fresh;
+    if (!rows_.empty()) emit dataChanged(index(0, 0), index(int(rows_.size()) - 1, columns - 1));
+    return;
+  }
+  beginResetModel();
+  rows_ = fresh;
+  endResetModel();
+}
+
+int WorklistTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(rows_.size());
+}
+int WorklistTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
+
+QVariant WorklistTable::data(const QModelIndex& index, int role) const {
+  const auto& row = rows_[std::size_t(index.row())];
+  if (role == Qt::DisplayRole) return textOf(row, index.column());
+  if (role == Qt::ToolTipRole) return index.column() == detail ? row.detail : row.case_folder;
+  if (role == kSortRole) return sortKey(row, index.column());
+  if (role == kMarkRole) return int(row.mark);
+  if (role == kFractionRole) return row.fraction;
+  if (role == Qt::TextAlignmentRole && index.column() == findings) return int(Qt::AlignCenter);
+  return {};
+}
+
+QVariant WorklistTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  const QString names[columns] = {tr("State"),    tr("Case"),       tr("Age"),
+                                  tr("Findings"), tr("Checked by"), tr("What to look at")};
+  if (role == Qt::DisplayRole) return names[section];
+  if (role == Qt::TextAlignmentRole)
+    return int(section == findings ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
+  return {};
+}
+
+WorklistFilter::WorklistFilter(WorklistTable& table, QObject* parent)
+    : QSortFilterProxyModel(parent), table_(table) {
+  setSourceModel(&table);
+  setSortRole(WorklistTable::kSortRole);
+  setDynamicSortFilter(true);
+}
+
+void WorklistFilter::setWords(const QString& words) {
+  words_ = words.toLower().split(' ', Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+const WorklistRow& WorklistFilter::row(const QModelIndex& index) const {
+  return table_.row(mapToSource(index).row());
+}
+
+bool WorklistFilter::filterAcceptsRow(int line, const QModelIndex&) const {
+  const auto& row = table_.row(line);
+  const QString text =
+      QStringList{row.state, row.name, row.age, row.checked_by, row.detail}.join(' ').toLower();
+  return std::all_of(words_.begin(), words_.end(), [&](const QString& word) { return text.contains(word); });
+}
+
+}  // namespace facenav::ui

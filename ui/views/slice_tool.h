@@ -1,0 +1,29 @@
+#pragma once
+// SliceTool: what the left button does on a slice instead of moving the crosshair: a stroke from press to
+// release, in pixels of the plane shown.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "facenav/volume/slice_plane.h"
+
+namespace facenav::ui {
+
+class SliceTool {
+ public:
+  virtual ~SliceTool() = default;
+  /// False: the tool is put down, the view works as without it.
+  virtual bool isActive() const = 0;
+  /// `is_inverse`: Shift is held (take away instead of add).
+  virtual void press(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px, bool is_inverse) = 0;
+  virtual void drag(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px) = 0;
+  virtual void release(const volume::SlicePlane& plane) = 0;
+  /// Ring to draw at the pointer; 0: none.
+  virtual double cursorRadius_mm() const = 0;
+  /// Line drawn so far (lasso), pixels of the plane; empty: none.
+  virtual const std::vector<Eigen::Vector2d>& outline() const = 0;
+  /// Wheel with Ctrl held: larger (+1) or smaller (-1).
+  virtual void resize(int steps) = 0;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,103 @@
+#include "workspaces/prepare/check_page.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "views/linked_views.h"
+#include "widgets/edit_panel.h"
+
+namespace facenav::ui {
+
+CheckPage::CheckPage(PreparePresenter& presenter, EditPresenter& edit, CaseModel& model, QWidget* parent)
+    : QWidget(parent), presenter_(presenter), edit_(edit), model_(model), views_(new LinkedViews(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(views_, 1);
+  row->addWidget(makeFindingsPanel());
+  connect(&model_, &CaseModel::opened, this, [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  });
+  connect(&model_, &CaseModel::brainChanged, this, [this] {
+    if (is_outdated_) return;
+    views_->setBrain(model_.current());
+    showFindings();
+  });
+  views_->setTool(&edit_);
+  // A stroke's own view draws itself; the others follow when it is done.
+  connect(&edit_, &EditPresenter::maskChanged, this, [this](bool is_stroke) {
+    if (!is_stroke && !is_outdated_ && isVisible()) views_->refreshSlices();
+  });
+}
+
+QWidget* CheckPage::makeFindingsPanel() {
+  auto* panel = new QFrame(this);
+  panel->setObjectName("panel");
+  panel->setFixedWidth(330);
+  auto* column = new QVBoxLayout(panel);
+  auto* heading = new QLabel(tr("Findings"), panel);
+  heading->setObjectName("heading");
+  findings_ = new QListWidget(panel);
+  findings_->setWordWrap(true);
+  findings_->setFocusPolicy(Qt::NoFocus);
+  findings_->setSelectionMode(QAbstractItemView::NoSelection);
+  auto* masks = new QCheckBox(tr("mask contours"), panel);
+  masks->setChecked(true);
+  masks->setToolTip(tr("skin orange, brain blue (M)"));
+  masks->setShortcut(Qt::Key_M);
+  auto* go_on = new QPushButton(tr("Looks right: sign off"), panel);
+  go_on->setObjectName("primary");
+  go_on->setToolTip(tr("on to step 4 (Ctrl+Return)"));
+  go_on->setShortcut(Qt::CTRL + Qt::Key_Return);
+  connect(masks, &QCheckBox::toggled, views_, &LinkedViews::setMasksShown);
+  connect(go_on, &QPushButton::clicked, this, &CheckPage::goOn);
+  column->addWidget(heading);
+  column->addWidget(findings_, 1);
+  column->addWidget(masks);
+  auto* edit = new EditPanel(edit_, panel);
+  column->addWidget(edit);
+  connect(edit, &EditPanel::automaticShown, this, [this](bool is_shown) {
+    shows_automatic_ = is_shown;
+    showContours();
+  });
+  column->addWidget(go_on);
+  return panel;
+}
+
+void CheckPage::lookAt(const Point<Mri>& at) {
+  showCase();
+  views_->setCrosshair(at);
+}
+
+void CheckPage::showCase() {
+  if (!is_outdated_ || !model_.isOpen()) return;
+  is_outdated_ = false;
+  views_->show(model_.current());
+  showContours();
+  showFindings();
+}
+
+/// Skin orange, brain as it is being corrected blue, the automatic one white.
+void CheckPage::showContours() {
+  if (!model_.isOpen() || is_outdated_) return;
+  std::vector<scene::SliceContour> contours{{model_.current().head_mask, scene::palette::kOrange}};
+  if (shows_automatic_ && edit_.automatic()) contours.push_back({edit_.automatic(), scene::palette::kText});
+  if (edit_.mask()) contours.push_back({edit_.mask(), scene::palette::kBlue});
+  views_->setContours(contours);
+}
+
+void CheckPage::showFindings() {
+  findings_->clear();
+  for (const auto& line : presenter_.findings()) {
+    auto* item = new QListWidgetItem((line.is_caution ? tr("!  ") : tr("\u2713  ")) + line.words, findings_);
+    item->setForeground(line.is_caution ? QColor(255, 178, 92) : QColor(210, 220, 228));
+  }
+}
+
+void CheckPage::showEvent(QShowEvent*) { showCase(); }
+
+}  // namespace facenav::ui

@@ -1,0 +1,48 @@
+#pragma once
+// Prepare: four steps of the radiographer, one page each: 1 Worklist, 2 Series, 3 Check & edit, 4 Sign off.
+
+#include <QWidget>
+
+#include "presenters/edit_presenter.h"
+#include "presenters/prepare_presenter.h"
+#include "presenters/sign_off_presenter.h"
+#include "presenters/worklist_presenter.h"
+
+class QButtonGroup;
+class QStackedWidget;
+
+namespace facenav::ui {
+
+class CheckPage;
+class SeriesPage;
+
+enum class PrepareStep { worklist, series, check, sign_off };
+
+class PrepareWorkspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  PrepareWorkspace(PreparePresenter& presenter, WorklistPresenter& worklist, PrepareQueue& queue,
+                   SignOffPresenter& sign_off, EditPresenter& edit, CaseModel& model,
+                   QWidget* parent = nullptr);
+  void setStep(PrepareStep step);
+  PrepareStep step() const;
+  /// Asks for a folder to read.
+  void chooseInput();
+
+ signals:
+  void caseChosen(const QString& folder);
+
+ private:
+  QWidget* makeSteps();
+  void showSteps();
+
+  PreparePresenter& presenter_;
+  SignOffPresenter& sign_off_;
+  CaseModel& model_;
+  QStackedWidget* pages_;
+  QButtonGroup* steps_;
+  SeriesPage* series_page_;
+};
+
+}  // namespace facenav::ui

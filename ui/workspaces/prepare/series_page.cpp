@@ -1,0 +1,96 @@
+#include "workspaces/prepare/series_page.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace facenav::ui {
+namespace {
+
+constexpr int kThumbnail_px = 96;
+
+QIcon iconOf(const std::optional<dicom::Thumbnail>& thumbnail) {
+  QPixmap pixmap(kThumbnail_px, kThumbnail_px);
+  pixmap.fill(Qt::black);
+  if (thumbnail) {
+    const QImage image(thumbnail->grey.data(), thumbnail->width_px, thumbnail->height_px, thumbnail->width_px,
+                       QImage::Format_Grayscale8);
+    pixmap = QPixmap::fromImage(image.copy());
+  }
+  return QIcon(pixmap);
+}
+
+}  // namespace
+
+SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* head = new QHBoxLayout;
+  auto* folder = new QPushButton(tr("Read DICOM folder\u2026"), this);
+  auto* file = new QPushButton(tr("Read NIfTI file\u2026"), this);
+  folder->setToolTip(tr("list the series under a folder (Ctrl+I); or drop a folder anywhere"));
+  file->setToolTip(tr("a T1 of the whole head; or drop the file anywhere"));
+  input_ = new QLabel(this);
+  input_->setObjectName("muted");
+  head->addWidget(folder);
+  head->addWidget(file);
+  head->addWidget(input_, 1);
+  series_ = new QListWidget(this);
+  series_->setWordWrap(true);
+  series_->setIconSize({kThumbnail_px, kThumbnail_px});
+  series_->setAccessibleName(tr("series"));
+  prepare_ = new QPushButton(tr("Prepare the chosen series"), this);
+  prepare_->setObjectName("primary");
+  prepare_->setToolTip(tr("model skin and brain; goes into the worklist's queue (Ctrl+Return)"));
+  prepare_->setShortcut(Qt::CTRL + Qt::Key_Return);
+  prepare_->setEnabled(false);
+  column->addLayout(head);
+  column->addWidget(series_, 1);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(prepare_);
+  foot->addStretch(1);
+  column->addLayout(foot);
+  connect(folder, &QPushButton::clicked, this, &SeriesPage::chooseFolder);
+  connect(file, &QPushButton::clicked, this, &SeriesPage::chooseFile);
+  connect(prepare_, &QPushButton::clicked, this, &SeriesPage::queueChosen);
+  connect(series_, &QListWidget::itemActivated, this, &SeriesPage::queueChosen);
+  connect(series_, &QListWidget::currentRowChanged, this, [this](int line) {
+    prepare_->setEnabled(line >= 0 && presenter_.lines()[std::size_t(line)].is_usable);
+  });
+  connect(&presenter_, &PreparePresenter::linesChanged, this, &SeriesPage::showLines);
+}
+
+void SeriesPage::chooseFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Read DICOM folder"));
+  if (!folder.isEmpty()) presenter_.openInput(folder);
+}
+
+void SeriesPage::chooseFile() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Read NIfTI"), {}, tr("NIfTI (*.nii *.nii.gz)"));
+  if (!path.isEmpty()) presenter_.openInput(path);
+}
+
+void SeriesPage::showLines() {
+  series_->clear();
+  input_->setText(presenter_.input());
+  for (const auto& line : presenter_.lines()) {
+    const QString mark = line.is_recommended ? tr("\u2605 recommended: ")
+                         : line.is_usable    ? QString()
+                                             : tr("\u2715 ");
+    auto* item = new QListWidgetItem(iconOf(line.thumbnail), mark + line.title + "\n" + line.detail, series_);
+    if (!line.is_usable) item->setForeground(QColor(140, 148, 158));
+  }
+  series_->setCurrentRow(presenter_.recommendedLine());
+}
+
+void SeriesPage::queueChosen() {
+  if (!prepare_->isEnabled()) return;
+  presenter_.prepare(series_->currentRow());
+  emit queued();
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,36 @@
+#pragma once
+// Step 2, Series: what a folder holds, with a small picture of each; the chosen one is queued.
+
+#include <QWidget>
+
+#include "presenters/prepare_presenter.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace facenav::ui {
+
+class SeriesPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SeriesPage(PreparePresenter& presenter, QWidget* parent = nullptr);
+  /// Asks for a folder to read.
+  void chooseFolder();
+
+ signals:
+  void queued();
+
+ private:
+  void chooseFile();
+  void showLines();
+  void queueChosen();
+
+  PreparePresenter& presenter_;
+  QListWidget* series_;
+  QLabel* input_;
+  QPushButton* prepare_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,49 @@
+#pragma once
+// Step 1, Worklist: cases and what is on its way to becoming one; type to filter, double click to open.
+
+#include <QWidget>
+
+#include "presenters/worklist_table.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableView;
+
+namespace facenav::ui {
+
+class WorklistPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  WorklistPage(WorklistPresenter& presenter, PrepareQueue& queue, QWidget* parent = nullptr);
+
+ signals:
+  void caseChosen(const QString& folder);
+  /// A line that has no case yet: its series are to be shown.
+  void inputChosen(const QString& input);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeHead();
+  QWidget* makeActions();
+  void makeTable();
+  void openChosen();
+  void showState();
+  void chooseFolder();
+  /// The selected line, or null.
+  const WorklistRow* chosen() const;
+
+  WorklistPresenter& presenter_;
+  PrepareQueue& queue_;
+  WorklistTable* table_;
+  WorklistFilter* filter_;
+  QTableView* view_;
+  QLineEdit* search_;
+  QLabel *folder_, *summary_, *empty_;
+  QPushButton *open_, *cancel_, *retry_, *remove_;
+};
+
+}  // namespace facenav::ui
