@@ -132,7 +132,7 @@ TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {
   edit_.discard();
   EXPECT_FALSE(isBrain(60, 0));
   EXPECT_FALSE(edit_.hasUnsaved());
-  EXPECT_FALSE(model_.current().store.brainDraft());
+  EXPECT_FALSE(casefile::brainDraft(model_.current().store));
 }
 
 TEST_F(EditPresenterTest, InterpolatesBetweenTheSlicesDrawnOn) {
