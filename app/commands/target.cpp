@@ -7,7 +7,7 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
-#include "facenav/surface/closest_point.h"
+#include "place_on_brain.h"
 
 namespace facenav::app {
 namespace {
@@ -55,14 +55,6 @@ void print(const casefile::CaseStore& store, const Point<Mri>& p) {
   const auto colin = atlas::readColin27();
   printLabel(colin.aal, mni);
   printLabel(colin.brodmann, mni);
-}
-
-/// The place itself where it lies in the brain, else the nearest place of the brain's surface.
-Point<Mri> onBrain(const casefile::CaseStore& store, const Point<Mri>& p) {
-  const auto brain = store.brain();
-  if (!brain) return p;
-  const auto nearest = surface::ClosestPoint(brain->mesh).nearest(p);
-  return nearest.is_outside ? nearest.point : p;
 }
 
 void put(guidance::TreatmentPlan& plan, const guidance::Target& target) {

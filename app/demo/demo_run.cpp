@@ -11,8 +11,8 @@
 #include "facenav/guidance/hand_knob.h"
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
-#include "facenav/surface/closest_point.h"
 #include "pipeline.h"
+#include "place_on_brain.h"
 #include "result_folder.h"
 #include "virtual_display.h"
 
@@ -58,9 +58,7 @@ guidance::Target planHandArea(const casefile::CaseStore& store) {
   if (!brain)
     throw Error("the demo's patient has no brain model", store.folder().string(), "report this, please");
   const auto atlas = store.atlas();
-  const Point<Mri> hand_area = atlas ? surface::ClosestPoint(brain->mesh)
-                                           .nearest(atlas->toMri(guidance::handKnob(guidance::Side::left)))
-                                           .point
+  const Point<Mri> hand_area = atlas ? onBrain(store, atlas->toMri(guidance::handKnob(guidance::Side::left)))
                                      : guidance::handKnobGuess(*brain, guidance::Side::left);
   auto target = guidance::planTarget(kTarget, store.scalp(), hand_area, kHandleAngle_rad, kHairGap_mm);
   store.setTargets({{target}});
