@@ -12,11 +12,13 @@ namespace facenav::stereo {
 namespace {
 
 constexpr double kColumns = 6, kRows = 4, kDepthBand_mm = 100;
-constexpr double kMemory = 60;          // samples after which older ones fade
+constexpr std::size_t kMemory = 60;     // samples of a cell; then the oldest are forgotten
 constexpr double kFewest = 12;          // samples before anything is said
 constexpr double kGross_px = 20;        // a wrong match, not a moved camera
-constexpr double kMostLeverage_px = 2;  // a few wrong matches or glints must not move a cell's mean
-constexpr double kMovedStatistic = 35;  // chi-square, 6 degrees of freedom: 4e-6
+constexpr double kMovedStatistic = 25;  // chi-square, 6 degrees of freedom: 3e-4
+// Half of the points beyond so many sigmas: 0.67 in a rig that holds. Of cameras that have moved by several
+// rows most matches are wrong, and wrong in all directions: no motion explains them, but nothing else does.
+constexpr double kContradicted = 2.0;
 constexpr double kHarmful_mm = 0.5, kHarmful_px = 0.3;  // less is no reason to stop
 // A calibration's errors are not all noise (the board is not flat, the lens is no polynomial).
 constexpr double kInflation = 1.5;
@@ -143,14 +145,16 @@ void RigMonitor::add(const std::vector<Correspondence>& points) {
   for (const Correspondence& point : points) {
     const double residual_px = epipolarResidual_px(rig_, point.left_px, point.right_px);
     if (!(std::abs(residual_px) < kGross_px)) continue;
-    const double clipped_px = std::clamp(residual_px, -kMostLeverage_px, kMostLeverage_px);
     const double depth_mm = triangulate(rig_, point.left_px, point.right_px).mm.z();
     Cell& cell = cells_[keyOf(rig_, point.left_px, depth_mm)];
-    cell.count = std::min(kMemory, cell.count + 1);
-    average(cell.left_px, point.left_px, cell.count);
-    average(cell.right_px, point.right_px, cell.count);
-    average(cell.residual_px, clipped_px, cell.count);
-    average(cell.variance_px2, point.sigma_px * point.sigma_px, cell.count);
+    const double count = double(cell.residuals_px.size());
+    if (cell.residuals_px.size() < kMemory)
+      cell.residuals_px.push_back(residual_px), cell.sigmas_px.push_back(point.sigma_px);
+    else
+      cell.residuals_px[cell.next % kMemory] = residual_px,
+                                    cell.sigmas_px[cell.next++ % kMemory] = point.sigma_px;
+    average(cell.left_px, point.left_px, std::min(count + 1, double(kMemory)));
+    average(cell.right_px, point.right_px, std::min(count + 1, double(kMemory)));
   }
 }
 
@@ -163,14 +167,70 @@ void RigMonitor::add(const SquareSighting& square) {
   const double depth_mm = triangulate(rig_, square.left_px[0], square.right_px[0]).mm.z();
   SizeCell& cell = size_cells_[keyOf(rig_, square.left_px[0], depth_mm)];
   cell.square = square;
-  cell.count = std::min(kMemory, cell.count + 1);
+  cell.count = std::min(double(kMemory), cell.count + 1);
   average(cell.error, error, cell.count);
   average(cell.variance, std::pow(square.sigma_mm / square.size_mm, 2), cell.count);
 }
 
+namespace {
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A median and its standard error: of the matches' own sigma, or of how they scatter where that is more.
+std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
+                                   const std::vector<double>& sigmas_px) {
+  const double middle = medianOf(residuals_px);
+  std::vector<double> off;
+  for (const double r : residuals_px) off.push_back(std::abs(r - middle));
+  const double each = std::max(medianOf(sigmas_px), 1.4826 * medianOf(off));
+  return {middle, each * std::sqrt(M_PI / 2 / double(off.size()))};
+}
+
+/// What was measured, each value with its own deviation, as a linear model of what may explain it: the
+/// calibration's errors and the prints' (unit variance), then the six of a motion (scaled to unit variance).
+struct Explanation {
+  Eigen::VectorXd seen, sigma;
+  Eigen::MatrixXd by_calibration, by_motion;
+};
+
+struct Explained {
+  double cost = 0;                   // -2 log of the likelihood and the prior, up to a constant
+  Eigen::VectorXd unknowns, weight;  // weight: 1 of a measurement that fits, towards 0 of a wrong match
+};
+
+/// The most likely unknowns under Student's t of the measurements, by reweighting (Lange, Little, Taylor
+/// 1989): a cell on a glint or a silhouette is off by pixels, and must not pass for a moved camera.
+Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
+  constexpr double kFreedom = 4.0;
+  constexpr int kRounds = 30;
+  Explained best;
+  best.unknowns = Eigen::VectorXd::Zero(design.cols());
+  best.weight = Eigen::VectorXd::Ones(model.seen.size());
+  const Eigen::MatrixXd whitened = model.sigma.cwiseInverse().asDiagonal() * design;
+  const Eigen::VectorXd seen = model.seen.cwiseQuotient(model.sigma);
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::MatrixXd normal = whitened.transpose() * best.weight.asDiagonal() * whitened;
+    normal.diagonal().array() += 1.0;
+    best.unknowns = normal.ldlt().solve(whitened.transpose() * best.weight.asDiagonal() * seen);
+    const Eigen::ArrayXd z2 = (seen - whitened * best.unknowns).array().square();
+    best.weight = ((kFreedom + 1) / (kFreedom + z2)).matrix();
+    const double cost = best.unknowns.squaredNorm() + (kFreedom + 1) * (1 + z2 / kFreedom).log().sum();
+    const bool has_settled = round > 0 && best.cost - cost < 1e-3;
+    best.cost = cost;
+    if (has_settled) break;
+  }
+  return best;
+}
+
+}  // namespace
+
 RigVerdict RigMonitor::verdict() const {
   double samples = 0;
-  for (const auto& entry : cells_) samples += entry.second.count;
+  for (const auto& entry : cells_) samples += double(entry.second.residuals_px.size());
   if (samples < kFewest) return {};
   std::vector<const Cell*> cells;
   for (const auto& entry : cells_) cells.push_back(&entry.second);
@@ -186,46 +246,50 @@ RigVerdict RigMonitor::verdict() const {
     return values;
   };
   const Eigen::VectorXd nominal = predict(rig_);
-  Eigen::VectorXd seen(all);
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(all, all);
+  const int axes = int(uncertainty_.one_sigma.size());
+  Explanation model{Eigen::VectorXd(all), Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, axes + 1),
+                    Eigen::MatrixXd(all, 6)};
   for (int i = 0; i < points; ++i) {
-    seen[i] = cells[i]->residual_px;
-    covariance(i, i) = uncertainty_.lens_px * uncertainty_.lens_px + cells[i]->variance_px2 / cells[i]->count;
+    const auto [middle, sigma] = middleOf(cells[i]->residuals_px, cells[i]->sigmas_px);
+    model.seen[i] = middle;
+    model.sigma[i] = std::hypot(uncertainty_.lens_px, sigma);
   }
   for (int i = points; i < all; ++i) {
     const SizeCell& cell = *sizes[i - points];
-    seen[i] = cell.error;
-    covariance(i, i) = std::pow(5e-4, 2) + cell.variance;
-    for (int j = points; j < all; ++j)  // one print: one error of its size
-      covariance(i, j) += cell.square.print_sigma_mm / cell.square.size_mm *
-                          sizes[j - points]->square.print_sigma_mm / sizes[j - points]->square.size_mm;
+    model.seen[i] = cell.error;
+    model.sigma[i] = std::hypot(5e-4, std::sqrt(cell.variance));
+    model.by_calibration(i, axes) = cell.square.print_sigma_mm / cell.square.size_mm;  // one print, one error
   }
-  for (const StereoRig& other : uncertainty_.one_sigma) {
-    const Eigen::VectorXd change = predict(other) - nominal;
-    covariance += change * change.transpose();
-  }
-
+  for (int k = 0; k < axes; ++k) model.by_calibration.col(k) = nominal - predict(uncertainty_.one_sigma[k]);
   // If the right camera moved by xi, its own rig would show nothing: seen = -d predict / d xi * xi.
-  Eigen::MatrixXd design(all, 6);
   for (int k = 0; k < 6; ++k) {
     Vector6d step = Vector6d::Zero();
     step[k] = k < 3 ? 1e-4 : 0.05;
-    design.col(k) = -(predict(turned(rig_, step)) - nominal) / step[k];
+    const double prior = k < 3 ? kTurnSigma_rad : kShiftSigma_mm;
+    model.by_motion.col(k) = -(predict(turned(rig_, step)) - nominal) * (prior / step[k]);
   }
-  const Eigen::LDLT<Eigen::MatrixXd> weight(covariance);
-  Matrix6d information = design.transpose() * weight.solve(design);
-  const Vector6d score = design.transpose() * weight.solve(seen);
-  for (int k = 0; k < 6; ++k)
-    information(k, k) +=
-        k < 3 ? 1 / (kTurnSigma_rad * kTurnSigma_rad) : 1 / (kShiftSigma_mm * kShiftSigma_mm);
-  const Vector6d motion = information.ldlt().solve(score);
+  Eigen::MatrixXd either(all, axes + 7);
+  either << model.by_calibration, model.by_motion;
+  const Explained holds = explain(model, model.by_calibration), moved = explain(model, either);
+  Vector6d motion = moved.unknowns.tail<6>();
+  motion.head<3>() *= kTurnSigma_rad;
+  motion.tail<3>() *= kShiftSigma_mm;
 
   RigVerdict verdict;
-  if (!motion.allFinite()) return verdict;
-  verdict.statistic = score.dot(motion);
+  if (!motion.allFinite() || !std::isfinite(holds.cost)) return verdict;
+  verdict.statistic = holds.cost - moved.cost;
+  std::vector<double> z;  // of single points, with what the calibration leaves open there
+  for (int i = 0; i < points; ++i)
+    for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n)
+      z.push_back(std::abs(cells[i]->residuals_px[n]) /
+                  std::sqrt(std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
+                            model.by_calibration.row(i).squaredNorm()));
+  verdict.contradiction = medianOf(z);
   verdict.turn_rad = motion.head<3>();
-  verdict.epipolar_px = std::sqrt(seen.head(points).squaredNorm() / points);
-  if (all > points) verdict.size_error = seen.tail(all - points).mean();
+  const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches are wrong under any motion
+  verdict.epipolar_px =
+      std::sqrt(weight.dot(model.seen.head(points).cwiseAbs2()) / std::max(1e-9, weight.sum()));
+  if (all > points) verdict.size_error = model.seen.tail(all - points).mean();
   const StereoRig moved_rig = turned(rig_, motion);
   double squares = 0;
   for (const Cell* cell : cells)
@@ -234,8 +298,8 @@ RigVerdict RigMonitor::verdict() const {
                    .squaredNorm();
   verdict.displaced_mm = std::sqrt(squares / points);
   const bool is_harmful = verdict.displaced_mm > kHarmful_mm || verdict.epipolar_px > kHarmful_px;
-  verdict.state =
-      verdict.statistic > kMovedStatistic && is_harmful ? RigVerdict::State::moved : RigVerdict::State::holds;
+  const bool has_moved = verdict.statistic > kMovedStatistic || verdict.contradiction > kContradicted;
+  verdict.state = has_moved && is_harmful ? RigVerdict::State::moved : RigVerdict::State::holds;
   return verdict;
 }
 

@@ -3,11 +3,12 @@
 // images show (skin, marker corners) and squares of known size, and asks whether a motion of the right camera
 // explains them so much better than the calibration's own uncertainty does that the cameras must have moved.
 //
-// Generalised likelihood ratio: under "holds", epipolar residuals and size errors have zero mean and the
-// covariance of noise, of what the lens model leaves, and of the calibration's parameters; under "moved", six
-// parameters of the right camera's pose are free (as Hansen, Alismail, Rander, Browning 2012, "Online
-// continuous stereo extrinsic parameter estimation", fit them). Residuals are averaged in cells of the image,
-// so that ten thousand points in one place do not pass for ten thousand independent ones.
+// Generalised likelihood ratio: under "holds", epipolar residuals and size errors come from noise, from what
+// the lens model leaves, and from the calibration's parameters, each as uncertain as it is known to be; under
+// "moved", six parameters of the right camera's pose are free as well (as Hansen, Alismail, Rander, Browning
+// 2012, "Online continuous stereo extrinsic parameter estimation", fit them). Points are gathered in cells of
+// the image, so that ten thousand in one place do not pass for ten thousand independent ones: a cell counts
+// by its median, and the cells by Student's t, since a match on a silhouette or a glint is off by pixels.
 //
 // What it sees: pitch and roll of one camera against the other from epipolar residuals (some hundredths of a
 // degree). Yaw and a longer or shorter baseline move points along the epipolar lines and show only in the
@@ -48,10 +49,11 @@ RigUncertainty uncertaintyOf(const StereoRig& rig);
 struct RigVerdict {
   enum class State { unknown, holds, moved };
   State state = State::unknown;
-  double statistic = 0;     // of the likelihood ratio; chi-square with 6 degrees of freedom if it holds
-  double epipolar_px = 0;   // rms over the cells
-  double size_error = 0;    // mean relative error of the squares' size, 0 without squares
-  double displaced_mm = 0;  // rms error of points in space if the cameras moved as estimated
+  double statistic = 0;      // of the likelihood ratio; chi-square with 6 degrees of freedom if it holds
+  double contradiction = 0;  // median over the points of |residual| in its own sigmas; 0.67 if it holds
+  double epipolar_px = 0;    // rms over the cells, wrong matches left out
+  double size_error = 0;     // mean relative error of the squares' size, 0 without squares
+  double displaced_mm = 0;   // rms error of points in space if the cameras moved as estimated
   Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();  // of the right camera, as estimated
 
   bool hasMoved() const { return state == State::moved; }
@@ -73,7 +75,8 @@ class RigMonitor {
  private:
   struct Cell {
     Eigen::Vector2d left_px = Eigen::Vector2d::Zero(), right_px = Eigen::Vector2d::Zero();
-    double residual_px = 0, variance_px2 = 0, count = 0;
+    std::vector<double> residuals_px, sigmas_px;
+    std::size_t next = 0;  // the oldest, once the memory is full
   };
   struct SizeCell {
     SquareSighting square;
