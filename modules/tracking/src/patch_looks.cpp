@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "patch_filters.h"
+
 namespace facenav::tracking {
 namespace {
 
 using patch::kSamples;
 using patch::kSide;
 
-constexpr double kModelError_px =
-    0.15;  // what shape, light and sampling leave in a patch, pixels of the level
-// Slopes of brightness over a patch that its neighbours do not foretell (light_field.h), per pixel.
-constexpr double kShadingRamp_per_px = 0.003;
+constexpr double kSamplingError_px = 0.05;  // what sampling and each view's own shading leave in a patch
+constexpr double kUsualShading = 0.1;       // change of light that the filters are made for
 constexpr double kWorstSigma_px =
     0.5;  // patches that tell less than this along their best direction are left out
 constexpr double kShadingSmooth_px = 2.0;
@@ -54,12 +54,6 @@ double removeMean(std::vector<float>& values) {
   return mean;
 }
 
-// Takes `share` of what `values` hold of a pattern out of them.
-void remove(std::vector<float>& values, const std::vector<float>& pattern, double share = 1.0) {
-  const double amount = share * dot(values, pattern) / (dot(pattern, pattern) + 1e-9);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= float(amount * pattern[i]);
-}
-
 // What light that changes across a patch adds to it, to first order: it brightens one side.
 std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
   std::array<std::vector<float>, 2> ramps;
@@ -68,21 +62,6 @@ std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
     ramps[1].push_back(grey[i] * (float(i / kSide) - 0.5f * (kSide - 1)));
   }
   return ramps;
-}
-
-// A ramp of unknown strength, of standard deviation kShadingRamp_per_px, beside the noise: what to take out.
-double rampShare(const std::vector<float>& ramp, double noise_grey) {
-  const double variance = kShadingRamp_per_px * kShadingRamp_per_px * dot(ramp, ramp);
-  return variance / (variance + noise_grey * noise_grey);
-}
-
-// Autocorrelation of the blur along one axis at lags of 0 .. kSide - 1 level pixels (binomial, then halved).
-std::array<double, kSide> correlation(int level) {
-  std::array<double, kSide> c{};
-  if (level == 0) c = {70, 56, 28, 8, 1};
-  if (level > 0) c = {70, 28, 1};
-  for (double& value : c) value /= 256.0;
-  return c;
 }
 
 // Of errors of shading: smooth over some two pixels.
@@ -107,7 +86,7 @@ std::vector<float> correlated(const std::vector<float>& pattern, const std::arra
   return both;
 }
 
-// Derivatives whole (`whole`) and as they are summed, with nuisances taken out.
+// What the filters in `looked` make of noise, shading and light; `whole`: the derivatives themselves.
 void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
            const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
   const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
@@ -115,7 +94,7 @@ void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
       structure(a, b) = dot(*d[a], whole[b]);
-      noise(a, b) = dot(*d[a], correlated(*d[b], correlation(level)));
+      noise(a, b) = dot(*d[a], correlated(*d[b], noiseCorrelation(level)));
       shading(a, b) = dot(*d[a], correlated(*d[b], shadingCorrelation()));
       looked.view.ramp(a, b) = dot(*d[a], ramps[b]);
     }
@@ -125,7 +104,7 @@ void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
   const double variance = 2.0 * noise_grey * noise_grey;  // the key frame's noise, and the current one's
   looked.view.structure_inverse = inverse;
   looked.view.covariance = variance * inverse * noise * inverse.transpose() +
-                           kModelError_px * kModelError_px * Eigen::Matrix2d::Identity();
+                           kSamplingError_px * kSamplingError_px * Eigen::Matrix2d::Identity();
   looked.view.shading = looked.view.mean * looked.view.mean * inverse * shading * inverse.transpose();
   looked.view.is_usable = looked.view.covariance.inverse().trace() > 1.0 / (kWorstSigma_px * kWorstSigma_px);
 }
@@ -188,19 +167,18 @@ PatchLooks look(const stereo::CameraModel& camera, const Eigen::Isometry3d& came
     looked.d_u.push_back(float(0.5 * (at(1, 0) - at(-1, 0))));
     looked.d_v.push_back(float(0.5 * (at(0, 1) - at(0, -1))));
   }
-  auto ramps = shadingRamps(looked.grey);
-  const auto whole_ramps = ramps;
+  const auto whole_ramps = shadingRamps(looked.grey);
   looked.view.mean = float(removeMean(looked.grey));
   looked.view.contrast = float(dot(looked.grey, looked.grey));
   looked.view.px = stereo::project(camera, centre_mm);
   looked.view.ray = camera_T_head.linear().transpose() * centre_mm.normalized();
   if (looked.view.contrast < 1e-3f || looked.view.mean < 1.f) return looked;
-  for (auto& ramp : ramps) removeMean(ramp), remove(ramp, looked.grey);
-  remove(ramps[1], ramps[0]);
-  for (auto* d : {&looked.d_u, &looked.d_v}) removeMean(*d), remove(*d, looked.grey);
+  for (auto* d : {&looked.d_u, &looked.d_v}) removeMean(*d);
   const std::array<std::vector<float>, 2> whole = {looked.d_u, looked.d_v};
-  for (auto* d : {&looked.d_u, &looked.d_v})
-    for (const auto& ramp : ramps) remove(*d, ramp, rampShare(ramp, noise_grey));
+  const double shading_grey = shadingSigma(kUsualShading, points.normal_spread_rad) * looked.view.mean;
+  auto filters = displacementFilters(looked.grey, looked.d_u, looked.d_v, level, std::sqrt(2.0) * noise_grey,
+                                     shading_grey);  // noise of the key frame, and of the current one
+  looked.d_u = std::move(filters[0]), looked.d_v = std::move(filters[1]);
   weigh(looked, whole, whole_ramps, level, noise_grey);
   return looked;
 }
@@ -215,7 +193,7 @@ void addJacobian(const stereo::CameraModel& camera, const Eigen::Isometry3d& cam
 }
 
 double noiseShare(int level) {
-  const double along = correlation(level)[0];
+  const double along = noiseCorrelation(level)[0];
   return along * along * std::pow(0.25, std::max(0, level - 1));
 }
 

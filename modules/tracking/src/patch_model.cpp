@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "patch_looks.h"
+#include "patch_worth.h"
 
 namespace facenav::tracking {
 namespace {
@@ -73,34 +74,56 @@ std::vector<Candidate> candidates(const stereo::StereoRig& rig, const std::array
   return all;
 }
 
-// Of the displacement after a turn as it is usual: the error in depth shows by then.
-Eigen::Matrix2d usualInformation(const Candidate& candidate, int camera) {
-  const auto& view = candidate.looked[camera].view;
-  const double per_mm = view.jacobian.rightCols<3>().norm() / std::sqrt(2.0);
-  const double shown_px = kUsualTurn_rad * per_mm * candidate.points.depth_sigma_mm;
-  const double shading = shadingSigma(kUsualTurn_rad, candidate.points.normal_spread_rad);
-  return (view.covariance + shading * shading * view.shading +
-          shown_px * shown_px * Eigen::Matrix2d::Identity())
-      .inverse();
+Patch patchOf(const Candidate& candidate) {
+  Patch patch;
+  patch.centre_mm = candidate.points.centre_mm;
+  patch.normal = candidate.points.normal;
+  patch.rigidity = candidate.rigidity;
+  patch.right_mm = candidate.points.right_mm, patch.down_mm = candidate.points.down_mm;
+  patch.depth_sigma_mm = candidate.points.depth_sigma_mm;
+  patch.normal_spread_rad = candidate.points.normal_spread_rad;
+  patch.view = {candidate.looked[0].view, candidate.looked[1].view};
+  return patch;
 }
 
-// What the patch would add to log det of the information, `covariance` being that of the patches so far.
-double gainOf(const Candidate& candidate, const Matrix6d& covariance) {
-  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
-  Eigen::Matrix<double, 4, 6> j = Eigen::Matrix<double, 4, 6>::Zero();
+// What the patch tells after a turn as it is usual: the errors in depth and shading show by then.
+std::vector<PatchTelling> usuallyTold(const Patch& patch) {
+  PatchChange usual;
   for (int c = 0; c < 2; ++c) {
-    const auto& view = candidate.looked[c].view;
-    if (!view.is_usable) continue;
-    j.middleRows<2>(2 * c) = std::sqrt(candidate.rigidity) *
-                             Eigen::Matrix2d(usualInformation(candidate, c).llt().matrixU()) * view.jacobian;
+    const Eigen::Vector3d& ray = patch.view[c].ray;
+    usual.key_from_now[c].setIdentity();
+    usual.ray[c] = (ray + kUsualTurn_rad * Eigen::Vector3d(M_SQRT1_2, M_SQRT1_2, 0)).normalized();
   }
-  m += j * covariance * j.transpose();
-  return m.determinant();
+  usual.light_change = kUsualTurn_rad;
+  if (canBePaired(patch)) {
+    const auto both = toldByBoth(patch, usual);
+    return {both.begin(), both.end()};
+  }
+  std::vector<PatchTelling> told;
+  for (int c = 0; c < 2; ++c)
+    if (patch.view[c].is_usable) told.push_back(toldByOne(patch, c, usual));
+  return told;
 }
 
-// D-optimal design, greedy: the patches that tell most about the pose beside those taken already.
+// Square root of what a patch adds to the information, four rows of it.
+Eigen::Matrix<double, 4, 6> rootOfInformation(const Patch& patch) {
+  Eigen::Matrix<double, 4, 6> root = Eigen::Matrix<double, 4, 6>::Zero();
+  int row = 0;
+  for (const auto& told : usuallyTold(patch)) {
+    const Eigen::Matrix2d information = told.covariance.inverse();
+    root.middleRows<2>(row) =
+        std::sqrt(patch.rigidity) * Eigen::Matrix2d(information.llt().matrixU()) * told.jacobian;
+    row += 2;
+  }
+  return root;
+}
+
+// D-optimal design, greedy: the patches that tell most about the pose beside those taken already, by what
+// each would add to log det of the information.
 std::vector<std::size_t> mostTelling(const std::vector<Candidate>& all, std::size_t most) {
   Matrix6d information = Matrix6d::Identity() * 1e-3;
+  std::vector<Eigen::Matrix<double, 4, 6>> roots;
+  for (const auto& candidate : all) roots.push_back(rootOfInformation(patchOf(candidate)));
   std::vector<bool> is_taken(all.size(), false);
   std::vector<std::size_t> chosen;
   std::vector<double> gain(all.size(), std::numeric_limits<double>::max());
@@ -110,30 +133,20 @@ std::vector<std::size_t> mostTelling(const std::vector<Candidate>& all, std::siz
     for (std::size_t i = 0; i < all.size(); ++i) {
       // Gains only fall as patches are added (submodular): one below the best so far need not be made anew.
       if (is_taken[i] || (best < all.size() && gain[i] <= gain[best])) continue;
-      gain[i] = gainOf(all[i], covariance);
+      const Eigen::Matrix4d more = Eigen::Matrix4d::Identity() + roots[i] * covariance * roots[i].transpose();
+      gain[i] = more.determinant();
       if (best == all.size() || gain[i] > gain[best]) best = i;
     }
     is_taken[best] = true;
     chosen.push_back(best);
-    for (int c = 0; c < 2; ++c) {
-      const auto& view = all[best].looked[c].view;
-      if (view.is_usable)
-        information +=
-            all[best].rigidity * view.jacobian.transpose() * usualInformation(all[best], c) * view.jacobian;
-    }
+    information += roots[best].transpose() * roots[best];
   }
   std::sort(chosen.begin(), chosen.end());
   return chosen;
 }
 
 void append(PatchLevel& model, const Candidate& candidate, int region) {
-  Patch patch;
-  patch.centre_mm = candidate.points.centre_mm;
-  patch.normal = candidate.points.normal;
-  patch.rigidity = candidate.rigidity;
-  patch.right_mm = candidate.points.right_mm, patch.down_mm = candidate.points.down_mm;
-  patch.depth_sigma_mm = candidate.points.depth_sigma_mm;
-  patch.normal_spread_rad = candidate.points.normal_spread_rad;
+  Patch patch = patchOf(candidate);
   patch.region = region;
   for (const auto& p : candidate.points.points_mm) {
     model.x.push_back(float(p.x()));
@@ -143,7 +156,6 @@ void append(PatchLevel& model, const Candidate& candidate, int region) {
   const std::vector<float> none(patch::kSamples, 0.f);
   for (int c = 0; c < 2; ++c) {
     const auto& looked = candidate.looked[c];
-    patch.view[c] = looked.view;
     const auto add = [&](std::vector<float>& to, const std::vector<float>& from) {
       const auto& source = looked.view.is_usable ? from : none;
       to.insert(to.end(), source.begin(), source.end());

@@ -5,8 +5,9 @@
 // are made once.
 //
 // Each patch of each camera is compared after gain and offset are taken off (as NCC does), so lamps may
-// change and move. The derivative images are made orthogonal to template and constant, so that the image sums
-// of a patch give its displacement with no further correction.
+// change and move. In place of the derivative images stand filters that know noise and shading
+// (patch_filters.h), orthogonal to template and constant, so that the image sums of a patch give its
+// displacement with no further correction.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -26,7 +27,8 @@ struct PatchView {
   bool is_usable = false;
   Eigen::Vector2d px = Eigen::Vector2d::Zero();                 // of the centre, full resolution
   Eigen::Matrix2d structure_inverse = Eigen::Matrix2d::Zero();  // of the sum of derivative products
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();         // of the displacement: noise and model error
+  Eigen::Matrix2d covariance =
+      Eigen::Matrix2d::Zero();  // of the displacement: noise and sampling, each camera's own
   Eigen::Matrix2d shading =
       Eigen::Matrix2d::Zero();  // of the displacement, by shading error of one part of the grey
   Eigen::Vector3d ray = Eigen::Vector3d::Zero();  // from camera to patch in the key frame, Head
@@ -51,7 +53,7 @@ struct PatchLevel {
   std::vector<Patch> patches;
   std::vector<float> x, y, z;  // Head, mm
   struct Looks {
-    std::vector<float> grey, d_u, d_v;  // centred template; derivatives orthogonal to it and to 1
+    std::vector<float> grey, d_u, d_v;  // centred template; filters in place of its derivatives
   };
   std::array<Looks, 2> looks;
 

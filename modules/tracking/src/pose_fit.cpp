@@ -9,6 +9,7 @@
 #include "light_field.h"
 #include "patch_looks.h"
 #include "patch_placement.h"
+#include "patch_worth.h"
 
 namespace facenav::tracking {
 namespace {
@@ -20,6 +21,9 @@ constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arri
 constexpr float kAlikeShare = 0.6f;    // of the correlation expected
 constexpr int kFewestAlike = 10;       // patches in view, of both cameras, to say anything
 constexpr float kLeastScale = 0.5f;
+// Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
+constexpr float kSharedError = 1.6f;
+constexpr float kPairLooks = 0.4f;  // both cameras see the patch about equally well
 constexpr int kIterations[kLevels] = {8, 5, 5, 6};
 constexpr double kSettled_px[kLevels] = {0.01, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
@@ -68,9 +72,9 @@ class LevelFit {
                       int(placements.size()), sums_[c].data());
       for (std::size_t k = 0; k < placements.size(); ++k) see(c, k);
     }
-    if (!is_assessed_) assess(motion);
     for (int c = 0; c < 2; ++c)
       for (std::size_t k = 0; k < placed_[c].placements.size(); ++k) displace(c, k);
+    if (!is_assessed_) assess(motion);
   }
 
   // The increment xi (Head, about the model's centre) that explains the displacements.
@@ -86,16 +90,31 @@ class LevelFit {
     return xi;
   }
 
-  void finish(PoseFit& fit) {
+  void finish(PoseFit& fit, const Vector6d& last_step) {
+    fit.scale = std::max(scale_[0], scale_[1]);
+    for (float& scale : scale_) scale = std::max(1.f, scale);  // no surer than the errors that are known of
     fit.information = information();
-    fit.scale = scale_;
+    const Eigen::Matrix<float, 6, 1> step = last_step.cast<float>();
     std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
+    for (auto& sights : sights_)
+      for (auto& sight : sights) sight.weight = sight.is_visible ? 1.f : 0.f;
+    std::vector<std::array<bool, 2>> is_told(sights_.size());
     for (const auto& row : rows_) {
-      auto& sight = sights_[row.patch][row.camera];
-      sight.weight = row.weight, sight.distance = row.distance, sight.residual_px = row.residual_px;
+      for (int c = 0; c < 2; ++c) {
+        if ((c == 0 && row.told == Told::by_right) || (c == 1 && row.told == Told::by_left)) continue;
+        auto& sight = sights_[row.patch][c];
+        is_told[row.patch][c] = row.prior > 0;
+        sight.weight = std::min(sight.weight, row.weight);
+        sight.distance = std::max(sight.distance, row.distance);
+        sight.residual_px =
+            (sight.displacement - level_.patches[row.patch].view[c].jacobian.cast<float>() * step).norm();
+      }
       pulls[level_.patches[row.patch].region] +=
-          (row.weight * row.prior * (row.worth->weighted * row.e)).cast<double>();
+          (sayOf(row) * (worth_[row.worth].weighted * row.e)).cast<double>();
     }
+    for (std::size_t i = 0; i < sights_.size(); ++i)
+      for (int c = 0; c < 2; ++c)
+        if (!is_told[i][c]) sights_[i][c].weight = 0.f;
     for (const auto& pull : pulls) {
       fit.regions += pull.squaredNorm() > 0;
       fit.pull += pull * pull.transpose();
@@ -121,11 +140,23 @@ class LevelFit {
   }
 
  private:
-  // What a patch's displacement tells about the pose: J' L J (upper triangle, row by row) and J' L.
+  // One PatchTelling: J, J' L J (upper triangle, row by row) and J' L.
   struct Worth {
+    Eigen::Matrix<float, 2, 4> combine;
+    Eigen::Matrix<float, 2, 6> jacobian;
     std::array<float, 24> normal{};
     Eigen::Matrix<float, 6, 2> weighted;
     Eigen::Matrix2f information;
+
+    explicit Worth(const PatchTelling& told)
+        : combine(told.combine.cast<float>()), jacobian(told.jacobian.cast<float>()) {
+      const Eigen::Matrix2d inverse = told.covariance.inverse();
+      information = inverse.cast<float>();
+      weighted = (told.jacobian.transpose() * inverse).cast<float>();
+      const Eigen::Matrix<float, 6, 6> product = weighted * jacobian;
+      for (int i = 0, n = 0; i < 6; ++i)
+        for (int j = i; j < 6; ++j) normal[n++] = product(i, j);
+    }
   };
 
   // How unevenly the face's brightness has changed since the key frame: half the middle 68 %.
@@ -144,44 +175,58 @@ class LevelFit {
     return std::max(kLeastLightChange, 0.5 * (high - low) / std::max(0.1, middle));
   }
 
-  // The error of a patch's depth shows in its displacement as the view turns away from the key frame's.
+  // What each patch can tell at this pose, from both cameras together where both look as they should.
   void assess(const Eigen::Isometry3d& motion) {
     const Eigen::Isometry3d left_T_right = rig_.right_T_left.isometry().inverse();
     const Eigen::Vector3d eyes_mm[2] = {motion.inverse().translation(),
                                         motion.inverse() * left_T_right.translation()};
+    std::vector<PatchChange> changes(level_.patches.size());
     const double light_change = lightChange();
-    worth_.resize(2 * level_.patches.size());
     for (int c = 0; c < 2; ++c)
       for (std::size_t k = 0; k < placed_[c].placements.size(); ++k) {
         const int index = placed_[c].placements[k].patch;
-        const Patch& patch = level_.patches[index];
-        const PatchView& view = patch.view[c];
-        const Eigen::Vector3d ray = (patch.centre_mm - eyes_mm[c]).normalized();
-        const double shading = shadingSigma(light_change, patch.normal_spread_rad);
-        const Eigen::Vector2d shown_px =
-            patch.depth_sigma_mm * view.jacobian.rightCols<3>() * (view.ray - ray);
-        // Half of the errors belong to the key frame; the other half grows where the view is foreshortened.
-        const Eigen::Matrix2d own = 0.5 * (view.covariance + shading * shading * view.shading);
-        const Eigen::Matrix2d& grown = placed_[c].key_from_now[k];
-        const Eigen::Matrix2d information =
-            (own + grown * own * grown.transpose() + shown_px * shown_px.transpose()).inverse();
-        Worth& worth = worth_[2 * index + c];
-        worth.information = information.cast<float>();
-        worth.weighted = (view.jacobian.transpose() * information).cast<float>();
-        const Eigen::Matrix<float, 6, 6> normal = worth.weighted * view.jacobian.cast<float>();
-        for (int a = 0, n = 0; a < 6; ++a)
-          for (int b = a; b < 6; ++b) worth.normal[n++] = normal(a, b);
+        changes[index].key_from_now[c] = placed_[c].key_from_now[k];
+        changes[index].ray[c] = (level_.patches[index].centre_mm - eyes_mm[c]).normalized();
+        changes[index].light_change = light_change;
       }
+    worth_.clear();
+    rows_.clear();
+    for (std::size_t i = 0; i < level_.patches.size(); ++i) {
+      const Patch& patch = level_.patches[i];
+      const float looks[2] = {looksWeight(sights_[i][0]), looksWeight(sights_[i][1])};
+      const bool is_pair =
+          std::min(looks[0], looks[1]) > kPairLooks * std::max(looks[0], looks[1]) && canBePaired(patch);
+      if (is_pair) {
+        const auto told = toldByBoth(patch, changes[i]);
+        addRow(i, Told::mean, told[0]);
+        addRow(i, Told::difference, told[1]);
+      } else if (std::max(looks[0], looks[1]) > 0) {
+        for (int c = 0; c < 2; ++c)
+          if (looks[c] > 0)
+            addRow(i, c == 0 ? Told::by_left : Told::by_right, toldByOne(patch, c, changes[i]));
+      }
+    }
     is_assessed_ = true;
   }
 
+  enum class Told { by_left, by_right, mean, difference };
+
+  void addRow(std::size_t patch, Told told, const PatchTelling& telling) {
+    Row row;
+    row.patch = int(patch), row.told = told, row.worth = int(worth_.size());
+    worth_.emplace_back(telling);
+    rows_.push_back(row);
+  }
+
   struct Row {
-    int patch, camera;
-    float prior;  // trust before geometry
-    Eigen::Vector2f displacement, e;
-    float weight, distance, residual_px;
-    const PatchView* view;
-    const Worth* worth;
+    int patch = 0;
+    Told told = Told::mean;
+    int worth = 0;
+    float prior = 0.f;  // trust before geometry
+    Eigen::Vector2f displacement = Eigen::Vector2f::Zero(), e = Eigen::Vector2f::Zero();
+    float weight = 0.f, distance = 0.f;
+    /// Errors of differences and of all else are scaled apart.
+    int kind() const { return told == Told::difference ? 1 : 0; }
   };
 
   void see(int camera, std::size_t k) {
@@ -220,48 +265,63 @@ class LevelFit {
     return sight.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness : 0.1f * likeness;
   }
 
+  // The displacements as they are now; a row whose patch no longer looks as it should has no say.
   void collect() {
-    rows_.clear();
-    for (std::size_t i = 0; i < sights_.size(); ++i)
-      for (int c = 0; c < 2; ++c) {
-        const auto& sight = sights_[i][c];
-        const float looks = looksWeight(sight);
-        if (looks <= 0) continue;
-        const auto& patch = level_.patches[i];
-        Row row;
-        row.patch = int(i), row.camera = c;
-        row.prior = looks * float(patch.rigidity) * (trust_.empty() ? 1.f : trust_[i]);
-        row.displacement = row.e = sight.displacement;
-        row.weight = row.distance = row.residual_px = 0.f;
-        row.view = &patch.view[c], row.worth = &worth_[2 * i + c];
-        rows_.push_back(row);
+    for (auto& row : rows_) {
+      const auto& sights = sights_[row.patch];
+      float looks = 0.f;
+      switch (row.told) {
+        case Told::by_left:
+          looks = looksWeight(sights[0]);
+          break;
+        case Told::by_right:
+          looks = looksWeight(sights[1]);
+          break;
+        default:
+          looks = std::min(looksWeight(sights[0]), looksWeight(sights[1]));
       }
+      row.prior =
+          looks * float(level_.patches[row.patch].rigidity) * (trust_.empty() ? 1.f : trust_[row.patch]);
+      Eigen::Vector4f both;
+      both << sights[0].displacement, sights[1].displacement;
+      row.displacement = row.e = worth_[row.worth].combine * both;
+    }
   }
 
   void weigh(const Vector6d& xi, bool is_start) {
-    distances_.clear();
+    for (auto& list : distances_) list.clear();
+    const Eigen::Matrix<float, 6, 1> step = xi.cast<float>();
     for (auto& row : rows_) {
-      row.e = row.displacement - (row.view->jacobian * xi).cast<float>();
-      row.residual_px = row.e.norm();
-      row.distance = std::sqrt(std::max(0.f, row.e.dot(row.worth->information * row.e)));
-      distances_.push_back(row.distance);
+      const Worth& worth = worth_[row.worth];
+      row.e = row.displacement - worth.jacobian * step;
+      row.distance = std::sqrt(std::max(0.f, row.e.dot(worth.information * row.e)));
+      if (row.prior > 0) distances_[row.kind()].push_back(row.distance);
     }
-    if (distances_.empty()) return;
-    const auto middle = distances_.begin() + std::ptrdiff_t(distances_.size() / 2);
-    std::nth_element(distances_.begin(), middle, distances_.end());
-    scale_ = std::max(kLeastScale, *middle / 1.177f);  // of a 2-D normal error's length
-    const float reach = kBiweight * scale_;
+    for (int kind = 0; kind < 2; ++kind) {
+      auto& list = distances_[kind];
+      if (list.empty()) continue;
+      const auto middle = list.begin() + std::ptrdiff_t(list.size() / 2);
+      std::nth_element(list.begin(), middle, list.end());
+      scale_[kind] = std::max(kLeastScale, *middle / 1.177f);  // of a 2-D normal error's length
+    }
     for (auto& row : rows_) {
+      const float reach = kBiweight * scale_[row.kind()];
       const float q2 = row.distance * row.distance / (reach * reach);
       row.weight = is_start ? 1.f / (1.f + 4.f * q2) : (q2 < 1.f ? (1.f - q2) * (1.f - q2) : 0.f);
     }
   }
 
-  Matrix6d information() {
+  // Of a row in the fit: its robust weight and trust, and the scale of its kind's errors.
+  float sayOf(const Row& row) const {
+    const float scale = scale_[row.kind()] * (row.kind() == 0 ? kSharedError : 1.f);
+    return row.weight * row.prior / (scale * scale);
+  }
+
+  Matrix6d information() const {
     std::array<float, 24> sum{};
     for (const auto& row : rows_) {
-      const float w = row.weight * row.prior;
-      for (int k = 0; k < 24; ++k) sum[k] += w * row.worth->normal[k];
+      const float w = sayOf(row);
+      for (int k = 0; k < 24; ++k) sum[k] += w * worth_[row.worth].normal[k];
     }
     Matrix6d h;
     for (int i = 0, k = 0; i < 6; ++i)
@@ -269,12 +329,10 @@ class LevelFit {
     return h;
   }
 
-  Vector6d normalSolution() {
+  Vector6d normalSolution() const {
     Matrix6d h = information();
     Eigen::Matrix<float, 6, 1> g = Eigen::Matrix<float, 6, 1>::Zero();
-    for (const auto& row : rows_) {
-      g.noalias() += row.worth->weighted * (row.weight * row.prior * row.displacement);
-    }
+    for (const auto& row : rows_) g.noalias() += worth_[row.worth].weighted * (sayOf(row) * row.displacement);
     h.diagonal() += 1e-6 * h.diagonal() + Vector6d::Constant(1e-9);
     return h.ldlt().solve(g.cast<double>());
   }
@@ -289,10 +347,10 @@ class LevelFit {
   std::array<std::vector<patch::Sums>, 2> sums_;
   PatchSights sights_;
   bool is_assessed_ = false;
-  std::vector<Worth> worth_;  // of patch i in camera c: 2 i + c
+  std::vector<Worth> worth_;
   std::vector<Row> rows_;
-  std::vector<float> distances_;
-  float scale_ = 1.f;
+  std::array<std::vector<float>, 2> distances_;  // by kind of row
+  std::array<float, 2> scale_ = {1.f, 1.f};
 };
 
 Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
@@ -312,10 +370,11 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
     if (patches.patches.size() < 4) continue;
     LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
     double moved_px = std::numeric_limits<double>::max();
+    Vector6d xi = Vector6d::Zero();
     for (int iteration = 0; iteration < kIterations[l]; ++iteration) {
       if (moved_px > 0.5) level.placeAt(fit.motion);
       level.look(fit.motion);
-      const Vector6d xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
+      xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
       fit.motion = fit.motion * about(model.centre_mm, xi);
       moved_px = level.motion_px(xi);
       if (moved_px < kSettled_px[l]) break;
@@ -323,7 +382,7 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
     if (l == last_level) fit.likeness = level.likeness();
     if (l > 0) continue;
     fit.is_settled = moved_px < kUnsettled_px;
-    level.finish(fit);
+    level.finish(fit, xi);
   }
   return fit;
 }

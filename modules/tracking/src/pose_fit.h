@@ -1,8 +1,10 @@
 #pragma once
 // The head's pose from the patches: 6 degrees of freedom, minimising the displacements of all patches in both
-// images at once (never through triangulated points). Robust: iteratively reweighted, Tukey's biweight on the
-// displacement in units of its own standard deviation, times the trust in the patch. Light that changes over
-// the face is taken off each patch as its neighbours show it (light_field.h).
+// images at once (never through triangulated points), as the patch's mean over the cameras and its change of
+// disparity, each with its own errors (patch_worth.h); how large each kind's errors are is seen in the frame.
+// Robust: iteratively reweighted, Tukey's biweight on the displacement in units of its own standard
+// deviation, times the trust in the patch. Light that changes over the face is taken off each patch as its
+// neighbours show it (light_field.h).
 
 #include <array>
 #include <vector>
@@ -33,7 +35,7 @@ struct PoseFit {
   Matrix6d information = Matrix6d::Zero();                   // of xi in Head, about the model's centre
   Matrix6d pull = Matrix6d::Zero();  // sum over the face's regions of (their pull on xi) (same)'
   int regions = 0;                   // that pull
-  double scale = 1.0;                // spread of distances; 1 where the error model holds
+  double scale = 1.0;                // spread of distances, in the information; 1 where the model holds
   bool is_settled = false;           // the last step moved no patch by more than a small part of a pixel
   PatchSights sights;                // of level 0; empty where the fit ended above
   double likeness = 0.0;  // share of the patches in view, of the last level, that look as they should

@@ -43,7 +43,7 @@ Matrix6d covarianceOf(const PoseFit& fit) {
   const Matrix6d inverse = fit.information.inverse();
   const double freedom = std::max(1.0, double(fit.regions - 6));
   const Matrix6d seen = double(fit.regions) / freedom * inverse * fit.pull * inverse;
-  return rotate * (std::max(1.0, fit.scale * fit.scale) * inverse + seen) * rotate.transpose();
+  return rotate * (inverse + seen) * rotate.transpose();
 }
 
 double sigmaAtCortex_mm(const Matrix6d& covariance) {
