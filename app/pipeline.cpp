@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sha256.h"
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/log.h"
@@ -153,6 +154,7 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
     throw Error(
         "exists already", request.case_folder.string(),
         "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
+  if (!request.discard_edits) casefile::requireNoEditsIn(request.case_folder);  // said before the work
   const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
   if (!fs::is_directory(parent))  // said before the work, not after it
     throw Error("no such folder to make the case in", parent.string(), "create it first");
@@ -168,7 +170,8 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
                             softwareVersion(),
                             {{"head", request.head_segmenter}, {"brain", request.brain_segmenter}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
-  auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace);
+  auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,
+                                           request.discard_edits);
   if (prepared.navigation_check && !prepared.navigation_check->landmarks.points.empty()) {
     const auto& check = *prepared.navigation_check;
     const auto picture = store.folder() / "face_measures.png";

@@ -23,6 +23,7 @@ struct PrepareRequest {
   std::optional<std::string> series_uid;
   std::string head_segmenter, brain_segmenter;  // registered names
   bool replace = false;
+  bool discard_edits = false;  // with replace: also a case whose brain mask was corrected by hand
 };
 struct PrepareOutcome {
   casefile::CaseStore store;

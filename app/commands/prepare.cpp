@@ -22,14 +22,19 @@ void addPrepare(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->add_flag("--replace", request->replace,
                  "replace the case's model; its targets and sessions are kept");
+  verb->add_flag("--discard-edits", request->discard_edits,
+                 "with --replace: also where the brain mask was corrected by hand");
   verb->callback([&context, request] {
     const auto outcome = prepareCase(context, *request);
     if (context.is_quiet) return;
     for (const auto& line : outcome.description) std::printf("%s\n", line.c_str());
     if (outcome.brain_ml) std::printf("brain: %.0f ml\n", *outcome.brain_ml);
     if (const auto quality = outcome.store.brainQuality()) {
-      std::printf("phi-theta surface: %.1f mm from the true one (median), 95 %% within %.1f mm\n",
-                  quality->surface_median_mm, quality->surface_p95_mm);
+      std::printf(
+          "phi-theta surface: %.1f mm (95 %%: %.1f) from the true one; the true one with its folds %.1f "
+          "(%.1f) from it\n",
+          quality->model_median_mm, quality->model_p95_mm, quality->surface_median_mm,
+          quality->surface_p95_mm);
       if (!quality->regions.empty())
         std::printf("mask: least certain at the %s (confidence %.2f)\n",
                     quality->regions.front().region.c_str(), quality->regions.front().confidence);

@@ -10,6 +10,7 @@
 #include "facenav/editing/region_grow.h"
 #include "facenav/editing/slice_interpolation.h"
 #include "facenav/editing/whole_mask_tools.h"
+#include "facenav/session/brain_surfaces.h"
 
 namespace facenav::ui {
 namespace {
@@ -270,10 +271,10 @@ void EditPresenter::save() {
   tasks_.start(tr("Saving the corrected brain"),
                [this, revision, mask = editor_->mask(), mri = model_.current().mri,
                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto brain =
-                     std::make_shared<surface::BrainModel>(surface::buildBrainModel(*mri, mask, {}, monitor));
+                 auto surfaces = session::buildBrainSurfaces(*mri, mask, monitor);
+                 auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
                  casefile::saveEditedBrainMask(store, mask);  // void is the sign-off from here on
-                 casefile::saveBrainModel(store, *brain);
+                 casefile::saveBrainModel(store, *brain, &surfaces.cortex);
                  casefile::removeBrainDraft(store);
                  const auto shown = casefile::seenFiles(store);
                  const auto status = casefile::signOffStatus(store);

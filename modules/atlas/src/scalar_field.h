@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "facenav/volume/for_slices.h"
+
 namespace facenav::atlas {
 
 struct ScalarField {
@@ -31,17 +33,6 @@ ScalarField boxMean(const ScalarField& field, int radius);
 ScalarField smoothed(ScalarField field, int passes);
 /// Central differences per node.
 Eigen::Vector3f gradientAt(const ScalarField& field, int i, int j, int k);
-/// Calls work(k) for every slice, on all cores.
-template <class Work>
-void forSlices(int count, Work&& work);
+using volume::forSlices;
 
 }  // namespace facenav::atlas
-
-#include <vtkSMPTools.h>
-
-template <class Work>
-void facenav::atlas::forSlices(int count, Work&& work) {
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType k = begin; k < end; ++k) work(int(k));
-  });
-}

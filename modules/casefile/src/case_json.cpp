@@ -35,6 +35,8 @@ BrainQuality readBrainQuality(const JsonReader& json) {
   BrainQuality quality;
   quality.surface_median_mm = json.at("surface_median_mm").number();
   quality.surface_p95_mm = json.at("surface_p95_mm").number();
+  if (json.has("model_median_mm")) quality.model_median_mm = json.at("model_median_mm").number();
+  if (json.has("model_p95_mm")) quality.model_p95_mm = json.at("model_p95_mm").number();
   for (const JsonReader& region : json.at("regions").elements())
     quality.regions.push_back(
         {region.at("region").text(), region.at("confidence").number(), region.at("doubt_mm").number()});
@@ -51,6 +53,8 @@ Json toJson(const BrainQuality& quality) {
                        {"doubt_mm", rounded(r.doubt_mm, 100)}});
   return {{"surface_median_mm", rounded(quality.surface_median_mm, 100)},
           {"surface_p95_mm", rounded(quality.surface_p95_mm, 100)},
+          {"model_median_mm", rounded(quality.model_median_mm, 100)},
+          {"model_p95_mm", rounded(quality.model_p95_mm, 100)},
           {"regions", regions}};
 }
 

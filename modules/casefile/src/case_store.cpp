@@ -1,6 +1,7 @@
 #include "facenav/casefile/case_store.h"
 
 #include "case_json.h"
+#include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/nifti.h"
@@ -43,6 +44,7 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
     surface::writeBrain(*prepared.brain, folder / "brain.vtp", folder / "brain_texture.png");
     files.insert(files.end(), {"brain.vtp", "brain_texture.png"});
   }
+  if (prepared.cortex) surface::writeCortex(*prepared.cortex, folder / "cortex.vtp");
   if (prepared.atlas) {
     atlas::writeAtlasMap(*prepared.atlas, folder / "atlas.vti");
     files.push_back("atlas.vti");
@@ -82,10 +84,11 @@ CaseStore CaseStore::open(const fs::path& folder) {
 }
 
 CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared,
-                            const std::vector<Provenance>& provenance, bool replace) {
+                            const std::vector<Provenance>& provenance, bool replace, bool discard_edits) {
   const fs::path place = cleaned(folder);
   try {
     requireReplaceable(place, replace);
+    if (!discard_edits) requireNoEditsIn(place);
     const TemporarySibling fresh(place);
     CaseJson content;
     content.case_id = isCase(place) ? readCaseJson(place / "case.json").case_id : makeCaseId();
@@ -143,6 +146,11 @@ surface::ScalpSurface CaseStore::scalp() const { return surface::readScalp(folde
 std::optional<surface::BrainModel> CaseStore::brain() const {
   if (!has(readCaseJson(folder_ / "case.json"), "brain.vtp")) return std::nullopt;
   return surface::readBrain(folder_ / "brain.vtp", folder_ / "brain_texture.png");
+}
+
+std::optional<surface::DetailedCortex> CaseStore::cortex() const {
+  if (!fs::exists(folder_ / "cortex.vtp")) return std::nullopt;
+  return surface::readCortex(folder_ / "cortex.vtp");
 }
 
 std::optional<atlas::AtlasMap> CaseStore::atlas() const {

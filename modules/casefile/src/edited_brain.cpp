@@ -28,6 +28,14 @@ void keepAutomatic(const CaseStore& store) {
 
 bool hasEditedBrainMask(const CaseStore& store) { return fs::is_regular_file(store.folder() / kAutomatic); }
 
+void requireNoEditsIn(const fs::path& folder) {
+  const bool is_edited = fs::exists(folder / kAutomatic);
+  if (!is_edited && !fs::exists(folder / kDraft)) return;
+  throw Error(is_edited ? "the case holds a brain mask corrected by hand, which would be lost"
+                        : "the case holds an unfinished correction of the brain mask, which would be lost",
+              folder.string(), "choose another folder, or --discard-edits");
+}
+
 std::optional<volume::Mask> automaticBrainMask(const CaseStore& store) {
   if (hasEditedBrainMask(store)) return volume::readMask(store.folder() / kAutomatic);
   return store.brainMask();
@@ -50,11 +58,19 @@ void revertToAutomaticBrainMask(const CaseStore& store) {
   fs::rename(store.folder() / kAutomatic, store.folder() / kInForce);
 }
 
-void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain) {
+void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
+                    const surface::DetailedCortex* cortex) {
   const fs::path vtp = store.folder() / "brain.vtp", texture = store.folder() / "brain_texture.png";
   surface::writeBrain(brain, vtp, texture);
   makePrivate(vtp);
   makePrivate(texture);
+  const fs::path folded = store.folder() / "cortex.vtp";
+  if (!cortex) {
+    fs::remove(folded);
+    return;
+  }
+  surface::writeCortex(*cortex, folded);
+  makePrivate(folded);
 }
 
 std::optional<volume::Mask> brainDraft(const CaseStore& store) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "facenav/volume/mask_morphology.h"
+#include "facenav/volume/smoothing.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -24,18 +25,6 @@ Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue,
 }
 
 }  // namespace
-
-Volume smoothed(const Volume& image) {
-  Volume out = image;
-  const auto& n = image.grid.size;
-  const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
-  for (int a = 0; a < 3; ++a) {
-    const std::vector<float> from = out.voxels;
-    for (std::size_t i = stride[a]; i + stride[a] < from.size(); ++i)
-      out.voxels[i] = 0.25f * (from[i - stride[a]] + 2 * from[i] + from[i + stride[a]]);
-  }
-  return out;
-}
 
 volume::Mask refineBrain(const volume::Volume& flat, const Mask& first, const TissueModel& tissue,
                          const RefinementOptions& options) {

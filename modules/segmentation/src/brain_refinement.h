@@ -23,9 +23,6 @@ struct RefinementOptions {
   double smooth_mm = 1.5;      // spikes thinner than twice this are cut
 };
 
-/// One pass of the kernel 1-2-1 along each axis (sigma 0.7 voxels).
-volume::Volume smoothed(const volume::Volume& image);
-
 /// `flat`: bias-corrected, cubic voxels; `first` on its grid. May be empty.
 volume::Mask refineBrain(const volume::Volume& flat, const volume::Mask& first, const TissueModel& tissue,
                          const RefinementOptions& options);

@@ -6,6 +6,7 @@
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
+#include "facenav/volume/smoothing.h"
 
 namespace facenav::segmentation {
 namespace {

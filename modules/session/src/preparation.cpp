@@ -7,8 +7,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/session/brain_confidence.h"
-#include "facenav/surface/cortex_surface.h"
-#include "facenav/surface/surface_distance.h"
+#include "facenav/session/brain_surfaces.h"
 
 namespace facenav::session {
 namespace {
@@ -24,6 +23,7 @@ struct HeadPart {
 struct BrainPart {
   std::optional<volume::Mask> mask;
   std::optional<surface::BrainModel> model;
+  std::optional<surface::DetailedCortex> cortex;
   std::optional<atlas::AtlasMap> atlas;
   std::optional<casefile::BrainQuality> quality;
   std::vector<std::string> findings;
@@ -63,13 +63,14 @@ void registerTo(const atlas::BrainTemplate& atlas, const volume::Volume& mri, Br
                           "): no MNI coordinates or labels");
 }
 
-/// How far the phi-theta picture lies from the surface itself, at every tenth of its vertices.
-void measureSurfaces(BrainPart& part, TaskMonitor& monitor) {
-  constexpr int kEvery = 10;
-  const auto cortex = surface::extractCortex(*part.mask, {}, monitor);
-  const auto distance = surface::summarise(surface::signedDistances_mm(cortex, part.model->mesh, kEvery));
-  part.quality->surface_median_mm = distance.median_mm;
-  part.quality->surface_p95_mm = distance.p95_mm;
+/// Both surfaces of the brain, and how far they lie apart.
+void modelSurfaces(const volume::Volume& mri, BrainPart& part, TaskMonitor& monitor) {
+  auto surfaces = buildBrainSurfaces(mri, *part.mask, monitor);
+  const auto& [to_model, to_cortex] = surfaces.distance;
+  part.quality->surface_median_mm = to_model.median_mm, part.quality->surface_p95_mm = to_model.p95_mm;
+  part.quality->model_median_mm = to_cortex.median_mm, part.quality->model_p95_mm = to_cortex.p95_mm;
+  part.model = std::move(surfaces.model);
+  part.cortex = std::move(surfaces.cortex);
 }
 
 BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter& segmenter,
@@ -77,7 +78,6 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
   BrainPart part;
   try {
     auto result = segmenter.segment(mri, monitor);
-    part.model = surface::buildBrainModel(mri, result.mask, {}, monitor);
     part.findings = std::move(result.warnings);
     const double volume_ml = result.mask.volume_ml();
     const std::string figure = "brain " + std::to_string(std::lround(volume_ml)) + " ml";
@@ -88,7 +88,7 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
     part.quality.emplace();
     part.quality->regions = regionConfidence(result.doubts, part.atlas ? &*part.atlas : nullptr, atlas);
     for (auto& words : whereToLook(part.quality->regions)) part.findings.push_back(std::move(words));
-    measureSurfaces(part, monitor);
+    modelSurfaces(mri, part, monitor);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
@@ -132,6 +132,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
   prepared.mri = mri;
   prepared.brain_mask = std::move(part.mask);
   prepared.brain = std::move(part.model);
+  prepared.cortex = std::move(part.cortex);
   prepared.atlas = std::move(part.atlas);
   prepared.brain_quality = std::move(part.quality);
   auto checked = worthAcknowledging(*prepared.navigation_check);

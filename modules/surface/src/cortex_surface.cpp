@@ -8,18 +8,18 @@
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
+#include "facenav/core/error.h"
+#include "facenav/surface/detailed_cortex.h"
 #include "facenav/volume/vtk_image.h"
 #include "insideness.h"
 #include "mesh_polydata.h"
 
 namespace facenav::surface {
 
-TriangleMesh extractCortex(const volume::Mask& brain, const CortexOptions& options, TaskMonitor& monitor) {
-  monitor.report("smoothing the brain's surface", 0);
-  const volume::Volume inside = insideness(brain, options.spacing_mm);
+TriangleMesh extractCortex(const volume::Volume& tissue, int smoothing_steps, TaskMonitor& monitor) {
   monitor.report("extracting the brain's surface", 0.3);
   vtkNew<vtkFlyingEdges3D> surface;
-  surface->SetInputData(volume::toVtkImage(inside));
+  surface->SetInputData(volume::toVtkImage(tissue));
   surface->SetValue(0, 0.5);
   surface->ComputeNormalsOff();
   surface->ComputeGradientsOff();
@@ -29,18 +29,24 @@ TriangleMesh extractCortex(const volume::Mask& brain, const CortexOptions& optio
   largest->SetExtractionModeToLargestRegion();
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
   smooth->SetInputConnection(largest->GetOutputPort());
-  smooth->SetNumberOfIterations(options.smoothing_steps);
+  smooth->SetNumberOfIterations(smoothing_steps);
   smooth->SetPassBand(0.1);
   smooth->NormalizeCoordinatesOn();
   smooth->NonManifoldSmoothingOn();
   vtkPolyDataAlgorithm* last =
-      options.smoothing_steps > 0 ? static_cast<vtkPolyDataAlgorithm*>(smooth) : largest.Get();
+      smoothing_steps > 0 ? static_cast<vtkPolyDataAlgorithm*>(smooth) : largest.Get();
   last->Update();
   monitor.report("extracting the brain's surface", 0.9);
   TriangleMesh mesh = toTriangleMesh(*last->GetOutput());
-  for (auto& v : mesh.vertices_mm) v = inside.grid.mri_from_voxel * v;
+  if (mesh.triangles.empty()) throw Error("the brain has no surface", {}, "segment the brain, or paint it");
+  for (auto& v : mesh.vertices_mm) v = tissue.grid.mri_from_voxel * v;
   mesh.normals = vertexNormals(mesh);
   return mesh;
+}
+
+TriangleMesh extractCortex(const volume::Mask& brain, const CortexOptions& options, TaskMonitor& monitor) {
+  monitor.report("smoothing the brain's surface", 0);
+  return extractCortex(insideness(brain, options.spacing_mm), options.smoothing_steps, monitor);
 }
 
 }  // namespace facenav::surface

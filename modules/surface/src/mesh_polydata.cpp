@@ -12,6 +12,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -45,6 +46,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i)
     points->SetPoint(vtkIdType(i), mesh.vertices_mm[i].data());
   vtkNew<vtkCellArray> triangles;
+  triangles->Use32BitStorage();
   triangles->AllocateEstimate(vtkIdType(mesh.triangles.size()), 3);
   for (const auto& t : mesh.triangles) triangles->InsertNextCell({t[0], t[1], t[2]});
   auto poly_data = vtkSmartPointer<vtkPolyData>::New();
@@ -85,6 +87,14 @@ TriangleMesh toTriangleMesh(vtkPolyData& poly_data) {
   return mesh;
 }
 
+void addPointValues(vtkPolyData& poly_data, const char* name, const std::vector<float>& values) {
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(vtkIdType(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  poly_data.GetPointData()->AddArray(array);
+}
+
 std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh) {
   std::vector<Eigen::Vector3d> normals(mesh.vertices_mm.size(), Eigen::Vector3d::Zero());
   for (const auto& t : mesh.triangles) {
@@ -104,6 +114,7 @@ void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path) {
   writer->SetInputData(&poly_data);
   writer->SetFileName(file.temporaryPath().c_str());
   writer->EncodeAppendedDataOff();
+  writer->SetCompressionLevel(1);  // the higher ones take three times as long for a tenth less
   if (writer->Write() != 1 || listener->has_error)
     throw Error("the surface could not be written", path.string(), "is the disk full?");
   file.commit();

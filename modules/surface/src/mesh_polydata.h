@@ -17,6 +17,8 @@ vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh);
 /// Polygons other than triangles are an Error; normals are taken from the points' "Normals" where they are
 /// there, else computed from the faces around each vertex, weighted by area.
 TriangleMesh toTriangleMesh(vtkPolyData& poly_data);
+/// One float per point under `name`.
+void addPointValues(vtkPolyData& poly_data, const char* name, const std::vector<float>& values);
 /// Unit normals from the faces around each vertex, weighted by area.
 std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
 

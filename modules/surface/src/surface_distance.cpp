@@ -12,8 +12,11 @@ std::vector<float> signedDistances_mm(const TriangleMesh& from, const TriangleMe
   const auto count = vtkIdType((from.vertices_mm.size() + std::size_t(step) - 1) / std::size_t(step));
   std::vector<float> distances(static_cast<std::size_t>(count));
   vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    int near = -1;
     for (vtkIdType n = begin; n < end; ++n) {
-      const auto found = nearest.nearest(Point<Mri>(from.vertices_mm[std::size_t(n) * std::size_t(step)]));
+      const auto found =
+          nearest.nearest(Point<Mri>(from.vertices_mm[std::size_t(n) * std::size_t(step)]), near);
+      near = found.triangle;
       distances[std::size_t(n)] = float(found.is_outside ? found.distance_mm : -found.distance_mm);
     }
   });

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "facenav/core/error.h"
+
 namespace facenav::volume {
 namespace {
 
@@ -102,6 +104,27 @@ VoxelGrid isotropicGrid(const VoxelGrid& grid, double spacing_mm) {
   out.mri_from_voxel.linear() = Eigen::Matrix3d::Identity() * spacing_mm;
   out.mri_from_voxel.translation() = low;
   return out;
+}
+
+VoxelGrid gridAround(const Mask& mask, double spacing_mm, double margin_mm) {
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < mask.grid.size[2]; ++k)
+    for (int j = 0; j < mask.grid.size[1]; ++j) {
+      const std::uint8_t* row = &mask.voxels[mask.grid.index(0, j, k)];
+      int first = 0, last = mask.grid.size[0] - 1;
+      while (first <= last && !row[first]) ++first;
+      while (last > first && !row[last]) --last;
+      if (first > last) continue;
+      box.extend(mask.grid.toMri({double(first), double(j), double(k)}).mm);
+      box.extend(mask.grid.toMri({double(last), double(j), double(k)}).mm);
+    }
+  if (box.isEmpty()) throw Error("the mask is empty", {}, "segment the brain, or paint it");
+  VoxelGrid grid;
+  for (int a = 0; a < 3; ++a)
+    grid.size[a] = 2 + int(std::ceil((box.sizes()[a] + 2 * margin_mm) / spacing_mm));
+  grid.mri_from_voxel =
+      Eigen::Translation3d(box.min() - Eigen::Vector3d::Constant(margin_mm)) * Eigen::Scaling(spacing_mm);
+  return grid;
 }
 
 }  // namespace facenav::volume

@@ -64,7 +64,7 @@ TEST(CaseStore, KeepsWhatPrepareThinksOfItsBrain) {
   PreparedCase prepared = preparedCase();
   EXPECT_FALSE(CaseStore::create(folder.path() / "without", prepared, provenance(), false).brainQuality());
   prepared.brain_quality =
-      BrainQuality{{{"left temporal pole", 0.625, 4.25}, {"cerebellum", 1, 0.5}}, 0.75, 3.5};
+      BrainQuality{{{"left temporal pole", 0.625, 4.25}, {"cerebellum", 1, 0.5}}, 0.75, 3.5, 0.25, 1.5};
   CaseStore::create(folder.path() / "case", prepared, provenance(), false);
   const auto quality = CaseStore::open(folder.path() / "case").brainQuality();
   ASSERT_TRUE(quality);
@@ -74,6 +74,8 @@ TEST(CaseStore, KeepsWhatPrepareThinksOfItsBrain) {
   EXPECT_DOUBLE_EQ(quality->regions[0].doubt_mm, 4.25);
   EXPECT_DOUBLE_EQ(quality->surface_median_mm, 0.75);
   EXPECT_DOUBLE_EQ(quality->surface_p95_mm, 3.5);
+  EXPECT_DOUBLE_EQ(quality->model_median_mm, 0.25);
+  EXPECT_DOUBLE_EQ(quality->model_p95_mm, 1.5);
 }
 
 TEST(CaseStore, KeepsAHeadWithoutABrain) {

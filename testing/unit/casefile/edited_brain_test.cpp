@@ -75,5 +75,41 @@ TEST(EditedBrain, TheModelIsWrittenAnew) {
   EXPECT_NEAR(made.store.brain()->mesh.vertices_mm[0].x(), brain.mesh.vertices_mm[0].x(), 1e-3);
 }
 
+TEST(EditedBrain, TheCortexOfAnotherMaskDoesNotStay) {
+  const MadeCase made;
+  const auto brain = made.store.brain().value();
+  EXPECT_FALSE(made.store.cortex());
+  const surface::DetailedCortex cortex{testing::octahedron(6), std::vector<float>(6, -1.5f)};
+  saveBrainModel(made.store, brain, &cortex);
+  const auto kept = made.store.cortex();
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->mesh.triangles.size(), 8u);
+  EXPECT_EQ(kept->distance_mm, cortex.distance_mm);
+  saveBrainModel(made.store, brain);
+  EXPECT_FALSE(made.store.cortex());
+}
+
+TEST(EditedBrain, IsNotLostWhenTheCaseIsReplacedUnlessThatIsSaid) {
+  const MadeCase made;
+  const auto replace = [&](bool discard_edits) {
+    return CaseStore::create(made.store.folder(), preparedCase(), {}, true, discard_edits);
+  };
+  saveBrainDraft(made.store, corrected(made.store, 50));
+  EXPECT_THROW(replace(false), Error);
+  removeBrainDraft(made.store);
+  EXPECT_NO_THROW(replace(false));
+  const auto mask = corrected(made.store, 100);
+  saveEditedBrainMask(made.store, mask);
+  try {
+    replace(false);
+    ADD_FAILURE() << "the corrected mask was dropped";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("corrected by hand"), std::string::npos);
+  }
+  EXPECT_EQ(made.store.brainMask()->voxels, mask.voxels);
+  EXPECT_FALSE(hasEditedBrainMask(replace(true)));
+  EXPECT_NE(made.store.brainMask()->voxels, mask.voxels);
+}
+
 }  // namespace
 }  // namespace facenav::casefile

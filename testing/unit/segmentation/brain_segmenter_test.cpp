@@ -6,6 +6,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/segmentation/tissue_share.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
@@ -51,6 +52,33 @@ TEST(BrainSegmenter, FindsThePhantomsBrainAboveALongNeck) {
   const auto overlap = volume::overlap(brain, head.brain);
   EXPECT_GE(overlap.dice, 0.98);
   EXPECT_GE(overlap.inside, 0.98);
+}
+
+TEST(TissueShare, OpensTheSulciThatTheMaskCloses) {
+  const HeadPhantom& head = plainHead();
+  TaskMonitor monitor;
+  const auto share = segmentation::tissueShare(head.volume, head.brain, 1.0, monitor);
+  const Eigen::Vector3d low = share.grid.toMri({0, 0, 0}).mm;
+  EXPECT_TRUE(share.grid.mri_from_voxel.linear().isApprox(Eigen::Matrix3d::Identity()));
+  EXPECT_LT(low.x(), -66);
+  EXPECT_GT(low.x(), -80);
+  int inside = 0, open = 0, outside = 0;
+  std::size_t at = 0;
+  for (int k = 0; k < share.grid.size[2]; ++k)
+    for (int j = 0; j < share.grid.size[1]; ++j)
+      for (int i = 0; i < share.grid.size[0]; ++i, ++at) {
+        const auto ijk = head.brain.grid.toVoxel(share.grid.toMri({double(i), double(j), double(k)}));
+        const Eigen::Array3i n = ijk.array().round().cast<int>();
+        const bool is_brain = head.brain.grid.contains(n[0], n[1], n[2]) && head.brain.at(n[0], n[1], n[2]);
+        ASSERT_GE(share.voxels[at], 0);
+        ASSERT_LE(share.voxels[at], 1);
+        inside += is_brain;
+        open += is_brain && share.voxels[at] < 0.5f;
+        outside += !is_brain && share.voxels[at] > 0.75f;
+      }
+  EXPECT_GT(open, inside / 50);  // the phantom's sulci
+  EXPECT_LT(open, inside / 5);
+  EXPECT_LT(outside, inside / 200);
 }
 
 TEST(BrainSegmenter, StatesItsDoubtAllOverTheMasksSurface) {

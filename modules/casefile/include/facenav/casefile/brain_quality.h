@@ -16,8 +16,11 @@ struct RegionConfidence {
 
 struct BrainQuality {
   std::vector<RegionConfidence> regions;  // the most doubtful first; empty where the method states no doubt
-  /// From points spread evenly on the true surface (iso-surface of the mask) to the phi-theta surface.
+  /// From every vertex of the true surface (the cortex with open sulci, cortex.vtp) to the phi-theta surface
+  /// ..
   double surface_median_mm = 0, surface_p95_mm = 0;
+  /// .. and from every vertex of the phi-theta surface to the true one (0 in cases of before this was kept).
+  double model_median_mm = 0, model_p95_mm = 0;
 };
 
 }  // namespace facenav::casefile

@@ -14,6 +14,7 @@
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/surface/brain_model.h"
+#include "facenav/surface/detailed_cortex.h"
 #include "facenav/surface/navigation_check.h"
 #include "facenav/surface/scalp_surface.h"
 #include "facenav/volume/volume.h"
@@ -45,6 +46,7 @@ struct PreparedCase {
   std::optional<volume::Mask> brain_mask;
   surface::ScalpSurface scalp;
   std::optional<surface::BrainModel> brain;
+  std::optional<surface::DetailedCortex> cortex;
   std::optional<atlas::AtlasMap> atlas;
   std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
@@ -64,9 +66,11 @@ class CaseStore {
   static CaseStore open(const std::filesystem::path& folder);
   /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a
   /// case that exists is replaced only with `replace`, and then its id, targets and sessions are kept; its
-  /// alignment is not, since it belongs to the old scalp.
+  /// alignment is not, since it belongs to the old scalp. A brain mask corrected by hand is lost only with
+  /// `discard_edits`.
   static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
-                          const std::vector<Provenance>& provenance, bool replace);
+                          const std::vector<Provenance>& provenance, bool replace,
+                          bool discard_edits = false);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::string caseId() const;
@@ -82,6 +86,8 @@ class CaseStore {
   std::optional<volume::Mask> brainMask() const;
   surface::ScalpSurface scalp() const;
   std::optional<surface::BrainModel> brain() const;
+  /// cortex.vtp; nothing in cases of before this was kept, or after an edit that did not model it anew.
+  std::optional<surface::DetailedCortex> cortex() const;
   std::optional<atlas::AtlasMap> atlas() const;  // nothing where the case was made without
   guidance::TreatmentPlan targets() const;       // empty plan where targets.json is absent
   void setTargets(const guidance::TreatmentPlan& plan) const;

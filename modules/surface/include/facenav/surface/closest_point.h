@@ -24,7 +24,8 @@ class ClosestPoint {
   ClosestPoint(ClosestPoint&&) noexcept;
   ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
-  SurfacePoint nearest(const Point<Mri>& p) const;
+  /// `near`: a triangle that is probably close, e.g. the answer for a neighbour; it only saves time.
+  SurfacePoint nearest(const Point<Mri>& p, int near = -1) const;
 
  private:
   struct Tree;

@@ -17,5 +17,7 @@ Mask resample(const Mask& mask, const VoxelGrid& grid);
 
 /// Axis-aligned RAS grid with cubic voxels that covers `grid`.
 VoxelGrid isotropicGrid(const VoxelGrid& grid, double spacing_mm);
+/// Likewise, around the voxels that are set, with a margin. Throws Error for an empty mask.
+VoxelGrid gridAround(const Mask& mask, double spacing_mm, double margin_mm);
 
 }  // namespace facenav::volume

@@ -1,0 +1,70 @@
+#include "facenav/segmentation/tissue_share.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brain_checks.h"
+#include "brain_refinement.h"
+#include "brain_start.h"
+#include "facenav/core/error.h"
+#include "facenav/volume/mask_morphology.h"
+#include "facenav/volume/regrid.h"
+#include "facenav/volume/smoothing.h"
+
+namespace facenav::segmentation {
+namespace {
+
+using volume::Mask;
+using volume::Volume;
+
+constexpr double kMargin_mm = 4;          // so that the field falls to 0 within the grid
+constexpr double kDeepestSulcus_mm = 25;  // below the brain's hull: the insula lies at 20 to 25
+constexpr double kRim_mm = 1.5;           // beyond the mask: fluid, not yet skull
+constexpr double kCore_mm = 4;            // this deep within the mask there is nothing but brain
+
+Volume shareOf(const Volume& flat, const TissueModel& tissue) {
+  Volume share = flat;
+  const float fluid = float(tissue.fluid.mean), per = 1.f / float(tissue.grey.mean - tissue.fluid.mean);
+  for (float& value : share.voxels) value = std::clamp((value - fluid) * per, 0.f, 1.f);
+  return share;
+}
+
+/// Ventricles and cisterns: what lies too deep to be a sulcus, and what no path through fluid joins to the
+/// outside.
+void fillEnclosed(Volume& share, const Mask& brain) {
+  const auto depth_mm = volume::depthWithin(brain);
+  Mask tissue{share.grid, std::vector<std::uint8_t>(share.voxels.size())};
+  for (std::size_t v = 0; v < tissue.voxels.size(); ++v)
+    tissue.voxels[v] = share.voxels[v] >= 0.5f || depth_mm[v] > kDeepestSulcus_mm;
+  const Mask filled = fillHoles(tissue);
+  for (std::size_t v = 0; v < tissue.voxels.size(); ++v)
+    if (filled.voxels[v] && share.voxels[v] < 0.5f) share.voxels[v] = 1;
+}
+
+}  // namespace
+
+Volume tissueShare(const Volume& mri, const Mask& brain, double spacing_mm, TaskMonitor& monitor) {
+  monitor.report("opening the sulci", 0);
+  const volume::VoxelGrid grid = volume::gridAround(brain, spacing_mm, kMargin_mm);
+  const float air = volume::percentile(mri, 0.02);
+  Volume image = volume::resample(mri, grid);
+  for (float& value : image.voxels) value = std::isfinite(value) ? std::max(0.f, value - air) : 0.f;
+  const Mask inside = volume::resample(brain, grid);
+  monitor.report("opening the sulci", 0.3);
+  // A core without fluid would have grey matter shared out as fluid: first with the fluid around the brain.
+  const Volume calm = smoothed(image);
+  const TissueModel rough = fitTissue(calm, dilate(inside, kRim_mm));
+  const TissueModel tissue = fitTissue(calm, erode(inside, kCore_mm), &rough);
+  requireTissueContrast(tissue);
+  monitor.report("opening the sulci", 0.6);
+  Volume share = shareOf(corrected(image, tissue), tissue);
+  // The mask's own edge, where it cuts through tissue (dura, brainstem), as a slope.
+  Volume slope{grid, std::vector<float>(inside.voxels.begin(), inside.voxels.end()), {}, {}};
+  slope = smoothed(slope);
+  for (std::size_t v = 0; v < share.voxels.size(); ++v)
+    share.voxels[v] = std::min(share.voxels[v], slope.voxels[v]);
+  fillEnclosed(share, inside);
+  return share;
+}
+
+}  // namespace facenav::segmentation

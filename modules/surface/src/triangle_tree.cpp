@@ -1,0 +1,124 @@
+#include "triangle_tree.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace facenav::surface {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kLeaf = 6;        // triangles
+constexpr float kSame = 1e-5f;  // of the squared distance: one place, reached from two triangles
+
+/// Ericson, Real-Time Collision Detection (2005), section 5.1.5.
+Vector3f closestOn(const Vector3f& a, const Vector3f& b, const Vector3f& c, const Vector3f& p) {
+  const Vector3f ab = b - a, ac = c - a, ap = p - a;
+  const float d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const Vector3f bp = p - b;
+  const float d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const float vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+  const Vector3f cp = p - c;
+  const float d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const float vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+  const float va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  const float sum = va + vb + vc;
+  if (sum <= 0) return a;  // no area
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+float squaredToBox(const Vector3f& low, const Vector3f& high, const Vector3f& p) {
+  return (low - p).cwiseMax(p - high).cwiseMax(Vector3f::Zero()).squaredNorm();
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangle_(mesh.triangles.size()) {
+  const std::size_t n = mesh.triangles.size();
+  std::iota(triangle_.begin(), triangle_.end(), 0);
+  std::vector<Vector3f> middle(n);
+  corners_.resize(n);
+  for (std::size_t t = 0; t < n; ++t) {
+    const auto& v = mesh.triangles[t];
+    corners_[t] = {mesh.vertices_mm[v[0]].cast<float>(), mesh.vertices_mm[v[1]].cast<float>(),
+                   mesh.vertices_mm[v[2]].cast<float>()};
+    middle[t] = (corners_[t].a + corners_[t].b + corners_[t].c) / 3;
+  }
+  nodes_.reserve(n);
+  nodes_.push_back({Vector3f::Zero(), Vector3f::Zero(), 0, int(n)});
+  if (n > 0) split(0, middle);
+  std::vector<Corners> ordered(n);
+  slot_.resize(n);
+  for (std::size_t s = 0; s < n; ++s) ordered[s] = corners_[triangle_[s]], slot_[triangle_[s]] = int(s);
+  corners_.swap(ordered);
+}
+
+void TriangleTree::split(int node, std::vector<Vector3f>& middle) {
+  Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
+  Vector3f low_middle = low, high_middle = high;
+  const int first = nodes_[node].first, count = nodes_[node].count;
+  for (int s = first; s < first + count; ++s) {
+    const Corners& t = corners_[triangle_[s]];
+    low = low.cwiseMin(t.a).cwiseMin(t.b).cwiseMin(t.c),
+    high = high.cwiseMax(t.a).cwiseMax(t.b).cwiseMax(t.c);
+    low_middle = low_middle.cwiseMin(middle[triangle_[s]]);
+    high_middle = high_middle.cwiseMax(middle[triangle_[s]]);
+  }
+  nodes_[node].low = low, nodes_[node].high = high;
+  if (count <= kLeaf) return;
+  int axis = 0;
+  (high_middle - low_middle).maxCoeff(&axis);
+  const auto begin = triangle_.begin() + first, half = begin + count / 2;
+  std::nth_element(begin, half, begin + count,
+                   [&](int a, int b) { return middle[a][axis] < middle[b][axis]; });
+  const int child = int(nodes_.size());
+  nodes_.push_back({low, high, first, count / 2});
+  nodes_.push_back({low, high, first + count / 2, count - count / 2});
+  nodes_[node].first = child, nodes_[node].count = 0;
+  split(child, middle);
+  split(child + 1, middle);
+}
+
+void TriangleTree::consider(int slot, const Vector3f& p, NearestPlace& best, float& facing) const {
+  const Corners& t = corners_[slot];
+  const Vector3f at = closestOn(t.a, t.b, t.c, p);
+  const float squared = (p - at).squaredNorm();
+  if (squared > best.squared_mm2 * (1 + kSame)) return;
+  const float faces = std::abs((t.b - t.a).cross(t.c - t.a).normalized().dot(p - at));
+  if (squared >= best.squared_mm2 * (1 - kSame) && faces <= facing) return;
+  best = {at, std::min(squared, best.squared_mm2), triangle_[slot]};
+  facing = faces;
+}
+
+void TriangleTree::visit(int node, const Vector3f& p, NearestPlace& best, float& facing) const {
+  const Node& n = nodes_[node];
+  if (n.count > 0) {
+    for (int s = n.first; s < n.first + n.count; ++s) consider(s, p, best, facing);
+    return;
+  }
+  int nearer = n.first, farther = n.first + 1;
+  float to_nearer = squaredToBox(nodes_[nearer].low, nodes_[nearer].high, p),
+        to_farther = squaredToBox(nodes_[farther].low, nodes_[farther].high, p);
+  if (to_farther < to_nearer) std::swap(nearer, farther), std::swap(to_nearer, to_farther);
+  if (to_nearer <= best.squared_mm2 * (1 + kSame)) visit(nearer, p, best, facing);
+  if (to_farther <= best.squared_mm2 * (1 + kSame)) visit(farther, p, best, facing);
+}
+
+NearestPlace TriangleTree::nearest(const Vector3f& p_mm, int near) const {
+  NearestPlace best;
+  best.squared_mm2 = std::numeric_limits<float>::max() / 2;
+  float facing = -1;
+  if (near >= 0) consider(slot_[std::size_t(near)], p_mm, best, facing);
+  visit(0, p_mm, best, facing);
+  return best;
+}
+
+}  // namespace facenav::surface
