@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <future>
 
 #include "facenav/core/error.h"
@@ -31,13 +32,19 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const stereo:
   return options;
 }
 
-/// Throws Error where points of the face, matched anew, say that the calibration does not hold any more.
+/// The calibration does not hold any more: looking elsewhere for the face would not help.
+class CamerasMoved : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Throws CamerasMoved where points of the face, matched anew, say so.
 void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
                            const stereo::FaceCloud& face) {
   stereo::RigMonitor monitor(rig);
   monitor.add(matchSurface(rig, frame, face.cloud, face.left_px));
   const auto verdict = monitor.verdict();
-  if (verdict.hasMoved()) throw Error("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
+  if (verdict.hasMoved()) throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
 }
 
 /// The start with what calibration and matching leave in all disparities alike: 0.06 px, measured on rigs of
@@ -69,6 +76,29 @@ tracking::HeadReference makeReference(const stereo::StereoFrame& plain, const st
     reference.surface_left_px.push_back(face.left_px[i]);
   }
   return reference;
+}
+
+/// A detector that takes something else for the face (a scan that ends at the nose, a poster, a mask) must
+/// not cost the alignment: what fails with its landmarks is tried once more without them, under the same
+/// tests. If that fails too, the first reason is the better one to give.
+void withoutLandmarksIfMisled(FaceInSpace& landmarks, const std::function<void()>& measureAndFit) {
+  const auto failure = [&]() -> std::optional<Error> {
+    try {
+      measureAndFit();
+      return std::nullopt;
+    } catch (const CamerasMoved&) {
+      throw;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      return error;
+    }
+  };
+  const auto first = failure();
+  if (!first) return;
+  if (!landmarks.left) throw *first;
+  landmarks = {};
+  if (failure()) throw *first;
 }
 
 }  // namespace
@@ -111,13 +141,17 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
                           [&] { return std::make_shared<const registration::ScalpField>(skinModel(scalp)); });
   AlignmentOutcome outcome;
   outcome.landmarks = findFace(rig, capture.plain, detector);
-  const auto cloud =
-      stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
-  outcome.face = cutFace(cloud, outcome.landmarks);
-  requireUnmovedCameras(rig, capture.pattern, outcome.face);
-  outcome.scalp = field.get();
-  outcome.result = aligner.align(*outcome.scalp, outcome.face.cloud,
-                                 withSharedDepth(outcome.landmarks.start, rig, outcome.face.cloud), monitor);
+  const auto measureAndFit = [&] {
+    const auto cloud =
+        stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
+    outcome.face = cutFace(cloud, outcome.landmarks);
+    requireUnmovedCameras(rig, capture.pattern, outcome.face);
+    if (!outcome.scalp) outcome.scalp = field.get();
+    outcome.result =
+        aligner.align(*outcome.scalp, outcome.face.cloud,
+                      withSharedDepth(outcome.landmarks.start, rig, outcome.face.cloud), monitor);
+  };
+  withoutLandmarksIfMisled(outcome.landmarks, measureAndFit);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {

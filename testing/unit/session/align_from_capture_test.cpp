@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "session_fakes.h"
+#include "support/ball_mesh.h"
 #include "support/matchers.h"
+#include "support/stereo_scene.h"
 
 namespace facenav::session {
 namespace {
@@ -121,6 +123,60 @@ TEST(AlignFromCapture, RefusesAScanWithoutAFaceInWords) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("not aligned"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("the face was removed below the brow"), std::string::npos);
+  }
+}
+
+/// Content with any cloud large enough; says how large it was.
+class EasyAligner : public registration::Aligner {
+ public:
+  registration::AlignmentResult align(const registration::ScalpField&, const PointCloud<Camera>& face,
+                                      const registration::AlignmentStart& start,
+                                      TaskMonitor&) const override {
+    was_guided = start.patient_right.has_value();
+    if (face.size() < enough) throw Error(was_guided ? "too little where the landmarks are" : "too little");
+    registration::AlignmentResult result;
+    result.points = int(face.size());
+    return result;
+  }
+  std::size_t enough = 5000;
+  mutable bool was_guided = true;
+};
+
+class MisledAlignment : public ::testing::Test {
+ protected:
+  MisledAlignment() : rig(testing::convergingRig()), detector(rig, true) {
+    for (auto& p : detector.points_) p.y() -= 330;  // a face on a poster, say
+    scalp.has_face = true;
+    scalp.mesh = testing::ballMesh(80);
+  }
+
+  AlignmentOutcome align(const testing::Surface& surface) const {
+    TaskMonitor monitor;
+    const auto pattern = testing::Scene(surface, {}).render(rig);
+    auto plain = taggedFrame();
+    return alignFromCapture(rig, {pattern, plain}, scalp, aligner, detector, {}, monitor);
+  }
+
+  stereo::StereoRig rig;
+  FakeDetector detector;
+  EasyAligner aligner;
+  surface::ScalpSurface scalp;
+};
+
+TEST_F(MisledAlignment, IsTriedOnceMoreWithoutTheLandmarks) {
+  const auto outcome = align(testing::sphere({60, 0, 680}, 85));
+  EXPECT_GT(outcome.result.points, 5000);
+  EXPECT_FALSE(aligner.was_guided);
+  EXPECT_FALSE(outcome.landmarks.left) << "the landmarks were wrong and are not kept";
+}
+
+TEST_F(MisledAlignment, GivesTheFirstReasonWhereNothingIsFoundEither) {
+  aligner.enough = 1000000;
+  try {
+    align(testing::sphere({60, 0, 680}, 85));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("where the landmarks are"), std::string::npos) << error.what();
   }
 }
 
