@@ -80,7 +80,8 @@ struct Histogram {
   explicit Histogram(const std::vector<double>& values)
       : low(quantile(values, 0.002)), high(quantile(values, 0.998)) {
     for (double v : values)
-      if (v >= low && v <= high) count[std::min(kBins - 1, int((v - low) / (high - low) * kBins))] += 1;
+      if (v >= low && v <= high && high > low)
+        count[std::min(kBins - 1, int((v - low) / (high - low) * kBins))] += 1;
   }
   double centre(int bin) const { return low + (bin + 0.5) * (high - low) / kBins; }
   TissueClass between(int from, int to) const {
@@ -195,6 +196,7 @@ TissueModel fitTissue(const Volume& image, const Mask& core, const TissueModel* 
     std::vector<double> values;
     for (const auto& s : samples) values.push_back(s.value * std::exp(-model.bias.dot(s.at)));
     const Histogram histogram(values);
+    if (!(histogram.high > histogram.low)) return model;  // one value throughout: no tissues
     c = maximiseExpectation(histogram, round == 0 && !start ? otsuClasses(histogram) : c);
     if (round + 1 == kRounds) break;
     Eigen::Matrix<double, 20, 20> normal = Eigen::Matrix<double, 20, 20>::Zero();
