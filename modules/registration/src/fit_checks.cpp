@@ -24,8 +24,9 @@ constexpr double kMirrored = -5.0, kLeastUnmirrored = 1.0, kRival = 3.0;
 // How much likelier (logarithm) a face must be at another size; the fit beside the pose sees 2 % at most,
 // since what is off by more than the misfit's limit does not count there.
 constexpr double kScaled = 10.0;
-// Sizes: a rim of 0.6 % is what scanners and calibrations are off by (MisfitPrior). One in twenty is said,
+// Sizes: a rim of 0.6 % is what scanners and calibrations are off by. One in twenty is said,
 // what chance hardly makes and matters at the cortex (2 % of 100 mm) is refused.
+constexpr double kScannerScale = 0.006;
 constexpr double kCautionScale_z = 2.0, kRefusedScale_z = 4.0, kRefusedScale = 0.02;
 constexpr double kLoose_mm = 0.6, kSuspect_mm = 0.3;
 constexpr double kHairy = 0.35;           // where hair is this frequent, it says nothing about the head
@@ -133,7 +134,7 @@ std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud
 /// By how many standard errors the scale differs from one, what scanners are off by included.
 double scaleZ(const FitEvidence& evidence) {
   if (!(evidence.scale_sigma > 0)) return 0.0;
-  return std::abs(evidence.scale - 1.0) / std::hypot(evidence.scale_sigma, MisfitPrior().scale);
+  return std::abs(evidence.scale - 1.0) / std::hypot(evidence.scale_sigma, kScannerScale);
 }
 
 std::string percentOf(double scale) { return oneDecimal(100.0 * scale) + " %"; }

@@ -15,8 +15,8 @@ constexpr double kModelPatch_mm = 12.0;
 constexpr double kLeastCovered =
     0.65;  // a patch with more points off the skin is at the edge of hair or coil
 
-PoseBelief believePose(const ScalpField& scalp, const FieldFitter& fitter, const Eigen::Isometry3d& pose,
-                       double limit_mm) {
+std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter& fitter,
+                                      const Eigen::Isometry3d& pose, double limit_mm) {
   auto patches =
       gatherPatches(fitter.match(pose), {kModelPatch_mm, limit_mm, limit_mm}, pose, scalp.middle_mm());
   patches.erase(std::remove_if(patches.begin(), patches.end(),
@@ -25,7 +25,7 @@ PoseBelief believePose(const ScalpField& scalp, const FieldFitter& fitter, const
   if (patches.size() < 20)
     throw Error("not aligned: too little of the face was measured", {},
                 "show the whole face to both cameras, with the dots on it");
-  return believe(patches, FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {});
+  return patches;
 }
 
 /// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at
@@ -55,17 +55,20 @@ double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& mid
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                  const Eigen::Isometry3d& pose, double limit_mm) {
   const FieldFitter fitter(scalp, face, points);
+  const FaceRegions regions(scalp.noseTip_mm());
+  const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{pose, limit_mm, {}};
-  for (int round = 0; round < 2; ++round) {
-    fit.belief = believePose(scalp, fitter, fit.mri_T_camera, limit_mm);
-    fit.mri_T_camera = increment(-fit.belief.error, scalp.middle_mm(), fit.mri_T_camera);
-  }
+  fit.mri_T_camera =
+      increment(-poseError(coveredPatches(scalp, fitter, pose, limit_mm), regions, middle), middle, pose);
+  fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle, {});
+  fit.mri_T_camera = increment(-fit.belief.error, middle, fit.mri_T_camera);
   return fit;
 }
 
 FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                const Eigen::Isometry3d& pose, double limit_mm) {
-  FinalFit fit{pose, limit_mm, believePose(scalp, FieldFitter(scalp, face, points), pose, limit_mm)};
+  const auto patches = coveredPatches(scalp, FieldFitter(scalp, face, points), pose, limit_mm);
+  FinalFit fit{pose, limit_mm, believe(patches, FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {})};
   fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
   return fit;
 }
