@@ -27,7 +27,7 @@ void setColour(vtkActor* actor, const palette::Rgb& colour);
 
 vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain);
 /// Clear where seen head-on, denser at the rim, so that the outline reads and the brain stays visible.
-vtkSmartPointer<vtkActor> makeScalpActor(const surface::TriangleMesh& scalp);
+vtkSmartPointer<vtkActor> makeScalpActor(vtkPolyData* scalp);
 /// Slice `axis` (0..2) of the voxel grid; pixels outside the head are clear.
 vtkSmartPointer<vtkImageSlice> makeSliceActor(const volume::Volume& mri, int axis, vtkLinearTransform* head);
 void setSliceIndex(vtkImageSlice* slice, int index);

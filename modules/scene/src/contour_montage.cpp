@@ -51,6 +51,24 @@ void copyInto(RgbImage& sheet, const RgbImage& tile, int u, int v) {
 
 }  // namespace
 
+MontageOptions sheetFor(int width_px, int height_px) {
+  MontageOptions best;
+  double best_area = -1;
+  for (int rows = 5; rows <= 8; ++rows)
+    for (int columns = 4; columns <= 16; ++columns) {
+      const int tile_px = std::max(60, std::min(width_px / columns, height_px / rows) - kGap_px);
+      const double area = double(rows) * columns * tile_px * tile_px;
+      if (columns * (tile_px + kGap_px) > std::max(width_px, 4 * 63) || area <= best_area * 1.02) continue;
+      best_area = area;
+      best.columns = columns;
+      best.tile_px = tile_px;
+      best.sagittal_rows = rows / 4;
+      best.coronal_rows = (rows - best.sagittal_rows) / 2;
+      best.axial_rows = rows - best.sagittal_rows - best.coronal_rows;
+    }
+  return best;
+}
+
 Montage contourMontage(const SliceScene& scene, const volume::Mask& content, const MontageOptions& options) {
   Montage montage;
   const Box box = boxOf(content);

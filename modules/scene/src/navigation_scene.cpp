@@ -1,62 +1,36 @@
 #include "facenav/scene/navigation_scene.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
 #include <vtkCellPicker.h>
 #include <vtkImageSlice.h>
-#include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <vtkTransform.h>
 
 #include <array>
 #include <cmath>
 
 #include "actors.h"
+#include "brain_layer.h"
 #include "facenav/volume/vtk_image.h"
 #include "head_icon.h"
 #include "image_bridge.h"
 #include "scene_camera.h"
+#include "scene_setting.h"
+#include "skin_layer.h"
 #include "target_layer.h"
 
 namespace facenav::scene {
-namespace {
-
-void setUpBanner(vtkTextActor* banner) {
-  vtkTextProperty* words = banner->GetTextProperty();
-  words->SetFontSize(22);
-  words->BoldOn();
-  words->SetJustificationToCentered();
-  words->SetVerticalJustificationToCentered();
-  words->SetColor(palette::kText[0], palette::kText[1], palette::kText[2]);
-  words->SetBackgroundColor(0.02, 0.02, 0.025);
-  words->SetBackgroundOpacity(0.82);
-  banner->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  banner->SetPosition(0.5, 0.90);
-  banner->VisibilityOff();
-}
-
-void addLights(vtkRenderer* renderer) {
-  vtkNew<vtkLight> key, fill;
-  key->SetLightTypeToHeadlight();
-  key->SetIntensity(0.8);
-  fill->SetLightTypeToCameraLight();
-  fill->SetPosition(-0.8, 0.9, 0.6);
-  fill->SetIntensity(0.35);
-  renderer->AddLight(key);
-  renderer->AddLight(fill);
-}
-
-}  // namespace
-
 struct NavigationScene::Implementation {
   vtkNew<vtkRenderer> renderer, on_top;
   HeadIcon icon;
   vtkNew<vtkTransform> head_transform, coil_transform, ghost_transform;
-  vtkSmartPointer<vtkActor> scalp, brain;
+  SkinLayer scalp{renderer, head_transform};
+  BrainLayer brain{renderer, head_transform};
   std::array<vtkSmartPointer<vtkImageSlice>, 3> slices;
   volume::VoxelGrid grid;
   CoilActors coil, ghost;
@@ -68,7 +42,7 @@ struct NavigationScene::Implementation {
   ViewFrame view_frame = ViewFrame::head_fixed;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
-  bool has_ghost = false, is_live = false, is_on_target = false, is_grey = false;
+  bool has_ghost = false, is_live = false, is_on_target = false, is_grey = false, is_quick = false;
 
   Implementation();
   bool coilIsShown() const { return is_live && camera_T_mri && camera_T_coil; }
@@ -113,8 +87,7 @@ void NavigationScene::Implementation::updateTransforms() {
 }
 
 void NavigationScene::Implementation::updateVisibility() {
-  if (scalp) scalp->SetVisibility(layers.scalp);
-  if (brain) brain->SetVisibility(layers.brain);
+  brain.setVisible(layers.brain);
   const bool shown[3] = {layers.sagittal, layers.coronal, layers.axial};
   for (int axis = 0; axis < 3; ++axis) {  // which voxel axis runs nearest to R, A, S
     if (!slices[axis]) continue;
@@ -130,14 +103,8 @@ void NavigationScene::Implementation::updateVisibility() {
 
 void NavigationScene::Implementation::setGrey(bool grey) {
   is_grey = grey;
-  if (scalp) {
-    setColour(scalp, grey ? palette::kLost : palette::kSkin);
-    scalp->GetProperty()->SetOpacity(layers.scalp_opacity * (grey ? 0.7 : 1.0));
-  }
-  if (brain) {
-    setColour(brain, grey ? palette::Rgb{0.45, 0.46, 0.48} : palette::Rgb{1.0, 0.93, 0.88});
-    brain->GetProperty()->SetOpacity(grey ? 0.6 : 1.0);
-  }
+  scalp.setLook(layers.scalp, is_quick, grey, layers.scalp_opacity);
+  brain.setGrey(grey);
   targets.setColours(is_grey, is_on_target);
 }
 
@@ -157,28 +124,33 @@ NavigationScene::~NavigationScene() = default;
 
 void NavigationScene::setScalp(const surface::TriangleMesh& scalp) {
   auto& s = *implementation_;
-  if (s.scalp) s.renderer->RemoveActor(s.scalp);
-  s.scalp = makeScalpActor(scalp);
-  s.scalp->SetUserTransform(s.head_transform);
-  s.renderer->AddActor(s.scalp);
+  s.scalp.set(scalp);
   s.viewpoint.fit(scalp);
   s.updateVisibility();
 }
 
 void NavigationScene::setBrain(const surface::BrainModel& brain) {
+  implementation_->brain.setModel(brain);
+  implementation_->updateVisibility();
+}
+
+void NavigationScene::setCortex(std::shared_ptr<const CortexPicture> cortex) {
+  implementation_->brain.setCortex(std::move(cortex));
+}
+
+void NavigationScene::clearBrain() { implementation_->brain.clear(); }
+
+void NavigationScene::setBrainLook(BrainLook look) { implementation_->brain.setLook(look); }
+
+void NavigationScene::setQuick(bool is_quick) {
   auto& s = *implementation_;
-  clearBrain();
-  s.brain = makeBrainActor(brain);
-  s.brain->SetUserTransform(s.head_transform);
-  s.renderer->AddActor(s.brain);
+  s.is_quick = is_quick;
+  s.brain.setQuick(is_quick);
+  s.renderer->SetUseFXAA(!is_quick);
   s.updateVisibility();
 }
 
-void NavigationScene::clearBrain() {
-  auto& s = *implementation_;
-  if (s.brain) s.renderer->RemoveActor(s.brain);
-  s.brain = nullptr;
-}
+void NavigationScene::setPeelDepth(double depth_mm) { implementation_->brain.setPeelDepth(depth_mm); }
 
 void NavigationScene::setVolume(const volume::Volume& mri) {
   auto& s = *implementation_;
@@ -310,22 +282,34 @@ std::optional<ScenePick> NavigationScene::pick(int x_px, int y_px) const {
   vtkNew<vtkCellPicker> picker;
   picker->SetTolerance(0.0005);
   picker->PickFromListOn();
-  for (vtkActor* actor : {s.brain.Get(), s.scalp.Get()})
-    if (actor && actor->GetVisibility()) picker->AddPickList(actor);
   // A click means the brain where brain is under the mouse; the translucent skin in front of it does not
   // count.
-  if (s.brain && s.brain->GetVisibility()) {
+  vtkActor* brain = s.brain.shown();
+  if (brain) picker->AddPickList(brain);
+  if (!brain || !picker->Pick(x_px, y_px, 0, s.renderer)) {
     picker->InitializePickList();
-    picker->AddPickList(s.brain);
-    if (!picker->Pick(x_px, y_px, 0, s.renderer) && s.scalp) {
-      picker->InitializePickList();
-      picker->AddPickList(s.scalp);
-    }
+    if (vtkActor* skin = s.scalp.shown()) picker->AddPickList(skin);
   }
   if (!picker->Pick(x_px, y_px, 0, s.renderer)) return std::nullopt;
   double p[3];
   s.head_transform->GetLinearInverse()->TransformPoint(picker->GetPickPosition(), p);
-  return ScenePick{Point<Mri>(p[0], p[1], p[2]), picker->GetActor() == s.brain};
+  return ScenePick{Point<Mri>(p[0], p[1], p[2]), brain && picker->GetActor() == brain};
+}
+
+SceneProjection NavigationScene::projection(int width_px, int height_px) const {
+  auto& s = *implementation_;
+  vtkCamera* camera = s.renderer->GetActiveCamera();
+  const double aspect = double(width_px) / std::max(1, height_px);
+  vtkNew<vtkMatrix4x4> screen;
+  vtkMatrix4x4::Multiply4x4(camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1),
+                            s.head_transform->GetMatrix(), screen);
+  SceneProjection projection;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) projection.screen_from_mri(r, c) = screen->GetElement(r, c);
+  double eye[3];
+  s.head_transform->GetLinearInverse()->TransformPoint(camera->GetPosition(), eye);
+  projection.eye = Point<Mri>(eye[0], eye[1], eye[2]);
+  return projection;
 }
 
 RgbImage NavigationScene::render(int width_px, int height_px) {

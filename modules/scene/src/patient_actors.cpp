@@ -71,8 +71,8 @@ vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain) {
   return actor;
 }
 
-vtkSmartPointer<vtkActor> makeScalpActor(const surface::TriangleMesh& scalp) {
-  auto actor = makeActor(toPolyData(scalp), palette::kSkin);
+vtkSmartPointer<vtkActor> makeScalpActor(vtkPolyData* scalp) {
+  auto actor = makeActor(scalp, palette::kSkin);
   actor->GetProperty()->SetAmbient(0.30);
   actor->GetProperty()->SetDiffuse(0.85);
   actor->GetProperty()->BackfaceCullingOn();  // one layer of skin only: no sorting of triangles is needed

@@ -60,6 +60,20 @@ TEST(ContourMontage, CoversTheContentFromEndToEndInThreeOrientations) {
   EXPECT_GT(montage.tiles.front().centre.mm.z(), montage.tiles[11].centre.mm.z());  // from the top
 }
 
+TEST(ContourMontage, TheSheetFillsTheAreaItIsGiven) {
+  for (const auto& [width, height] : {std::pair(980, 760), std::pair(1500, 900), std::pair(760, 900)}) {
+    const auto options = sheetFor(width, height);
+    const int rows = options.axial_rows + options.coronal_rows + options.sagittal_rows;
+    const int used_width = options.columns * (options.tile_px + 3),
+              used_height = rows * (options.tile_px + 3);
+    EXPECT_LE(used_width, width);
+    EXPECT_LE(used_height, height);
+    EXPECT_GT(used_width * used_height, 0.90 * width * height) << width << " x " << height;
+    EXPECT_GE(rows, 5);
+    EXPECT_GE(options.sagittal_rows, 1);
+  }
+}
+
 TEST(ContourMontage, IsEmptyForAnEmptyMask) {
   const Ball ball;
   SliceScene scene;

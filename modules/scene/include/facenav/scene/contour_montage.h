@@ -14,6 +14,10 @@ struct MontageOptions {
   int axial_rows = 2, coronal_rows = 2, sagittal_rows = 1;
 };
 
+/// The sheet that fills an area of this size best: five to eight rows, tiles of 60 px or more, at least two
+/// fifths of the rows axial.
+MontageOptions sheetFor(int width_px, int height_px);
+
 /// Top-left pixel of a tile and the slice that it shows (the middle of the content in the other two axes).
 struct MontageTile {
   int u = 0, v = 0;

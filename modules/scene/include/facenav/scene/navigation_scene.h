@@ -16,6 +16,7 @@
 #include "facenav/core/tracked.h"
 #include "facenav/guidance/target.h"
 #include "facenav/scene/coil_shape.h"
+#include "facenav/scene/cortex_picture.h"
 #include "facenav/surface/brain_model.h"
 #include "facenav/volume/volume.h"
 
@@ -27,6 +28,10 @@ namespace facenav::scene {
 enum class ViewFrame { head_fixed, camera };
 /// From where the head is seen; `target`: along the surface over the active target, else as `left_front`.
 enum class ViewPreset { target, front, back, left, right, top, left_front, right_front };
+
+/// The phi-theta model; the detailed cortex with the MRI at the peel depth; the cortex coloured by its
+/// distance from the model.
+enum class BrainLook { model, cortex, distance };
 
 struct SceneLayers {
   bool scalp = true, brain = true, coil = true, targets = true, coil_axis = true;
@@ -40,6 +45,13 @@ struct ScenePick {
   bool is_brain = false;  // else scalp
 };
 
+/// How the scene is seen now: (x, y, z, w) = M (Mri mm, 1); x / w and y / w run from -1 to 1 over the view,
+/// right and up; w > 0 in front of the eye.
+struct SceneProjection {
+  Eigen::Matrix4d screen_from_mri;
+  Point<Mri> eye;
+};
+
 class NavigationScene {
  public:
   NavigationScene();
@@ -50,6 +62,8 @@ class NavigationScene {
   // What changes with the case.
   void setScalp(const surface::TriangleMesh& scalp);
   void setBrain(const surface::BrainModel& brain);
+  /// Beside the model, for the other looks; null: none. setBrain() takes it away.
+  void setCortex(std::shared_ptr<const CortexPicture> cortex);
   void clearBrain();
   void setVolume(const volume::Volume& mri);
   void setTargets(const std::vector<guidance::Target>& targets, const std::string& active);
@@ -59,6 +73,11 @@ class NavigationScene {
 
   // What the user chooses.
   void setLayers(const SceneLayers& layers);
+  void setBrainLook(BrainLook look);
+  /// While the view or the peel depth moves: larger triangles, rougher edges, a third of the time.
+  void setQuick(bool is_quick);
+  /// 0..40 mm, of the look `cortex`; a few milliseconds.
+  void setPeelDepth(double depth_mm);
   void setSliceCentre(const Point<Mri>& centre);
   void setView(ViewPreset preset);
   void setViewFrame(ViewFrame frame);
@@ -83,6 +102,8 @@ class NavigationScene {
   void attach(vtkRenderWindow* window, double x0 = 0, double y0 = 0, double x1 = 1, double y1 = 1);
   /// Nearest surface under a display pixel (origin bottom-left, as VTK counts).
   std::optional<ScenePick> pick(int x_px, int y_px) const;
+  /// Of a view `width_px` by `height_px` that the scene fills.
+  SceneProjection projection(int width_px, int height_px) const;
   /// Renders offscreen.
   RgbImage render(int width_px, int height_px);
 

@@ -1,0 +1,12 @@
+#pragma once
+// What stands in every 3-D scene: lights, and the banner's words over it. Private to scene.
+
+class vtkRenderer;
+class vtkTextActor;
+
+namespace facenav::scene {
+
+void setUpBanner(vtkTextActor* banner);
+void addLights(vtkRenderer* renderer);
+
+}  // namespace facenav::scene
