@@ -8,6 +8,7 @@
 
 #include "appearance.h"
 #include "context.h"
+#include "facenav/capture/camera_pair_source.h"
 #include "facenav/core/error.h"
 #include "facenav/scene/display.h"
 #include "main_window.h"
@@ -43,6 +44,15 @@ ui::Services makeServices() {
     return dicom::listSeries(folder, monitor);
   };
   services.makeThumbnail = [](const dicom::SeriesInfo& series) { return dicom::makeThumbnail(series); };
+  services.callArchive = [](const pacs::PacsNode& node) { pacs::echo(node); };
+  services.findInArchive = [](const pacs::PacsNode& node, const pacs::PacsQuery& query,
+                              TaskMonitor& monitor) { return pacs::findSeries(node, query, monitor); };
+  services.fetchFromArchive = [](const pacs::PacsNode& node, const pacs::PacsSeries& series,
+                                 const std::filesystem::path& folder, pacs::Retrieval how,
+                                 TaskMonitor& monitor) {
+    std::filesystem::create_directories(folder.parent_path());
+    return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
+  };
   services.readTemplate = [] { return atlas::readColin27(); };
   services.software_version = app::softwareVersion();
   services.prepareCase = [](const ui::PrepareOrder& order, TaskMonitor& monitor) {
@@ -67,6 +77,10 @@ ui::Services makeServices() {
     return std::make_unique<session::Navigator>(setup,
                                                 all.head_trackers.create(all.head_trackers.defaultName()),
                                                 all.coil_trackers.create(all.coil_trackers.defaultName()));
+  };
+  services.listCameras = [] { return capture::listCameras(); };
+  services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
+    return capture::openCameraPair(rig, left, right);
   };
   services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
   return services;

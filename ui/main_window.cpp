@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
@@ -24,25 +25,44 @@
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
+namespace {
+
+/// One line that ends in an ellipsis where there is no room for all of it.
+class ElidedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect(), Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+  }
+};
+
+}  // namespace
 
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
       queue_(services_),
       worklist_(queue_),
+      archive_(services_, queue_),
       prepare_(services_, model_, tasks_, queue_),
       sign_off_(model_, tasks_),
       edit_(model_, tasks_),
+      cortex_(model_),
       place_(services_, model_),
       plan_(model_),
       treat_(services_, model_, tasks_),
       stack_(new QStackedWidget(this)) {
   setWindowTitle(tr("FaceNav"));
   setAcceptDrops(true);
-  prepare_workspace_ = new PrepareWorkspace(prepare_, worklist_, queue_, sign_off_, edit_, model_, stack_);
+  prepare_workspace_ =
+      new PrepareWorkspace(prepare_, worklist_, queue_, archive_, sign_off_, edit_, model_, stack_);
   auto* treat_workspace = new TreatWorkspace(treat_, model_, stack_);
   stack_->addWidget(prepare_workspace_);
-  stack_->addWidget(new PlanWorkspace(plan_, place_, model_, stack_));
+  stack_->addWidget(new PlanWorkspace(plan_, place_, cortex_, model_, stack_));
   stack_->addWidget(treat_workspace);
   task_bar_ = new TaskBar(tasks_, this);
   auto* centre = new QWidget(this);
@@ -103,7 +123,7 @@ QWidget* MainWindow::makeHeader() {
   row->setContentsMargins(16, 8, 16, 8);
   auto* name = new QLabel(tr("FaceNav"), header);
   name->setObjectName("name");
-  case_words_ = new QLabel(header);
+  case_words_ = new ElidedLabel(header);
   case_words_->setObjectName("muted");
   case_words_->setSizePolicy(QSizePolicy::Ignored,
                              QSizePolicy::Preferred);  // long words give way to the state
@@ -247,6 +267,7 @@ void MainWindow::showCaseWords() {
        c.alignment ? c.alignment->predicted_tre_mm : std::map<std::string, double>())
     words += tr("  \u00b7  \u00b1%1 mm at %2").arg(error_mm, 0, 'f', 1).arg(QString::fromStdString(name));
   case_words_->setText(words);
+  case_words_->setToolTip(words);
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {

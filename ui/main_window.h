@@ -4,6 +4,8 @@
 
 #include <QMainWindow>
 
+#include "presenters/archive_presenter.h"
+#include "presenters/cortex_presenter.h"
 #include "presenters/edit_presenter.h"
 #include "presenters/place_presenter.h"
 #include "presenters/plan_presenter.h"
@@ -70,9 +72,11 @@ class MainWindow : public QMainWindow {
   CaseModel model_;
   PrepareQueue queue_;
   WorklistPresenter worklist_;
+  ArchivePresenter archive_;
   PreparePresenter prepare_;
   SignOffPresenter sign_off_;
   EditPresenter edit_;
+  CortexPresenter cortex_;
   PlacePresenter place_;
   PlanPresenter plan_;
   TreatPresenter treat_;

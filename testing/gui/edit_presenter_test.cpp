@@ -3,29 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "facenav/casefile/edited_brain.h"
+#include "facenav/scene/navigation_scene.h"
 #include "gui_fixtures.h"
 
 namespace facenav::ui {
 namespace {
 
-/// The ball case with a brain of 40 mm inside it.
-casefile::PreparedCase ballWithBrain() {
-  auto prepared = fixtures::ballCase();
-  volume::Mask brain = prepared.head_mask;
-  for (int k = 0; k < 50; ++k)
-    for (int j = 0; j < 50; ++j)
-      for (int i = 0; i < 50; ++i)
-        brain.voxels[brain.grid.index(i, j, k)] = brain.grid.toMri(Eigen::Vector3d(i, j, k)).mm.norm() < 40.0;
-  TaskMonitor monitor;
-  prepared.brain = surface::buildBrainModel(prepared.mri, brain, {}, monitor);
-  prepared.brain_mask = std::move(brain);
-  return prepared;
-}
-
 class EditPresenterTest : public ::testing::Test {
  protected:
   EditPresenterTest() : edit_(model_, tasks_) {
-    casefile::CaseStore::create(folder_.path() / "case", ballWithBrain(), {}, false);
+    casefile::CaseStore::create(folder_.path() / "case", fixtures::ballWithBrain(), {}, false);
     open();
     plane_ =
         volume::anatomicalPlane(model_.current().mri->grid, volume::Anatomical::axial, Point<Mri>(0, 0, 2));
@@ -133,6 +120,33 @@ TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {
   EXPECT_FALSE(isBrain(60, 0));
   EXPECT_FALSE(edit_.hasUnsaved());
   EXPECT_FALSE(casefile::brainDraft(model_.current().store));
+}
+
+TEST_F(EditPresenterTest, TheScalpelCutsBehindTheLineDownToItsDepthAndComesBack) {
+  scene::NavigationScene scene;  // computed, not rendered: needs no display
+  scene.setScalp(model_.current().scalp->mesh);
+  scene.setView(scene::ViewPreset::front);  // along -y
+  const auto seen = scene.projection(400, 300);
+  const auto at = [&](double x_mm, double z_mm) {
+    const Eigen::Vector4d h = seen.screen_from_mri * Eigen::Vector4d(x_mm, 40, z_mm, 1);
+    return Eigen::Vector2d(h.head<2>() / h[3]);
+  };
+  EXPECT_GT(seen.eye.mm.y(), 100.0);
+  edit_.setTool(EditTool::scalpel);
+  EXPECT_FALSE(edit_.isActive());  // on slices the crosshair moves as ever
+  edit_.setCutDepth_mm(12);
+  edit_.cut({seen.screen_from_mri, seen.eye}, {at(-10, -10), at(10, -10), at(10, 14), at(-10, 14)});
+  EXPECT_FALSE(isBrain(2, 36));
+  EXPECT_FALSE(isBrain(2, 31));
+  EXPECT_TRUE(isBrain(2, 20));   // deeper than the cut
+  EXPECT_TRUE(isBrain(26, 24));  // beside the line
+  EXPECT_TRUE(edit_.hasUnsaved());
+  std::shared_ptr<const surface::BrainModel> followed;
+  QObject::connect(&edit_, &EditPresenter::brainFollowed, [&](const auto& brain) { followed = brain; });
+  EXPECT_TRUE(fixtures::waitFor([&] { return followed != nullptr; }));
+  edit_.undo();
+  EXPECT_TRUE(isBrain(2, 36));
+  EXPECT_FALSE(edit_.canUndo());
 }
 
 TEST_F(EditPresenterTest, InterpolatesBetweenTheSlicesDrawnOn) {

@@ -40,6 +40,20 @@ inline casefile::PreparedCase ballCase() {
   return prepared;
 }
 
+/// The ball case with a brain of 40 mm inside it.
+inline casefile::PreparedCase ballWithBrain() {
+  auto prepared = ballCase();
+  volume::Mask brain = prepared.head_mask;
+  for (int k = 0; k < 50; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 50; ++i)
+        brain.voxels[brain.grid.index(i, j, k)] = brain.grid.toMri(Eigen::Vector3d(i, j, k)).mm.norm() < 40.0;
+  TaskMonitor monitor;
+  prepared.brain = surface::buildBrainModel(prepared.mri, brain, {}, monitor);
+  prepared.brain_mask = std::move(brain);
+  return prepared;
+}
+
 inline std::filesystem::path writeBallCase(const std::filesystem::path& folder) {
   casefile::CaseStore::create(folder / "case", ballCase(), {}, false);
   return folder / "case";

@@ -3,7 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QListWidget>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "facenav/atlas/brain_template.h"
@@ -11,7 +19,11 @@
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
+#include "views/scene_view.h"
+#include "widgets/brain_look_panel.h"
+#include "widgets/distance_legend.h"
 #include "workspaces/prepare/prepare_workspace.h"
+#include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {
@@ -28,6 +40,28 @@ class Pictures {
  private:
   MainWindow& window_;
   QString folder_;
+};
+
+/// Cameras that see a recording over and over: FACENAV_GUI_RECORDING=DIR.
+class PlayedCameras : public capture::FrameSource {
+ public:
+  explicit PlayedCameras(const std::string& folder) : recording_(capture::openRecording(folder)) {}
+  const stereo::StereoRig& rig() const override { return recording_.rig; }
+  std::shared_ptr<const stereo::StereoFrame> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    if (!source_) source_ = capture::makeSource(recording_);
+    auto frame = source_->next();
+    if (!frame) return source_ = nullptr, next();
+    auto now = std::make_shared<stereo::StereoFrame>(*frame);
+    now->number = number_++;
+    now->captured = Timestamp::now();
+    return now;
+  }
+
+ private:
+  capture::Recording recording_;
+  std::unique_ptr<capture::FrameSource> source_;
+  std::int64_t number_ = 0;
 };
 
 /// One job that stands still half-way, one that fails.
@@ -49,8 +83,96 @@ Services exampleServices() {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   };
+  services.findInArchive = [](const pacs::PacsNode&, const pacs::PacsQuery&, TaskMonitor&) {
+    pacs::PacsSeries t1, t2;
+    t1.date = t2.date = "2026-11-20", t1.modality = t2.modality = "MR";
+    t1.study_description = t2.study_description = "Brain, navigation", t1.images = 176;
+    t1.description = "T1 MPRAGE sag 1 mm", t2.description = "T2 FLAIR";
+    return std::vector<pacs::PacsSeries>{t1, t2};
+  };
+  const char* recording = std::getenv("FACENAV_GUI_RECORDING");
+  services.listCameras = [recording] {
+    return recording
+               ? std::vector<capture::CameraDevice>{{0, "FLIR Blackfly, left"}, {2, "FLIR Blackfly, right"}}
+               : std::vector<capture::CameraDevice>();
+  };
+  services.openCameras = [recording](const stereo::StereoRig&, int, int) {
+    return std::make_unique<PlayedCameras>(recording);
+  };
   services.readTemplate = [] { return atlas::readColin27(); };
   return services;
+}
+
+QAbstractButton* buttonNamed(MainWindow& window, const QString& text) {
+  for (auto* button : window.findChildren<QAbstractButton*>())
+    if (button->text() == text && button->isVisible()) return button;
+  return nullptr;
+}
+
+/// Cortex at three depths, the distance map; prints what a slider's step costs.
+void takeBrainLooks(MainWindow& window, Pictures& shots) {
+  auto* panel = window.findChild<BrainLookPanel*>();
+  ASSERT_NE(panel, nullptr);
+  const auto looks = panel->findChildren<QPushButton*>();
+  auto* peel = panel->findChild<QSlider*>();
+  looks[1]->click();
+  ASSERT_TRUE(fixtures::waitFor([&] { return peel->isEnabled(); }, 60000));
+  for (const int depth_mm : {0, 5, 20}) {
+    peel->setValue(2 * depth_mm);
+    shots.take(QString("5_plan_cortex_%1mm").arg(depth_mm));
+  }
+  std::vector<double> steps_ms;
+  for (int value = 0; value <= peel->maximum(); ++value) {
+    QElapsedTimer timer;
+    timer.start();
+    peel->setValue(value);
+    QApplication::processEvents();
+    steps_ms.push_back(double(timer.nsecsElapsed()) * 1e-6);
+  }
+  std::sort(steps_ms.begin(), steps_ms.end());
+  std::printf("peel slider: %.1f ms a step (median), %.1f ms at most, %d steps\n",
+              steps_ms[steps_ms.size() / 2], steps_ms.back(), int(steps_ms.size()));
+  looks[2]->click();
+  fixtures::waitFor([&] { return panel->findChild<DistanceLegend*>()->isVisible(); }, 90000);
+  shots.take("5_plan_distance");
+  looks[0]->click();
+}
+
+/// The scalpel's line on the 3-D view of Check & edit, and the cut.
+void takeScalpel(MainWindow& window, Pictures& shots) {
+  auto* scalpel = buttonNamed(window, "Scalpel");
+  ASSERT_NE(scalpel, nullptr);
+  scalpel->click();
+  SceneView* view = nullptr;
+  for (auto* each : window.findChildren<SceneView*>())
+    if (each->isVisible()) view = each;
+  ASSERT_NE(view, nullptr);
+  const QPoint middle(view->width() / 2, view->height() * 45 / 100);
+  QTest::mousePress(view, Qt::LeftButton, {}, middle + QPoint(50, 0));
+  for (int i = 1; i < 30; ++i) {
+    const double angle = 2 * M_PI * i / 32;
+    QMouseEvent move(QEvent::MouseMove, middle + QPointF(50 * std::cos(angle), 40 * std::sin(angle)),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+  }
+  shots.take("3_check_scalpel_line");
+  QTest::mouseRelease(view, Qt::LeftButton, {}, middle + QPoint(48, -8));
+  fixtures::waitFor([] { return false; }, 8000);  // the model follows
+  shots.take("3_check_scalpel_cut");
+  buttonNamed(window, "Undo")->click();
+  scalpel->click();
+}
+
+void takeCameras(MainWindow& window, Pictures& shots, const std::string& recording) {
+  auto* treat = window.findChild<TreatWorkspace*>();
+  window.setWorkspace(Workspace::treat);
+  treat->presenter().cameras().setRigFile(QString::fromStdString(recording + "/stereo.yml"));
+  treat->presenter().cameras().choose(0, 2);
+  buttonNamed(window, "Look again")->click();
+  buttonNamed(window, "Open the cameras")->click();
+  fixtures::waitFor([&] { return treat->presenter().cameras().isWell(); });
+  buttonNamed(window, "1 Take with dots")->click();
+  shots.take("6_treat_cameras_live");
 }
 
 TEST(Pictures, OfEveryPage) {
@@ -72,6 +194,7 @@ TEST(Pictures, OfEveryPage) {
   shots.take("1_worklist");
   window.openCase(QString::fromStdString(entries.front().folder.string()));
   shots.take("3_check");
+  takeScalpel(window, shots);
   window.setPrepareStep(PrepareStep::sign_off);
   shots.take("4_sign_off");
   window.setWorkspace(Workspace::treat);
@@ -81,6 +204,15 @@ TEST(Pictures, OfEveryPage) {
   window.openCase(QString::fromStdString(entries.front().folder.string()));
   window.setWorkspace(Workspace::plan);
   shots.take("5_plan");
+  takeBrainLooks(window, shots);
+  window.setWorkspace(Workspace::treat);
+  shots.take("6_treat_cameras");
+  if (const char* recording = std::getenv("FACENAV_GUI_RECORDING")) takeCameras(window, shots, recording);
+  window.setPrepareStep(PrepareStep::archive);
+  if (auto* find = buttonNamed(window, "Find")) find->click();
+  shots.take("2_archive");
+  window.setPrepareStep(PrepareStep::series);
+  shots.take("2_series");
   window.setPrepareStep(PrepareStep::sign_off);
   shots.take("4_signed_off");
   window.setPrepareStep(PrepareStep::worklist);

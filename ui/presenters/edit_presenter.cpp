@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLeastRadius_mm = 0.5, kMostRadius_mm = 40.0, kSizeStep = 1.15;
 constexpr double kGrowReach_mm = 20.0, kSmooth_mm = 1.5;
-constexpr int kAutosave_ms = 500;
+constexpr int kAutosave_ms = 500, kFollow_ms = 400;
 
 Direction<Mri> normalOf(const volume::SlicePlane& plane) {
   return Direction<Mri>(plane.right.v.cross(plane.down.v));
@@ -47,6 +47,10 @@ EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* paren
   autosave_timer_.setInterval(kAutosave_ms);
   connect(&autosave_timer_, &QTimer::timeout, this, &EditPresenter::autosave);
   autosave_timer_.start();
+  follow_timer_.setSingleShot(true);
+  follow_timer_.setInterval(kFollow_ms);
+  connect(&follow_timer_, &QTimer::timeout, this, &EditPresenter::follow);
+  connect(this, &EditPresenter::maskChanged, &follow_timer_, QOverload<>::of(&QTimer::start));
 }
 
 EditPresenter::~EditPresenter() { keepDraft(); }
@@ -92,6 +96,7 @@ void EditPresenter::open() {
     editor_ = std::make_shared<editing::MaskEditor>(
         automatic ? std::move(*automatic) : emptyMask(c.mri->grid), std::move(draft));
     saved_revision_ = editor_->revision();
+    followed_revision_ = has_draft_ ? ~editor_->revision() : editor_->revision();
     autosave_ = makeAutosave();
   } catch (const Error& error) {
     editor_.reset();
@@ -211,6 +216,34 @@ void EditPresenter::finish(const QString& name, const editing::MaskChange& chang
   editor_->apply(name.toStdString(), change);
   emit changed();
   emit maskChanged(false);
+}
+
+void EditPresenter::setCutDepth_mm(double depth_mm) {
+  cut_depth_mm_ = std::clamp(depth_mm, kLeastRadius_mm, kMostRadius_mm);
+  emit changed();
+}
+
+void EditPresenter::cut(const editing::ScalpelView& view, const editing::Outline& outline) {
+  guarded([&] { finish(tr("scalpel"), editing::cut(editor_->mask(), view, outline, cut_depth_mm_)); });
+}
+
+/// The 3-D view shows the mask as it was: its model is made anew, behind the window, when the edits rest.
+void EditPresenter::follow() {
+  if (!editor_ || editor_->revision() == followed_revision_) return;
+  if (follower_.isRunning()) return follow_timer_.start();
+  const auto revision = editor_->revision();
+  follower_.start(tr("The brain's model"),
+                  [this, revision, mask = editor_->mask(), mri = model_.current().mri,
+                   folder = model_.current().store.folder()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                    auto brain = std::make_shared<const surface::BrainModel>(
+                        surface::buildBrainModel(*mri, mask, {}, monitor));
+                    return [this, revision, brain, folder] {
+                      if (!editor_ || model_.current().store.folder() != folder) return;
+                      followed_revision_ = revision;
+                      emit brainFollowed(brain);
+                      if (editor_->revision() != revision) follow_timer_.start();
+                    };
+                  });
 }
 
 void EditPresenter::smooth() {

@@ -8,13 +8,15 @@
 
 #include "facenav/editing/lasso.h"
 #include "facenav/editing/mask_autosave.h"
+#include "facenav/editing/scalpel.h"
 #include "presenters/case_model.h"
 #include "presenters/task_runner.h"
 #include "views/slice_tool.h"
 
 namespace facenav::ui {
 
-enum class EditTool { none, brush, eraser, threshold, lasso, grow };
+/// `scalpel` works on the 3-D view, the others on slices.
+enum class EditTool { none, brush, eraser, threshold, lasso, grow, scalpel };
 
 class EditPresenter : public QObject, public SliceTool {
   Q_OBJECT
@@ -33,6 +35,11 @@ class EditPresenter : public QObject, public SliceTool {
   /// Ball, else a disc in the slice shown.
   void setBall(bool is_ball);
 
+  double cutDepth_mm() const { return cut_depth_mm_; }
+  /// Of the scalpel, below what is seen.
+  void setCutDepth_mm(double depth_mm);
+  /// Cuts what lies behind a line drawn on the 3-D view.
+  void cut(const editing::ScalpelView& view, const editing::Outline& outline);
   void smooth();
   void fillHoles();
   /// Between the slices drawn on in the orientation drawn on last.
@@ -58,7 +65,9 @@ class EditPresenter : public QObject, public SliceTool {
   QString lastStep() const;
 
   // SliceTool
-  bool isActive() const override { return canEdit() && tool_ != EditTool::none; }
+  bool isActive() const override {
+    return canEdit() && tool_ != EditTool::none && tool_ != EditTool::scalpel;
+  }
   void press(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px, bool is_inverse) override;
   void drag(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px) override;
   void release(const volume::SlicePlane& plane) override;
@@ -71,6 +80,8 @@ class EditPresenter : public QObject, public SliceTool {
   void changed();
   /// The mask's voxels; `is_stroke`: more will follow at once.
   void maskChanged(bool is_stroke);
+  /// The brain's model as the mask stands now, for the 3-D view; a second or two after an edit.
+  void brainFollowed(const std::shared_ptr<const surface::BrainModel>& brain);
   void refused(const QString& words);
 
  private:
@@ -82,6 +93,7 @@ class EditPresenter : public QObject, public SliceTool {
   void finish(const QString& name, const editing::MaskChange& change);
   void noteSlice(const volume::SlicePlane& plane);
   void autosave();
+  void follow();
   template <class Action>
   void guarded(Action action);
 
@@ -92,14 +104,16 @@ class EditPresenter : public QObject, public SliceTool {
   std::uint64_t saved_revision_ = 0;
   bool has_draft_ = false;
   EditTool tool_ = EditTool::none;
-  double radius_mm_ = 5.0;
+  double radius_mm_ = 5.0, cut_depth_mm_ = 10.0;
   bool is_ball_ = false, is_inverse_ = false;
   std::vector<Eigen::Vector2d> outline_;
   Eigen::Vector2d last_px_ = Eigen::Vector2d::Zero();
   editing::ValueRange range_{0, 0};
   int drawn_axis_ = -1;
   std::set<int> drawn_slices_;
-  QTimer autosave_timer_;
+  QTimer autosave_timer_, follow_timer_;
+  TaskRunner follower_;
+  std::uint64_t followed_revision_ = 0;
 };
 
 }  // namespace facenav::ui

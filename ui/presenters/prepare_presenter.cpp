@@ -17,7 +17,11 @@ void PreparePresenter::openInput(const QString& path) {
   if (isNifti(path)) {
     input_ = path;
     series_.clear();
-    lines_ = {{QFileInfo(path).fileName(), tr("NIfTI volume"), true, true, {}}};
+    lines_ = {{tr("NIfTI volume"),
+               tr("as chosen; a file's own name may be a patient's and is not shown"),
+               true,
+               true,
+               {}}};
     emit linesChanged();
     return;
   }

@@ -3,8 +3,11 @@
 #include <sys/resource.h>
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
+#include <QTime>
 #include <QUuid>
 #include <algorithm>
 
@@ -38,6 +41,13 @@ fs::path makeCase(const Services& services, const fs::path& cases, PrepareOrder 
 }
 
 }  // namespace
+
+QString receivedFolder() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/received";
+  QDir().mkpath(folder);
+  QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  return folder;
+}
 
 bool isNifti(const QString& path) {
   return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) ||
@@ -97,7 +107,9 @@ int PrepareQueue::add(const QString& input, const std::optional<std::string>& se
   job.id = ++last_id_;
   job.input = input;
   job.series_uid = series_uid;
-  job.title = QFileInfo(input).fileName();
+  // A folder's own name may be a patient's: it is shown nowhere.
+  job.title = (isNifti(input) ? tr("volume of %1") : tr("folder of %1"))
+                  .arg(QTime::currentTime().toString("hh:mm:ss"));
   jobs_.push_back(job);
   store();
   emit changed();
@@ -127,10 +139,16 @@ void PrepareQueue::retry(int id) {
 
 void PrepareQueue::remove(int id) {
   if (id == running_) return;
+  if (const auto* job_ = job(id)) forgetReceived(job_->input);
   jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), [&](const auto& job) { return job.id == id; }),
               jobs_.end());
   store();
   emit changed();
+}
+
+/// DICOM files name the patient: they do not stay longer than they are needed.
+void PrepareQueue::forgetReceived(const QString& input) {
+  if (QFileInfo(input).absolutePath() == receivedFolder()) QDir(input).removeRecursively();
 }
 
 void PrepareQueue::setHeld(bool is_held) {
@@ -207,6 +225,10 @@ void PrepareQueue::restore() {
     const QString input = line.section('\n', 0, 0);
     const std::string series = line.section('\n', 1, 1).toStdString();
     if (QFileInfo::exists(input)) add(input, series.empty() ? std::nullopt : std::optional(series));
+  }
+  for (const auto& left : QDir(receivedFolder()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    const auto is_known = [&](const auto& job) { return job.input == left.absoluteFilePath(); };
+    if (std::none_of(jobs_.begin(), jobs_.end(), is_known)) forgetReceived(left.absoluteFilePath());
   }
 }
 

@@ -19,7 +19,7 @@ struct PrepareJob {
   QString input;                          // folder or file
   std::optional<std::string> series_uid;  // nothing: the recommended one
   JobState state = JobState::queued;
-  QString title;  // the series' description once scanned, else the input's own name
+  QString title;  // the series' description once scanned; before, when it was queued
   QString step;   // what is done now, in words
   double fraction = 0.0;
   QString failure;
@@ -43,7 +43,7 @@ class PrepareQueue : public QObject {
   void remove(int id);
   /// True: nothing new is begun (a treatment runs); the running one goes on.
   void setHeld(bool is_held);
-  /// Queues what was unfinished when the program ended.
+  /// Queues what was unfinished when the program ended; removes what was fetched for jobs that are no more.
   void restore();
 
   const std::deque<PrepareJob>& jobs() const { return jobs_; }
@@ -68,6 +68,7 @@ class PrepareQueue : public QObject {
   void begin();
   void end(JobState state, const QString& failure);
   void store() const;
+  void forgetReceived(const QString& input);
 
   const Services& services_;
   TaskRunner tasks_;
@@ -78,6 +79,8 @@ class PrepareQueue : public QObject {
   bool is_held_ = false;
 };
 
+/// Private to the user: what came from the archive, one folder a series; removed when its job is.
+QString receivedFolder();
 /// NIfTI by its name.
 bool isNifti(const QString& path);
 /// The folder of a DICOM file; a folder or a NIfTI file as it is.

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "facenav/atlas/brain_template.h"
+#include "facenav/capture/camera_list.h"
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
+#include "facenav/pacs/pacs.h"
 #include "facenav/session/align_from_capture.h"
 #include "facenav/session/session.h"
 
@@ -30,6 +32,13 @@ struct Services {
   std::function<std::vector<dicom::SeriesInfo>(const std::filesystem::path&, TaskMonitor&)> listSeries;
   /// A small picture of a series; nothing where it holds none.
   std::function<std::optional<dicom::Thumbnail>(const dicom::SeriesInfo&)> makeThumbnail;
+  // The hospital's archive: is it there, which series, fetch one into an empty folder.
+  std::function<void(const pacs::PacsNode&)> callArchive;
+  std::function<std::vector<pacs::PacsSeries>(const pacs::PacsNode&, const pacs::PacsQuery&, TaskMonitor&)>
+      findInArchive;
+  std::function<pacs::Received(const pacs::PacsNode&, const pacs::PacsSeries&,
+                               const std::filesystem::path& folder, pacs::Retrieval, TaskMonitor&)>
+      fetchFromArchive;
   /// Makes the case folder; replaces the model of a case that exists.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Aligns from a recording's capture pair, or the one stored with the case, and stores the result in the
@@ -37,6 +46,11 @@ struct Services {
   std::function<session::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                           TaskMonitor&)>
       align;
+  /// Cameras that are plugged in; quick.
+  std::function<std::vector<capture::CameraDevice>()> listCameras;
+  /// A live pair, by index; it releases both cameras when destroyed.
+  std::function<std::unique_ptr<capture::FrameSource>(const stereo::StereoRig&, int left, int right)>
+      openCameras;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   std::function<tracking::CoilModel(const std::filesystem::path&)> readCoil;
   /// The labelled atlas; throws Error where it is not installed.

@@ -18,7 +18,12 @@ void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
 }  // namespace
 
 TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
-    : QObject(parent), services_(services), model_(model), tasks_(tasks), coil_(tracking::defaultCoil()) {
+    : QObject(parent),
+      services_(services),
+      model_(model),
+      tasks_(tasks),
+      cameras_(services, tasks),
+      coil_(tracking::defaultCoil()) {
   connect(&model_, &CaseModel::opened, this, [this] {
     stop();
     outcome_.reset();
@@ -26,6 +31,13 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
     target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
     emit changed();
   });
+  connect(&cameras_, &CamerasPresenter::opened, this, &TreatPresenter::useCameras);
+  connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
+    recording_->capture = cameras_.capture();
+    outcome_.reset();
+    emit changed();
+  });
+  connect(&cameras_, &CamerasPresenter::refused, this, &TreatPresenter::refused);
   connect(&model_, &CaseModel::planChanged, this, [this] {
     if (!target())
       target_ = model_.current().plan.targets.empty()
@@ -49,6 +61,9 @@ void TreatPresenter::openRecording(const QString& folder) {
     return [this, recording, coil] {
       stop();
       recording_ = *recording;
+      is_live_ = false;
+      rig_fault_.clear();
+      cameras_.show(*recording);
       coil_ = *coil;
       outcome_.reset();
       emit changed();
@@ -56,8 +71,26 @@ void TreatPresenter::openRecording(const QString& folder) {
   });
 }
 
+/// What they were aligned to and with no longer counts.
+void TreatPresenter::useCameras() {
+  stop();
+  recording_ = capture::Recording{};
+  recording_->rig = *cameras_.rig();
+  is_live_ = true;
+  outcome_.reset();
+  rig_fault_.clear();
+  emit changed();
+}
+
+bool TreatPresenter::canAlign() const {
+  return recording_ && mayTreat() && !isRunning() && (!is_live_ || recording_->capture);
+}
+
 void TreatPresenter::align(bool then_start) {
-  if (!recording_ || !mayTreat()) return;
+  if (!canAlign()) {  // never the capture of another day: live cameras need pictures of now
+    if (is_live_ && mayTreat()) emit refused(tr("take the two pictures first (step 1)"));
+    return;
+  }
   tasks_.start(
       tr("Aligning the head"),
       [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
@@ -83,20 +116,27 @@ void TreatPresenter::start() {
   setup.coil = coil_;
   setup.scalp = outcome_->scalp;
   setup.watchdog = session::DriftWatchdog::Mode::own_thread;
-  tasks_.start(tr("Starting the trackers"),
-               [this, setup, store = model_.current().store,
-                is_overridden = model_.override().has_value()](TaskMonitor&) -> TaskRunner::Delivery {
-                 requireSignOff(store, is_overridden);
-                 std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
-                 return [this, navigator] { startNavigator(navigator); };
-               });
+  tasks_.start(
+      tr("Starting the trackers"),
+      [this, setup, recording = *recording_, is_live = is_live_, left = cameras_.left(),
+       right = cameras_.right(), seen = cameras_.release(), store = model_.current().store,
+       is_overridden = model_.override().has_value()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+        requireSignOff(store, is_overridden);
+        seen.reset();  // a camera opens once only
+        std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
+        auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(
+            is_live ? services_.openCameras(setup.rig, left, right) : capture::makeSource(recording));
+        return [this, navigator, source] { startNavigator(navigator, std::move(*source)); };
+      });
 }
 
-void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator) {
+void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator,
+                                    std::unique_ptr<capture::FrameSource> source) {
   navigator->setTarget(chosen());
-  session_ = std::make_unique<session::Session>(capture::makeSource(*recording_),
-                                                std::make_unique<session::Navigator>(std::move(*navigator)),
-                                                session::SessionOptions{});
+  session::SessionOptions options;
+  options.is_paced = !is_live_;
+  session_ = std::make_unique<session::Session>(
+      std::move(source), std::make_unique<session::Navigator>(std::move(*navigator)), options);
   log_ = std::make_unique<session::TreatmentLog>(*session_, model_.current().store.folder());
   if (const auto& given = model_.override())
     log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
@@ -159,7 +199,8 @@ std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
 }
 
 QString TreatPresenter::recordingWords() const {
-  if (!recording_) return tr("no recording opened");
+  if (!recording_) return tr("no cameras");
+  if (is_live_) return tr("cameras %1 and %2, live").arg(cameras_.left()).arg(cameras_.right());
   return tr("%1: %2 frames, %3 per s%4")
       .arg(QString::fromStdString(recording_->folder.filename().string()))
       .arg(qlonglong(recording_->frame_count))
@@ -182,6 +223,7 @@ QString TreatPresenter::alignmentWords() const {
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   if (session_) {
     const auto latest = session_->latest();
+    if (!latest->rig_fault.empty()) rig_fault_ = QString::fromStdString(latest->rig_fault);
     if (!session_->hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));
   }

@@ -7,6 +7,7 @@
 
 #include "facenav/session/camera_overlay.h"
 #include "facenav/session/treatment_log.h"
+#include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
 #include "presenters/read_out.h"
 #include "presenters/services.h"
@@ -21,11 +22,13 @@ class TreatPresenter : public QObject {
   TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
   ~TreatPresenter() override;
 
+  /// Step 1: two live cameras.
+  CamerasPresenter& cameras() { return cameras_; }
   /// Step 1: opens and checks a recording folder.
   void openRecording(const QString& folder);
   /// Step 2: aligns from the capture pair; step 3 follows at once when `then_start`.
   void align(bool then_start);
-  /// Step 3: plays the recording live.
+  /// Step 3: from the cameras, or the recording as if live.
   void start();
   void stop();
   void chooseTarget(const QString& name);
@@ -40,7 +43,13 @@ class TreatPresenter : public QObject {
   QString sessionTime() const;
   /// Why the session's log stopped; empty while all is well.
   QString logFailure() const;
+  /// Cameras or a recording.
   bool hasRecording() const { return recording_.has_value(); }
+  bool isLive() const { return is_live_; }
+  /// Everything that aligning needs is there.
+  bool canAlign() const;
+  /// Why the last session found the cameras moved; empty: it did not.
+  QString rigFault() const { return rig_fault_; }
   bool isAligned() const { return outcome_ != nullptr; }
   bool isRunning() const { return session_ != nullptr && !session_->hasEnded(); }
   /// The recording has been played to its end, or a fault stopped it.
@@ -60,13 +69,18 @@ class TreatPresenter : public QObject {
   void refused(const QString& words);
 
  private:
-  void startNavigator(std::shared_ptr<session::Navigator> navigator);
+  void startNavigator(std::shared_ptr<session::Navigator> navigator,
+                      std::unique_ptr<capture::FrameSource> source);
+  void useCameras();
   std::optional<session::ChosenTarget> chosen() const;
 
   const Services& services_;
   CaseModel& model_;
   TaskRunner& tasks_;
-  std::optional<capture::Recording> recording_;
+  CamerasPresenter cameras_;
+  std::optional<capture::Recording> recording_;  // of live cameras: the rig and the pictures taken
+  bool is_live_ = false;
+  mutable QString rig_fault_;
   tracking::CoilModel coil_;
   std::shared_ptr<const session::AlignmentOutcome> outcome_;
   std::unique_ptr<session::Session> session_;

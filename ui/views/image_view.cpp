@@ -10,12 +10,17 @@ QImage toQImage(const RgbImage& image) {
       .copy();
 }
 
+QImage toQImage(const unsigned char* grey, int width_px, int height_px, int stride) {
+  if (!grey) return {};
+  return QImage(grey, width_px, height_px, stride, QImage::Format_Grayscale8).copy();
+}
+
 ImageView::ImageView(const QString& when_empty, QWidget* parent) : QWidget(parent), when_empty_(when_empty) {
   setMinimumSize(200, 150);
 }
 
-void ImageView::set(const RgbImage& image) {
-  image_ = toQImage(image);
+void ImageView::set(const QImage& image) {
+  image_ = image;
   update();
 }
 

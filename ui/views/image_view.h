@@ -1,5 +1,5 @@
 #pragma once
-// ImageView: an RgbImage, scaled to the widget with its aspect kept (the camera views).
+// ImageView: a picture, scaled to the widget with its aspect kept (the camera views).
 
 #include <QImage>
 #include <QWidget>
@@ -9,13 +9,15 @@
 namespace facenav::ui {
 
 QImage toQImage(const RgbImage& image);
+/// 8-bit grey, `stride` bytes a row; copied.
+QImage toQImage(const unsigned char* grey, int width_px, int height_px, int stride);
 
 class ImageView : public QWidget {
   Q_OBJECT
 
  public:
   explicit ImageView(const QString& when_empty, QWidget* parent = nullptr);
-  void set(const RgbImage& image);
+  void set(const QImage& image);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

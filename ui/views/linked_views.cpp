@@ -1,6 +1,7 @@
 #include "views/linked_views.h"
 
 #include <QGridLayout>
+#include <QVBoxLayout>
 
 namespace facenav::ui {
 
@@ -14,7 +15,9 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
     slices_[std::size_t(i)] = new SliceView(orientations[i], this);
     grid->addWidget(slices_[std::size_t(i)], i / 2, i % 2);
   }
-  grid->addWidget(scene_view_, 1, 1);
+  scene_column_ = new QVBoxLayout;
+  scene_column_->addWidget(scene_view_, 1);
+  grid->addLayout(scene_column_, 1, 1);
   for (int i = 0; i < 2; ++i) grid->setRowStretch(i, 1), grid->setColumnStretch(i, 1);
   for (auto* view : slices_) {
     connect(view, &SliceView::crosshairMoved, this, [this](double x, double y, double z) {
@@ -66,6 +69,13 @@ void LinkedViews::setBrain(const LoadedCase& loaded) {
   if (loaded.brain) scene_view_->scene().setBrain(*loaded.brain);
   scene_view_->refresh();
 }
+
+void LinkedViews::setBrain(const surface::BrainModel& brain) {
+  scene_view_->scene().setBrain(brain);
+  scene_view_->refresh();
+}
+
+void LinkedViews::setSceneFooter(QWidget* footer) { scene_column_->addWidget(footer); }
 
 void LinkedViews::setTool(SliceTool* tool) {
   for (auto* view : slices_) view->setTool(tool);

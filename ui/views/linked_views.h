@@ -9,6 +9,8 @@
 #include "views/scene_view.h"
 #include "views/slice_view.h"
 
+class QVBoxLayout;
+
 namespace facenav::ui {
 
 class LinkedViews : public QWidget {
@@ -23,6 +25,9 @@ class LinkedViews : public QWidget {
   void setContours(const std::vector<scene::SliceContour>& contours);
   /// The brain in the 3-D view, after a correction.
   void setBrain(const LoadedCase& loaded);
+  void setBrain(const surface::BrainModel& brain);
+  /// Below the 3-D view; taken over.
+  void setSceneFooter(QWidget* footer);
   void setTool(SliceTool* tool);
   Point<Mri> crosshair() const;
   void refreshSlices();
@@ -37,6 +42,7 @@ class LinkedViews : public QWidget {
  private:
   std::array<SliceView*, 3> slices_;
   SceneView* scene_view_;
+  QVBoxLayout* scene_column_;
   std::shared_ptr<scene::SliceScene> slice_scene_;
   std::vector<scene::SliceContour> contours_;
   bool are_masks_shown_ = true;

@@ -9,7 +9,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kColumns = 8, kRedraw_ms = 120;
+constexpr int kRedraw_ms = 120;
 
 }  // namespace
 
@@ -17,7 +17,8 @@ MontageView::MontageView(QWidget* parent) : QScrollArea(parent), sheet_(new QLab
   setObjectName("montage");
   setWidget(sheet_);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // else its coming and going changes the width
+  setVerticalScrollBarPolicy(
+      Qt::ScrollBarAlwaysOff);  // the sheet is made to fit; the wheel scrolls a larger one
   sheet_->installEventFilter(this);
   sheet_->setToolTip(tr("skin orange, brain blue; double click: look at this place on the large slices"));
   soon_.setSingleShot(true);
@@ -37,10 +38,8 @@ void MontageView::show(const LoadedCase& loaded) {
 
 void MontageView::draw() {
   if (!content_) return;
-  scene::MontageOptions options;
-  options.columns = kColumns;
-  options.tile_px = std::max(60, viewport()->width() / kColumns - 3);
-  montage_ = scene::contourMontage(scene_, *content_, options);
+  montage_ =
+      scene::contourMontage(scene_, *content_, scene::sheetFor(viewport()->width(), viewport()->height()));
   sheet_->setPixmap(QPixmap::fromImage(toQImage(montage_.picture)));
   sheet_->adjustSize();
 }

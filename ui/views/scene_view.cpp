@@ -5,9 +5,18 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QPainter>
+#include <utility>
 
 namespace facenav::ui {
+namespace {
+
+constexpr double kFluid_ms = 40.0;  // a whole picture within this needs no shortcut
+constexpr int kRest_ms = 300;
+
+}  // namespace
 
 SceneView::SceneView(QWidget* parent)
     : QVTKOpenGLNativeWidget(parent), scene_(std::make_unique<scene::NavigationScene>()) {
@@ -17,6 +26,17 @@ SceneView::SceneView(QWidget* parent)
   scene_->attach(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor()->SetInteractorStyle(style);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest_ms);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    is_quick_ = false;
+    scene_->setQuick(false);
+    refresh();
+  });
+  line_ = new QWidget(this);
+  line_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  line_->installEventFilter(this);
+  line_->hide();
   setMinimumSize(200, 160);
   setToolTip(tr("left: rotate   middle: pan   right: zoom   click: choose a point"));
 }
@@ -34,15 +54,74 @@ void SceneView::show(const LoadedCase& loaded) {
 }
 
 void SceneView::refresh() {
-  if (isVisible()) renderWindow()->Render();
+  if (!isVisible()) return;
+  QElapsedTimer timer;
+  timer.start();
+  renderWindow()->Render();
+  if (!is_quick_) whole_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+}
+
+/// True, and the scene made quick until it rests, where whole pictures take too long to move.
+bool SceneView::drawsQuickly() {
+  if (!is_quick_ && whole_ms_ < kFluid_ms) return false;
+  rest_.start();
+  if (!is_quick_) scene_->setQuick(true);
+  return is_quick_ = true;
+}
+
+void SceneView::refreshMoving() {
+  drawsQuickly();
+  refresh();
+}
+
+void SceneView::setDrawing(bool is_drawing) {
+  if (draws_ == is_drawing) return;
+  draws_ = is_drawing;
+  outline_.clear();
+  line_->setVisible(is_drawing);
+  setCursor(is_drawing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// The line under way, drawn over the rendered picture.
+bool SceneView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != line_ || event->type() != QEvent::Paint)
+    return QVTKOpenGLNativeWidget::eventFilter(watched, event);
+  QPainter painter(line_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Qt::white, 2));
+  painter.drawPolyline(outline_);
+  painter.setPen(QPen(Qt::white, 1, Qt::DashLine));
+  if (outline_.size() > 2) painter.drawLine(outline_.back(), outline_.front());
+  return true;
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (draws_ && event->buttons() == Qt::LeftButton && !outline_.isEmpty()) {
+    outline_ << event->pos();
+    return line_->update();
+  }
+  if (event->buttons() != Qt::NoButton) drawsQuickly();
+  QVTKOpenGLNativeWidget::mouseMoveEvent(event);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = event->pos();
+  if (draws_ && event->button() == Qt::LeftButton) {
+    outline_ = QPolygon() << event->pos();
+    return line_->update();
+  }
   QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (draws_ && event->button() == Qt::LeftButton) {
+    std::vector<Eigen::Vector2d> outline;
+    for (const QPoint& p : std::exchange(outline_, {}))
+      outline.emplace_back(2.0 * p.x() / width() - 1.0, 1.0 - 2.0 * p.y() / height());
+    line_->update();
+    if (outline.size() > 2) emit outlineDrawn(outline);
+    return;
+  }
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
   if (event->button() != Qt::LeftButton || (event->pos() - pressed_at_).manhattanLength() > 3) return;
   const double ratio = devicePixelRatioF();
@@ -53,6 +132,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
+  line_->setGeometry(rect());
   scene_->attach(renderWindow());  // the head icon keeps its shape
 }
 

@@ -5,6 +5,8 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QPoint>
+#include <QPolygon>
+#include <QTimer>
 #include <memory>
 
 #include "facenav/scene/navigation_scene.h"
@@ -23,18 +25,36 @@ class SceneView : public QVTKOpenGLNativeWidget {
   /// Patient, targets and slices of a case.
   void show(const LoadedCase& loaded);
   void refresh();
+  /// While something moves: where whole pictures are slow here, quick ones, and a whole one when it rests.
+  void refreshMoving();
+  /// True: the left button draws a closed line instead of turning the view (scalpel).
+  void setDrawing(bool is_drawing);
+  /// As it is seen now.
+  scene::SceneProjection projection() const { return scene_->projection(width(), height()); }
 
  signals:
+  /// -1..1 right and up, as of projection(); three corners or more.
+  void outlineDrawn(const std::vector<Eigen::Vector2d>& outline);
   void picked(double x_mm, double y_mm, double z_mm, bool is_brain);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   std::unique_ptr<scene::NavigationScene> scene_;
+  bool drawsQuickly();
+
+  QWidget* line_;  // over the picture
+  QPolygon outline_;
+  bool draws_ = false;
   QPoint pressed_at_;
+  QTimer rest_;
+  double whole_ms_ = 0.0;
+  bool is_quick_ = false;
 };
 
 }  // namespace facenav::ui

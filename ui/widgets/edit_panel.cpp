@@ -29,13 +29,16 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   size_words_ = new QLabel(this);
   size_ = new QSlider(Qt::Horizontal, this);
   size_->setRange(1, kMostSlider);
-  size_->setToolTip(tr("radius of brush and eraser (Ctrl+wheel over a slice, [ and ])"));
+  size_->setToolTip(
+      tr("radius of brush and eraser, depth of the scalpel (Ctrl+wheel over a slice, [ and ])"));
   ball_ = new QCheckBox(tr("ball (3-D)"), this);
   ball_->setToolTip(tr("through neighbouring slices as well; else only the slice shown (D)"));
   ball_->setShortcut(Qt::Key_D);
   for (const int step : {-1, 1}) {
     auto* key = new QShortcut(step < 0 ? Qt::Key_BracketLeft : Qt::Key_BracketRight, this);
-    connect(key, &QShortcut::activated, this, [this, step] { presenter_.resize(step); });
+    connect(key, &QShortcut::activated, this, [this, step] {
+      cuts() ? presenter_.setCutDepth_mm(presenter_.cutDepth_mm() + step) : presenter_.resize(step);
+    });
   }
   grid->addWidget(size_words_, 3, 0);
   grid->addWidget(size_, 3, 1);
@@ -44,9 +47,11 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   words_ = new QLabel(this);
   words_->setObjectName("muted");
   words_->setWordWrap(true);
-  grid->addWidget(words_, 8, 0, 1, 3);
-  connect(size_, &QSlider::valueChanged, this,
-          [this](int value) { presenter_.setRadius_mm(double(value) / kSliderPerMm); });
+  grid->addWidget(words_, 9, 0, 1, 3);
+  connect(size_, &QSlider::valueChanged, this, [this](int value) {
+    const double size_mm = double(value) / kSliderPerMm;
+    cuts() ? presenter_.setCutDepth_mm(size_mm) : presenter_.setRadius_mm(size_mm);
+  });
   connect(ball_, &QCheckBox::toggled, &presenter_, &EditPresenter::setBall);
   connect(&presenter_, &EditPresenter::changed, this, &EditPanel::showState);
   showState();
@@ -73,7 +78,10 @@ void EditPanel::addTools(QGridLayout& grid) {
        Qt::Key_H},
       {EditTool::lasso, tr("Lasso"), tr("draw round what is to be added; Shift cuts it off"), Qt::Key_L},
       {EditTool::grow, tr("Grow"),
-       tr("add what hangs together with the place clicked and looks like it; Shift takes away"), Qt::Key_G}};
+       tr("add what hangs together with the place clicked and looks like it; Shift takes away"), Qt::Key_G},
+      {EditTool::scalpel, tr("Scalpel"),
+       tr("draw round a part on the 3-D view: what lies behind it, down to the depth, is cut off"),
+       Qt::Key_X}};
   int place = 0;
   for (const auto& entry : entries) {
     auto* made = button(entry.text, entry.tip, entry.key);
@@ -96,14 +104,15 @@ void EditPanel::addActions(QGridLayout& grid, int row) {
   auto* reset = button(tr("Automatic"), tr("back to the automatic mask, as a step that can be undone"), {});
   save_ = button(tr("Save"), tr("into the case; a sign-off is void then"), QKeySequence::Save);
   discard_ = button(tr("Discard"), tr("throw the draft away: the case's own mask again"), {});
-  auto* automatic = new QCheckBox(tr("automatic"), this);
+  auto* automatic = new QCheckBox(tr("automatic contour, white"), this);
   automatic->setToolTip(tr("show the automatic mask's contour as well, white (A)"));
   automatic->setShortcut(Qt::Key_A);
   int place = 0;
+  grid.addWidget(automatic, row + 3, 0, 1, 3);
   for (QWidget* each :
        {static_cast<QWidget*>(smooth), static_cast<QWidget*>(fill), static_cast<QWidget*>(interpolate),
         static_cast<QWidget*>(undo_), static_cast<QWidget*>(redo_), static_cast<QWidget*>(reset),
-        static_cast<QWidget*>(save_), static_cast<QWidget*>(discard_), static_cast<QWidget*>(automatic)}) {
+        static_cast<QWidget*>(save_), static_cast<QWidget*>(discard_)}) {
     grid.addWidget(each, row + place / 3, place % 3);
     ++place;
   }
@@ -118,11 +127,15 @@ void EditPanel::addActions(QGridLayout& grid, int row) {
   connect(automatic, &QCheckBox::toggled, this, &EditPanel::automaticShown);
 }
 
+bool EditPanel::cuts() const { return presenter_.tool() == EditTool::scalpel; }
+
 void EditPanel::showState() {
   for (auto* each : tools_->buttons()) each->setChecked(EditTool(tools_->id(each)) == presenter_.tool());
   const QSignalBlocker quiet(size_);
-  size_->setValue(int(std::lround(presenter_.radius_mm() * kSliderPerMm)));
-  size_words_->setText(tr("%1 mm").arg(presenter_.radius_mm(), 0, 'f', 1));
+  const double size_mm = cuts() ? presenter_.cutDepth_mm() : presenter_.radius_mm();
+  size_->setValue(int(std::lround(size_mm * kSliderPerMm)));
+  size_words_->setText((cuts() ? tr("%1 mm deep") : tr("%1 mm")).arg(size_mm, 0, 'f', 1));
+  ball_->setEnabled(!cuts());
   undo_->setEnabled(presenter_.canUndo());
   redo_->setEnabled(presenter_.canRedo());
   save_->setEnabled(presenter_.hasUnsaved());

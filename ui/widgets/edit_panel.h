@@ -28,6 +28,7 @@ class EditPanel : public QFrame {
   void addActions(QGridLayout& grid, int row);
   QPushButton* button(const QString& text, const QString& tip, const QKeySequence& key);
   void showState();
+  bool cuts() const;
 
   EditPresenter& presenter_;
   QButtonGroup* tools_;

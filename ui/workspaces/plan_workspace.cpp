@@ -5,19 +5,28 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QShortcut>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "views/linked_views.h"
+#include "widgets/brain_look_panel.h"
 #include "widgets/place_panel.h"
 
 namespace facenav::ui {
 
-PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CaseModel& model,
-                             QWidget* parent)
-    : QWidget(parent), presenter_(presenter), place_(place), model_(model), views_(new LinkedViews(this)) {
+PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex,
+                             CaseModel& model, QWidget* parent)
+    : QWidget(parent),
+      presenter_(presenter),
+      place_(place),
+      cortex_(cortex),
+      model_(model),
+      views_(new LinkedViews(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 10, 10, 10);
   row->addWidget(views_, 1);
+  views_->setSceneFooter(new BrainLookPanel(cortex_, views_));
   row->addWidget(makeTargetsPanel());
   addKeys();
   connect(&model_, &CaseModel::opened, this, [this] {
@@ -27,6 +36,17 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Ca
   connect(&model_, &CaseModel::brainChanged, this, [this] {
     is_outdated_ = true;
     if (isVisible()) showCase();
+  });
+  connect(&cortex_, &CortexPresenter::cortexChanged, this, [this] {
+    if (!is_outdated_) takeCortex();
+  });
+  // However fast the slider moves, one picture at a time.
+  connect(&cortex_, &CortexPresenter::changed, this, [this] {
+    if (std::exchange(is_drawing_brain_, true)) return;
+    QTimer::singleShot(0, this, [this] {
+      is_drawing_brain_ = false;
+      showBrain();
+    });
   });
   connect(views_, &LinkedViews::crosshairMoved, this, [this] { place_panel_->show(views_->crosshair()); });
   connect(place_panel_, &PlacePanel::goTo, this, [this](double x, double y, double z) {
@@ -126,10 +146,26 @@ void PlanWorkspace::showCase() {
   if (!is_outdated_ || !model_.isOpen()) return;
   is_outdated_ = false;
   views_->show(model_.current());
+  shown_cortex_.reset();  // a new brain takes it out of the scene
   views_->setMasksShown(false);
+  takeCortex();
+  showBrain();
   showPlan();
   if (const auto* target = presenter_.active()) views_->setCrosshair(target->cortex_point);
   views_->sceneView().scene().setView(scene::ViewPreset::target);
+}
+
+void PlanWorkspace::takeCortex() {
+  auto& scene = views_->sceneView().scene();
+  if (shown_cortex_ != cortex_.cortex()) scene.setCortex(cortex_.cortex());
+  shown_cortex_ = cortex_.cortex();
+}
+
+void PlanWorkspace::showBrain() {
+  auto& scene = views_->sceneView().scene();
+  scene.setBrainLook(cortex_.look());
+  scene.setPeelDepth(cortex_.peel_mm());
+  views_->sceneView().refreshMoving();
 }
 
 void PlanWorkspace::showPlan() {

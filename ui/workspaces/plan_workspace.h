@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "presenters/cortex_presenter.h"
 #include "presenters/place_presenter.h"
 #include "presenters/plan_presenter.h"
 
@@ -19,7 +20,8 @@ class PlanWorkspace : public QWidget {
   Q_OBJECT
 
  public:
-  PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CaseModel& model, QWidget* parent = nullptr);
+  PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex, CaseModel& model,
+                QWidget* parent = nullptr);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -30,15 +32,20 @@ class PlanWorkspace : public QWidget {
   void addKeys();
   void showCase();
   void showPlan();
+  void showBrain();
+  void takeCortex();
 
   PlanPresenter& presenter_;
   PlacePresenter& place_;
+  CortexPresenter& cortex_;
   CaseModel& model_;
+  std::shared_ptr<const scene::CortexPicture> shown_cortex_;
   LinkedViews* views_;
   PlacePanel* place_panel_;
   QListWidget* targets_;
   QLabel* detail_;
   QPushButton *undo_, *redo_, *remove_;
+  bool is_drawing_brain_ = false;
   bool is_outdated_ = false, is_filling_ = false;
 };
 

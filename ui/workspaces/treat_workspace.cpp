@@ -2,15 +2,16 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "views/bulls_eye_view.h"
 #include "views/image_view.h"
 #include "views/scene_view.h"
+#include "widgets/cameras_panel.h"
 #include "widgets/figures_panel.h"
 #include "widgets/override_panel.h"
 
@@ -23,6 +24,7 @@ constexpr int kRefresh_ms = 33;
 
 TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
     : QWidget(parent), presenter_(presenter), model_(model), scene_(new SceneView(this)) {
+  setObjectName("treat");  // text to be read from two metres
   auto* row = new QHBoxLayout;
   auto* middle = new QVBoxLayout;
   middle->addWidget(scene_, 3);
@@ -45,6 +47,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&model_, &CaseModel::planChanged, this, markOutdated);
   connect(&model_, &CaseModel::signOffChanged, this, &TreatWorkspace::showSteps);
   showSteps();
+  showStage(!presenter_.hasRecording());
 }
 
 QWidget* TreatWorkspace::makeCameraRow() {
@@ -59,8 +62,11 @@ QWidget* TreatWorkspace::makeCameraRow() {
 }
 
 QWidget* TreatWorkspace::makeSide() {
-  auto* side = new QWidget(this);
-  side->setMinimumWidth(400);
+  side_ = new QStackedWidget(this);
+  side_->setMinimumWidth(400);
+  auto* side = new QWidget(side_);
+  side_->addWidget(side);
+  side_->addWidget(new CamerasPanel(presenter_, side_));
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   bulls_eye_ = new BullsEyeView(side);
@@ -81,7 +87,7 @@ QWidget* TreatWorkspace::makeSide() {
     presenter_.countPulse();
     showSession();
   });
-  return side;
+  return side_;
 }
 
 QWidget* TreatWorkspace::makeSteps() {
@@ -92,7 +98,8 @@ QWidget* TreatWorkspace::makeSteps() {
   cameras_ = new QPushButton(bar);
   align_ = new QPushButton(bar);
   guide_ = new QPushButton(bar);
-  cameras_->setToolTip(tr("open a recording (Ctrl+R)"));
+  cameras_->setToolTip(tr("cameras or a recording, their calibration and pictures (Ctrl+R)"));
+  cameras_->setCheckable(true);
   cameras_->setShortcut(Qt::CTRL + Qt::Key_R);
   align_->setToolTip(tr("measure the face and fit it to the scan; no click is needed (Ctrl+L)"));
   align_->setShortcut(Qt::CTRL + Qt::Key_L);
@@ -107,18 +114,34 @@ QWidget* TreatWorkspace::makeSteps() {
   for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
   row->addWidget(words_, 1);
   row->addWidget(target_);
-  connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::chooseRecording);
+  connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::showStage);
   connect(align_, &QPushButton::clicked, this, [this] { presenter_.align(false); });
-  connect(guide_, &QPushButton::clicked, this,
-          [this] { presenter_.isRunning() ? presenter_.stop() : presenter_.start(); });
+  connect(guide_, &QPushButton::clicked, this, [this] {
+    if (presenter_.isRunning()) return presenter_.stop();
+    showStage(false);
+    presenter_.start();
+  });
   connect(target_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { presenter_.chooseTarget(target_->currentText()); });
   return bar;
 }
 
-void TreatWorkspace::chooseRecording() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a recording"));
-  if (!folder.isEmpty()) presenter_.openRecording(folder);
+/// Step 1: the pictures large, the choice of cameras beside them; else the scene and the figures.
+void TreatWorkspace::showStage(bool shows_cameras) {
+  side_->setCurrentIndex(shows_cameras ? 1 : 0);
+  scene_->setVisible(!shows_cameras);
+  previewed_ = -1;
+  cameras_->setChecked(shows_cameras);
+  signature_.clear();
+}
+
+/// What the cameras see, before anything is tracked.
+void TreatWorkspace::showPreview() {
+  const auto frame = presenter_.cameras().picture();
+  if (!frame || frame->number == previewed_) return;
+  previewed_ = frame->number;
+  left_->set(toQImage(frame->left.data, frame->left.cols, frame->left.rows, int(frame->left.step)));
+  right_->set(toQImage(frame->right.data, frame->right.cols, frame->right.rows, int(frame->right.step)));
 }
 
 void TreatWorkspace::showSession() {
@@ -134,9 +157,11 @@ void TreatWorkspace::showSteps() {
   const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
   cameras_->setText(tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
   align_->setText(tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
+  const bool has_begun = presenter_.isRunning() && !shows_running_;
   shows_running_ = presenter_.isRunning();
+  if (has_begun) showStage(false);
   guide_->setText(shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
-  align_->setEnabled(presenter_.hasRecording() && presenter_.mayTreat());
+  align_->setEnabled(presenter_.canAlign());
   guide_->setEnabled(presenter_.isAligned() && presenter_.mayTreat());
   words_->setText(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                                   : tr("open a case first (Ctrl+O)"));
@@ -177,6 +202,12 @@ void TreatWorkspace::refresh() {
   } else if (presenter_.hasEnded() && state->failure.empty()) {
     read_out.instruction = tr("RECORDING ENDED: start again");
   }
+  const bool shows_cameras = side_->currentIndex() == 1;
+  if (shows_cameras && !presenter_.isRunning()) {
+    showPreview();
+    emit shown(read_out);
+    return;
+  }
   // Drawn anew whenever anything that is shown has changed: a blanked state must replace the last one at
   // once.
   const QString signature = QStringList{QString::number(state->frame),
@@ -201,10 +232,10 @@ void TreatWorkspace::refresh() {
     scene.setOnTarget(read_out.level == Level::good);
     scene.setBanner(was_started && read_out.level == Level::lost ? read_out.instruction.toStdString()
                                                                  : std::string());
-    scene_->refresh();
+    was_started ? scene_->refreshMoving() : scene_->refresh();
     const auto overlay = presenter_.overlay(*state);
-    left_->set(overlay.left);
-    right_->set(overlay.right);
+    left_->set(toQImage(overlay.left));
+    right_->set(toQImage(overlay.right));
     bulls_eye_->set(state->guidance);
     figures_->set(read_out);
     const bool has_just_lost =

@@ -11,6 +11,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace facenav::ui {
 
@@ -24,6 +25,8 @@ class TreatWorkspace : public QWidget {
 
  public:
   TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent = nullptr);
+
+  TreatPresenter& presenter() { return presenter_; }
 
  signals:
   /// After each refresh, for the window's header.
@@ -40,7 +43,8 @@ class TreatWorkspace : public QWidget {
   void showCase();
   void showSteps();
   void refresh();
-  void chooseRecording();
+  void showStage(bool shows_cameras);
+  void showPreview();
   void showSession();
 
   TreatPresenter& presenter_;
@@ -50,10 +54,12 @@ class TreatWorkspace : public QWidget {
   BullsEyeView* bulls_eye_;
   FiguresPanel* figures_;
   QComboBox* target_;
+  QStackedWidget* side_;
   QPushButton *cameras_, *align_, *guide_, *pulse_;
   QLabel *words_, *pulses_;
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false;
+  std::int64_t previewed_ = -1;
   QString signature_, last_instruction_;
 };
 

@@ -28,6 +28,19 @@ CheckPage::CheckPage(PreparePresenter& presenter, EditPresenter& edit, CaseModel
     showFindings();
   });
   views_->setTool(&edit_);
+  auto& scene_view = views_->sceneView();
+  connect(&edit_, &EditPresenter::changed, this, [this, &scene_view] {
+    scene_view.setDrawing(edit_.canEdit() && edit_.tool() == EditTool::scalpel);
+  });
+  connect(&scene_view, &SceneView::outlineDrawn, this,
+          [this, &scene_view](const std::vector<Eigen::Vector2d>& outline) {
+            const auto seen = scene_view.projection();
+            edit_.cut({seen.screen_from_mri, seen.eye}, outline);
+          });
+  connect(&edit_, &EditPresenter::brainFollowed, this,
+          [this](const std::shared_ptr<const surface::BrainModel>& brain) {
+            if (!is_outdated_) views_->setBrain(*brain);
+          });
   // A stroke's own view draws itself; the others follow when it is done.
   connect(&edit_, &EditPresenter::maskChanged, this, [this](bool is_stroke) {
     if (!is_stroke && !is_outdated_ && isVisible()) views_->refreshSlices();

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "workspaces/prepare/archive_page.h"
 #include "workspaces/prepare/check_page.h"
 #include "workspaces/prepare/series_page.h"
 #include "workspaces/prepare/sign_off_page.h"
@@ -14,8 +15,8 @@
 namespace facenav::ui {
 
 PrepareWorkspace::PrepareWorkspace(PreparePresenter& presenter, WorklistPresenter& worklist,
-                                   PrepareQueue& queue, SignOffPresenter& sign_off, EditPresenter& edit,
-                                   CaseModel& model, QWidget* parent)
+                                   PrepareQueue& queue, ArchivePresenter& archive, SignOffPresenter& sign_off,
+                                   EditPresenter& edit, CaseModel& model, QWidget* parent)
     : QWidget(parent),
       presenter_(presenter),
       sign_off_(sign_off),
@@ -26,8 +27,10 @@ PrepareWorkspace::PrepareWorkspace(PreparePresenter& presenter, WorklistPresente
   auto* worklist_page = new WorklistPage(worklist, queue, this);
   auto* check_page = new CheckPage(presenter, edit, model, this);
   auto* sign_off_page = new SignOffPage(sign_off, model, this);
+  auto* archive_page = new ArchivePage(archive, this);
   for (QWidget* page : {static_cast<QWidget*>(worklist_page), static_cast<QWidget*>(series_page_),
-                        static_cast<QWidget*>(check_page), static_cast<QWidget*>(sign_off_page)})
+                        static_cast<QWidget*>(check_page), static_cast<QWidget*>(sign_off_page),
+                        static_cast<QWidget*>(archive_page)})
     pages_->addWidget(page);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 10);
@@ -39,6 +42,9 @@ PrepareWorkspace::PrepareWorkspace(PreparePresenter& presenter, WorklistPresente
     setStep(PrepareStep::series);
   });
   connect(series_page_, &SeriesPage::queued, this, [this] { setStep(PrepareStep::worklist); });
+  connect(series_page_, &SeriesPage::archiveWanted, this, [this] { setStep(PrepareStep::archive); });
+  connect(archive_page, &ArchivePage::left, this, [this] { setStep(PrepareStep::series); });
+  connect(archive_page, &ArchivePage::queued, this, [this] { setStep(PrepareStep::worklist); });
   connect(check_page, &CheckPage::goOn, this, [this] { setStep(PrepareStep::sign_off); });
   connect(sign_off_page, &SignOffPage::lookCloser, this, [this, check_page](double x, double y, double z) {
     setStep(PrepareStep::check);
@@ -86,7 +92,7 @@ void PrepareWorkspace::showSteps() {
     button->setShortcut(QKeySequence(Qt::ALT + Qt::Key_1 + i));  // a new text takes the shortcut away
     button->setEnabled(i < 2 || model_.isOpen());
   }
-  steps_->button(pages_->currentIndex())->setChecked(true);
+  steps_->button(step() == PrepareStep::archive ? 1 : pages_->currentIndex())->setChecked(true);
 }
 
 void PrepareWorkspace::chooseInput() {

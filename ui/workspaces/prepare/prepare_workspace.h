@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "presenters/archive_presenter.h"
 #include "presenters/edit_presenter.h"
 #include "presenters/prepare_presenter.h"
 #include "presenters/sign_off_presenter.h"
@@ -16,15 +17,16 @@ namespace facenav::ui {
 class CheckPage;
 class SeriesPage;
 
-enum class PrepareStep { worklist, series, check, sign_off };
+/// `archive` belongs to step 2.
+enum class PrepareStep { worklist, series, check, sign_off, archive };
 
 class PrepareWorkspace : public QWidget {
   Q_OBJECT
 
  public:
   PrepareWorkspace(PreparePresenter& presenter, WorklistPresenter& worklist, PrepareQueue& queue,
-                   SignOffPresenter& sign_off, EditPresenter& edit, CaseModel& model,
-                   QWidget* parent = nullptr);
+                   ArchivePresenter& archive, SignOffPresenter& sign_off, EditPresenter& edit,
+                   CaseModel& model, QWidget* parent = nullptr);
   void setStep(PrepareStep step);
   PrepareStep step() const;
   /// Asks for a folder to read.

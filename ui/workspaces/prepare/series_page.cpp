@@ -34,10 +34,14 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   auto* file = new QPushButton(tr("Read NIfTI file\u2026"), this);
   folder->setToolTip(tr("list the series under a folder (Ctrl+I); or drop a folder anywhere"));
   file->setToolTip(tr("a T1 of the whole head; or drop the file anywhere"));
+  auto* archive = new QPushButton(tr("From the archive\u2026"), this);
+  archive->setToolTip(tr("find and fetch a series of the hospital's PACS (Ctrl+Shift+A)"));
+  archive->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_A);
   input_ = new QLabel(this);
   input_->setObjectName("muted");
   head->addWidget(folder);
   head->addWidget(file);
+  head->addWidget(archive);
   head->addWidget(input_, 1);
   series_ = new QListWidget(this);
   series_->setWordWrap(true);
@@ -55,6 +59,7 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   foot->addStretch(1);
   column->addLayout(foot);
   connect(folder, &QPushButton::clicked, this, &SeriesPage::chooseFolder);
+  connect(archive, &QPushButton::clicked, this, &SeriesPage::archiveWanted);
   connect(file, &QPushButton::clicked, this, &SeriesPage::chooseFile);
   connect(prepare_, &QPushButton::clicked, this, &SeriesPage::queueChosen);
   connect(series_, &QListWidget::itemActivated, this, &SeriesPage::queueChosen);
@@ -76,7 +81,8 @@ void SeriesPage::chooseFile() {
 
 void SeriesPage::showLines() {
   series_->clear();
-  input_->setText(presenter_.input());
+  input_->setText(presenter_.lines().empty() ? tr("nothing found")
+                                             : tr("series found: %1").arg(presenter_.lines().size()));
   for (const auto& line : presenter_.lines()) {
     const QString mark = line.is_recommended ? tr("\u2605 recommended: ")
                          : line.is_usable    ? QString()

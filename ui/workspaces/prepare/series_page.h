@@ -21,6 +21,7 @@ class SeriesPage : public QWidget {
 
  signals:
   void queued();
+  void archiveWanted();
 
  private:
   void chooseFile();

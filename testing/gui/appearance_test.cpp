@@ -1,0 +1,102 @@
+// SCREENS.md as checks: contrast of every text colour of the style sheet, sizes of what is read from two
+// metres, and no button without words, a tooltip and a way to press it by keyboard.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QColor>
+#include <QFile>
+#include <QLabel>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "facenav/scene/display.h"
+#include "gui_fixtures.h"
+#include "main_window.h"
+#include "workspaces/prepare/prepare_workspace.h"
+#include "workspaces/treat_workspace.h"
+
+namespace facenav::ui {
+namespace {
+
+double luminance(const QColor& colour) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+/// WCAG 2.1.
+double contrast(const QColor& a, const QColor& b) {
+  const double la = luminance(a), lb = luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+std::optional<QColor> property(const QString& body, const QString& name) {
+  const QRegularExpression pattern("(?:^|;|\\s)" + name + ":\\s*(#[0-9a-fA-F]{6})");
+  const auto match = pattern.match(body);
+  return match.hasMatch() ? std::optional(QColor(match.captured(1))) : std::nullopt;
+}
+
+TEST(Appearance, EveryTextStandsOutFromWhatItIsWrittenOn) {
+  QFile sheet(":/facenav/dark.qss");
+  ASSERT_TRUE(sheet.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(sheet.readAll());
+  const QRegularExpression rule("([^{}]+)\\{([^}]*)\\}");
+  int checked = 0;
+  for (auto it = rule.globalMatch(text); it.hasNext();) {
+    const auto match = it.next();
+    const QString selector = match.captured(1).trimmed(), body = match.captured(2);
+    const auto colour = property(body, "color");
+    if (!colour || selector.contains(":disabled")) continue;  // what cannot be used may be faint
+    const auto own = property(body, "background");
+    for (const QColor& behind : own ? QList<QColor>{*own} : QList<QColor>{"#0b0d10", "#101419", "#15191f"}) {
+      ++checked;
+      EXPECT_GE(contrast(*colour, behind), 4.5)
+          << selector.toStdString() << " on " << behind.name().toStdString();
+    }
+  }
+  EXPECT_GT(checked, 20);
+}
+
+double pointSize(const QWidget& widget) {
+  const QFont font = widget.font();
+  return font.pointSizeF() > 0 ? font.pointSizeF() : font.pixelSize() * 72.0 / 96.0;
+}
+
+TEST(Appearance, TreatIsReadFromTwoMetres) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  MainWindow window{Services{}};
+  window.show();
+  window.setWorkspace(Workspace::treat);
+  QApplication::processEvents();
+  auto* treat = window.findChild<TreatWorkspace*>();
+  int figures = 0;
+  for (const auto* label : treat->findChildren<QLabel*>()) {
+    label->ensurePolished();
+    const bool is_figure = label->objectName().startsWith("figure");
+    figures += is_figure;
+    EXPECT_GE(pointSize(*label), is_figure ? 48.0 : 14.0) << label->text().toStdString();
+  }
+  EXPECT_EQ(figures, 4);
+  for (const auto* button : treat->findChildren<QAbstractButton*>()) {
+    button->ensurePolished();
+    EXPECT_GE(pointSize(*button), 14.0) << button->text().toStdString();
+  }
+}
+
+TEST(Appearance, EveryButtonHasATooltipAndTheKeyboardReachesIt) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  MainWindow window{Services{}};
+  for (const auto* button : window.findChildren<QAbstractButton*>()) {
+    if (button->objectName().startsWith("qt_") || button->text().isEmpty())
+      continue;  // parts of Qt's own widgets
+    EXPECT_FALSE(button->toolTip().isEmpty()) << button->text().toStdString();
+    const bool is_reached = !button->shortcut().isEmpty() || button->focusPolicy() & Qt::TabFocus;
+    EXPECT_TRUE(is_reached) << button->text().toStdString();
+    if (!button->shortcut().isEmpty() && !button->text().contains(QChar(38))) {
+      EXPECT_TRUE(button->toolTip().contains('(')) << "its key is not said: " << button->text().toStdString();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace facenav::ui

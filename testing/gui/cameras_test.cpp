@@ -1,0 +1,159 @@
+// Live cameras, played by a recording that paces itself as cameras do.
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "gui_fixtures.h"
+#include "presenters/treat_presenter.h"
+#include "unit/session/session_fakes.h"
+
+namespace facenav::ui {
+namespace {
+
+namespace fakes = session::fakes;
+
+/// Frames of now, ten milliseconds apart, until it is told to fail.
+class FakeCameras : public capture::FrameSource {
+ public:
+  FakeCameras(std::shared_ptr<std::atomic<int>> open, std::shared_ptr<std::atomic<bool>> unplugged)
+      : open_(std::move(open)), unplugged_(std::move(unplugged)) {
+    if (++*open_ > 1) throw Error("camera cannot be opened", "camera 4", "is it plugged in and free?");
+  }
+  ~FakeCameras() override { --*open_; }
+  const stereo::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const stereo::StereoFrame> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (*unplugged_) throw Error("camera gives no image", "camera 4", "check the cable");
+    return fakes::frame(number_++, Timestamp::now().s);
+  }
+
+ private:
+  stereo::StereoRig rig_ = fakes::rig();
+  std::shared_ptr<std::atomic<int>> open_;
+  std::shared_ptr<std::atomic<bool>> unplugged_;
+  std::int64_t number_ = 0;
+};
+
+class CamerasTest : public ::testing::Test {
+ protected:
+  CamerasTest() {
+    services_.listCameras = [this] { return plugged_in_; };
+    services_.openCameras = [this](const stereo::StereoRig&, int left, int right) {
+      opened_ = {left, right};
+      return std::make_unique<FakeCameras>(open_, unplugged_);
+    };
+    services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
+      aligned_with_ = recording;
+      session::AlignmentOutcome outcome;
+      outcome.result.camera_T_mri = fakes::cameraAtReference();
+      outcome.reference.frame = *fakes::frame(0, 0);
+      return outcome;
+    };
+    services_.makeNavigator = [](const session::NavigatorSetup& setup) {
+      return std::make_unique<session::Navigator>(
+          setup, std::make_unique<fakes::Head>([](auto) { return RigidTransform<Camera, Head>(); }),
+          std::make_unique<fakes::Coil>(
+              RigidTransform<Camera, Marker>(Eigen::Quaterniond::Identity(), {20, -60, 550})));
+    };
+    treat_ = std::make_unique<TreatPresenter>(services_, model_, tasks_);
+    QObject::connect(treat_.get(), &TreatPresenter::refused, [this](const QString& w) { refused_ = w; });
+    stereo::writeRig(fakes::rig(), folder_.path() / "stereo.yml");
+    const auto case_folder = fixtures::writeBallCase(folder_.path());
+    casefile::signOff(casefile::CaseStore::open(case_folder), {"XY", "", true});
+    TaskMonitor monitor;
+    model_.open(loadCase(case_folder, monitor));
+  }
+  void openCameras() {
+    cameras().setRigFile(QString::fromStdString((folder_.path() / "stereo.yml").string()));
+    cameras().refreshDevices();
+    cameras().choose(2, 4);
+    ASSERT_TRUE(cameras().canOpen());
+    cameras().open();
+    ASSERT_TRUE(fixtures::waitFor([&] { return cameras().isWell(); }));
+  }
+  void settle() {
+    fixtures::waitFor([&] { return !tasks_.isRunning(); });
+  }
+  CamerasPresenter& cameras() { return treat_->cameras(); }
+
+  testing::TemporaryFolder folder_;
+  Services services_;
+  CaseModel model_;
+  TaskRunner tasks_;
+  std::vector<capture::CameraDevice> plugged_in_{{2, "left"}, {4, "right"}};
+  std::shared_ptr<std::atomic<int>> open_ = std::make_shared<std::atomic<int>>(0);
+  std::shared_ptr<std::atomic<bool>> unplugged_ = std::make_shared<std::atomic<bool>>(false);
+  std::pair<int, int> opened_{-1, -1};
+  std::optional<capture::Recording> aligned_with_;
+  QString refused_;
+  std::unique_ptr<TreatPresenter> treat_;
+};
+
+TEST_F(CamerasTest, WithoutACameraItSaysSoAndWhatToDo) {
+  plugged_in_.clear();
+  cameras().refreshDevices();
+  EXPECT_TRUE(cameras().words().contains("no camera found"));
+  EXPECT_FALSE(cameras().canOpen());
+  plugged_in_ = {{0, "the only one"}};
+  cameras().refreshDevices();
+  EXPECT_TRUE(cameras().words().contains("one camera only"));
+}
+
+TEST_F(CamerasTest, ACalibrationThatCannotBeReadIsNamedAndOpensNothing) {
+  cameras().choose(2, 4);
+  cameras().setRigFile(QString::fromStdString((folder_.path() / "missing.yml").string()));
+  EXPECT_FALSE(cameras().isRigGood());
+  EXPECT_TRUE(cameras().rigWords().contains("missing.yml"));
+  EXPECT_FALSE(cameras().canOpen());
+}
+
+TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
+  openCameras();
+  EXPECT_EQ(opened_, std::make_pair(2, 4));
+  EXPECT_TRUE(cameras().words().contains("live"));
+  EXPECT_FALSE(treat_->canAlign());
+  treat_->align(false);  // never with a capture of another day
+  EXPECT_TRUE(refused_.contains("take the two pictures"));
+  cameras().takePlain();  // the dots come first
+  EXPECT_FALSE(cameras().capture());
+  cameras().takeDots();
+  const auto with_dots = cameras().picture()->number;
+  ASSERT_TRUE(fixtures::waitFor([&] { return cameras().picture()->number > with_dots; }));
+  cameras().takePlain();
+  ASSERT_TRUE(treat_->canAlign());
+  treat_->align(true);
+  settle();
+  settle();
+  ASSERT_TRUE(treat_->isRunning());
+  ASSERT_TRUE(aligned_with_ && aligned_with_->capture);
+  EXPECT_LT(aligned_with_->capture->pattern.captured.s, aligned_with_->capture->plain.captured.s);
+  EXPECT_TRUE(fixtures::waitFor([&] { return bool(treat_->state()->camera_T_mri); }));
+  *unplugged_ = true;
+  ASSERT_TRUE(fixtures::waitFor([&] { return !treat_->state()->failure.empty(); }));
+  EXPECT_FALSE(treat_->state()->camera_T_mri);  // the last pose is not left standing
+  treat_->stop();
+  EXPECT_EQ(*open_, 0);
+}
+
+TEST_F(CamerasTest, AnUnpluggedCameraIsSaidAndNothingIsTakenFromIt) {
+  openCameras();
+  *unplugged_ = true;
+  ASSERT_TRUE(fixtures::waitFor([&] { return !cameras().isWell(); }));
+  EXPECT_TRUE(cameras().words().contains("check the cable"));
+  cameras().takeDots();
+  EXPECT_FALSE(cameras().hasDots());
+  EXPECT_TRUE(refused_.contains("no fresh picture"));
+}
+
+TEST_F(CamerasTest, TheChoiceComesBackAfterARestart) {
+  openCameras();
+  cameras().swapSides();
+  CamerasPresenter again(services_, tasks_);
+  EXPECT_EQ(again.left(), 4);
+  EXPECT_EQ(again.right(), 2);
+  EXPECT_TRUE(again.isRigGood());
+}
+
+}  // namespace
+}  // namespace facenav::ui

@@ -1,0 +1,184 @@
+#include "presenters/cameras_presenter.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/error.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr double kFresh_s = 0.5;        // an older picture shows what was, not what is
+constexpr double kPairWithin_s = 20.0;  // a head holds still that long, not longer
+const char* const kLeft = "cameras/left";
+const char* const kRight = "cameras/right";
+const char* const kRig = "cameras/rig";
+
+}  // namespace
+
+CamerasPresenter::CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent)
+    : QObject(parent), services_(services), tasks_(tasks) {
+  const QSettings settings;
+  left_ = settings.value(kLeft, -1).toInt();
+  right_ = settings.value(kRight, -1).toInt();
+  rig_file_ = settings.value(kRig).toString();
+  readRig();
+}
+
+void CamerasPresenter::refreshDevices() {
+  devices_ = services_.listCameras ? services_.listCameras() : std::vector<capture::CameraDevice>();
+  const auto isThere = [&](int index) {
+    return std::any_of(devices_.begin(), devices_.end(), [&](const auto& d) { return d.index == index; });
+  };
+  if (left_ < 0 && right_ < 0 && devices_.size() >= 2) return choose(devices_[0].index, devices_[1].index);
+  if (!devices_.empty() && (!isThere(left_) || !isThere(right_)))
+    return choose(isThere(left_) ? left_ : -1, isThere(right_) ? right_ : -1);
+  emit changed();
+}
+
+void CamerasPresenter::choose(int left, int right) {
+  left_ = left;
+  right_ = right;
+  QSettings settings;
+  settings.setValue(kLeft, left);
+  settings.setValue(kRight, right);
+  emit changed();
+}
+
+void CamerasPresenter::setRigFile(const QString& path) {
+  rig_file_ = path;
+  QSettings().setValue(kRig, path);
+  readRig();
+  emit changed();
+}
+
+void CamerasPresenter::readRig() {
+  rig_.reset();
+  rig_problem_.clear();
+  if (rig_file_.isEmpty()) return;
+  try {
+    rig_ = stereo::readRig(rig_file_.toStdString());
+  } catch (const Error& error) {
+    rig_problem_ = QString::fromUtf8(error.what());
+  }
+}
+
+QString CamerasPresenter::rigWords() const {
+  if (rig_file_.isEmpty()) return tr("no calibration chosen: choose the stereo.yml of these two cameras");
+  if (!rig_) return rig_problem_;
+  QString words = tr("%1 x %2 px, %3 mm apart")
+                      .arg(rig_->width_px)
+                      .arg(rig_->height_px)
+                      .arg(rig_->baseline_mm(), 0, 'f', 1);
+  if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
+  return words + tr(", of %1").arg(
+                     QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
+}
+
+bool CamerasPresenter::canOpen() const {
+  return rig_ && left_ >= 0 && right_ >= 0 && left_ != right_ && services_.openCameras;
+}
+
+void CamerasPresenter::open() {
+  if (!canOpen()) return;
+  tasks_.start(tr("Opening the cameras"),
+               [this, rig = *rig_, left = left_, right = right_,
+                old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+                 old.reset();  // a camera opens once only
+                 auto preview =
+                     std::make_shared<capture::LivePreview>(services_.openCameras(rig, left, right), false);
+                 return [this, preview] {
+                   preview_ = preview;
+                   is_live_ = true;
+                   emit opened();
+                   emit changed();
+                 };
+               });
+}
+
+void CamerasPresenter::show(const capture::Recording& recording) {
+  release();
+  if (recording.frame_count > 0)
+    preview_ = std::make_shared<capture::LivePreview>(capture::makeSource(recording), true);
+  emit changed();
+}
+
+std::shared_ptr<capture::LivePreview> CamerasPresenter::release() {
+  is_live_ = false;
+  dots_.reset();
+  plain_.reset();
+  return std::exchange(preview_, nullptr);
+}
+
+std::shared_ptr<const stereo::StereoFrame> CamerasPresenter::picture() const {
+  return preview_ ? preview_->latest() : nullptr;
+}
+
+bool CamerasPresenter::isWell() const {
+  if (!preview_) return false;
+  return preview_->failure().empty() && (!is_live_ || preview_->age_s() < kFresh_s);
+}
+
+QString CamerasPresenter::words() const {
+  if (preview_) {
+    if (!preview_->failure().empty()) return QString::fromStdString(preview_->failure());
+    if (!is_live_) return preview_->hasEnded() ? tr("recording, at its end") : tr("recording");
+    if (preview_->age_s() > kFresh_s) return tr("NO PICTURE from the cameras");
+    return tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
+  }
+  if (devices_.empty()) return tr("no camera found: plug two cameras in and look again, or open a recording");
+  if (devices_.size() < 2) return tr("one camera only: two are needed; plug the other in and look again");
+  if (left_ < 0 || right_ < 0 || left_ == right_) return tr("choose two different cameras");
+  if (!rig_) return tr("choose the calibration of these two cameras");
+  return tr("ready to be opened");
+}
+
+/// A picture that is older than half a second is not of now.
+std::optional<stereo::StereoFrame> CamerasPresenter::takeFresh() {
+  const auto frame = picture();
+  if (!isLive() || !isWell() || !frame) {
+    emit refused(tr("no fresh picture from the cameras: nothing was taken"));
+    return std::nullopt;
+  }
+  return stereo::StereoFrame{frame->left.clone(), frame->right.clone(), frame->number, frame->captured};
+}
+
+void CamerasPresenter::takeDots() {
+  dots_ = takeFresh();
+  plain_.reset();
+  dots_taken_ = Timestamp::now();
+  emit changed();
+}
+
+void CamerasPresenter::takePlain() {
+  if (!dots_) return;
+  plain_ = takeFresh();
+  plain_taken_ = Timestamp::now();
+  if (plain_ && plain_->number <= dots_->number) {  // the very picture that has the dots
+    plain_.reset();
+    emit refused(tr("no new picture from the cameras yet: take it again"));
+  } else if (plain_ && !capture()) {
+    dots_.reset();
+    plain_.reset();
+    emit refused(tr("more than %1 s between the two pictures: take both again").arg(kPairWithin_s));
+  }
+  emit changed();
+  if (capture()) emit captureTaken();
+}
+
+std::optional<capture::CapturePair> CamerasPresenter::capture() const {
+  if (!dots_ || !plain_ || std::abs(plain_taken_.s - dots_taken_.s) > kPairWithin_s) return std::nullopt;
+  return capture::CapturePair{*dots_, *plain_};
+}
+
+QString CamerasPresenter::captureWords() const {
+  if (capture()) return tr("both pictures taken: align now, the head as it is");
+  if (dots_) return tr("now the projector off, the head still, and take the second picture");
+  return tr("projector on, look at the cameras, hold still, and take the first picture");
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,87 @@
+#pragma once
+// CamerasPresenter: step 1 of Treat: which two cameras, with which calibration, and what they see; and the
+// still pair (dots on, dots off) that the alignment needs. A recording is looked at in the same way.
+
+#include <QObject>
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "facenav/capture/camera_list.h"
+#include "facenav/capture/live_preview.h"
+#include "facenav/capture/recording.h"
+#include "presenters/services.h"
+#include "presenters/task_runner.h"
+
+namespace facenav::ui {
+
+class CamerasPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
+
+  /// Looks anew what is plugged in.
+  void refreshDevices();
+  const std::vector<capture::CameraDevice>& devices() const { return devices_; }
+  /// Index of the chosen camera, -1: none. Remembered.
+  int left() const { return left_; }
+  int right() const { return right_; }
+  void choose(int left, int right);
+  void swapSides() { choose(right_, left_); }
+  /// The rig's stereo.yml; remembered.
+  QString rigFile() const { return rig_file_; }
+  void setRigFile(const QString& path);
+  const std::optional<stereo::StereoRig>& rig() const { return rig_; }
+  /// "1280 x 720 px, 119.8 mm apart, 0.21 px, of 20 Nov 2026", or what is wrong with it.
+  QString rigWords() const;
+  bool isRigGood() const { return rig_.has_value(); }
+
+  bool canOpen() const;
+  /// Opens both cameras; live pictures follow.
+  void open();
+  /// Plays a recording for the eye.
+  void show(const capture::Recording& recording);
+  /// Nothing is shown any more; hands over what must be released (off the GUI thread), null: nothing.
+  std::shared_ptr<capture::LivePreview> release();
+  bool isLive() const { return is_live_ && preview_; }
+  bool hasPictures() const { return preview_ != nullptr; }
+  /// The newest pair, or null.
+  std::shared_ptr<const stereo::StereoFrame> picture() const;
+  /// What comes in, or what to do: "no camera found: ..".
+  QString words() const;
+  /// False: `words` asks for something to be done.
+  bool isWell() const;
+
+  /// The newest live pair as the one with the dots, without them. Refused when no fresh picture is there.
+  void takeDots();
+  void takePlain();
+  bool hasDots() const { return dots_.has_value(); }
+  /// Both pairs, once taken within 20 s of each other.
+  std::optional<capture::CapturePair> capture() const;
+  QString captureWords() const;
+
+ signals:
+  void changed();
+  /// Both cameras give pictures through openCameras.
+  void opened();
+  void captureTaken();
+  void refused(const QString& words);
+
+ private:
+  void readRig();
+  std::optional<stereo::StereoFrame> takeFresh();
+
+  const Services& services_;
+  TaskRunner& tasks_;
+  std::vector<capture::CameraDevice> devices_;
+  int left_ = -1, right_ = -1;
+  QString rig_file_, rig_problem_;
+  std::optional<stereo::StereoRig> rig_;
+  std::shared_ptr<capture::LivePreview> preview_;
+  bool is_live_ = false;
+  std::optional<stereo::StereoFrame> dots_, plain_;
+  Timestamp dots_taken_, plain_taken_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,56 @@
+#pragma once
+// CortexPresenter: how the open case's brain is drawn in 3-D: phi-theta model, detailed cortex at a peel
+// depth, or the distance between the two. The cortex is made behind the window when it is first asked for,
+// and anew when the brain is corrected.
+
+#include <QObject>
+#include <memory>
+
+#include "facenav/scene/navigation_scene.h"
+#include "presenters/case_model.h"
+#include "presenters/task_runner.h"
+
+namespace facenav::ui {
+
+class CortexPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CortexPresenter(CaseModel& model, QObject* parent = nullptr);
+
+  scene::BrainLook look() const { return look_; }
+  /// Begins to make the cortex where the look needs it.
+  void setLook(scene::BrainLook look);
+  double peel_mm() const { return peel_mm_; }
+  /// 0..40 mm.
+  void setPeel_mm(double peel_mm);
+  /// Null until it is made.
+  std::shared_ptr<const scene::CortexPicture> cortex() const { return cortex_; }
+  /// A brain that can be drawn in detail is there.
+  bool isPossible() const;
+  bool isMaking() const { return runner_.isRunning(); }
+  /// "making the cortex 40 %", "median 0.1 mm, 95 % within 3.2 mm", a failure; empty: nothing to say.
+  QString words() const;
+  /// End of the colour map's scale.
+  double scale_mm() const { return cortex_ ? cortex_->full_mm : 0.0; }
+
+ signals:
+  /// Look, depth or words.
+  void changed();
+  /// Another cortex, or none.
+  void cortexChanged();
+
+ private:
+  void forget();
+  void make();
+
+  CaseModel& model_;
+  TaskRunner runner_;
+  std::shared_ptr<const scene::CortexPicture> cortex_;
+  scene::BrainLook look_ = scene::BrainLook::model;
+  double peel_mm_ = 2.0;
+  int percent_ = 0, subject_ = 0;
+  QString failure_;
+};
+
+}  // namespace facenav::ui

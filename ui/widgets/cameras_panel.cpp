@@ -1,0 +1,154 @@
+#include "widgets/cameras_panel.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace facenav::ui {
+namespace {
+
+constexpr int kRefresh_ms = 300;
+
+QLabel* label(const QString& text, const char* name, QWidget* parent) {
+  auto* made = new QLabel(text, parent);
+  made->setObjectName(name);
+  made->setWordWrap(true);
+  return made;
+}
+
+}  // namespace
+
+CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
+    : QFrame(parent), presenter_(presenter), cameras_(presenter.cameras()) {
+  setObjectName("panel");
+  auto* column = new QVBoxLayout(this);
+  addChoice(*column);
+  state_ = label({}, "verdict", this);
+  column->addWidget(state_);
+  addCapture(*column);
+  column->addStretch(1);
+  column->addWidget(label(tr("Or a recording"), "heading", this));
+  auto* recording = button(tr("Open a recording\u2026"), tr("a folder with stereo.yml, played as if live"),
+                           Qt::CTRL + Qt::SHIFT + Qt::Key_R);
+  column->addWidget(recording);
+  connect(recording, &QPushButton::clicked, this, &CamerasPanel::chooseRecording);
+  timer_.setInterval(kRefresh_ms);
+  connect(&timer_, &QTimer::timeout, this, [this] { isVisible() ? showState() : timer_.stop(); });
+  connect(&cameras_, &CamerasPresenter::changed, this, [this] {
+    fillDevices();
+    showState();
+  });
+}
+
+QPushButton* CamerasPanel::button(const QString& text, const QString& tip, const QKeySequence& key) {
+  auto* made = new QPushButton(text, this);
+  made->setToolTip(tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  made->setShortcut(key);
+  return made;
+}
+
+void CamerasPanel::addChoice(QVBoxLayout& column) {
+  column.addWidget(label(tr("Cameras"), "heading", this));
+  auto* grid = new QGridLayout;
+  left_ = new QComboBox(this);
+  right_ = new QComboBox(this);
+  left_->setToolTip(tr("the camera on the left as seen from behind the pair, facing the patient"));
+  right_->setToolTip(tr("the camera on the right as seen from behind the pair, facing the patient"));
+  auto* again = button(tr("Look again"), tr("which cameras are plugged in"), Qt::Key_F5);
+  auto* swap = button(tr("Swap"), tr("left for right"), Qt::CTRL + Qt::Key_W);
+  auto* choose_rig =
+      button(tr("Calibration\u2026"), tr("the stereo.yml of these two cameras"), Qt::CTRL + Qt::Key_K);
+  open_ = button(tr("Open the cameras"), tr("live pictures"), Qt::CTRL + Qt::Key_Return);
+  open_->setObjectName("primary");
+  rig_ = label({}, "plain", this);
+  grid->addWidget(new QLabel(tr("left"), this), 0, 0);
+  grid->addWidget(left_, 0, 1);
+  grid->addWidget(swap, 0, 2);
+  grid->addWidget(new QLabel(tr("right"), this), 1, 0);
+  grid->addWidget(right_, 1, 1);
+  grid->addWidget(again, 1, 2);
+  grid->addWidget(rig_, 2, 0, 1, 2);
+  grid->addWidget(choose_rig, 2, 2);
+  grid->setColumnStretch(1, 1);
+  column.addLayout(grid);
+  column.addWidget(open_);
+  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::refreshDevices);
+  connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
+  connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
+  connect(open_, &QPushButton::clicked, &cameras_, &CamerasPresenter::open);
+  for (auto* box : {left_, right_})
+    connect(box, QOverload<int>::of(&QComboBox::activated), this,
+            [this] { cameras_.choose(left_->currentData().toInt(), right_->currentData().toInt()); });
+}
+
+void CamerasPanel::addCapture(QVBoxLayout& column) {
+  column.addWidget(label(tr("Pictures for the alignment"), "heading", this));
+  capture_words_ = label({}, "plain", this);
+  dots_ = button(tr("1 Take with dots"), tr("the face with the projector on"), Qt::CTRL + Qt::Key_D);
+  plain_ =
+      button(tr("2 Take without dots"), tr("the face as it was, the projector off"), Qt::CTRL + Qt::Key_P);
+  column.addWidget(capture_words_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(dots_);
+  row->addWidget(plain_);
+  column.addLayout(row);
+  connect(dots_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takeDots);
+  connect(plain_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takePlain);
+}
+
+void CamerasPanel::fillDevices() {
+  for (auto [box, chosen] : {std::pair(left_, cameras_.left()), std::pair(right_, cameras_.right())}) {
+    box->clear();
+    for (const auto& device : cameras_.devices())
+      box->addItem(tr("%1: %2").arg(device.index).arg(QString::fromStdString(device.name)), device.index);
+    box->setEnabled(box->count() > 0);
+    if (box->count() == 0) box->addItem(tr("no camera found"), -1);
+    box->setCurrentIndex(std::max(chosen < 0 ? -1 : 0, box->findData(chosen)));
+  }
+}
+
+void CamerasPanel::showState() {
+  rig_->setText(cameras_.rigWords());
+  const QString fault = presenter_.rigFault();
+  const char* level = !fault.isEmpty()         ? "caution"
+                      : cameras_.isWell()      ? "good"
+                      : cameras_.hasPictures() ? "caution"
+                                               : "lost";
+  if (state_->property("level").toString() != level) {
+    state_->setProperty("level", level);
+    state_->style()->unpolish(state_);
+    state_->style()->polish(state_);
+  }
+  state_->setText(fault.isEmpty() ? cameras_.words() : fault);
+  open_->setEnabled(cameras_.canOpen() && !presenter_.isRunning());
+  open_->setText(cameras_.isLive() ? tr("Open the cameras anew") : tr("Open the cameras"));
+  const bool is_live = cameras_.isLive() && !presenter_.isRunning();
+  dots_->setEnabled(is_live);
+  plain_->setEnabled(is_live && cameras_.hasDots());
+  capture_words_->setText(is_live ? cameras_.captureWords()
+                                  : tr("with live cameras: one picture with the dots, one without"));
+}
+
+void CamerasPanel::chooseRig() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Calibration of the cameras"),
+                                                    cameras_.rigFile(), tr("Calibration (*.yml *.yaml)"));
+  if (!path.isEmpty()) cameras_.setRigFile(path);
+}
+
+void CamerasPanel::chooseRecording() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a recording"));
+  if (!folder.isEmpty()) presenter_.openRecording(folder);
+}
+
+void CamerasPanel::showEvent(QShowEvent*) {
+  cameras_.refreshDevices();
+  showState();
+  timer_.start();
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,44 @@
+#pragma once
+// From the archive: a query, what it found, and the way there; the chosen series is fetched and queued.
+
+#include <QWidget>
+
+#include "presenters/archive_presenter.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace facenav::ui {
+
+class ArchivePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ArchivePage(ArchivePresenter& presenter, QWidget* parent = nullptr);
+
+ signals:
+  /// A series is in the queue; or: back without one.
+  void queued();
+  void left();
+
+ private:
+  QWidget* makeQuery();
+  QWidget* makeFoot();
+  void find();
+  void showFound();
+  void showState();
+
+  ArchivePresenter& presenter_;
+  QLineEdit *patient_id_, *patient_name_, *date_;
+  QComboBox* modality_;
+  QCheckBox* shows_patient_;
+  QTableWidget* table_;
+  QPushButton *find_, *fetch_, *cancel_;
+  QLabel* words_;
+};
+
+}  // namespace facenav::ui
