@@ -35,12 +35,12 @@ PatchPoints pointsOfPatch(const PatchLevel& level, std::size_t i) {
 }
 
 // The skin's directions that move by one pixel in the new key frame.
-void turnTangents(const stereo::StereoRig& rig, const Eigen::Isometry3d& motion, Patch& patch) {
+void turnTangents(const stereo::StereoRig& rig, const Eigen::Isometry3d& motion, int level, Patch& patch) {
   Eigen::Matrix<double, 2, 3> d_p;
   stereo::project(rig.left, motion * patch.centre_mm, d_p);
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << patch.right_mm, patch.down_mm;
-  const Eigen::Matrix2d now_from_old = d_p * motion.linear() * tangents;
+  const Eigen::Matrix2d now_from_old = d_p * motion.linear() * tangents / double(1 << level);
   if (std::abs(now_from_old.determinant()) < 0.05) return;
   const Eigen::Matrix<double, 3, 2> turned = tangents * now_from_old.inverse();
   patch.right_mm = turned.col(0), patch.down_mm = turned.col(1);
@@ -60,19 +60,27 @@ void setLooks(PatchLevel& level, std::size_t i, int camera, const PatchLooks& lo
 
 KeyFrames::KeyFrames(const PatchModel& model) {
   KeyFrame reference;
-  reference.level = model.level[0];
+  reference.level = model.level;
   keys_.push_back(std::move(reference));
 }
 
+double KeyFrames::cost(std::size_t key, const Eigen::Isometry3d& motion) const {
+  return angleBetween(keys_[key].motion, motion) + kGenerationCost_rad * keys_[key].generation;
+}
+
 const KeyFrame& KeyFrames::nearest(const Eigen::Isometry3d& motion) {
-  const auto cost = [&](std::size_t i) {
-    return angleBetween(keys_[i].motion, motion) + kGenerationCost_rad * keys_[i].generation;
-  };
   std::size_t best = chosen_;
   for (std::size_t i = 0; i < keys_.size(); ++i)
-    if (cost(i) < cost(best)) best = i;
-  if (cost(best) < cost(chosen_) - kAlike_rad) chosen_ = best;
+    if (cost(i, motion) < cost(best, motion)) best = i;
+  if (cost(best, motion) < cost(chosen_, motion) - kAlike_rad) chosen_ = best;
   return keys_[chosen_];
+}
+
+const KeyFrame& KeyFrames::likeliest(const Eigen::Isometry3d& motion) const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < keys_.size(); ++i)
+    if (cost(i, motion) < cost(best, motion)) best = i;
+  return keys_[best];
 }
 
 bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
@@ -99,38 +107,53 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
   fresh.key.level = keys_.front().level;
   const auto boxes = boxesAt(rig, model, fit.motion, kMargin_px);
   for (int c = 0; c < 2; ++c) {
-    const BlurredImage part = blurredPart(c == 0 ? frame.left : frame.right, boxes[c]);
-    fresh.grey[c] = greyOf(part);
-    fresh.origin[c] = part.origin;
+    const ImagePyramid pyramid(c == 0 ? frame.left : frame.right);
+    for (int l = 1; l < kLevels; ++l) fresh.grey[l][c] = greyOf(pyramid.level[l]);
+    const cv::Rect box = boxes[c] & cv::Rect({}, pyramid.level[0].pixels.size());
+    if (box.area() > 0) fresh.grey[0][c] = greyOf({pyramid.level[0].pixels(box), box.tl()});
+    fresh.origin[c] = box.tl();
   }
   for (const auto& sight : fit.sights) fresh.is_good.push_back({sight[0].isGood(), sight[1].isGood()});
   unfinished_ = std::move(fresh);
 }
 
-void KeyFrames::goOn(const stereo::StereoRig& rig, const PatchModel& model) {
-  auto& level = unfinished_->key.level;
-  const std::size_t end = std::min(unfinished_->next + kPatchesAtOnce, level.patches.size());
-  for (std::size_t i = unfinished_->next; i < end; ++i) {
-    const PatchPoints points = pointsOfPatch(level, i);
-    for (int c = 0; c < 2; ++c) {
-      const auto& camera = c == 0 ? rig.left : rig.right;
-      const Eigen::Isometry3d camera_T_head =
-          c == 0 ? unfinished_->key.motion : rig.right_T_left.isometry() * unfinished_->key.motion;
-      PatchLooks looked;
-      if (unfinished_->is_good[i][c] && !unfinished_->grey[c].empty())
-        looked = look(camera, camera_T_head, unfinished_->grey[c], unfinished_->origin[c], points, 0,
-                      model.noise_grey);
-      if (looked.view.is_usable)
-        addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, 0, looked.view);
-      unfinished_->usable += looked.view.is_usable;
-      setLooks(level, i, c, looked);
+void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model, std::size_t i) {
+  Unfinished& fresh = *unfinished_;
+  PatchLevel& level = fresh.key.level[fresh.level];
+  const PatchPoints points = pointsOfPatch(level, i);
+  for (int c = 0; c < 2; ++c) {
+    const auto& camera = c == 0 ? rig.left : rig.right;
+    const Eigen::Isometry3d camera_T_head =
+        c == 0 ? fresh.key.motion : rig.right_T_left.isometry() * fresh.key.motion;
+    const cv::Mat1f& grey = fresh.grey[fresh.level][c];
+    PatchLooks looked;
+    if ((fresh.level > 0 || fresh.is_good[i][c]) && !grey.empty())
+      looked = look(camera, camera_T_head, grey, fresh.level > 0 ? cv::Point() : fresh.origin[c], points,
+                    fresh.level, noiseBeforeBlur(model.noise_grey, fresh.level));
+    if (looked.view.is_usable) {
+      addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, fresh.level, looked.view);
+      fresh.usable += fresh.level == 0;
     }
-    turnTangents(rig, unfinished_->key.motion, level.patches[i]);
+    setLooks(level, i, c, looked);
   }
-  unfinished_->next = end;
-  if (end < level.patches.size()) return;
-  if (unfinished_->usable >= 2 * kLeastUsable) keys_.push_back(std::move(unfinished_->key));
-  unfinished_.reset();
+  turnTangents(rig, fresh.key.motion, fresh.level, level.patches[i]);
+}
+
+void KeyFrames::goOn(const stereo::StereoRig& rig, const PatchModel& model) {
+  Unfinished& fresh = *unfinished_;
+  const std::size_t all = fresh.key.level[fresh.level].patches.size();
+  const std::size_t end = std::min(fresh.next + kPatchesAtOnce, all);
+  while (fresh.next < end) learnPatch(rig, model, fresh.next++);
+  if (end < all) return;
+  if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.reset();
+  if (fresh.level == 0) {  // enough to track by; the coarser levels are the reference's until they are learnt
+    fresh.index = keys_.size();
+    keys_.push_back(fresh.key);
+  } else {
+    keys_[fresh.index].level[fresh.level] = std::move(fresh.key.level[fresh.level]);
+  }
+  fresh.next = 0;
+  if (++fresh.level == kLevels) unfinished_.reset();
 }
 
 }  // namespace facenav::tracking

@@ -17,7 +17,7 @@ struct KeyFrame {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head there
   Matrix6d covariance = Matrix6d::Zero();                    // of that, HeadPose's
   int generation = 0;                                        // 0: the reference
-  PatchLevel level;                                          // level 0
+  PatchLevels level;  // what is not finest serves to find the head again at this side
 };
 
 class KeyFrames {
@@ -28,6 +28,8 @@ class KeyFrames {
   /// The one that shows the head most as it is seen at `motion`; the last one's choice is kept where both are
   /// alike.
   const KeyFrame& nearest(const Eigen::Isometry3d& motion);
+  /// The same, whatever was chosen last.
+  const KeyFrame& likeliest(const Eigen::Isometry3d& motion) const;
 
   /// After each tracked frame: goes on learning, or begins to where the frame shows a new side well (true).
   bool learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
@@ -40,16 +42,20 @@ class KeyFrames {
  private:
   struct Unfinished {
     KeyFrame key;
-    std::array<cv::Mat1f, 2> grey;
-    std::array<cv::Point, 2> origin;
-    std::vector<std::array<bool, 2>> is_good;
-    std::size_t next = 0;  // patch
-    int usable = 0;
+    std::array<std::array<cv::Mat1f, 2>, kLevels> grey;
+    std::array<cv::Point, 2> origin;           // of level 0
+    std::vector<std::array<bool, 2>> is_good;  // of level 0
+    int level = 0;
+    std::size_t next = 0;   // patch
+    int usable = 0;         // of level 0
+    std::size_t index = 0;  // in keys_, once level 0 is learnt
   };
 
   void begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict);
   void goOn(const stereo::StereoRig& rig, const PatchModel& model);
+  void learnPatch(const stereo::StereoRig& rig, const PatchModel& model, std::size_t i);
+  double cost(std::size_t key, const Eigen::Isometry3d& motion) const;
 
   std::vector<KeyFrame> keys_;
   std::size_t chosen_ = 0;

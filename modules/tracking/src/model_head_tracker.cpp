@@ -25,6 +25,7 @@ constexpr double kLongestGap_s = 0.3;    // beyond it a prediction is worth noth
 constexpr double kTrustMemory_s = 0.7;   // over which a patch shows whether it moves by itself
 constexpr int kRoughLevel = 2;           // where fits that only choose a start end
 constexpr double kLeastLikeness = 0.15;  // after it: less is no face
+constexpr double kLikely = 0.8;          // the head is there, about
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
@@ -132,26 +133,30 @@ class ModelHeadTracker : public HeadTracker {
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     const std::array<ImagePyramid, 2> now = {ImagePyramid(frame.left), ImagePyramid(frame.right)};
-    auto starts = coarse_.find(rig_, now, lost_frames_);
-    const bool is_found = !starts.empty();
-    if (last_) starts.insert(starts.begin(), expected.value_or(last_->motion));
     PoseFit best;
+    if (last_) best = roughly(now, expected.value_or(last_->motion));
+    if (best.likeness > kLikely) {  // lost to a quick move at most: nothing need be searched
+      const auto there = attempt(now, best.motion);
+      if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
+    }
+    const auto starts = coarse_.find(rig_, now, lost_frames_);
     for (const auto& start : starts) {
       const PoseFit rough = roughly(now, start);
       if (rough.likeness > best.likeness) best = rough;
     }
-    if (last_ && roughly({now[1], now[0]}, last_->motion).likeness >
-                     std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
+    if (last_ && best.likeness < kLikely &&
+        roughly({now[1], now[0]}, last_->motion).likeness >
+            std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
       return lost(LostReason::camera, LossDetail::swapped);
     if (best.likeness < kLeastLikeness)
-      return lost(LostReason::no_face, is_found ? LossDetail::doubtful : LossDetail::not_found);
+      return lost(LostReason::no_face, starts.empty() ? LossDetail::not_found : LossDetail::doubtful);
     const auto there = attempt(now, best.motion);
     if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
     return lost(*there.verdict.lost, detailOf(there, now));
   }
 
   PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) const {
-    return fitPose(rig_, model_, model_.level[0], now, start, kLevels - 1, {}, kRoughLevel);
+    return fitPose(rig_, model_, keys_.likeliest(start).level, now, start, kLevels - 1, {}, kRoughLevel);
   }
 
   struct Attempt {

@@ -192,6 +192,10 @@ void addJacobian(const stereo::CameraModel& camera, const Eigen::Isometry3d& cam
   view.jacobian << d_x * -skew(patch_mm - centre_mm), d_x;
 }
 
+double noiseBeforeBlur(double noise_grey, int level) {
+  return noise_grey * std::pow(0.5, std::max(0, level - 1));
+}
+
 double noiseShare(int level) {
   const double along = noiseCorrelation(level)[0];
   return along * along * std::pow(0.25, std::max(0, level - 1));

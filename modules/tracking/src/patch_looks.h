@@ -46,6 +46,8 @@ void addJacobian(const stereo::CameraModel& camera, const Eigen::Isometry3d& cam
 
 /// Standard deviation of the sensor's noise in an 8-bit image (Immerkaer 1996, in the flattest blocks).
 double noiseOf(const cv::Mat& grey);
+/// The same in the level before its last blur; what look() takes.
+double noiseBeforeBlur(double noise_grey, int level);
 /// Variance of a blurred image's noise over that of the sensor, at one pixel of the level.
 double noiseShare(int level);
 

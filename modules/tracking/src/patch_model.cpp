@@ -217,7 +217,7 @@ PatchModel learnPatches(const stereo::StereoRig& rig, const stereo::StereoFrame&
   for (int l = 0; l < kLevels; ++l) {
     model.level[l].level = l;
     const std::array<cv::Mat1f, 2> grey = {greyOf(key[0].level[l]), greyOf(key[1].level[l])};
-    const double noise_grey = model.noise_grey * std::pow(0.5, std::max(0, l - 1));
+    const double noise_grey = noiseBeforeBlur(model.noise_grey, l);
     auto all = candidates(rig, grey, region, surface, l, noise_grey);
     if (all.empty()) continue;
     if (l == 0) model.centre_mm = meanOf(all);

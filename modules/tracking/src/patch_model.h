@@ -60,6 +60,8 @@ struct PatchLevel {
   patch::Samples samples(int camera) const;
 };
 
+using PatchLevels = std::array<PatchLevel, kLevels>;
+
 /// The patches round one patch, over which its light is taken to change evenly.
 struct Neighbour {
   int patch = 0;
@@ -68,7 +70,7 @@ struct Neighbour {
 
 struct PatchModel {
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();  // of the patches, Head: increments turn about it
-  std::array<PatchLevel, kLevels> level;
+  PatchLevels level;
   std::vector<std::vector<Neighbour>> neighbours;  // of the patches of level 0
   int regions = 1;
   double noise_grey = 1.5;  // the sensor's, as the key frame shows it

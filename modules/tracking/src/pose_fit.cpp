@@ -19,7 +19,9 @@ constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's 
 constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
 constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arrived
 constexpr float kAlikeShare = 0.6f;    // of the correlation expected
-constexpr int kFewestAlike = 10;       // patches in view, of both cameras, to say anything
+constexpr int kHopelessAfter = 3;      // steps on the finest level, without so much of a face
+constexpr double kHopeless = 0.2;
+constexpr int kFewestAlike = 10;  // patches in view, of both cameras, to say anything
 constexpr float kLeastScale = 0.5f;
 // Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
 constexpr float kSharedError = 1.6f;
@@ -359,14 +361,14 @@ Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
 
 }  // namespace
 
-PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& finest,
+PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
                 const std::vector<float>& trust, int last_level) {
   PoseFit fit;
   fit.motion = start;
   const std::vector<float> even;
   for (int l = first_level; l >= last_level; --l) {
-    const PatchLevel& patches = l == 0 ? finest : model.level[l];
+    const PatchLevel& patches = levels[l];
     if (patches.patches.size() < 4) continue;
     LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
     double moved_px = std::numeric_limits<double>::max();
@@ -378,6 +380,7 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
       fit.motion = fit.motion * about(model.centre_mm, xi);
       moved_px = level.motion_px(xi);
       if (moved_px < kSettled_px[l]) break;
+      if (l == 0 && iteration == kHopelessAfter && level.likeness() < kHopeless) break;
     }
     if (l == last_level) fit.likeness = level.likeness();
     if (l > 0) continue;

@@ -41,10 +41,10 @@ struct PoseFit {
   double likeness = 0.0;  // share of the patches in view, of the last level, that look as they should
 };
 
-/// Coarse to fine from `start`, beginning at `first_level`. `finest` stands in for the model's level 0 (a
-/// later key frame's looks of the same patches). Ends after `last_level`: above 0 a fit costs a fifth, to
+/// Coarse to fine from `start`, beginning at `first_level`. `levels`: the model's, or the same patches as a
+/// later key frame shows them. Ends after `last_level`: above 0 a fit costs a fifth, to
 /// choose among starts by their likeness. `trust`: one factor per patch of level 0 (or empty).
-PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& finest,
+PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
                 const std::vector<float>& trust, int last_level = 0);
 
