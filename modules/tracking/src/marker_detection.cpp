@@ -58,11 +58,12 @@ std::vector<MarkerDetection> detect(const cv::Mat& grey, const SmallImage& small
 
 }  // namespace
 
-std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns) {
+std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
+                                           bool is_dim_tried) {
   const SmallImage small(grey);
   QuadOptions options;
   const auto found = detect(grey, small, patterns, options);
-  if (!found.empty()) return found;
+  if (!found.empty() || !is_dim_tried) return found;
   options.least_contrast_grey = 10;
   options.dark_share = 0.33;  // paper darker than the bright wall behind it must still count as light
   return detect(grey, small, patterns, options);

@@ -17,8 +17,9 @@ struct MarkerDetection {
 };
 
 /// All quadrangles of the image that show one of the patterns; the same place is given once. Where none does,
-/// low contrast (dim light) is tried too.
-std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns);
+/// low contrast (dim light) is tried too, which costs as much again, unless `is_dim_tried` says no.
+std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
+                                           bool is_dim_tried = true);
 /// Whether the quadrangle shows this pattern this way up: for a place that was predicted.
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern);
 
