@@ -152,8 +152,9 @@ Channels BrainPair::warped(const Eigen::Affine3d& mri_from_mni, const VectorFiel
         if (displacement)
           for (int a = 0; a < 3; ++a) at[a] += (*displacement)[a].values[n];
         at = to_patient * at;
-        t1.values[n] = sample(patient_t1_, at);
-        brain.values[n] = sample(patient_brain_, at);
+        const Cell cell(patient_t1_.size, at);
+        t1.values[n] = cell.of(patient_t1_);
+        brain.values[n] = cell.of(patient_brain_);
       }
   });
   return channelsOf(t1, std::move(brain), grid_.spacing_mm()[0]);

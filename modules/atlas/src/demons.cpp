@@ -47,7 +47,8 @@ VectorField composed(const VectorField& d, const VectorField& u) {
         const std::size_t n = d[0].index(i, j, k);
         const Eigen::Vector3f step(u[0].values[n], u[1].values[n], u[2].values[n]);
         const Eigen::Vector3f at = Eigen::Vector3f(float(i), float(j), float(k)) + step;
-        for (int a = 0; a < 3; ++a) sum[a].values[n] = step[a] + sample(d[a], at);
+        const Cell cell(d[0].size, at);
+        for (int a = 0; a < 3; ++a) sum[a].values[n] = step[a] + cell.of(d[a]);
       }
   });
   return sum;

@@ -20,11 +20,11 @@ void meanAlong(const float* in, float* out, int count, int radius) {
 
 /// The same across `count` rows of `width` values, rows `stride` apart: whole rows at a time.
 void meanAcross(const float* in, float* out, int count, std::size_t stride, int width, int radius) {
-  std::vector<double> sum(width, 0.0);
+  std::vector<float> sum(width, 0.f);
   int n = 0;
-  const auto add = [&](int row, double sign) {
+  const auto add = [&](int row, float sign) {
     const float* from = in + row * stride;
-    for (int i = 0; i < width; ++i) sum[i] += sign * double(from[i]);
+    for (int i = 0; i < width; ++i) sum[i] += sign * from[i];
     n += sign > 0 ? 1 : -1;
   };
   for (int t = 0; t < std::min(radius, count); ++t) add(t, 1);
@@ -32,32 +32,37 @@ void meanAcross(const float* in, float* out, int count, std::size_t stride, int 
     if (t + radius < count) add(t + radius, 1);
     if (t - radius - 1 >= 0) add(t - radius - 1, -1);
     float* to = out + t * stride;
-    const double share = 1.0 / n;
-    for (int i = 0; i < width; ++i) to[i] = float(share * sum[i]);
+    const float share = 1.f / float(n);
+    for (int i = 0; i < width; ++i) to[i] = share * sum[i];
   }
+}
+
+/// Of a row's neighbours; at its ends of the two that are there.
+void meanOfThree(const float* in, float* out, int count) {
+  constexpr float kThird = 1.f / 3;
+  if (count == 1) {
+    out[0] = in[0];
+    return;
+  }
+  out[0] = 0.5f * (in[0] + in[1]);
+  for (int i = 1; i + 1 < count; ++i) out[i] = kThird * (in[i - 1] + in[i] + in[i + 1]);
+  out[count - 1] = 0.5f * (in[count - 2] + in[count - 1]);
+}
+
+/// Across rows; `before` or `after` is null at the grid's end.
+void meanOfRows(const float* before, const float* here, const float* after, float* out, std::size_t width) {
+  constexpr float kThird = 1.f / 3;
+  if (before && after)
+    for (std::size_t i = 0; i < width; ++i) out[i] = kThird * (before[i] + here[i] + after[i]);
+  else if (const float* other = before ? before : after)
+    for (std::size_t i = 0; i < width; ++i) out[i] = 0.5f * (here[i] + other[i]);
+  else
+    std::copy_n(here, width, out);
 }
 
 }  // namespace
 
-float sample(const ScalarField& f, const Eigen::Vector3f& at) {
-  int low[3];
-  float part[3];
-  for (int a = 0; a < 3; ++a) {
-    const float x = std::clamp(at[a], 0.f, float(f.size[a] - 1));
-    low[a] = std::min(int(x), std::max(0, f.size[a] - 2));
-    part[a] = x - float(low[a]);
-  }
-  const std::size_t di = f.size[0] > 1, dj = f.size[1] > 1 ? f.size[0] : 0,
-                    dk = f.size[2] > 1 ? std::size_t(f.size[0]) * f.size[1] : 0;
-  const float* v = &f.values[f.index(low[0], low[1], low[2])];
-  const auto row = [&](const float* p) { return p[0] + part[0] * (p[di] - p[0]); };
-  const auto plane = [&](const float* p) {
-    const float a = row(p);
-    return a + part[1] * (row(p + dj) - a);
-  };
-  const float a = plane(v);
-  return a + part[2] * (plane(v + dk) - a);
-}
+float sample(const ScalarField& f, const Eigen::Vector3f& at) { return Cell(f.size, at).of(f); }
 
 ScalarField boxMean(const ScalarField& field, int radius) {
   const auto [ni, nj, nk] = field.size;
@@ -77,21 +82,24 @@ ScalarField boxMean(const ScalarField& field, int radius) {
 }
 
 ScalarField smoothed(ScalarField field, int passes) {
-  for (int pass = 0; pass < passes; ++pass) field = boxMean(field, 1);
-  return field;
-}
-
-Eigen::Vector3f gradientAt(const ScalarField& f, int i, int j, int k) {
-  const int n[3] = {i, j, k};
-  Eigen::Vector3f g;
-  for (int a = 0; a < 3; ++a) {
-    int low[3] = {i, j, k}, high[3] = {i, j, k};
-    low[a] = std::max(0, n[a] - 1);
-    high[a] = std::min(f.size[a] - 1, n[a] + 1);
-    const int span = std::max(1, high[a] - low[a]);
-    g[a] = (f.at(high[0], high[1], high[2]) - f.at(low[0], low[1], low[2])) / float(span);
+  const auto [ni, nj, nk] = field.size;
+  const std::size_t row = ni, slab = row * nj;
+  ScalarField along(field.size);
+  for (int pass = 0; pass < passes; ++pass) {
+    forSlices(nk, [&, ni = ni, nj = nj](int k) {
+      std::vector<float> rows(slab);
+      const float* in = &field.values[k * slab];
+      for (int j = 0; j < nj; ++j) meanOfThree(in + j * row, &rows[j * row], ni);
+      for (int j = 0; j < nj; ++j)
+        meanOfRows(j > 0 ? &rows[(j - 1) * row] : nullptr, &rows[j * row],
+                   j + 1 < nj ? &rows[(j + 1) * row] : nullptr, &along.values[k * slab + j * row], row);
+    });
+    forSlices(nk, [&, nk = nk](int k) {
+      meanOfRows(k > 0 ? &along.values[(k - 1) * slab] : nullptr, &along.values[k * slab],
+                 k + 1 < nk ? &along.values[(k + 1) * slab] : nullptr, &field.values[k * slab], slab);
+    });
   }
-  return g;
+  return field;
 }
 
 }  // namespace facenav::atlas

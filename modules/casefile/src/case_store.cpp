@@ -1,5 +1,7 @@
 #include "facenav/casefile/case_store.h"
 
+#include <future>
+
 #include "case_json.h"
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/navigation_check_file.h"
@@ -33,7 +35,10 @@ void requireReplaceable(const fs::path& folder, bool replace) {
 
 std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::path& folder) {
   std::vector<std::string> files{"mri.nii.gz", "head_mask.nii.gz", "scalp.vtp"};
-  volume::writeNifti(prepared.mri, folder / "mri.nii.gz");
+  auto large = std::async(std::launch::async, [&] {  // compressing takes longest, beside the rest
+    volume::writeNifti(prepared.mri, folder / "mri.nii.gz");
+    if (prepared.cortex) surface::writeCortex(*prepared.cortex, folder / "cortex.vtp");
+  });
   volume::writeMask(prepared.head_mask, folder / "head_mask.nii.gz");
   surface::writeScalp(prepared.scalp, folder / "scalp.vtp");
   if (prepared.brain_mask) {
@@ -44,7 +49,6 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
     surface::writeBrain(*prepared.brain, folder / "brain.vtp", folder / "brain_texture.png");
     files.insert(files.end(), {"brain.vtp", "brain_texture.png"});
   }
-  if (prepared.cortex) surface::writeCortex(*prepared.cortex, folder / "cortex.vtp");
   if (prepared.atlas) {
     atlas::writeAtlasMap(*prepared.atlas, folder / "atlas.vti");
     files.push_back("atlas.vti");
@@ -53,6 +57,7 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
     writeNavigationCheck(*prepared.navigation_check, folder / "navigation_check.json");
     files.push_back("navigation_check.json");
   }
+  large.get();
   return files;
 }
 

@@ -26,15 +26,20 @@ Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue,
 
 }  // namespace
 
-volume::Mask refineBrain(const volume::Volume& flat, const Mask& first, const TissueModel& tissue,
-                         const RefinementOptions& options) {
-  const float low = float(tissue.fluid.mean + options.tissue_share * (tissue.grey.mean - tissue.fluid.mean));
-  const float high = float(tissue.white.mean * options.brightest);
-  Mask near = dilate(first, options.search_mm);
+Refinement::Refinement(const Volume& flat, const Mask& first, const TissueModel& tissue)
+    : flat_(flat), tissue_(tissue) {
+  const RefinementOptions reach;
+  region_ = intersection(dilate(first, reach.search_mm),
+                         dilate(whiteCore(flat, first, tissue, reach.white_tear_mm), reach.white_reach_mm));
+}
+
+Mask Refinement::brain(double tissue_share) const {
+  const RefinementOptions options;
+  const float low = float(tissue_.fluid.mean + tissue_share * (tissue_.grey.mean - tissue_.fluid.mean));
+  const float high = float(tissue_.white.mean * options.brightest);
+  Mask near = region_;
   for (std::size_t v = 0; v < near.voxels.size(); ++v)
-    near.voxels[v] &= flat.voxels[v] > low && flat.voxels[v] < high;
-  near = intersection(near,
-                      dilate(whiteCore(flat, first, tissue, options.white_tear_mm), options.white_reach_mm));
+    near.voxels[v] &= flat_.voxels[v] > low && flat_.voxels[v] < high;
   const Mask core = largestPart(erode(near, options.tear_mm));
   Mask brain = intersection(dilate(core, options.regrow_mm), near);
   const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);

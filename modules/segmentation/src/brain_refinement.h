@@ -23,8 +23,18 @@ struct RefinementOptions {
   double smooth_mm = 1.5;      // spikes thinner than twice this are cut
 };
 
-/// `flat`: bias-corrected, cubic voxels; `first` on its grid. May be empty.
-volume::Mask refineBrain(const volume::Volume& flat, const volume::Mask& first, const TissueModel& tissue,
-                         const RefinementOptions& options);
+/// What all limits of tissue share is worked out once; safe to ask from several threads.
+class Refinement {
+ public:
+  /// `flat`: bias-corrected, cubic voxels, kept by reference; `first` on its grid.
+  Refinement(const volume::Volume& flat, const volume::Mask& first, const TissueModel& tissue);
+  /// May be empty.
+  volume::Mask brain(double tissue_share = RefinementOptions().tissue_share) const;
+
+ private:
+  const volume::Volume& flat_;
+  TissueModel tissue_;
+  volume::Mask region_;  // near the first surface and near the connected body of white matter
+};
 
 }  // namespace facenav::segmentation

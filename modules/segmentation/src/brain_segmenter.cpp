@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <future>
 
 #include "brain_checks.h"
 #include "brain_refinement.h"
@@ -61,17 +62,15 @@ constexpr int kDoubtStep = 2;                     // voxels between the places w
 
 /// Where a stricter and a more generous limit of tissue would put the surface: from the fluid's own mean to
 /// where grey matter's class begins.
-std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Volume& flat, const Mask& first,
-                                    const TissueModel& tissue) {
-  RefinementOptions strict, generous;
-  strict.tissue_share += kStrict;
-  generous.tissue_share -= kGenerous;
-  std::vector<float> furthest(brain.voxels.size(), 0);
-  for (const auto& options : {strict, generous}) {
-    const Mask other = refineBrain(flat, first, tissue, options);
-    const auto away = volume::distanceTo(volume::surfaceVoxels(other));
-    for (std::size_t v = 0; v < away.size(); ++v) furthest[v] = std::max(furthest[v], away[v]);
-  }
+std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement) {
+  const double taken = RefinementOptions().tissue_share;
+  const auto awayOf = [&](double share) {
+    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(share)));
+  };
+  auto strict = std::async(std::launch::async, [&] { return awayOf(taken + kStrict); });
+  std::vector<float> furthest = awayOf(taken - kGenerous);
+  const std::vector<float> other = strict.get();
+  for (std::size_t v = 0; v < furthest.size(); ++v) furthest[v] = std::max(furthest[v], other[v]);
   const Mask surface = volume::surfaceVoxels(brain);
   std::vector<BoundaryDoubt> doubts;
   std::size_t at = 0;
@@ -108,11 +107,12 @@ class BrainSegmenter : public Segmenter {
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
     const Volume flat = corrected(image, tissue);
-    const Mask brain = refineBrain(flat, first, tissue, RefinementOptions());
+    const Refinement refinement(flat, first, tissue);
+    const Mask brain = refinement.brain();
     monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;
     result.mask = volume::resample(brain, volume.grid);
-    result.doubts = doubtsOf(brain, flat, first, tissue);
+    result.doubts = doubtsOf(brain, refinement);
     result.warnings = checkBrain(result.mask);
     return result;
   }

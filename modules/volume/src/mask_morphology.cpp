@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "facenav/volume/for_slices.h"
+
 namespace facenav::volume {
 namespace {
 
@@ -63,14 +65,17 @@ std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
   const auto& n = mask.grid.size;
   std::vector<float> d(mask.voxels.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = (mask.voxels[i] != 0) == (target != 0) ? 0.f : kFar;
-  LineTransform line(*std::max_element(n.begin(), n.end()));
+  const int longest = *std::max_element(n.begin(), n.end());
   const Eigen::Array3f w = mask.grid.spacing_mm().array().square().cast<float>();
-  for (int k = 0; k < n[2]; ++k) {
+  forSlices(n[2], [&](int k) {
+    LineTransform line(longest);
     for (int j = 0; j < n[1]; ++j) line.run(&d[mask.grid.index(0, j, k)], 1, n[0], w[0]);
     runLines(d, mask.grid.index(0, 0, k), n[0], n[0], n[1], w[1], line);
-  }
-  for (int j = 0; j < n[1]; ++j)
+  });
+  forSlices(n[1], [&](int j) {
+    LineTransform line(longest);
     runLines(d, mask.grid.index(0, j, 0), n[0], std::size_t(n[0]) * n[1], n[2], w[2], line);
+  });
   return d;
 }
 
@@ -123,16 +128,18 @@ std::vector<float> squaredDistanceWithin(const Mask& mask, bool is_set, double r
   std::array<int, 3> reach;
   for (int a = 0; a < 3; ++a) reach[a] = int(radius_mm / h[a] * (1 + 1e-5));
   const std::size_t row = n[0], slab = row * n[1];
-  std::vector<float> d(mask.voxels.size()), lines(slab);
-  for (int k = 0; k < n[2]; ++k) {
+  std::vector<float> d(mask.voxels.size());
+  forSlices(n[2], [&](int k) {
+    std::vector<float> lines(slab);
     for (int j = 0; j < n[1]; ++j)
       squaredAlong(&mask.voxels[mask.grid.index(0, j, k)], &lines[j * row], n[0], is_set, float(h[0] * h[0]),
                    reach[0]);
     leastAcross(lines.data(), &d[k * slab], n[1], row, n[0], float(h[1] * h[1]), reach[1]);
-  }
+  });
   std::vector<float> out(d.size());
-  for (int j = 0; j < n[1]; ++j)
+  forSlices(n[1], [&](int j) {
     leastAcross(&d[j * row], &out[j * row], n[2], slab, n[0], float(h[2] * h[2]), reach[2]);
+  });
   return out;
 }
 
@@ -163,24 +170,71 @@ void neighbours(const VoxelGrid& grid, std::size_t at, Visit&& visit) {
   if (k + 1 < n[2]) visit(at + slab);
 }
 
-/// The 6-connected parts, each as the list of its voxels.
-std::vector<std::vector<std::uint32_t>> parts(const Mask& mask) {
-  std::vector<std::uint8_t> seen(mask.voxels.size());
-  std::vector<std::vector<std::uint32_t>> all;
-  for (std::size_t start = 0; start < seen.size(); ++start) {
-    if (seen[start] || !mask.voxels[start]) continue;
-    std::vector<std::uint32_t> part{std::uint32_t(start)};
-    seen[start] = 1;
-    for (std::size_t head = 0; head < part.size(); ++head)
-      neighbours(mask.grid, part[head], [&](std::size_t next) {
-        if (seen[next] || !mask.voxels[next]) return;
-        seen[next] = 1;
-        part.push_back(std::uint32_t(next));
-      });
-    all.push_back(std::move(part));
+/// The 6-connected parts, found by runs of voxels along i that touch in neighbouring rows.
+class Parts {
+ public:
+  explicit Parts(const Mask& mask) : first_of_row_(std::size_t(mask.grid.size[1]) * mask.grid.size[2] + 1) {
+    const auto& n = mask.grid.size;
+    std::size_t line = 0;
+    for (int k = 0; k < n[2]; ++k)
+      for (int j = 0; j < n[1]; ++j, ++line) {
+        first_of_row_[line] = runs_.size();
+        addRuns(&mask.voxels[mask.grid.index(0, j, k)], mask.grid.index(0, j, k), n[0]);
+        first_of_row_[line + 1] = runs_.size();
+        if (j > 0) join(line - 1, line, std::size_t(n[0]));
+        if (k > 0) join(line - std::size_t(n[1]), line, std::size_t(n[0]) * std::size_t(n[1]));
+      }
+    size_.resize(runs_.size());
+    for (std::size_t r = 0; r < runs_.size(); ++r) size_[root(r)] += runs_[r].count;
   }
-  return all;
-}
+
+  /// What lies in parts that `choose(part, voxels)` accepts; a part is named by any number of its own.
+  template <class Choose>
+  Mask chosen(const VoxelGrid& grid, Choose&& choose) {
+    Mask out{grid, std::vector<std::uint8_t>(grid.count())};
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+      if (choose(root(r), size_[root(r)]))
+        std::fill_n(out.voxels.begin() + std::ptrdiff_t(runs_[r].first), runs_[r].count, std::uint8_t(1));
+    return out;
+  }
+  /// The first of those with the most voxels.
+  std::size_t largest() const {
+    return std::size_t(std::max_element(size_.begin(), size_.end()) - size_.begin());
+  }
+
+ private:
+  struct Run {
+    std::size_t first, count, up;  // up: towards the part's root
+  };
+
+  void addRuns(const std::uint8_t* row, std::size_t first, int count) {
+    for (int i = 0; i < count;) {
+      const int from = i;
+      while (i < count && row[i]) ++i;
+      if (i > from)
+        runs_.push_back({first + std::size_t(from), std::size_t(i - from), runs_.size()});
+      else
+        ++i;
+    }
+  }
+  void join(std::size_t line, std::size_t next, std::size_t shift) {
+    std::size_t a = first_of_row_[line], b = first_of_row_[next];
+    while (a < first_of_row_[line + 1] && b < first_of_row_[next + 1]) {
+      const std::size_t a_first = runs_[a].first + shift, a_end = a_first + runs_[a].count;
+      const std::size_t b_first = runs_[b].first, b_end = b_first + runs_[b].count;
+      if (a_first < b_end && b_first < a_end)
+        runs_[std::max(root(a), root(b))].up = std::min(root(a), root(b));
+      a_end < b_end ? ++a : ++b;
+    }
+  }
+  std::size_t root(std::size_t r) {
+    while (runs_[r].up != r) r = runs_[r].up = runs_[runs_[r].up].up;
+    return r;
+  }
+
+  std::vector<Run> runs_;
+  std::vector<std::size_t> first_of_row_, size_;
+};
 
 }  // namespace
 
@@ -212,41 +266,54 @@ Mask close(const Mask& mask, double radius_mm) { return erode(dilate(mask, radiu
 Mask open(const Mask& mask, double radius_mm) { return dilate(erode(mask, radius_mm), radius_mm); }
 
 Mask largestPart(const Mask& mask) {
-  const auto all = parts(mask);
-  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
-  const auto largest =
-      std::max_element(all.begin(), all.end(), [](auto& a, auto& b) { return a.size() < b.size(); });
-  if (largest != all.end())
-    for (std::uint32_t v : *largest) out.voxels[v] = 1;
-  return out;
+  Parts parts(mask);
+  const std::size_t largest = parts.largest();
+  return parts.chosen(mask.grid, [&](std::size_t part, std::size_t) { return part == largest; });
 }
 
 Mask withoutSpecks(const Mask& mask, std::size_t voxels) {
-  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
-  for (const auto& part : parts(mask))
-    if (part.size() >= voxels)
-      for (std::uint32_t v : part) out.voxels[v] = 1;
-  return out;
+  Parts parts(mask);
+  return parts.chosen(mask.grid, [&](std::size_t, std::size_t size) { return size >= voxels; });
 }
 
 Mask fillHoles(const Mask& mask) {
+  // Runs of background along i, from the border inwards: a run is reached whole, then looks at the four rows
+  // beside.
   const auto& n = mask.grid.size;
+  const std::size_t row = n[0], slab = row * n[1];
   Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size(), 1)};
   std::vector<std::uint32_t> front;
-  const auto reach = [&](std::size_t v) {
-    if (mask.voxels[v] || !out.voxels[v]) return;
-    out.voxels[v] = 0;
-    front.push_back(std::uint32_t(v));
+  const auto isOpen = [&](std::size_t v) { return !mask.voxels[v] && out.voxels[v]; };
+  const auto reachRun = [&](std::size_t v) {
+    const std::size_t first = v / row * row, last = first + row - 1;
+    std::size_t from = v, to = v;
+    while (from > first && isOpen(from - 1)) --from;
+    while (to < last && isOpen(to + 1)) ++to;
+    std::fill(out.voxels.begin() + std::ptrdiff_t(from), out.voxels.begin() + std::ptrdiff_t(to) + 1,
+              std::uint8_t(0));
+    front.push_back(std::uint32_t(from));
+    front.push_back(std::uint32_t(to));
+  };
+  const auto reachBeside = [&](std::size_t from, std::size_t to) {
+    for (std::size_t v = from; v <= to; ++v)
+      if (isOpen(v)) reachRun(v);
   };
   for (int k = 0; k < n[2]; ++k)
-    for (int j = 0; j < n[1]; ++j)
-      for (int i = 0; i < n[0]; ++i)
-        if (i == 0 || j == 0 || k == 0 || i == n[0] - 1 || j == n[1] - 1 || k == n[2] - 1)
-          reach(mask.grid.index(i, j, k));
+    for (int j = 0; j < n[1]; ++j) {
+      const std::size_t first = mask.grid.index(0, j, k), last = first + row - 1;
+      if (j == 0 || k == 0 || j == n[1] - 1 || k == n[2] - 1)
+        reachBeside(first, last);
+      else
+        reachBeside(first, first), reachBeside(last, last);
+    }
   while (!front.empty()) {
-    const std::size_t at = front.back();
-    front.pop_back();
-    neighbours(mask.grid, at, reach);
+    const std::size_t to = front.back(), from = front[front.size() - 2];
+    front.resize(front.size() - 2);
+    const int j = int(from / row % n[1]), k = int(from / slab);
+    if (j > 0) reachBeside(from - row, to - row);
+    if (j + 1 < n[1]) reachBeside(from + row, to + row);
+    if (k > 0) reachBeside(from - slab, to - slab);
+    if (k + 1 < n[2]) reachBeside(from + slab, to + slab);
   }
   return out;
 }

@@ -159,7 +159,8 @@ void writeImage(nifti_image& image, const std::filesystem::path& path) {
   if (nifti_set_filenames(&image, file.temporaryPath().c_str(), 0, 1) != 0)
     throw Error("cannot be written", path.string(), "choose another name");
   image.nifti_type = NIFTI_FTYPE_NIFTI1_1;
-  nifti_image_write(&image);
+  // Level 1 of gzip: a third of the time for a tenth more bytes.
+  nifti_image_write_hdr_img(&image, 1, is_gz ? "wb1" : "wb");
   file.commit();
 }
 

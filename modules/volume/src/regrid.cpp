@@ -1,9 +1,12 @@
 #include "facenav/volume/regrid.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "facenav/core/error.h"
+#include "facenav/volume/for_slices.h"
 
 namespace facenav::volume {
 namespace {
@@ -70,24 +73,73 @@ Mask toRasOrder(const Mask& mask) {
   return {order.grid, reorder(mask.voxels, mask.grid, order)};
 }
 
+namespace {
+
+/// Steps i of a row (first + i * step) within which all coordinates lie in 0 .. n - 1 of each axis, to a
+/// rounding: [begin, end).
+std::pair<int, int> stepsWithin(const std::array<int, 3>& n, const Eigen::Vector3d& first,
+                                const Eigen::Vector3d& step, int count) {
+  constexpr double kRounding = 1e-6;  // voxels: a grid resampled onto itself keeps its border
+  double from = 0, to = count - 1;
+  for (int a = 0; a < 3; ++a) {
+    const double low = -kRounding - first[a], high = n[a] - 1 + kRounding - first[a];
+    if (std::abs(step[a]) < 1e-12) {
+      if (low > 0 || high < 0) return {0, 0};
+      continue;
+    }
+    from = std::max(from, std::min(low / step[a], high / step[a]));
+    to = std::min(to, std::max(low / step[a], high / step[a]));
+  }
+  return to < from ? std::pair(0, 0) : std::pair(int(std::ceil(from)), int(std::floor(to)) + 1);
+}
+
+float mixed(float a, float b, float t) { return a + t * (b - a); }
+
+/// Trilinear values along rows, eight neighbours at a time.
+template <class Value, class Keep>
+void sampleRows(const std::vector<Value>& voxels, const VoxelGrid& from, const VoxelGrid& to, Keep&& keep) {
+  const Eigen::Affine3d from_to = from.mri_from_voxel.inverse() * to.mri_from_voxel;
+  const Eigen::Vector3d step = from_to.linear().col(0);
+  const auto& n = from.size;
+  const std::size_t row = n[0], slab = row * n[1];
+  const std::size_t di = n[0] > 1, dj = n[1] > 1 ? row : 0, dk = n[2] > 1 ? slab : 0;
+  forSlices(to.size[2], [&](int k) {
+    for (int j = 0; j < to.size[1]; ++j) {
+      const Eigen::Vector3d first = from_to * Eigen::Vector3d(0, j, k);
+      const auto [begin, end] = stepsWithin(n, first, step, to.size[0]);
+      const std::size_t out = to.index(0, j, k);
+      for (int i = begin; i < end; ++i) {
+        int low[3];
+        float part[3];
+        for (int a = 0; a < 3; ++a) {
+          const double at = std::clamp(first[a] + i * step[a], 0.0, double(n[a] - 1));
+          low[a] = std::min(int(at), std::max(0, n[a] - 2));
+          part[a] = float(at - low[a]);
+        }
+        const Value* v = &voxels[from.index(low[0], low[1], low[2])];
+        const auto line = [&](const Value* p) { return mixed(float(p[0]), float(p[di]), part[0]); };
+        keep(out + i, mixed(mixed(line(v), line(v + dj), part[1]),
+                            mixed(line(v + dk), line(v + dj + dk), part[1]), part[2]));
+      }
+    }
+  });
+}
+
+}  // namespace
+
 Volume resample(const Volume& volume, const VoxelGrid& grid) {
   Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
-  const Eigen::Affine3d from_to = volume.grid.mri_from_voxel.inverse() * grid.mri_from_voxel;
-  std::size_t o = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j) {
-      Eigen::Vector3d ijk = from_to * Eigen::Vector3d(0, j, k);
-      for (int i = 0; i < grid.size[0]; ++i, ++o, ijk += from_to.linear().col(0))
-        out.voxels[o] = sampleLinear(volume, ijk);
-    }
+  if (volume.grid.count() > 0)
+    sampleRows(volume.voxels, volume.grid, grid,
+               [&](std::size_t at, float value) { out.voxels[at] = value; });
   return out;
 }
 
 Mask resample(const Mask& mask, const VoxelGrid& grid) {
-  Volume soft{mask.grid, std::vector<float>(mask.voxels.begin(), mask.voxels.end()), "", ""};
-  const Volume moved = resample(soft, grid);
-  Mask out{grid, std::vector<std::uint8_t>(moved.voxels.size())};
-  for (std::size_t i = 0; i < out.voxels.size(); ++i) out.voxels[i] = moved.voxels[i] >= 0.5f;
+  Mask out{grid, std::vector<std::uint8_t>(grid.count())};
+  if (mask.grid.count() > 0)
+    sampleRows(mask.voxels, mask.grid, grid,
+               [&](std::size_t at, float value) { out.voxels[at] = value >= 0.5f; });
   return out;
 }
 
