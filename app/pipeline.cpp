@@ -1,6 +1,7 @@
 #include "pipeline.h"
 
 #include <algorithm>
+#include <future>
 #include <map>
 
 #include "facenav/casefile/edited_brain.h"
@@ -160,10 +161,13 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
     throw Error("no such folder to make the case in", parent.string(), "create it first");
   const auto head = context.registrations.head_segmenters.create(request.head_segmenter);
   const auto brain = context.registrations.brain_segmenters.create(request.brain_segmenter);
+  std::vector<std::string> atlas_warnings;
+  const std::shared_future<std::optional<atlas::BrainTemplate>> colin =
+      std::async(std::launch::async, [&atlas_warnings] { return installedAtlas(atlas_warnings); });
   auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor);
-  const auto colin = installedAtlas(imported.warnings);
-  auto prepared =
-      session::prepare(imported.volume, *head, *brain, context.monitor, colin ? &*colin : nullptr);
+  auto prepared = session::prepare(imported.volume, *head, *brain, context.monitor,
+                                   [&colin] { return colin.get() ? &*colin.get() : nullptr; });
+  imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
   prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
   context.monitor.report("writing the case", 0.0);
   casefile::Provenance step{"prepare",

@@ -26,8 +26,8 @@ Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue,
 
 }  // namespace
 
-Refinement::Refinement(const Volume& flat, const Mask& first, const TissueModel& tissue)
-    : flat_(flat), tissue_(tissue) {
+Refinement::Refinement(const Volume& flat, const Mask& first, const TissueModel& tissue, float open_fluid)
+    : flat_(flat), tissue_(tissue), open_fluid_(open_fluid) {
   const RefinementOptions reach;
   region_ = intersection(dilate(first, reach.search_mm),
                          dilate(whiteCore(flat, first, tissue, reach.white_tear_mm), reach.white_reach_mm));
@@ -35,7 +35,7 @@ Refinement::Refinement(const Volume& flat, const Mask& first, const TissueModel&
 
 Mask Refinement::brain(double tissue_share) const {
   const RefinementOptions options;
-  const float low = float(tissue_.fluid.mean + tissue_share * (tissue_.grey.mean - tissue_.fluid.mean));
+  const float low = open_fluid_ + float(tissue_share) * (float(tissue_.grey.mean) - open_fluid_);
   const float high = float(tissue_.white.mean * options.brightest);
   Mask near = region_;
   for (std::size_t v = 0; v < near.voxels.size(); ++v)

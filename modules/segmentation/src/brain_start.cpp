@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "facenav/volume/mask_morphology.h"
 #include "facenav/core/error.h"
+#include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 
 namespace facenav::segmentation {
@@ -15,6 +15,7 @@ using volume::Volume;
 using volume::VoxelGrid;
 
 constexpr double kPad_mm = 6;          // room around the scan, so that nothing touches the border
+constexpr double kFine = 0.95;         // of the working spacing
 constexpr double kTopArea_mm2 = 2500;  // a slice this large belongs to the head, not to hair or noise
 constexpr double kGirthFrom_mm = 100,
                  kGirthTo_mm = 20;  // below the top: the slices that give girth and centre
@@ -87,7 +88,10 @@ Volume workingVolume(const Volume& volume, double spacing_mm) {
   const int pad = int(std::ceil(kPad_mm / spacing_mm));
   for (int a = 0; a < 3; ++a) grid.size[a] += 2 * pad;
   grid.mri_from_voxel.translate(Eigen::Vector3d::Constant(-pad));
-  return volume::resample(above, grid);
+  // A coarse scan keeps its edges (thin bone between brain and muscle would close under trilinear sampling);
+  // of a fine one the means of neighbours are wanted, against noise.
+  const bool is_fine = volume.grid.spacing_mm().minCoeff() < kFine * spacing_mm;
+  return is_fine ? volume::resample(above, grid) : volume::resampleCubic(above, grid);
 }
 
 Volume halved(const Volume& volume) {

@@ -64,8 +64,7 @@ void registerTo(const atlas::BrainTemplate& atlas, const volume::Volume& mri, Br
 }
 
 /// Both surfaces of the brain, and how far they lie apart.
-void modelSurfaces(const volume::Volume& mri, BrainPart& part, TaskMonitor& monitor) {
-  auto surfaces = buildBrainSurfaces(mri, *part.mask, monitor);
+void keepSurfaces(BrainSurfaces surfaces, BrainPart& part) {
   const auto& [to_model, to_cortex] = surfaces.distance;
   part.quality->surface_median_mm = to_model.median_mm, part.quality->surface_p95_mm = to_model.p95_mm;
   part.quality->model_median_mm = to_cortex.median_mm, part.quality->model_p95_mm = to_cortex.p95_mm;
@@ -74,7 +73,7 @@ void modelSurfaces(const volume::Volume& mri, BrainPart& part, TaskMonitor& moni
 }
 
 BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter& segmenter,
-                       const atlas::BrainTemplate* atlas, TaskMonitor& monitor) {
+                       const AtlasSource& source, TaskMonitor& monitor) {
   BrainPart part;
   try {
     auto result = segmenter.segment(mri, monitor);
@@ -84,11 +83,23 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
     if (volume_ml < kBrainLow_ml || volume_ml > kBrainHigh_ml)
       part.findings.push_back(figure + ", outside the usual 900-1900 ml of adults: check the mask");
     part.mask = std::move(result.mask);
-    if (atlas) registerTo(*atlas, mri, part, monitor);
+    TaskMonitor surface_monitor;  // quiet: its cancellation is this thread's
+    auto surfaces =
+        std::async(std::launch::async, [&] { return buildBrainSurfaces(mri, *part.mask, surface_monitor); });
+    const atlas::BrainTemplate* atlas = nullptr;
+    try {
+      atlas = source ? source() : nullptr;
+      if (atlas) registerTo(*atlas, mri, part, monitor);
+    } catch (...) {
+      surface_monitor.cancel();
+      surfaces.wait();
+      throw;
+    }
     part.quality.emplace();
     part.quality->regions = regionConfidence(result.doubts, part.atlas ? &*part.atlas : nullptr, atlas);
     for (auto& words : whereToLook(part.quality->regions)) part.findings.push_back(std::move(words));
-    modelSurfaces(mri, part, monitor);
+    monitor.report("modelling the brain's surface", 0.5);
+    keepSurfaces(surfaces.get(), part);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
@@ -111,7 +122,7 @@ TaskMonitor::Listener forwardTo(TaskMonitor& parent, std::mutex& mutex) {
 
 casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Segmenter& head,
                                const segmentation::Segmenter& brain, TaskMonitor& monitor,
-                               const atlas::BrainTemplate* atlas) {
+                               const AtlasSource& atlas) {
   std::mutex one_report;
   TaskMonitor head_monitor(forwardTo(monitor, one_report)), brain_monitor(forwardTo(monitor, one_report));
   auto brain_task =

@@ -95,51 +95,109 @@ std::pair<int, int> stepsWithin(const std::array<int, 3>& n, const Eigen::Vector
 
 float mixed(float a, float b, float t) { return a + t * (b - a); }
 
-/// Trilinear values along rows, eight neighbours at a time.
-template <class Value, class Keep>
-void sampleRows(const std::vector<Value>& voxels, const VoxelGrid& from, const VoxelGrid& to, Keep&& keep) {
+/// Neighbours below a place and how far beyond them it lies, per axis.
+struct Between {
+  int low[3];
+  float part[3];
+
+  Between(const std::array<int, 3>& n, const Eigen::Vector3d& at) {
+    for (int a = 0; a < 3; ++a) {
+      const double x = std::clamp(at[a], 0.0, double(n[a] - 1));
+      low[a] = std::min(int(x), std::max(0, n[a] - 2));
+      part[a] = float(x - low[a]);
+    }
+  }
+};
+
+/// Calls keep(index in `to`, place in `from`) for every voxel of `to` that lies within `from`.
+template <class Keep>
+void forRows(const VoxelGrid& from, const VoxelGrid& to, Keep&& keep) {
+  if (from.count() == 0) return;
   const Eigen::Affine3d from_to = from.mri_from_voxel.inverse() * to.mri_from_voxel;
   const Eigen::Vector3d step = from_to.linear().col(0);
-  const auto& n = from.size;
-  const std::size_t row = n[0], slab = row * n[1];
-  const std::size_t di = n[0] > 1, dj = n[1] > 1 ? row : 0, dk = n[2] > 1 ? slab : 0;
   forSlices(to.size[2], [&](int k) {
     for (int j = 0; j < to.size[1]; ++j) {
       const Eigen::Vector3d first = from_to * Eigen::Vector3d(0, j, k);
-      const auto [begin, end] = stepsWithin(n, first, step, to.size[0]);
+      const auto [begin, end] = stepsWithin(from.size, first, step, to.size[0]);
       const std::size_t out = to.index(0, j, k);
-      for (int i = begin; i < end; ++i) {
-        int low[3];
-        float part[3];
-        for (int a = 0; a < 3; ++a) {
-          const double at = std::clamp(first[a] + i * step[a], 0.0, double(n[a] - 1));
-          low[a] = std::min(int(at), std::max(0, n[a] - 2));
-          part[a] = float(at - low[a]);
-        }
-        const Value* v = &voxels[from.index(low[0], low[1], low[2])];
-        const auto line = [&](const Value* p) { return mixed(float(p[0]), float(p[di]), part[0]); };
-        keep(out + i, mixed(mixed(line(v), line(v + dj), part[1]),
-                            mixed(line(v + dk), line(v + dj + dk), part[1]), part[2]));
-      }
+      for (int i = begin; i < end; ++i) keep(out + std::size_t(i), Between(from.size, first + i * step));
     }
   });
+}
+
+/// Trilinear: eight neighbours.
+template <class Value>
+struct Linear {
+  Linear(const std::vector<Value>& values, const VoxelGrid& on)
+      : voxels(values),
+        grid(on),
+        di(on.size[0] > 1),
+        dj(on.size[1] > 1 ? std::size_t(on.size[0]) : 0),
+        dk(on.size[2] > 1 ? std::size_t(on.size[0]) * on.size[1] : 0) {}
+  float operator()(const Between& at) const {
+    const Value* v = &voxels[grid.index(at.low[0], at.low[1], at.low[2])];
+    const auto line = [&](const Value* p) { return mixed(float(p[0]), float(p[di]), at.part[0]); };
+    return mixed(mixed(line(v), line(v + dj), at.part[1]), mixed(line(v + dk), line(v + dj + dk), at.part[1]),
+                 at.part[2]);
+  }
+  const std::vector<Value>& voxels;
+  const VoxelGrid& grid;
+  std::size_t di, dj, dk;
+};
+
+/// Weights of the four neighbours about a place `t` beyond the second.
+std::array<float, 4> cubicWeights(float t) {
+  const float t2 = t * t, t3 = t2 * t;
+  return {0.5f * (-t3 + 2 * t2 - t), 0.5f * (3 * t3 - 5 * t2 + 2), 0.5f * (-3 * t3 + 4 * t2 + t),
+          0.5f * (t3 - t2)};
+}
+
+/// Sixty-four neighbours; the grid's edge is repeated.
+float cubicAt(const Volume& volume, const Between& at) {
+  const auto& n = volume.grid.size;
+  std::array<std::array<float, 4>, 3> weight;
+  std::array<std::array<std::size_t, 4>, 3> offset;
+  const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
+  for (std::size_t a = 0; a < 3; ++a) {
+    weight[a] = cubicWeights(at.part[a]);
+    for (int c = 0; c < 4; ++c)
+      offset[a][std::size_t(c)] = std::size_t(std::clamp(at.low[a] - 1 + c, 0, n[a] - 1)) * stride[a];
+  }
+  float sum = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (weight[2][c] == 0) continue;
+    float plane = 0;
+    for (std::size_t b = 0; b < 4; ++b) {
+      if (weight[1][b] == 0) continue;
+      const float* row = &volume.voxels[offset[2][c] + offset[1][b]];
+      float line = 0;
+      for (std::size_t a = 0; a < 4; ++a) line += weight[0][a] * row[offset[0][a]];
+      plane += weight[1][b] * line;
+    }
+    sum += weight[2][c] * plane;
+  }
+  return sum;
 }
 
 }  // namespace
 
 Volume resample(const Volume& volume, const VoxelGrid& grid) {
   Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
-  if (volume.grid.count() > 0)
-    sampleRows(volume.voxels, volume.grid, grid,
-               [&](std::size_t at, float value) { out.voxels[at] = value; });
+  const Linear<float> sample(volume.voxels, volume.grid);
+  forRows(volume.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = sample(at); });
+  return out;
+}
+
+Volume resampleCubic(const Volume& volume, const VoxelGrid& grid) {
+  Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
+  forRows(volume.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = cubicAt(volume, at); });
   return out;
 }
 
 Mask resample(const Mask& mask, const VoxelGrid& grid) {
   Mask out{grid, std::vector<std::uint8_t>(grid.count())};
-  if (mask.grid.count() > 0)
-    sampleRows(mask.voxels, mask.grid, grid,
-               [&](std::size_t at, float value) { out.voxels[at] = value >= 0.5f; });
+  const Linear<std::uint8_t> sample(mask.voxels, mask.grid);
+  forRows(mask.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = sample(at) >= 0.5f; });
   return out;
 }
 

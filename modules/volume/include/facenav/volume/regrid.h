@@ -12,6 +12,9 @@ Mask toRasOrder(const Mask& mask);
 
 /// Trilinear onto `grid` (0 outside). When `grid` is coarser the values are not pre-smoothed.
 Volume resample(const Volume& volume, const VoxelGrid& grid);
+/// By cubic convolution (Keys 1981, a = -1/2) onto `grid` (0 outside): keeps the edges that trilinear sampling
+/// between coarse voxels would blur; may overshoot beside them by some hundredths.
+Volume resampleCubic(const Volume& volume, const VoxelGrid& grid);
 /// Onto `grid`: a voxel is set where the trilinearly interpolated mask reaches 0.5.
 Mask resample(const Mask& mask, const VoxelGrid& grid);
 
