@@ -58,16 +58,21 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
 }
 
 /// The value of fluid where it is wide open (ventricles): the darkest fiftieth of the core. The fluid's
-/// class, most of which lies in narrow sulci, turns brighter with the size of the voxels.
-float openFluid(const Volume& flat, const Mask& core) {
-  constexpr double kDarkest = 0.02;
+/// class, most of which lies in narrow sulci, turns brighter with the size of the voxels. Where the core
+/// holds next to no fluid (the darkest fiftieth is grey matter already) it is told from the class: both rules
+/// put the limit of tissue at one place on 1 mm scans of adults.
+float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue) {
+  constexpr double kDarkest = 0.02, kOfClass = 0.2;  // share of the way from the class' mean to grey matter's
+  const double share = RefinementOptions().tissue_share;
+  const double limit = tissue.fluid.mean + kOfClass * (tissue.grey.mean - tissue.fluid.mean);
+  const float by_class = float((limit - share * tissue.grey.mean) / (1 - share));
   std::vector<float> values;
   for (std::size_t v = 0; v < core.voxels.size(); ++v)
     if (core.voxels[v]) values.push_back(flat.voxels[v]);
-  if (values.empty()) return 0;
+  if (values.empty()) return by_class;
   const auto at = values.begin() + std::ptrdiff_t(kDarkest * double(values.size()));
   std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return std::min(*at, by_class);
 }
 
 constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about the one that is taken
@@ -122,7 +127,7 @@ class BrainSegmenter : public Segmenter {
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
     const Volume flat = corrected(image, tissue);
-    const Refinement refinement(flat, first, tissue, openFluid(corrected(calm, tissue), core));
+    const Refinement refinement(flat, first, tissue, openFluid(corrected(calm, tissue), core, tissue));
     const Mask brain = refinement.brain();
     monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;

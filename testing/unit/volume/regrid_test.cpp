@@ -74,6 +74,24 @@ TEST(Resample, MaskKeepsItsVolumeOnAFinerGrid) {
   EXPECT_NEAR(finer.volume_ml() / mask.volume_ml(), 1, 0.02);
 }
 
+TEST(Resample, CubicKeepsTheGridsOwnValuesAndGivesQuadraticsExactly) {
+  volume::Volume coarse{{{12, 11, 10}, Eigen::Affine3d(Eigen::Scaling(1.5))}, {}, {}, {}};
+  const auto quadratic = [](const Eigen::Vector3d& p) {
+    return p.x() * p.x() - 2 * p.y() * p.y() + p.z() + 3;
+  };
+  for (int k = 0; k < 10; ++k)
+    for (int j = 0; j < 11; ++j)
+      for (int i = 0; i < 12; ++i)
+        coarse.voxels.push_back(float(quadratic(coarse.grid.toMri(Eigen::Vector3d(i, j, k)).mm)));
+  EXPECT_EQ(volume::resampleCubic(coarse, coarse.grid).voxels, coarse.voxels);
+  volume::VoxelGrid fine = volume::isotropicGrid(coarse.grid, 0.7);
+  const auto values = volume::resampleCubic(coarse, fine);
+  for (int k = 4; k < 12; ++k)
+    for (int j = 4; j < 12; ++j)
+      for (int i = 4; i < 12; ++i)
+        ASSERT_NEAR(values.at(i, j, k), quadratic(fine.toMri(Eigen::Vector3d(i, j, k)).mm), 1e-3);
+}
+
 TEST(IsotropicGrid, CoversTheWholeGrid) {
   const auto grid = volume::isotropicGrid(numberedVolume().grid, 0.7);
   for (int c = 0; c < 8; ++c) {
