@@ -14,7 +14,7 @@ constexpr double kNewSide_rad = 11 * kDegree;        // from every other key fra
 constexpr double kAlike_rad = 2 * kDegree;           // no change of key frame for less
 constexpr double kGenerationCost_rad = 4 * kDegree;  // of a key frame made from a key frame
 constexpr int kOldestGeneration = 3;
-constexpr std::size_t kMost = 16, kPatchesAtOnce = 24;
+constexpr std::size_t kMost = 16, kPatchesAtOnce = 24, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kWorstScale = 3.0, kWorstSigma_mm = 0.25;  // worth learning from
 constexpr int kLeastUsable = 60;
 constexpr int kMargin_px = 16;
@@ -142,7 +142,7 @@ void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model
 void KeyFrames::goOn(const stereo::StereoRig& rig, const PatchModel& model) {
   Unfinished& fresh = *unfinished_;
   const std::size_t all = fresh.key.level[fresh.level].patches.size();
-  const std::size_t end = std::min(fresh.next + kPatchesAtOnce, all);
+  const std::size_t end = std::min(fresh.next + (fresh.level == 0 ? kPatchesAtOnce : kCoarseAtOnce), all);
   while (fresh.next < end) learnPatch(rig, model, fresh.next++);
   if (end < all) return;
   if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.reset();

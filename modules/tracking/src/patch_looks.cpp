@@ -91,13 +91,16 @@ void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
            const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
   const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
   Eigen::Matrix2d structure, noise, shading;
-  for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b) {
+  for (int b = 0; b < 2; ++b) {
+    const auto noisy = correlated(*d[b], noiseCorrelation(level));
+    const auto shaded = correlated(*d[b], shadingCorrelation());
+    for (int a = 0; a < 2; ++a) {
       structure(a, b) = dot(*d[a], whole[b]);
-      noise(a, b) = dot(*d[a], correlated(*d[b], noiseCorrelation(level)));
-      shading(a, b) = dot(*d[a], correlated(*d[b], shadingCorrelation()));
+      noise(a, b) = dot(*d[a], noisy);
+      shading(a, b) = dot(*d[a], shaded);
       looked.view.ramp(a, b) = dot(*d[a], ramps[b]);
     }
+  }
   // Damped by what the noise alone would give: flat skin then moves nowhere instead of anywhere.
   const double least = 1e-3 * structure.trace() + 1e-6;
   const Eigen::Matrix2d inverse = (structure + least * Eigen::Matrix2d::Identity()).inverse();
