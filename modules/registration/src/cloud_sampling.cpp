@@ -1,5 +1,6 @@
 #include "cloud_sampling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -55,16 +56,18 @@ std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>
                          std::size_t most) {
   if (of.empty()) return {};
   const std::size_t stride = scatteredStride(of.size());
-  for (;; cell_mm *= 1.2) {
+  for (;;) {
     std::vector<int> chosen;
     CubeSet taken(std::min(of.size(), most + 1));
-    std::size_t at = 0;
-    for (std::size_t n = 0; n < of.size() && chosen.size() <= most; ++n) {
+    std::size_t at = 0, visited = 0;
+    for (; visited < of.size() && chosen.size() <= most; ++visited) {
       if (taken.insert(cubeOf(cloud.points_mm[std::size_t(of[at])], 1.0 / cell_mm))) chosen.push_back(of[at]);
       at += stride;
       if (at >= of.size()) at -= of.size();
     }
     if (chosen.size() <= most) return chosen;
+    // So many after part of the points: of a surface, cubes as much larger hold the number.
+    cell_mm *= std::max(1.2, 0.9 * std::sqrt(double(of.size()) / double(visited)));
   }
 }
 

@@ -188,7 +188,7 @@ Eigen::Isometry3d FieldFitter::fit(Eigen::Isometry3d pose, const FitStage& stage
     const Vector6d xi = sums.step();
     if (!xi.allFinite()) break;
     pose = increment(xi, pivot_.cast<double>(), pose);
-    if (xi.head<3>().norm() < 5e-6 && xi.tail<3>().norm() < 5e-4) break;
+    if (xi.head<3>().norm() < stage.settled_mm / 100.0 && xi.tail<3>().norm() < stage.settled_mm) break;
   }
   return pose;
 }

@@ -15,7 +15,8 @@ namespace facenav::registration {
 struct FitStage {
   float inside_mm, outside_mm;  // residuals beyond have no weight
   int iterations;
-  bool is_fine;  // the fine grid, or the coarse one
+  bool is_fine;              // the fine grid, or the coarse one
+  float settled_mm = 5e-4f;  // a step shorter than this, and turned by less than this in 100 mm, is the last
 };
 
 /// One point of the cloud against the skin.

@@ -20,6 +20,7 @@ namespace {
 // head 0.1-0.35 mm median and 0.6-0.9 close, wrong head 1.3-2.4 mm and 0.2-0.5 close.
 constexpr double kWrongMedian_mm = 0.9, kWrongThird_mm = 0.5, kLeastClose = 0.3;
 // Logarithms of odds.
+constexpr double kFarFromMirrored = 30.0;
 constexpr double kMirrored = -5.0, kLeastUnmirrored = 1.0, kRival = 3.0;
 // How much likelier (logarithm) a face must be at another size; the fit beside the pose sees 2 % at most,
 // since what is off by more than the misfit's limit does not count there.
@@ -40,9 +41,10 @@ std::string oneDecimal(double value) {
 }
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
+  constexpr float kSettled_mm = 0.02f;
   for (float reach_mm = from_mm; reach_mm > 1.2f; reach_mm *= 0.55f)
-    pose = fitter.fit(pose, {reach_mm, 0.7f * reach_mm, 4, reach_mm < 4.0f});
-  return fitter.fit(pose, {1.2f, 1.0f, 5, true});
+    pose = fitter.fit(pose, {reach_mm, 0.7f * reach_mm, 4, reach_mm < 4.0f, kSettled_mm});
+  return fitter.fit(pose, {1.2f, 1.0f, 5, true, kSettled_mm});
 }
 
 /// Four standard deviations across or up the face, the smaller.
@@ -79,13 +81,14 @@ double mirrorLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face, co
     Vector6d turn = Vector6d::Zero();
     turn[2] = yaw_deg * M_PI / 180.0;
     const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f);
-    const double here = logLikelihood(fitter.match(pose));
-    if (here > most) most = here, best = pose;
+    const double there = logLikelihood(fitter.match(pose));
+    if (there > most) most = there, best = pose;
   }
-  best = bestOfParts(scalp, mirrored, all, best).mri_T_camera;
-  most = std::max(most, logLikelihood(fitter.match(best)));
   const FieldFitter given(scalp, face, points);
-  return SkinLikelihood(scalp, face, points)(given.match(mri_T_camera)) - most;
+  const double here = SkinLikelihood(scalp, face, points)(given.match(mri_T_camera));
+  if (here - most > kFarFromMirrored) return here - most;  // no care gains a mirror image so much
+  best = bestOfParts(scalp, mirrored, all, best).mri_T_camera;
+  return here - std::max(most, logLikelihood(fitter.match(best)));
 }
 
 /// How much likelier the pose is than the best that the face finds elsewhere.

@@ -74,13 +74,12 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 }
 
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, const std::vector<Candidate>& rivals) {
+                       const Eigen::Isometry3d& closest, FitEvidence evidence) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
   result.covariance = inCamera(fit.belief.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
   result.freedom = fit.belief.freedom;
   result.misfit_mm = fit.belief.field_mm;
-  FitEvidence evidence = gatherEvidence(scalp, face, closest, rivals);
   evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
   evidence.misfit_mm = result.misfit_mm;
   evidence.scale = result.face_scale = 1.0 + fit.belief.scale;

@@ -22,9 +22,10 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
                const Eigen::Isometry3d& pose, double limit_mm);
 
 /// Throws Error("not aligned: ...") when the fit is doubtful. `closest`: the pose before the misfit model,
-/// where the skins lie closest; the model may hold that one lies outside the other all over.
+/// where the skins lie closest; the model may hold that one lies outside the other all over. `evidence`: as
+/// gathered at `closest`.
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, const std::vector<Candidate>& rivals);
+                       const Eigen::Isometry3d& closest, FitEvidence evidence);
 
 /// The first reason not to try at all: no skin, a defaced scan, hardly any points. Throws Error("not aligned:
 /// ...").

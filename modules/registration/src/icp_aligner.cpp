@@ -89,7 +89,8 @@ class IcpAligner : public Aligner {
                    400);  // it slides slowly
     const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);
     const auto fit = judge(scalp, face, head, best.mri_T_camera, inlierLimit_mm(matches, 3.0));
-    return report(scalp, face, fit, best.mri_T_camera, starts);
+    return report(scalp, face, fit, best.mri_T_camera,
+                  gatherEvidence(scalp, face, best.mri_T_camera, starts));
   }
 
  private:

@@ -32,7 +32,7 @@ struct LinearModel {
 /// Rotations are stated at this lever, so that all six columns are of one size.
 constexpr double kLever_mm = 100.0;
 constexpr double kPatch_mm = 12.0;
-constexpr std::size_t kShapePatches = 100, kMostShapes = 6;
+constexpr std::size_t kShapePatches = 90, kMostShapes = 6;
 
 LinearModel linearModel(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
                         const Eigen::Vector3d& pivot) {
@@ -54,8 +54,8 @@ LinearModel linearModel(const std::vector<SkinPatch>& patches, const FaceRegions
 
 /// Matern 3/2: smooth skin, with detail at every scale below its reach.
 MatrixXd correlation(const MatrixXd& distance_mm, double reach_mm) {
-  const Eigen::ArrayXXd u = distance_mm.array() * (std::sqrt(3.0) / reach_mm);
-  return ((1.0 + u) * (-u).exp()).matrix();
+  const Eigen::ArrayXXf u = distance_mm.array().cast<float>() * float(std::sqrt(3.0) / reach_mm);
+  return ((1.0f + u) * (-u).exp()).matrix().cast<double>();
 }
 
 /// Covariance of smooth field and noise.

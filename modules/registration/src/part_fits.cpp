@@ -18,6 +18,8 @@ constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6}, {0, 1
 /// Patches of 25 mm are less independent than the likelihood takes them to be.
 constexpr double kTemper = 2.0;
 constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
+constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncertain by
+constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
 constexpr double kLeastWeight = 0.02;  // what is less likely by more lies outside a 95 % bound
 
 float quantile(std::vector<float> values, double fraction) {
@@ -53,6 +55,23 @@ PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, con
   const SkinLikelihood logLikelihood(scalp, face, points);
   const auto matches = all.match(mri_T_camera);
   std::vector<Pose> poses;
+  // Where several lead to the same place, one of them is followed to its end.
+  const auto closeIn = [&](std::vector<Pose>& some) {
+    std::vector<Pose> ended;
+    std::vector<Eigen::Isometry3d> begun;
+    for (const Pose& pose : some) {
+      const bool is_new = std::all_of(begun.begin(), begun.end(), [&](const Eigen::Isometry3d& b) {
+        return areDistinct(b, pose.mri_T_camera, scalp.middle_mm(), kSame_rad, kSame_mm);
+      });
+      if (!is_new) continue;
+      begun.push_back(pose.mri_T_camera);
+      Eigen::Isometry3d end = pose.mri_T_camera;
+      for (const float reach_mm : {1.6f, 1.2f})
+        end = all.fit(end, {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
+      ended.push_back({end, logLikelihood(all.match(end))});
+    }
+    some = std::move(ended);
+  };
   for (const Part& part : kParts) {
     const std::vector<float> weights = weightsOf(part, matches);
     std::vector<int> members;
@@ -61,25 +80,27 @@ PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, con
     const FieldFitter alone(scalp, face, members);
     Eigen::Isometry3d pose = mri_T_camera;
     for (const float reach_mm : {6.0f, 4.0f, 2.5f, 1.5f})
-      pose = alone.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true});
-    for (const float reach_mm : {1.6f, 1.2f}) pose = all.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true});
-    poses.push_back({pose, logLikelihood(all.match(pose))});
+      pose = alone.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
+    poses.push_back({pose, 0});
   }
+  closeIn(poses);
   const auto likeliest_first = [](const Pose& a, const Pose& b) {
     return a.log_likelihood > b.log_likelihood;
   };
   std::sort(poses.begin(), poses.end(), likeliest_first);
   // On a forehead alone every part may lead to a neighbour of the best pose.
   const Eigen::Isometry3d centre = poses.front().mri_T_camera;
+  std::vector<Pose> around;
   for (int axis = 0; axis < 6; ++axis)
     for (const double side : {-1.0, 1.0}) {
       Vector6d off = Vector6d::Zero();
       off[axis] = side * (axis < 3 ? kNearby_rad : kNearby_mm);
       Eigen::Isometry3d pose = increment(off, scalp.noseTip_mm(), centre);
-      for (const float reach_mm : {2.5f, 1.6f, 1.2f})
-        pose = all.fit(pose, {reach_mm, 0.67f * reach_mm, 3, true});
-      poses.push_back({pose, logLikelihood(all.match(pose))});
+      pose = all.fit(pose, {2.5f, 1.7f, 3, true, kSettled_mm});
+      around.push_back({pose, 0});
     }
+  closeIn(around);
+  poses.insert(poses.end(), around.begin(), around.end());
   std::sort(poses.begin(), poses.end(), likeliest_first);
   PartFit fit{poses.front().mri_T_camera};
   std::vector<Eigen::Isometry3d> seen{fit.mri_T_camera};

@@ -11,7 +11,7 @@ namespace facenav::registration {
 namespace {
 
 constexpr float kOutside = 0.67f;           // foreign things lie outside the skin: let go there first
-constexpr std::size_t kMostPoints = 20000;  // more add nothing: neighbours share their error
+constexpr std::size_t kMostPoints = 10000;  // more add nothing: neighbours share their error
 constexpr double kHairPatch_mm = 10.0;
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace facenav::registration {
 struct RobustFit {
   Eigen::Isometry3d mri_T_camera;
   double limit_mm = 1.5;              // residuals beyond are no skin
-  std::vector<int> points = {};       // of the cloud: what lies near the head, at most 20 000
+  std::vector<int> points = {};       // of the cloud: what lies near the head, at most 10 000
   Matrix6d doubt = Matrix6d::Zero();  // see PartFit
 };
 

@@ -1,3 +1,4 @@
+#include <future>
 #include <optional>
 
 #include "facenav/core/error.h"
@@ -10,10 +11,12 @@ namespace {
 AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
                          const std::vector<Candidate>& rivals, TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
+  auto evidence = std::async(std::launch::async,
+                             [&] { return gatherEvidence(scalp, face, robust.mri_T_camera, rivals); });
   FinalFit fit = correct(scalp, face, robust.points, robust.mri_T_camera, robust.limit_mm);
   fit.belief.covariance += robust.doubt;
   monitor.report("checking the fit", 0.9);
-  return report(scalp, face, fit, robust.mri_T_camera, rivals);
+  return report(scalp, face, fit, robust.mri_T_camera, evidence.get());
 }
 
 AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
