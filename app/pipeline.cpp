@@ -176,6 +176,11 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
                             {{"input", casefile::sha256OfInput(request.input)}}};
   auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,
                                            request.discard_edits);
+  std::future<void> field;  // what aligning would wait for
+  if (prepared.scalp.has_face)
+    field = std::async(std::launch::async, [&store] {
+      registration::keptScalpField(session::skinModel(store.scalp()), store.scalpField());
+    });
   if (prepared.navigation_check && !prepared.navigation_check->landmarks.points.empty()) {
     const auto& check = *prepared.navigation_check;
     const auto picture = store.folder() / "face_measures.png";
@@ -184,6 +189,7 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
   }
   std::optional<double> brain_ml;
   if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
+  if (field.valid()) field.get();
   return {std::move(store), imported.description, prepared.findings, brain_ml,
           std::move(prepared.navigation_check)};
 }
@@ -194,7 +200,7 @@ session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore&
   const auto detector = context.registrations.face_detector();
   auto outcome =
       session::alignFromCapture(rig, capture, store.scalp(), *context.registrations.aligners.create(aligner),
-                                *detector, store.targets().targets, context.monitor);
+                                *detector, store.targets().targets, context.monitor, store.scalpField());
   writeStoredCapture(store.folder(), rig, capture);
   casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
   scene::writePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),

@@ -19,10 +19,11 @@ const SkinModel& requireSurface(const SkinModel& skin) {
 
 }  // namespace
 
-ScalpField::ScalpField(const SkinModel& skin)
-    : skin_(requireSurface(skin)), nearest_(std::make_unique<NearestSkin>(skin_)) {
-  low_ = nearest_->low_mm();
-  high_ = nearest_->high_mm();
+ScalpField::ScalpField(const SkinModel& skin, Unfilled) : skin_(requireSurface(skin)) {}
+
+ScalpField::ScalpField(const SkinModel& skin) : ScalpField(skin, Unfilled{}) {
+  low_ = nearest().low_mm();
+  high_ = nearest().high_mm();
   origin_ = (low_ - Eigen::Vector3d::Constant(NearestSkin::kMargin_mm)).cast<float>();
   nose_tip_ = findNoseTip(skin_);
   fillCoarse();
@@ -30,6 +31,11 @@ ScalpField::ScalpField(const SkinModel& skin)
 }
 
 ScalpField::~ScalpField() = default;
+
+const NearestSkin& ScalpField::nearest() const {
+  std::call_once(once_, [this] { nearest_ = std::make_unique<NearestSkin>(skin_); });
+  return *nearest_;
+}
 
 float ScalpField::nodeDistance_mm(const Eigen::Vector3d& p) const {
   if (nearest_->isBeyondScan(p)) return kNoSkin;

@@ -132,14 +132,15 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
 AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::CapturePair& capture,
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
                                   const tracking::FaceDetector& detector,
-                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor) {
+                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
+                                  const std::filesystem::path& field_file) {
   if (!scalp.has_face)
     throw Error("not aligned: this scan holds no face to align to", {},
                 scalp.findings.empty() ? "use a scan of the whole head" : scalp.findings.front());
   monitor.report("finding the face", 0.0);
-  // The field of the scalp is built while the face is found and measured.
+  // The field of the scalp is read, or built, while the face is found and measured.
   auto field = std::async(std::launch::async,
-                          [&] { return std::make_shared<const registration::ScalpField>(skinModel(scalp)); });
+                          [&] { return registration::keptScalpField(skinModel(scalp), field_file); });
   AlignmentOutcome outcome;
   outcome.landmarks = findFace(rig, capture.plain, detector);
   const auto measureAndFit = [&] {

@@ -1,8 +1,12 @@
 #include "facenav/registration/scalp_field.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
 #include "support/model_head.h"
 
 namespace facenav::registration {
@@ -41,6 +45,42 @@ TEST(ScalpField, KnowsNoDistanceBeyondTheScansEnd) {
   EXPECT_TRUE(std::isnan(field.coarse(Eigen::Vector3f(0, 78, -50)).distance_mm));
   EXPECT_EQ(field.fine(Eigen::Vector3f(0, 900, 0)).distance_mm, ScalpField::kFar_mm);
   EXPECT_EQ(field.fine(Eigen::Vector3f(0, std::nanf(""), 0)).distance_mm, ScalpField::kFar_mm);
+}
+
+class ScalpFieldFile : public ::testing::Test {
+ protected:
+  const std::filesystem::path path_ =
+      std::filesystem::path(::testing::TempDir()) / ("scalp_field_" + std::to_string(::getpid()) + ".bin");
+  ~ScalpFieldFile() override { std::filesystem::remove(path_); }
+};
+
+TEST_F(ScalpFieldFile, HoldsTheSameFieldAndIsBuiltAgainForAnotherSkinOrWhenDamaged) {
+  const SkinModel skin = ball().skin(-40);
+  const auto built = keptScalpField(skin, path_);
+  const auto kept = ScalpField::read(skin, path_);
+  ASSERT_TRUE(kept);
+  for (const Eigen::Vector3f& p : {Eigen::Vector3f(30, 84, 5), {-20, 10, 87}, {0, 120, 0}, {0, 78, -48}})
+    for (const auto of : {&ScalpField::fine, &ScalpField::coarse}) {
+      const FieldSample a = (built.get()->*of)(p), b = (kept.get()->*of)(p);
+      EXPECT_EQ(std::isnan(a.distance_mm), std::isnan(b.distance_mm));
+      if (!std::isnan(a.distance_mm)) EXPECT_EQ(a.distance_mm, b.distance_mm);
+    }
+  EXPECT_EQ(built->noseTip_mm(), kept->noseTip_mm());
+  EXPECT_EQ(built->middle_mm(), kept->middle_mm());
+
+  SkinModel other = skin;
+  other.points.points_mm[7].x() += 1e-6;
+  EXPECT_FALSE(ScalpField::read(other, path_));
+  std::string content = readWholeFile(path_);
+  content[content.size() / 2] ^= 1;
+  writeWholeFile(path_, content);
+  EXPECT_FALSE(ScalpField::read(skin, path_));
+  writeWholeFile(path_, content.substr(0, content.size() / 3));
+  EXPECT_FALSE(ScalpField::read(skin, path_));
+  EXPECT_TRUE(keptScalpField(skin, path_));
+  EXPECT_TRUE(ScalpField::read(skin, path_)) << "kept anew";
+  EXPECT_FALSE(ScalpField::read(skin, path_.string() + ".missing"));
+  EXPECT_TRUE(keptScalpField(skin, "/proc/no/such/folder/field.bin")) << "a folder that cannot be written to";
 }
 
 TEST(ScalpField, FindsTheNose) {

@@ -85,6 +85,8 @@ class CaseStore {
   volume::Mask headMask() const;
   std::optional<volume::Mask> brainMask() const;
   surface::ScalpSurface scalp() const;
+  /// Where the scalp's distance field is kept for alignments: derived, built again when missing or stale.
+  std::filesystem::path scalpField() const { return folder_ / "scalp_field.bin"; }
   std::optional<surface::BrainModel> brain() const;
   /// cortex.vtp; nothing in cases of before this was kept, or after an edit that did not model it anew.
   std::optional<surface::DetailedCortex> cortex() const;

@@ -9,7 +9,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <mutex>
+#include <string>
 
 #include "facenav/registration/skin_model.h"
 
@@ -27,6 +30,11 @@ class ScalpField {
  public:
   /// Throws Error("not aligned: ...") when the skin has no points, no normals or no triangles.
   explicit ScalpField(const SkinModel& skin);
+  /// The same from write()'s file, in milliseconds; nothing where the file is missing, damaged, of another
+  /// version or of another skin.
+  static std::shared_ptr<const ScalpField> read(const SkinModel& skin, const std::filesystem::path& path);
+  /// Whole file, little-endian: a derived file that can always be built again. Throws Error.
+  void write(const std::filesystem::path& path) const;
   ~ScalpField();
   ScalpField(const ScalpField&) = delete;
   ScalpField& operator=(const ScalpField&) = delete;
@@ -44,14 +52,18 @@ class ScalpField {
   /// Of the nose, or of what the scan has of it.
   const Eigen::Vector3d& noseTip_mm() const { return nose_tip_; }
   Eigen::Vector3d middle_mm() const { return 0.5 * (low_ + high_); }
-  /// The mesh behind the grids: exact, slower; for methods that pair points with vertices.
-  const NearestSkin& nearest() const { return *nearest_; }
+  /// The mesh behind the grids: exact, slower; for methods that pair points with vertices. Built when first
+  /// asked for.
+  const NearestSkin& nearest() const;
 
  private:
   static constexpr float kCoarse_mm = 4.0f, kFine_mm = 1.25f;
   static constexpr int kBrick = 4, kSide = kBrick + 1;  // cells, nodes along a brick
   using Brick = std::array<float, kSide * kSide * kSide>;
 
+  struct Unfilled {};
+  ScalpField(const SkinModel& skin, Unfilled);
+  bool fillFrom(const std::string& content);
   void fillCoarse();
   void fillBricks();
   float nodeDistance_mm(const Eigen::Vector3d& p_mri_mm) const;
@@ -59,7 +71,8 @@ class ScalpField {
                                  float spacing_mm);
 
   SkinModel skin_;
-  std::unique_ptr<NearestSkin> nearest_;
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const NearestSkin> nearest_;
   Eigen::Vector3d low_, high_, nose_tip_;
   Eigen::Vector3f origin_;
   std::array<int, 3> coarse_size_{}, brick_size_{};
@@ -67,6 +80,10 @@ class ScalpField {
   std::vector<std::int32_t> brick_at_;
   std::vector<Brick> bricks_;
 };
+
+/// The field of `skin` as kept in `path`; where that has none or another skin's, built anew and kept there if
+/// the folder allows. An empty path keeps nothing. Throws Error as ScalpField does.
+std::shared_ptr<const ScalpField> keptScalpField(const SkinModel& skin, const std::filesystem::path& path);
 
 inline FieldSample ScalpField::interpolate(const float* c, int sy, int sz, const Eigen::Vector3f& at,
                                            float spacing_mm) {

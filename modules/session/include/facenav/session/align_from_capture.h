@@ -51,11 +51,13 @@ struct AlignmentOutcome {
   casefile::StoredAlignment stored() const;
 };
 
-/// Throws Error: a scan without a face, no dots, or the aligner's own refusal ("not aligned: ..."),
-/// unchanged.
+/// `field_file`: where the scalp's distance field is kept (casefile::CaseStore::scalpField()); built there
+/// when missing. Throws Error: a scan without a face, no dots, or the aligner's own refusal ("not aligned:
+/// ..."), unchanged.
 AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::CapturePair& capture,
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
                                   const tracking::FaceDetector& detector,
-                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor);
+                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
+                                  const std::filesystem::path& field_file = {});
 
 }  // namespace facenav::session
