@@ -11,13 +11,13 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QPainter>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/elided_label.h"
 #include "widgets/status_chip.h"
 #include "widgets/task_bar.h"
 #include "workspaces/plan_workspace.h"
@@ -25,22 +25,6 @@
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
-namespace {
-
-/// One line that ends in an ellipsis where there is no room for all of it.
-class ElidedLabel : public QLabel {
- public:
-  using QLabel::QLabel;
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(rect(), Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-  }
-};
-
-}  // namespace
 
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
@@ -125,16 +109,14 @@ QWidget* MainWindow::makeHeader() {
   name->setObjectName("name");
   case_words_ = new ElidedLabel(header);
   case_words_->setObjectName("muted");
-  case_words_->setSizePolicy(QSizePolicy::Ignored,
-                             QSizePolicy::Preferred);  // long words give way to the state
   timing_ = new QLabel(header);
   timing_->setObjectName("muted");
   timing_->setMinimumWidth(170);
   timing_->setToolTip(
       tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
-  cameras_ = new StatusChip(header);
-  face_ = new StatusChip(header);
-  coil_ = new StatusChip(header);
+  cameras_ = new StatusChip(tr("CAMERAS no images"), header);
+  face_ = new StatusChip(tr("FACE tracked"), header);
+  coil_ = new StatusChip(tr("COIL tracked"), header);
   row->addWidget(name);
   row->addSpacing(12);
   row->addWidget(case_words_, 1);
@@ -256,7 +238,7 @@ void MainWindow::restoreLast() {
 
 void MainWindow::showCaseWords() {
   if (!model_.isOpen()) {
-    case_words_->setText(tr("no case open"));
+    case_words_->set(tr("no case open"));
     return;
   }
   const auto& c = model_.current();
@@ -266,8 +248,7 @@ void MainWindow::showCaseWords() {
   for (const auto& [name, error_mm] :
        c.alignment ? c.alignment->predicted_tre_mm : std::map<std::string, double>())
     words += tr("  \u00b7  \u00b1%1 mm at %2").arg(error_mm, 0, 'f', 1).arg(QString::fromStdString(name));
-  case_words_->setText(words);
-  case_words_->setToolTip(words);
+  case_words_->set(words);
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {

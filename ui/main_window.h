@@ -21,6 +21,7 @@ class QButtonGroup;
 
 namespace facenav::ui {
 
+class ElidedLabel;
 class StatusChip;
 class TaskBar;
 class PrepareWorkspace;
@@ -83,7 +84,8 @@ class MainWindow : public QMainWindow {
   PrepareWorkspace* prepare_workspace_;
   QStackedWidget* stack_;
   QButtonGroup* navigation_;
-  QLabel *case_words_, *timing_;
+  ElidedLabel* case_words_;
+  QLabel* timing_;
   StatusChip *cameras_, *face_, *coil_;
   TaskBar* task_bar_;
   QString to_play_;

@@ -13,6 +13,7 @@
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
+#include "widgets/figures_panel.h"
 #include "workspaces/prepare/prepare_workspace.h"
 #include "workspaces/treat_workspace.h"
 
@@ -81,6 +82,31 @@ TEST(Appearance, TreatIsReadFromTwoMetres) {
     button->ensurePolished();
     EXPECT_GE(pointSize(*button), 14.0) << button->text().toStdString();
   }
+}
+
+TEST(Appearance, AFigureIsWholeTheMomentItComes) {
+  FiguresPanel panel;
+  panel.setStyleSheet("#figure_main { font-size: 64pt; } #figure { font-size: 48pt; }");
+  panel.resize(520, 500);
+  panel.show();
+  QApplication::processEvents();
+  session::NavigationState state;
+  state.guidance.state = guidance::State::adjust;
+  const Eigen::Vector2d none = Eigen::Vector2d::Zero();
+  state.guidance.values = guidance::GuidanceValues{305.6, 99.9, -288.8, 0, 0, 0, none, none, none};
+  ReadOut read_out = makeReadOut(state);
+  EXPECT_EQ(read_out.depth, "-289");
+  EXPECT_EQ(read_out.across, "99.9");
+  read_out.tilt = "178\u00b0", read_out.twist = "-178\u00b0";
+  panel.set(read_out);  // and nothing is laid out in between
+  int figures = 0;
+  for (const auto* label : panel.findChildren<QLabel*>()) {
+    if (!label->objectName().startsWith("figure")) continue;
+    ++figures;
+    EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text()))
+        << label->text().toStdString();
+  }
+  EXPECT_EQ(figures, 4);
 }
 
 TEST(Appearance, EveryButtonHasATooltipAndTheKeyboardReachesIt) {

@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSlider>
+#include <QTableView>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,10 @@ TEST(Pictures, OfEveryPage) {
   shots.take("4_signed_off");
   window.setPrepareStep(PrepareStep::worklist);
   shots.take("1_worklist_checked");
+  for (auto* table : window.findChildren<QTableView*>())
+    if (table->isVisible()) table->selectRow(2);  // what waits
+  if (auto* show = buttonNamed(window, "Show series")) show->click();
+  shots.take("2_series_read");
 }
 
 }  // namespace

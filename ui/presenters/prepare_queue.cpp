@@ -108,8 +108,9 @@ int PrepareQueue::add(const QString& input, const std::optional<std::string>& se
   job.input = input;
   job.series_uid = series_uid;
   // A folder's own name may be a patient's: it is shown nowhere.
-  job.title = (isNifti(input) ? tr("volume of %1") : tr("folder of %1"))
-                  .arg(QTime::currentTime().toString("hh:mm:ss"));
+  job.title = (isNifti(input) ? tr("volume %1, %2") : tr("folder %1, %2"))
+                  .arg(job.id)
+                  .arg(QTime::currentTime().toString("hh:mm"));
   jobs_.push_back(job);
   store();
   emit changed();

@@ -19,7 +19,7 @@ struct PrepareJob {
   QString input;                          // folder or file
   std::optional<std::string> series_uid;  // nothing: the recommended one
   JobState state = JobState::queued;
-  QString title;  // the series' description once scanned; before, when it was queued
+  QString title;  // the series' description once scanned; before, its number and when it was queued
   QString step;   // what is done now, in words
   double fraction = 0.0;
   QString failure;

@@ -17,6 +17,11 @@ Chip chip(const QString& name, const Tracked<T>& tracked) {
           tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
 }
 
+/// One decimal; from 100 mm on none, so that the figure is as wide as its place at most.
+QString millimetres(double value_mm) {
+  return QString::number(value_mm, 'f', std::abs(value_mm) < 99.95 ? 1 : 0);
+}
+
 QString whole(double degrees, bool is_signed) {
   const long value = std::lround(degrees);
   return (is_signed && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value) + QChar(0x00b0);
@@ -39,9 +44,9 @@ ReadOut makeReadOut(const session::NavigationState& state) {
   const auto& g = state.guidance;
   const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
   if (has_values) {
-    out.across = QString::number(g.values->lateral_mm, 'f', 1);
+    out.across = millimetres(g.values->lateral_mm);
     const double depth_mm = std::abs(g.values->depth_mm) < 0.05 ? 0.0 : g.values->depth_mm;
-    out.depth = (depth_mm > 0 ? QStringLiteral("+") : QString()) + QString::number(depth_mm, 'f', 1);
+    out.depth = (depth_mm > 0 ? QStringLiteral("+") : QString()) + millimetres(depth_mm);
     out.tilt = whole(g.values->tilt_rad * 180 / M_PI, false);
     out.twist = whole(g.values->twist_rad * 180 / M_PI, true);
     if (g.predicted_error_mm > 0)

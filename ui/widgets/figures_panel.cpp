@@ -30,7 +30,10 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     auto* name = new QLabel(names[i], this);
     name->setObjectName("muted");
     name->setToolTip(tips[i]);
-    grid->addWidget(value, i / 2 * 2, i % 2, Qt::AlignCenter);
+    // As wide as its cell from the start: a new figure is whole at once, before any layout.
+    value->setAlignment(Qt::AlignCenter);
+    grid->setColumnStretch(i % 2, 1);
+    grid->addWidget(value, i / 2 * 2, i % 2);
     grid->addWidget(name, i / 2 * 2 + 1, i % 2, Qt::AlignCenter);
   }
   column->addLayout(grid, 1);

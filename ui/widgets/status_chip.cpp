@@ -1,6 +1,7 @@
 #include "widgets/status_chip.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace facenav::ui {
 
@@ -16,7 +17,7 @@ QColor colourOf(Level level) {
   return QColor(165, 170, 178);
 }
 
-StatusChip::StatusChip(QWidget* parent) : QWidget(parent) {
+StatusChip::StatusChip(const QString& longest, QWidget* parent) : QWidget(parent), longest_(longest) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
@@ -30,7 +31,9 @@ void StatusChip::set(const Chip& chip) {
 }
 
 QSize StatusChip::sizeHint() const {
-  return {fontMetrics().horizontalAdvance(chip_.words) + 44, fontMetrics().height() + 12};
+  const QFontMetrics metrics = fontMetrics();
+  return {std::max(metrics.horizontalAdvance(chip_.words), metrics.horizontalAdvance(longest_)) + 44,
+          fontMetrics().height() + 12};
 }
 
 void StatusChip::paintEvent(QPaintEvent*) {

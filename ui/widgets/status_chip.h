@@ -14,7 +14,8 @@ class StatusChip : public QWidget {
   Q_OBJECT
 
  public:
-  explicit StatusChip(QWidget* parent = nullptr);
+  /// `longest`: what it may say; its place is kept free, so that new words are never cut.
+  explicit StatusChip(const QString& longest, QWidget* parent = nullptr);
   void set(const Chip& chip);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
@@ -24,6 +25,7 @@ class StatusChip : public QWidget {
 
  private:
   Chip chip_;
+  QString longest_;
 };
 
 }  // namespace facenav::ui

@@ -12,6 +12,7 @@
 #include "views/image_view.h"
 #include "views/scene_view.h"
 #include "widgets/cameras_panel.h"
+#include "widgets/elided_label.h"
 #include "widgets/figures_panel.h"
 #include "widgets/override_panel.h"
 
@@ -19,6 +20,7 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kRefresh_ms = 33;
+constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
 
 }  // namespace
 
@@ -63,7 +65,7 @@ QWidget* TreatWorkspace::makeCameraRow() {
 
 QWidget* TreatWorkspace::makeSide() {
   side_ = new QStackedWidget(this);
-  side_->setMinimumWidth(400);
+  side_->setMinimumWidth(kFigures_px);
   auto* side = new QWidget(side_);
   side_->addWidget(side);
   side_->addWidget(new CamerasPanel(presenter_, side_));
@@ -109,7 +111,7 @@ QWidget* TreatWorkspace::makeSteps() {
   target_ = new QComboBox(bar);
   target_->setMinimumWidth(160);
   target_->setToolTip(tr("the target to guide to"));
-  words_ = new QLabel(bar);
+  words_ = new ElidedLabel(bar);
   words_->setObjectName("muted");
   for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
   row->addWidget(words_, 1);
@@ -163,8 +165,8 @@ void TreatWorkspace::showSteps() {
   guide_->setText(shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
   align_->setEnabled(presenter_.canAlign());
   guide_->setEnabled(presenter_.isAligned() && presenter_.mayTreat());
-  words_->setText(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
-                                  : tr("open a case first (Ctrl+O)"));
+  words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
+                              : tr("open a case first (Ctrl+O)"));
   target_->clear();
   if (model_.isOpen())
     for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));

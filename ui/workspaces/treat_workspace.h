@@ -16,6 +16,7 @@ class QStackedWidget;
 namespace facenav::ui {
 
 class BullsEyeView;
+class ElidedLabel;
 class FiguresPanel;
 class ImageView;
 class SceneView;
@@ -56,7 +57,8 @@ class TreatWorkspace : public QWidget {
   QComboBox* target_;
   QStackedWidget* side_;
   QPushButton *cameras_, *align_, *guide_, *pulse_;
-  QLabel *words_, *pulses_;
+  ElidedLabel* words_;
+  QLabel* pulses_;
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false;
   std::int64_t previewed_ = -1;

@@ -68,6 +68,7 @@ vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain) {
   actor->GetProperty()->SetDiffuse(0.85);
   actor->GetProperty()->SetSpecular(0.12);
   actor->GetProperty()->SetSpecularPower(18);
+  actor->GetProperty()->BackfaceCullingOn();  // closed: half of the triangles need not be drawn
   return actor;
 }
 

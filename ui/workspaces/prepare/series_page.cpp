@@ -37,7 +37,7 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   auto* archive = new QPushButton(tr("From the archive\u2026"), this);
   archive->setToolTip(tr("find and fetch a series of the hospital's PACS (Ctrl+Shift+A)"));
   archive->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_A);
-  input_ = new QLabel(this);
+  input_ = new QLabel(tr("or drop a folder or a file anywhere in the window"), this);
   input_->setObjectName("muted");
   head->addWidget(folder);
   head->addWidget(file);

@@ -1,0 +1,22 @@
+#include "widgets/elided_label.h"
+
+#include <QPainter>
+
+namespace facenav::ui {
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long words give way to what stands beside
+}
+
+void ElidedLabel::set(const QString& words) {
+  setText(words);
+  setToolTip(words);
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(rect(), Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+}
+
+}  // namespace facenav::ui
