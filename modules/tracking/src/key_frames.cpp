@@ -83,19 +83,25 @@ const KeyFrame& KeyFrames::likeliest(const Eigen::Isometry3d& motion) const {
   return keys_[best];
 }
 
-bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
-                      const PoseFit& fit, const Verdict& verdict) {
-  if (unfinished_) {
-    goOn(rig, model);
-    return false;
-  }
+bool KeyFrames::isNewSide(const PoseFit& fit, const Verdict& verdict) const {
   if (keys_.size() >= kMost || verdict.quality < kLeastQuality || fit.scale > kWorstScale) return false;
   if (std::sqrt(verdict.covariance.bottomRightCorner<3, 3>().trace()) > kWorstSigma_mm) return false;
   if (keys_[chosen_].generation + 1 > kOldestGeneration) return false;
-  for (const auto& key : keys_)
-    if (angleBetween(key.motion, fit.motion) < kNewSide_rad) return false;
-  begin(rig, model, frame, fit, verdict);
-  return true;
+  return std::none_of(keys_.begin(), keys_.end(), [&](const KeyFrame& key) {
+    return angleBetween(key.motion, fit.motion) < kNewSide_rad;
+  });
+}
+
+// A new side does not wait for the coarse looks of the one before: a head that turns on would be past it.
+bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
+                      const PoseFit& fit, const Verdict& verdict) {
+  const bool is_free = unfinished_.empty() || unfinished_.front().level > 0;
+  if (is_free && isNewSide(fit, verdict)) {
+    begin(rig, model, frame, fit, verdict);
+    return true;
+  }
+  if (!unfinished_.empty()) goOn(rig, model);
+  return false;
 }
 
 void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
@@ -114,11 +120,11 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
     fresh.origin[c] = box.tl();
   }
   for (const auto& sight : fit.sights) fresh.is_good.push_back({sight[0].isGood(), sight[1].isGood()});
-  unfinished_ = std::move(fresh);
+  unfinished_.push_front(std::move(fresh));
 }
 
 void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model, std::size_t i) {
-  Unfinished& fresh = *unfinished_;
+  Unfinished& fresh = unfinished_.front();
   PatchLevel& level = fresh.key.level[fresh.level];
   const PatchPoints points = pointsOfPatch(level, i);
   for (int c = 0; c < 2; ++c) {
@@ -140,12 +146,12 @@ void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model
 }
 
 void KeyFrames::goOn(const stereo::StereoRig& rig, const PatchModel& model) {
-  Unfinished& fresh = *unfinished_;
+  Unfinished& fresh = unfinished_.front();
   const std::size_t all = fresh.key.level[fresh.level].patches.size();
   const std::size_t end = std::min(fresh.next + (fresh.level == 0 ? kPatchesAtOnce : kCoarseAtOnce), all);
   while (fresh.next < end) learnPatch(rig, model, fresh.next++);
   if (end < all) return;
-  if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.reset();
+  if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.pop_front();
   if (fresh.level == 0) {  // enough to track by; the coarser levels are the reference's until they are learnt
     fresh.index = keys_.size();
     keys_.push_back(fresh.key);
@@ -153,7 +159,7 @@ void KeyFrames::goOn(const stereo::StereoRig& rig, const PatchModel& model) {
     keys_[fresh.index].level[fresh.level] = std::move(fresh.key.level[fresh.level]);
   }
   fresh.next = 0;
-  if (++fresh.level == kLevels) unfinished_.reset();
+  if (++fresh.level == kLevels) unfinished_.pop_front();
 }
 
 }  // namespace facenav::tracking

@@ -5,6 +5,7 @@
 // few in each frame so that no frame takes long. A key frame's own error of pose stays with it: it is made
 // once, from the reference or from a key frame near it, and counts in the covariance of what it tracks.
 
+#include <deque>
 #include <vector>
 
 #include "patch_model.h"
@@ -35,7 +36,7 @@ class KeyFrames {
   bool learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict);
   /// The track was lost: what is being learnt may be wrong.
-  void forgetUnfinished() { unfinished_.reset(); }
+  void forgetUnfinished() { unfinished_.clear(); }
 
   std::size_t size() const { return keys_.size(); }
 
@@ -51,6 +52,7 @@ class KeyFrames {
     std::size_t index = 0;  // in keys_, once level 0 is learnt
   };
 
+  bool isNewSide(const PoseFit& fit, const Verdict& verdict) const;
   void begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict);
   void goOn(const stereo::StereoRig& rig, const PatchModel& model);
@@ -59,7 +61,7 @@ class KeyFrames {
 
   std::vector<KeyFrame> keys_;
   std::size_t chosen_ = 0;
-  std::optional<Unfinished> unfinished_;
+  std::deque<Unfinished> unfinished_;  // the first is being learnt; a new side goes before older coarse looks
 };
 
 }  // namespace facenav::tracking
