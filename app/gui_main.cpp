@@ -1,8 +1,12 @@
 // facenav-gui: the workstation window. Composition only: the implementations and steps of the command line,
 // handed to the window as functions.
 
+#include <sys/stat.h>
+
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QFile>
+#include <QSettings>
 #include <QTimer>
 #include <cstdio>
 
@@ -111,6 +115,13 @@ void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
   poll->start(30);
 }
 
+/// The queue kept in the settings holds paths, which may hold a patient's name: for this user's eyes only.
+void keepFilesPrivate() {
+  ::umask(077);
+  const QString settings = QSettings().fileName();
+  if (QFile::exists(settings)) QFile::setPermissions(settings, QFile::ReadOwner | QFile::WriteOwner);
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!scene::hasDisplay()) {
     std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
@@ -120,6 +131,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName("FaceNav");
   QApplication::setApplicationName("FaceNav");
+  keepFilesPrivate();
   ui::applyAppearance(application);
   ui::MainWindow window(makeServices());
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
