@@ -132,6 +132,12 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
     logWarning("the coil's poses are the marker's (no --coil was given): the marker is guided, not the coil");
 }
 
+/// A picture in a case shows the patient's face: for this user's eyes only.
+void writePrivatePng(const RgbImage& image, const fs::path& path) {
+  scene::writePng(image, path);
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+}
+
 /// The atlas, or a warning that there is none: a case without MNI coordinates is still a case.
 std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
   try {
@@ -167,6 +173,7 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
   auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor);
   auto prepared = session::prepare(imported.volume, *head, *brain, context.monitor,
                                    [&colin] { return colin.get() ? &*colin.get() : nullptr; });
+  colin.wait();  // asked for or not
   imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
   prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
   context.monitor.report("writing the case", 0.0);
@@ -179,13 +186,16 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
   std::future<void> field;  // what aligning would wait for
   if (prepared.scalp.has_face)
     field = std::async(std::launch::async, [&store] {
-      registration::keptScalpField(session::skinModel(store.scalp()), store.scalpField());
+      try {
+        registration::keptScalpField(session::skinModel(store.scalp()), store.scalpField());
+      } catch (const Error& error) {  // the model is whole without it; aligning says the same
+        logWarning(std::string("no face could be aligned to this scalp: ") + error.what());
+      }
     });
   if (prepared.navigation_check && !prepared.navigation_check->landmarks.points.empty()) {
     const auto& check = *prepared.navigation_check;
-    const auto picture = store.folder() / "face_measures.png";
-    scene::writePng(session::drawFaceMeasures(prepared.scalp, check.landmarks, check.measures), picture);
-    fs::permissions(picture, fs::perms::owner_read | fs::perms::owner_write);
+    writePrivatePng(session::drawFaceMeasures(prepared.scalp, check.landmarks, check.measures),
+                    store.folder() / "face_measures.png");
   }
   std::optional<double> brain_ml;
   if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
@@ -203,7 +213,7 @@ session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore&
                                 *detector, store.targets().targets, context.monitor, store.scalpField());
   writeStoredCapture(store.folder(), rig, capture);
   casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
-  scene::writePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+  writePrivatePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
                   store.folder() / "skin_fit.png");
   store.setAlignment(outcome.stored());
   return outcome;

@@ -14,6 +14,14 @@ bool isSameRig(const stereo::StereoRig& a, const stereo::StereoRig& b) {
          cv::norm(a.right.k - b.right.k) < 1e-3 && motion.rotation_rad < 1e-6 && motion.translation_mm < 1e-4;
 }
 
+// Photographs of the patient's face.
+void keepPrivate(const fs::path& folder) {
+  fs::permissions(folder, fs::perms::owner_all);
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    fs::permissions(entry.path(), entry.is_directory() ? fs::perms::owner_all
+                                                       : fs::perms::owner_read | fs::perms::owner_write);
+}
+
 }  // namespace
 
 void writeStoredCapture(const fs::path& case_folder, const stereo::StereoRig& rig,
@@ -25,6 +33,7 @@ void writeStoredCapture(const fs::path& case_folder, const stereo::StereoRig& ri
   capture::RecordingWriter writer(folder, rig);
   writer.setCapture(pair);
   writer.close();
+  keepPrivate(folder);
   fs::remove_all(previous);
 }
 

@@ -41,6 +41,9 @@ TEST(DemoPath, RunsEndToEndAndBeatsThePaper) {
        {"report.html", "poses.csv", "guidance.csv", "navigation_1.png", "brain.png", "alignment_sagittal.png",
         "protractor_error.svg", "case/case.json", "case/alignment.json", "case/targets.json"})
     EXPECT_TRUE(fs::exists(result / file)) << file;
+  for (const auto& entry : fs::recursive_directory_iterator(result / "case"))
+    EXPECT_EQ(entry.status().permissions() & (fs::perms::group_all | fs::perms::others_all), fs::perms::none)
+        << entry.path() << ": the patient's face and head are for this user's eyes only";
 
   const auto store = casefile::CaseStore::open(result / "case");
   const guidance::Target target = store.targets().find("M1 hand L");

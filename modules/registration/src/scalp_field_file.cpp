@@ -114,6 +114,8 @@ void ScalpField::write(const std::filesystem::path& path) const {
   const std::uint64_t sum = checkSum(writer.content(), writer.content().size());
   writer.put(&sum, 1);
   writeWholeFile(path, writer.content());
+  using std::filesystem::perms;
+  std::filesystem::permissions(path, perms::owner_read | perms::owner_write);  // a head's shape
 }
 
 bool ScalpField::fillFrom(const std::string& content) {
@@ -149,6 +151,7 @@ std::shared_ptr<const ScalpField> keptScalpField(const SkinModel& skin, const st
   try {
     if (!path.empty()) built->write(path);
   } catch (const Error&) {  // a folder that cannot be written to: built again next time
+  } catch (const std::filesystem::filesystem_error&) {
   }
   return built;
 }

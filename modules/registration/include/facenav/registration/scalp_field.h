@@ -33,7 +33,7 @@ class ScalpField {
   /// The same from write()'s file, in milliseconds; nothing where the file is missing, damaged, of another
   /// version or of another skin.
   static std::shared_ptr<const ScalpField> read(const SkinModel& skin, const std::filesystem::path& path);
-  /// Whole file, little-endian: a derived file that can always be built again. Throws Error.
+  /// Whole file, 0600, little-endian: a derived file that can always be built again. Throws Error.
   void write(const std::filesystem::path& path) const;
   ~ScalpField();
   ScalpField(const ScalpField&) = delete;
