@@ -35,6 +35,7 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
     button->setCheckable(true);
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::SHIFT + Qt::Key_1 + i));
+    button->setMinimumWidth(button->sizeHint().width() + 16);  // bold, once chosen
     looks_->addButton(button, i);
     row->addWidget(button);
   }

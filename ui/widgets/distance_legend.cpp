@@ -32,7 +32,7 @@ void DistanceLegend::paintEvent(QPaintEvent*) {
     const double value = share * full_mm_;
     QString words = QString::number(value, 'f', value == int(value) ? 0 : 1);
     if (value > 0) words.prepend('+');
-    if (share == 1.0) words += tr(" mm");
+    if (share == 0.0) words += tr(" mm");  // at an end it would run into its neighbour
     painter.drawText(QRect(x - 34, bar_height + 3, 68, height() - bar_height - 3), Qt::AlignHCenter, words);
   }
 }
