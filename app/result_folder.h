@@ -11,8 +11,7 @@ namespace facenav::app {
 class ResultFolder {
  public:
   /// `mark`: a file that an earlier result holds. Throws Error where `final` holds something else; `what`
-  /// names the result
-  /// ("a demo").
+  /// names the result ("a demo").
   ResultFolder(const std::filesystem::path& final, const std::string& mark, const std::string& what);
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;

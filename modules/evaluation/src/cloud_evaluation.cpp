@@ -91,7 +91,7 @@ CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud
                            const ExactDepth& depth, const cv::Mat& visible) {
   CloudFigures figures;
   cv::Mat covered = cv::Mat::zeros(visible.size(), CV_8U);
-  double squares = 0.0;
+  double squares = 0.0, predicted = 0.0;
   int on_face = 0, gross = 0;
   for (std::size_t i = 0; i < face.cloud.size(); ++i) {
     const Eigen::Vector2d px = face.left_px[i].cast<double>();
@@ -104,10 +104,12 @@ CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud
     const double along = stereo::undistort(rig.left, px).homogeneous().norm();
     const double error_mm = (face.cloud.points_mm[i].z() - truth_mm) * along;
     ++on_face;
-    if (std::abs(error_mm) > kGross_mm)
+    if (std::abs(error_mm) > kGross_mm) {
       ++gross;
-    else
-      squares += error_mm * error_mm;
+      continue;
+    }
+    squares += error_mm * error_mm;
+    predicted += double(face.sigma_mm[i]) * face.sigma_mm[i];
   }
   // Points lie between pixel centres, so that some pixel holds none by rounding: two direct neighbours stand
   // for it.
@@ -122,7 +124,9 @@ CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud
       found += covered.at<std::uint8_t>(y, x) != 0 || around >= 2;
     }
   figures.points = on_face;
-  figures.rms_mm = std::sqrt(squares / std::max(1, on_face - gross));
+  const double counted = std::max(1, on_face - gross);
+  figures.rms_mm = std::sqrt(squares / counted);
+  figures.predicted_mm = std::sqrt(predicted / counted);
   figures.gross_percent = 100.0 * gross / std::max(1, on_face);
   figures.coverage_percent = 100.0 * found / std::max(1, pixels);
   return figures;

@@ -18,6 +18,7 @@ constexpr double kDegPerRad = 180.0 / M_PI;
 void addCloud(const RunRecord& run, Figures& figures) {
   const bool has = run.cloud.has_value();
   figures.push_back({"cloud_rms_mm", has ? run.cloud->rms_mm : kNone});
+  figures.push_back({"cloud_predicted_mm", has ? run.cloud->predicted_mm : kNone});
   figures.push_back({"cloud_gross_percent", has ? run.cloud->gross_percent : kNone});
   figures.push_back({"cloud_coverage_percent", has ? run.cloud->coverage_percent : kNone});
 }

@@ -190,9 +190,11 @@ TEST(CloudEvaluation, MeasuresTheErrorAlongTheRayAndTheCoverage) {
       const Eigen::Vector3d ray((x - 80) / 200.0, (y - 60) / 200.0, 1.0);
       face.cloud.points_mm.push_back((600.0 + 0.3 / ray.norm()) * ray);
       face.left_px.push_back({float(x), float(y)});
+      face.sigma_mm.push_back(0.2f);
     }
   const auto all = evaluateCloud(plane.rig, face, plane.depth, visible);
   EXPECT_NEAR(all.rms_mm, 0.3, 1e-4);
+  EXPECT_NEAR(all.predicted_mm, 0.2, 1e-4);
   EXPECT_NEAR(all.coverage_percent, 100.0, 3.0) << "rows between two covered ones count";
   EXPECT_EQ(all.gross_percent, 0.0);
   face.cloud.points_mm.resize(face.cloud.size() / 2);  // the upper half only

@@ -1,7 +1,6 @@
 #pragma once
 // MaskEditor: one mask under correction, with its history. Edits are MaskChanges made by the tools (brush.h,
-// lasso.h,
-// ...); a stroke of many dabs is one step of the history. The automatic mask stays as it was.
+// lasso.h, ...); a stroke of many dabs is one step of the history. The automatic mask stays as it was.
 
 #include <optional>
 #include <string>

@@ -45,6 +45,7 @@ struct AlignmentRecord {
 struct CloudFigures {
   int points = 0;
   double rms_mm = 0.0;       // along the ray, points on the visible face, gross ones left out
+  double predicted_mm = 0.0;  // rms of the deviation that the matcher states for these points
   double gross_percent = 0;  // of those points, off by more than 2 mm
   double coverage_percent = 0;
 };
