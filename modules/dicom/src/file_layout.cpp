@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint32_t kUndefined = 0xFFFFFFFFu;
 constexpr std::uint32_t kItem = 0xFFFEE000u, kItemEnd = 0xFFFEE00Du, kSequenceEnd = 0xFFFEE0DDu;
-constexpr std::uint32_t kPixelGroup = 0x7FE00008u;  // Float Pixel Data, the first of the pixel data elements
+constexpr std::uint32_t kPixelGroup = 0x7FE00008u;   // Float Pixel Data, the first of the pixel data elements
+constexpr std::uint32_t kLargestValue = 256u << 20;  // before the pixels; documents and scanners' raw data
 constexpr int kDeepestNesting = 32;
 constexpr std::string_view kShortVrs = "AE AS AT CS DA DS DT FL FD IS LO LT PN SH SL SS ST TM UI UL US";
 constexpr std::string_view kLongVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
@@ -183,6 +184,7 @@ FileLayout walkHeader(FilePrefix& file) {
   walkMeta(file, layout);
   if (layout.transfer_syntax == kDeflatedSyntax) {
     inflateDataSet(file, layout.data_set_start);
+    layout.is_deflated = true;
     layout.transfer_syntax = "1.2.840.10008.1.2.1";
   }
   if (layout.transfer_syntax.empty()) {
@@ -199,6 +201,10 @@ FileLayout walkHeader(FilePrefix& file) {
       if (e.tag >> 16 == 0x7FE0) readPixelElement(file, walker, e, layout);
       break;  // what follows the pixels (padding, junk) is nobody's business
     }
+    const bool is_sequence = e.vr[0] == 'S' && e.vr[1] == 'Q';
+    if (!is_sequence && e.length != kUndefined && e.length > kLargestValue &&
+        e.value + e.length <= file.fileSize())
+      break;  // raw data: no image follows, and nobody wants to read it
     at = walker.skip(e, 0);
   }
   layout.header_end = at;
@@ -207,6 +213,7 @@ FileLayout walkHeader(FilePrefix& file) {
 
 std::vector<ByteRange> walkFragments(FilePrefix& file, const FileLayout& layout) {
   Walker walker(file, true, false);
+  file.ensure(file.fileSize());  // at once
   std::vector<ByteRange> fragments;
   std::uint64_t at = layout.pixels.offset;
   while (true) {

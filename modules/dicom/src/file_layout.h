@@ -25,6 +25,7 @@ struct FileLayout {
   bool is_pixel_vr_word = false;  // OW: big endian bytes are swapped in pairs even for 8-bit voxels
   ByteRange pixels;               // native: the value; encapsulated: starts at the first item
   bool is_truncated = false;      // native pixels end behind the file's end
+  bool is_deflated = false;       // the offsets are those of the inflated bytes
 };
 
 /// True where the first bytes can be DICOM's: preamble, or a plausible first element without one.

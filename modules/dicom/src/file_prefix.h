@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 namespace facenav::dicom {
@@ -15,18 +14,24 @@ class FilePrefix {
   explicit FilePrefix(std::filesystem::path path);
   /// Bytes already in memory stand for the file (inflated data, tests, the fuzzer).
   FilePrefix(std::filesystem::path path, std::string content);
+  ~FilePrefix();
+  FilePrefix(const FilePrefix&) = delete;
+  FilePrefix& operator=(const FilePrefix&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t fileSize() const { return size_; }
   /// Reads on until `end` bytes lie in bytes(); false when the file is shorter.
   bool ensure(std::uint64_t end);
   const std::string& bytes() const { return bytes_; }
+  /// Copies `length` bytes from `offset` on to `to`, without keeping them; false when the file is shorter.
+  bool copy(std::uint64_t offset, std::uint64_t length, char* to) const;
   /// From here on `content` stands for the file.
   void replace(std::string content);
 
  private:
+  void close();
   std::filesystem::path path_;
-  std::ifstream stream_;
+  int file_ = -1;
   std::uint64_t size_ = 0;
   std::string bytes_;
 };

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "facenav/core/error.h"
 
@@ -41,25 +42,36 @@ SharedMemory::SharedMemory(std::size_t bytes) : size_(bytes) {
 
 SharedMemory::~SharedMemory() { ::munmap(memory_, size_); }
 
-bool runInChild(const std::function<void()>& work, unsigned time_limit_s) {
-  const pid_t child = ::fork();
-  if (child < 0) throw Error("no process could be started to decompress images", {}, "close other programs");
-  if (child == 0) runChild(work, time_limit_s);
+ChildProcess::ChildProcess(const std::function<void()>& work, unsigned time_limit_s) : process_(::fork()) {
+  if (process_ < 0)
+    throw Error("no process could be started to decompress images", {}, "close other programs");
+  if (process_ == 0) runChild(work, time_limit_s);
+}
+
+ChildProcess::~ChildProcess() {
+  if (process_ < 0) return;
+  ::kill(process_, SIGKILL);
+  wait();
+}
+
+bool ChildProcess::wait() {
+  const int process = std::exchange(process_, -1);
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
+  while (::waitpid(process, &status, 0) < 0)
     if (errno != EINTR) return false;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 std::string runIsolated(const std::function<std::string()>& decode, std::size_t most_bytes) {
   const SharedMemory result(sizeof(std::size_t) + most_bytes);  // the length, then the bytes
-  const bool is_done = runInChild([&] {
+  ChildProcess child([&] {
     const std::string bytes = decode();
     const std::size_t length = bytes.size();
     if (length > most_bytes) throw Error("more than was asked for");
     std::memcpy(result.begin() + sizeof length, bytes.data(), length);
     std::memcpy(result.begin(), &length, sizeof length);
   });
+  const bool is_done = child.wait();
   std::size_t length = 0;
   std::memcpy(&length, result.begin(), sizeof length);
   if (!is_done || length > most_bytes) return {};

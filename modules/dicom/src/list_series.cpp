@@ -2,6 +2,7 @@
 #include <map>
 
 #include "facenav/core/error.h"
+#include "for_files.h"
 #include "series_groups.h"
 #include "series_scan.h"
 #include "series_verdict.h"
@@ -35,19 +36,24 @@ bool isDicomDir(FilePrefix& file) {
   return bytes.substr(kPreamble, kMetaHeader).find(kDicomDirClass) != std::string::npos;
 }
 
-std::optional<DamagedFile> readInto(const fs::path& path, std::vector<SliceHeader>& headers) {
+/// What one file is: an image, damaged, or neither.
+struct ScannedFile {
+  std::optional<SliceHeader> header;
+  std::optional<DamagedFile> damage;
+};
+
+ScannedFile scanFile(const fs::path& path) {
   constexpr std::uint64_t kStart = 16 << 10;
   std::optional<FilePrefix> file;
   try {
     file.emplace(path);
-    if (isDicomDir(*file)) return std::nullopt;
-    if (auto header = readSliceHeader(*file)) headers.push_back(std::move(*header));
-    return std::nullopt;
+    if (isDicomDir(*file)) return {};
+    return {readSliceHeader(*file), {}};
   } catch (const Error& error) {
-    if (!file) return DamagedFile{path, "cannot be read", ""};
+    if (!file) return {{}, DamagedFile{path, "cannot be read", ""}};
     const std::string& bytes = file->bytes();
-    if (bytes.size() < 132 || bytes.compare(128, 4, "DICM") != 0) return std::nullopt;  // no DICOM after all
-    return DamagedFile{path, faultOf(error, path), bytes.substr(0, kStart)};
+    if (bytes.size() < 132 || bytes.compare(128, 4, "DICM") != 0) return {};  // no DICOM after all
+    return {{}, DamagedFile{path, faultOf(error, path), bytes.substr(0, kStart)}};
   }
 }
 
@@ -136,11 +142,14 @@ bool isDicomDir(const fs::path& path) {
 
 std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std::string& where,
                                   TaskMonitor& monitor) {
+  std::vector<ScannedFile> scanned(files.size());
+  forFiles(files.size(), monitor, "reading DICOM headers",
+           [&](std::size_t f, std::size_t) { scanned[f] = scanFile(files[f]); });
   std::vector<SliceHeader> headers;
   std::vector<DamagedFile> damaged;
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    if (f % 16 == 0) monitor.report("reading DICOM headers", double(f) / double(files.size()));
-    if (auto damage = readInto(files[f], headers)) damaged.push_back(std::move(*damage));
+  for (ScannedFile& file : scanned) {
+    if (file.header) headers.push_back(std::move(*file.header));
+    if (file.damage) damaged.push_back(std::move(*file.damage));
   }
   if (headers.empty() && damaged.size() == 1)
     throw Error(damaged[0].problem, damaged[0].file.string(), "copy it again");

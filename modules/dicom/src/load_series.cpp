@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <deque>
+#include <memory>
 #include <numeric>
 
 #include "facenav/core/error.h"
 #include "facenav/dicom/series.h"
+#include "facenav/volume/voxel_storage.h"
+#include "for_files.h"
 #include "isolated_codec.h"
 #include "pixel_decoder.h"
 #include "series_scan.h"
@@ -16,17 +20,16 @@ namespace {
 }
 
 std::vector<SliceHeader> readHeaders(const SeriesInfo& series, TaskMonitor& monitor) {
-  std::vector<SliceHeader> headers;
-  for (std::size_t f = 0; f < series.files.size(); ++f) {
-    if (f % 16 == 0) monitor.report("reading DICOM headers", double(f) / double(series.files.size()));
+  std::vector<SliceHeader> headers(series.files.size());
+  forFiles(series.files.size(), monitor, "reading DICOM headers", [&](std::size_t f, std::size_t) {
     auto header = readHeaderOf(series.files[f]);
     if (!header) throw Error("is not DICOM", series.files[f].string(), "list the series again");
     const std::string problem = voxelProblem(*header);
     if (!problem.empty()) throw Error(problem, series.files[f].string(), "choose another series");
     if (header->series_uid != series.series_uid)
       throw Error("belongs to another series", series.files[f].string(), "list the series again");
-    headers.push_back(std::move(*header));
-  }
+    headers[f] = std::move(*header);
+  });
   return headers;
 }
 
@@ -52,6 +55,7 @@ class Loader {
       : headers_(headers),
         stack_(stack),
         monitor_(monitor),
+        scratch_(workersFor(headers.size())),
         slices_of_(headers.size()),
         twins_of_(headers.size()) {
     for (std::size_t k = 0; k < stack.order.size(); ++k)
@@ -69,23 +73,21 @@ class Loader {
     volume.grid = stack_.grid;
     volume.modality = headers_[0].modality;
     volume.orientation_source = "DICOM";
-    volume.voxels.resize(volume.grid.count());
-    for (std::size_t h = 0; h < headers_.size();) {
-      monitor_.report("reading DICOM images", double(h) / double(headers_.size()));
-      const std::size_t end = batchEnd(h);
-      if (end > h + 1 && loadBatch(h, end, volume)) {
-        h = end;
-        continue;
-      }
-      for (const std::size_t last = std::max(end, h + 1); h < last; ++h)  // one by one: the culprit is named
-        loadFile(h, Isolation::each_image, [&](int k) { return sliceOf(volume, k); });
-    }
+    volume.voxels = volume::voxelStorage(volume.grid.count());
+    forFiles(headers_.size(), monitor_, kStep, [&](std::size_t h, std::size_t worker) {
+      if (!usesForeignCodec(headers_[h]))
+        decode(h, slices_of_[h], Isolation::none, scratch_[worker],
+               [&](int k) { return sliceOf(volume, k); });
+    });
+    decompress(volume);
     for (std::size_t h = 0; h < headers_.size(); ++h) checkTwins(h, volume);
-    monitor_.report("reading DICOM images", 1.0);
+    monitor_.report(kStep, 1.0);
     return volume;
   }
 
  private:
+  static constexpr const char* kStep = "reading DICOM images";
+
   std::size_t imageSize() const {
     return std::size_t(stack_.grid.size[0]) * std::size_t(stack_.grid.size[1]);
   }
@@ -94,55 +96,86 @@ class Loader {
     return volume.voxels.data() + imageSize() * std::size_t(k);
   }
 
-  /// Decodes the images of file `h`; `place(k)` is where slice k goes.
+  std::size_t fileOf(int k) const { return std::size_t(stack_.order[std::size_t(k)].header); }
+
+  /// Decodes slices of file `h`; `place(k)` is where slice k goes.
   template <class Place>
-  void loadFile(std::size_t h, Isolation isolation, Place place) {
-    if (slices_of_[h].empty()) return;
+  void decode(std::size_t h, const std::vector<int>& slices, Isolation isolation, std::string& scratch,
+              Place place) {
+    if (slices.empty()) return;
     FilePrefix file(headers_[h].file);
-    headers_[h].layout = walkHeader(file);
+    if (headers_[h].layout.is_deflated) headers_[h].layout = walkHeader(file);
     const VoxelFormat& voxels = headers_[h].voxels;
     FACENAV_EXPECT(std::size_t(voxels.rows) * voxels.columns == imageSize(),
                    "an image of another size than its stack");
     const PixelDecoder decoder(file, headers_[h], isolation);
-    for (const int k : slices_of_[h]) decoder.decode(stack_.order[std::size_t(k)].frame, place(k));
+    for (const int k : slices) decoder.decode(stack_.order[std::size_t(k)].frame, place(k), scratch);
   }
 
-  /// One past the files, from `h` on, that one child process decompresses: starting one costs a millisecond
-  /// or more.
-  std::size_t batchEnd(std::size_t h) const {
-    constexpr std::size_t kMostImages = 16;
-    std::size_t images = 0;
-    while (h < headers_.size() && usesForeignCodec(headers_[h]) &&
-           (images += slices_of_[h].size()) <= kMostImages)
-      ++h;
-    return h;
-  }
-
-  /// False where a codec failed on any of the files [begin, end).
-  bool loadBatch(std::size_t begin, std::size_t end, volume::Volume& volume) {
-    std::vector<int> slices;
-    for (std::size_t h = begin; h < end; ++h)
-      slices.insert(slices.end(), slices_of_[h].begin(), slices_of_[h].end());
-    if (slices.empty()) return true;
-    const std::size_t image_bytes = imageSize() * sizeof(float);
-    const SharedMemory images(slices.size() * image_bytes);
-    const auto place = [&](int k) {
+  /// Slices that one child process decompresses: starting one costs a millisecond or more.
+  struct Batch {
+    Batch(Loader& loader, std::vector<int> wanted)
+        : slices(std::move(wanted)),
+          image_bytes(loader.imageSize() * sizeof(float)),
+          images(slices.size() * image_bytes),
+          child([this, &loader] {
+            for (auto begin = slices.begin(); begin != slices.end();) {
+              const std::size_t file = loader.fileOf(*begin);
+              const auto end =
+                  std::find_if(begin, slices.end(), [&](int k) { return loader.fileOf(k) != file; });
+              loader.decode(file, {begin, end}, Isolation::none, loader.scratch_[0],
+                            [this](int k) { return place(k); });
+              begin = end;
+            }
+          }) {}
+    float* place(int k) const {
       const auto at = std::find(slices.begin(), slices.end(), k) - slices.begin();
       return reinterpret_cast<float*>(images.begin() + std::size_t(at) * image_bytes);
-    };
-    if (!runInChild([&] {
-          for (std::size_t h = begin; h < end; ++h) loadFile(h, Isolation::none, place);
-        }))
-      return false;
-    for (const int k : slices) std::copy_n(place(k), imageSize(), sliceOf(volume, k));
-    return true;
+    }
+    std::vector<int> slices;
+    std::size_t image_bytes;
+    SharedMemory images;
+    ChildProcess child;  // last: it starts when all else is there
+  };
+
+  /// The compressed files' slices, as many batches at a time as there are cores.
+  void decompress(volume::Volume& volume) {
+    constexpr std::size_t kImages = 16;
+    std::vector<int> slices;
+    for (std::size_t h = 0; h < headers_.size(); ++h)
+      if (usesForeignCodec(headers_[h]))
+        slices.insert(slices.end(), slices_of_[h].begin(), slices_of_[h].end());
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    std::deque<std::unique_ptr<Batch>> running;
+    for (std::size_t next = 0; next < slices.size() || !running.empty();) {
+      monitor_.report(kStep, double(next) / double(slices.size()));
+      if (next < slices.size() && running.size() < cores) {
+        const std::size_t end = std::min(slices.size(), next + kImages);
+        running.push_back(std::make_unique<Batch>(
+            *this,
+            std::vector<int>(slices.begin() + std::ptrdiff_t(next), slices.begin() + std::ptrdiff_t(end))));
+        next = end;
+      } else {
+        finish(*running.front(), volume);
+        running.pop_front();
+      }
+    }
+  }
+
+  void finish(Batch& batch, volume::Volume& volume) {
+    if (batch.child.wait()) {
+      for (const int k : batch.slices) std::copy_n(batch.place(k), imageSize(), sliceOf(volume, k));
+      return;
+    }
+    for (const int k : batch.slices)  // one by one: the culprit is named
+      decode(fileOf(k), {k}, Isolation::each_image, scratch_[0], [&](int) { return sliceOf(volume, k); });
   }
 
   /// Images at the place of a slice must equal it.
   void checkTwins(std::size_t h, const volume::Volume& volume) {
     if (twins_of_[h].empty()) return;
     FilePrefix file(headers_[h].file);
-    headers_[h].layout = walkHeader(file);
+    if (headers_[h].layout.is_deflated) headers_[h].layout = walkHeader(file);
     const PixelDecoder decoder(file, headers_[h]);
     for (const auto& [frame, k] : twins_of_[h]) {
       const std::vector<float> image = decoder.image(frame);
@@ -155,6 +188,7 @@ class Loader {
   std::vector<SliceHeader>& headers_;
   const SliceStack& stack_;
   TaskMonitor& monitor_;
+  std::vector<std::string> scratch_;                        // one for each thread
   std::vector<std::vector<int>> slices_of_;                 // per file its slices in the stack
   std::vector<std::vector<std::pair<int, int>>> twins_of_;  // per file frames and the slice they repeat
 };

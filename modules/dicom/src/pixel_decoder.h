@@ -18,17 +18,17 @@ class PixelDecoder {
   PixelDecoder(FilePrefix& file, const SliceHeader& header, Isolation isolation = Isolation::each_image);
   /// rows x columns values of frame `frame` (from 0): slope * stored + intercept.
   std::vector<float> image(int frame) const;
-  /// The same to `out`, which holds rows x columns values.
-  void decode(int frame, float* out) const;
+  /// The same to `out`, which holds rows x columns values; `scratch` keeps the stored bytes, so that one
+  /// buffer serves all images of a series.
+  void decode(int frame, float* out, std::string& scratch) const;
 
  private:
   struct Raw {
-    std::string owned;  // decompressed bytes, little endian; empty for native data
     std::string_view bytes;
     int bits = 16;  // of one voxel in `bytes`
     bool is_big_endian = false;
   };
-  Raw raw(int frame) const;
+  Raw raw(int frame, std::string& scratch) const;
   std::string frameStream(int frame) const;
   std::size_t imageBytes() const;
   [[noreturn]] void refuse(const std::string& what) const;

@@ -19,9 +19,13 @@ using gdcm::Tag;
 
 /// GDCM writes warnings to the terminal; every fault here ends in one Error instead.
 void silenceGdcm() {
-  gdcm::Trace::WarningOff();
-  gdcm::Trace::ErrorOff();
-  gdcm::Trace::DebugOff();
+  static const bool is_silent = [] {  // once, whichever thread comes first
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+    gdcm::Trace::DebugOff();
+    return true;
+  }();
+  (void)is_silent;
 }
 
 gdcm::DataSet parse(FilePrefix& file, const FileLayout& layout) {

@@ -55,6 +55,24 @@ TEST(DamagedFiles, OddRealFilesEndInOneLine) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
+/// A scanner's raw data: half a gigabyte in one element, on disc a hole.
+TEST(DamagedFiles, RawDataOfHalfAGigabyteIsNotReadToBeListed) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "raw";
+  constexpr std::uint32_t kLength = 512u << 20;
+  DataSetBytes data(explicitLittle());
+  data.raw(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.66").raw(0x00080060, "CS", "MR");
+  data.raw(0x0020000E, "UI", "1.2.3").raw(0x00291010, "OB", "");
+  std::string bytes = fileOf(data);
+  bytes.replace(bytes.size() - 4, 4, data.encoded(kLength, 4));
+  writeBytes(path, bytes);
+  std::filesystem::resize_file(path, bytes.size() + kLength);
+  TaskMonitor monitor;
+  const auto series = dicom::listSeries(folder.path(), monitor);
+  ASSERT_EQ(series.size(), 1u);
+  EXPECT_EQ(series[0].problem, "raw data, no image");
+}
+
 TEST(DamagedFiles, SeededMutationsOfEverySyntax) {
   std::mt19937 random(20260101);
   const TemporaryFolder folder;

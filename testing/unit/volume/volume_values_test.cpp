@@ -1,12 +1,23 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "facenav/core/error.h"
 #include "facenav/volume/volume.h"
+#include "facenav/volume/voxel_storage.h"
 #include "support/matchers.h"
 #include "volumes.h"
 
 namespace facenav::testing {
 namespace {
+
+TEST(VoxelStorage, HoldsZerosOfAnySize) {
+  for (const std::size_t count : {std::size_t(0), std::size_t(5), std::size_t(3'000'001)}) {
+    const auto voxels = volume::voxelStorage(count);
+    ASSERT_EQ(voxels.size(), count);
+    EXPECT_TRUE(std::all_of(voxels.begin(), voxels.end(), [](float v) { return v == 0.f; }));
+  }
+}
 
 TEST(VoxelGrid, VoxelAndWorldAreEachOthersInverse) {
   const auto grid = numberedVolume().grid;
