@@ -170,7 +170,9 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
   std::vector<std::string> atlas_warnings;
   const std::shared_future<std::optional<atlas::BrainTemplate>> colin =
       std::async(std::launch::async, [&atlas_warnings] { return installedAtlas(atlas_warnings); });
-  auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor);
+  auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor,
+                                      volume::niftiTransformNamed(request.nifti_transform));
+  casefile::requireTargetsStay(request.case_folder, imported.volume);  // said before the work
   auto prepared = session::prepare(imported.volume, *head, *brain, context.monitor,
                                    [&colin] { return colin.get() ? &*colin.get() : nullptr; });
   colin.wait();  // asked for or not
@@ -179,7 +181,9 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
   context.monitor.report("writing the case", 0.0);
   casefile::Provenance step{"prepare",
                             softwareVersion(),
-                            {{"head", request.head_segmenter}, {"brain", request.brain_segmenter}},
+                            {{"head", request.head_segmenter},
+                             {"brain", request.brain_segmenter},
+                             {"nifti_transform", request.nifti_transform}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
   auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,
                                            request.discard_edits);

@@ -22,6 +22,7 @@ struct PrepareRequest {
   std::filesystem::path input, case_folder;
   std::optional<std::string> series_uid;
   std::string head_segmenter, brain_segmenter;  // registered names
+  std::string nifti_transform = "automatic";    // or "sform", "qform"
   bool replace = false;
   bool discard_edits = false;  // with replace: also a case whose brain mask was corrected by hand
 };

@@ -17,6 +17,12 @@ void addPrepare(CLI::App& app, Context& context) {
   verb->add_option("-o,--output", request->case_folder, "case folder to make")->required();
   verb->add_option("--series", request->series_uid,
                    "series UID, where INPUT holds several ('facenav series' lists them)");
+  verb->add_option(
+          "--nifti-transform", request->nifti_transform,
+          "which of a NIfTI file's maps to world coordinates to believe: automatic (the sform, else the "
+          "qform; refused where they are mirror images or differ in scale), sform, qform")
+      ->check(CLI::IsMember({"automatic", "sform", "qform"}))
+      ->capture_default_str();
   verb->add_option("--brain", request->brain_segmenter,
                    "brain segmentation: " + namesOf(context.registrations.brain_segmenters))
       ->capture_default_str();

@@ -1,5 +1,7 @@
 #include "facenav/casefile/case_store.h"
 
+#include <array>
+#include <cmath>
 #include <future>
 
 #include "case_json.h"
@@ -61,6 +63,34 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
   return files;
 }
 
+/// Rounding may put a voxel at the edge a hair outside.
+Eigen::Vector3d within(const volume::VoxelGrid& grid, const Eigen::Vector3d& ijk) {
+  constexpr double kHair = 0.02;
+  const Eigen::Vector3d last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+  const Eigen::Vector3d nearest = ijk.cwiseMax(0).cwiseMin(last);
+  return (nearest - ijk).norm() < kHair ? nearest : ijk;
+}
+
+/// The same values at the same places, whatever the order of the axes: a mirrored or shifted head is another
+/// scan.
+bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
+  constexpr int kPointsAnAxis = 24;
+  constexpr double kSame = 0.995;  // of the values' correlation; rounding and compression leave 0.9999
+  double n = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
+  for (int p = 0; p < kPointsAnAxis * kPointsAnAxis * kPointsAnAxis; ++p) {
+    const std::array<int, 3> step{p % kPointsAnAxis, p / kPointsAnAxis % kPointsAnAxis,
+                                  p / (kPointsAnAxis * kPointsAnAxis)};
+    Eigen::Vector3d ijk;
+    for (int a = 0; a < 3; ++a) ijk[a] = std::floor((step[a] + 0.5) * fresh.grid.size[a] / kPointsAnAxis);
+    const double a = volume::sampleLinear(fresh, ijk);
+    const double b = volume::sampleLinear(old, within(old.grid, old.grid.toVoxel(fresh.grid.toMri(ijk))));
+    n += 1, sum_a += a, sum_b += b, sum_aa += a * a, sum_bb += b * b, sum_ab += a * b;
+  }
+  const double spread = std::sqrt((n * sum_aa - sum_a * sum_a) * (n * sum_bb - sum_b * sum_b));
+  if (!(spread > 0)) return old.grid.matches(fresh.grid);
+  return (n * sum_ab - sum_a * sum_b) / spread > kSame;
+}
+
 /// Targets and sessions move on to the new case (files hard-linked: recordings are large, and the swap stays
 /// atomic).
 void keepFromOld(const fs::path& old_case, const fs::path& fresh) {
@@ -75,6 +105,15 @@ void keepFromOld(const fs::path& old_case, const fs::path& fresh) {
 }
 
 }  // namespace
+
+void requireTargetsStay(const fs::path& folder, const volume::Volume& mri) {
+  if (!isCase(folder) || !fs::exists(folder / "targets.json")) return;
+  if (guidance::readTargets(folder / "targets.json").targets.empty()) return;
+  FACENAV_EXPECT(mri.voxels.size() == mri.grid.count(), "volume and grid differ in size");
+  if (!isSameScan(volume::readNifti(folder / "mri.nii.gz").volume, mri))
+    throw Error("this scan does not lie where the case's scan lies: its targets would point elsewhere",
+                folder.string(), "make a new case, or remove the targets first");
+}
 
 CaseStore CaseStore::open(const fs::path& folder) {
   if (!fs::is_directory(folder))
@@ -94,6 +133,7 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
   try {
     requireReplaceable(place, replace);
     if (!discard_edits) requireNoEditsIn(place);
+    requireTargetsStay(place, prepared.mri);
     const TemporarySibling fresh(place);
     CaseJson content;
     content.case_id = isCase(place) ? readCaseJson(place / "case.json").case_id : makeCaseId();

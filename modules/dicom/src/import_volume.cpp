@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "facenav/core/error.h"
-#include "facenav/volume/nifti.h"
 #include "series_scan.h"
 
 namespace facenav::dicom {
@@ -30,12 +29,12 @@ std::string gridInWords(const volume::VoxelGrid& grid) {
   return text.str();
 }
 
-ImportedVolume importNifti(const fs::path& path) {
-  auto read = volume::readNifti(path);
+ImportedVolume importNifti(const fs::path& path, volume::NiftiTransform transform) {
+  auto read = volume::readNifti(path, transform);
   ImportedVolume imported;
   imported.volume = std::move(read.volume);
   imported.description = {"NIfTI: " + gridInWords(imported.volume.grid),
-                          "left and right rest on the file's " + imported.volume.orientation_source};
+                          "left and right rest on the file's " + read.evidence};
   if (read.warning) imported.warnings.push_back(*read.warning);
   return imported;
 }
@@ -107,11 +106,11 @@ void describe(ImportedVolume& imported, std::size_t series_count) {
 }  // namespace
 
 ImportedVolume importVolume(const fs::path& input, const std::optional<std::string>& series_id,
-                            TaskMonitor& monitor) {
+                            TaskMonitor& monitor, volume::NiftiTransform transform) {
   std::error_code error;
   if (!fs::exists(input, error)) throw Error("does not exist", input.string(), "check the path");
   const bool is_folder = fs::is_directory(input, error) || isDicomDir(input);
-  if (!is_folder && isNiftiName(input)) return importNifti(input);
+  if (!is_folder && isNiftiName(input)) return importNifti(input, transform);
   const auto series = is_folder ? listSeries(input, monitor) : seriesAround(input, monitor);
   ImportedVolume imported;
   imported.series = series_id ? chooseById(series, *series_id, input) : choose(series, input);

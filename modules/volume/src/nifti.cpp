@@ -125,6 +125,83 @@ void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& where) 
     throw Error("voxel axes are sheared", where, "resample the volume onto an orthogonal grid");
 }
 
+/// What an xform code says the coordinates are (nifti1.h).
+std::string spaceOf(int code) {
+  constexpr const char* kSpaces[] = {"absent",    "scanner", "aligned to another scan",
+                                     "Talairach", "MNI",     "template"};
+  return code >= 0 && code < 6 ? kSpaces[code] : "code " + std::to_string(code);
+}
+
+struct WorldMap {
+  VoxelGrid grid;
+  std::string name, evidence;
+  std::optional<std::string> warning;
+};
+
+double largestDistance_mm(const VoxelGrid& a, const VoxelGrid& b) {
+  double worst_mm = 0;
+  for (int c = 0; c < 8; ++c) {
+    const Eigen::Vector3d ijk((c & 1) * a.size[0], ((c >> 1) & 1) * a.size[1], (c >> 2) * a.size[2]);
+    worst_mm = std::max(worst_mm, (a.toMri(ijk).mm - b.toMri(ijk).mm).norm());
+  }
+  return worst_mm;
+}
+
+/// In words what no reader may decide by itself; empty where nothing of that kind lies between the two maps.
+std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
+  constexpr double kLargestScale = 0.02;  // atlas-sized heads are 5-15 % off
+  const double handedness =
+      sform.mri_from_voxel.linear().determinant() * qform.mri_from_voxel.linear().determinant();
+  if (handedness < 0) return "sform and qform are mirror images: they disagree about left and right";
+  const Eigen::Vector3d ratio = sform.spacing_mm().cwiseQuotient(qform.spacing_mm());
+  const double scale = (ratio.array() - 1.0).abs().maxCoeff();
+  if (scale > kLargestScale)
+    return "sform and qform disagree about the size of the head by " +
+           std::to_string(std::lround(100 * scale)) + " %";
+  return {};
+}
+
+/// Throws Error where the map asked for is absent, or where none was asked for and the two contradict each
+/// other.
+WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::string& where) {
+  constexpr double kAgreement_mm = 0.1;
+  const bool has_sform = image.sform_code > 0, has_qform = image.qform_code > 0;
+  if (!has_sform && !has_qform)
+    throw Error("has neither sform nor qform, so left and right are not known", where,
+                "export it again from DICOM, e.g. with dcm2niix");
+  const bool is_sform = choice == NiftiTransform::automatic ? has_sform : choice == NiftiTransform::sform;
+  WorldMap map;
+  map.name = is_sform ? "sform" : "qform";
+  if (!(is_sform ? has_sform : has_qform))
+    throw Error("has no " + map.name, where, std::string("choose the ") + (is_sform ? "qform" : "sform"));
+  VoxelGrid sform, qform;
+  sform.size = qform.size = {image.nx, image.ny, image.nz};
+  sform.mri_from_voxel = toAffine(image.sto_xyz);
+  qform.mri_from_voxel = toAffine(image.qto_xyz);
+  map.grid = is_sform ? sform : qform;
+  requireOrthogonal(map.grid.mri_from_voxel, where);
+  map.evidence = map.name + " (" + spaceOf(is_sform ? image.sform_code : image.qform_code) + ")" +
+                 (choice == NiftiTransform::automatic ? "" : ", as asked for");
+  if (!has_sform || !has_qform) return map;
+  const std::string other = is_sform ? "qform" : "sform";
+  const std::string contradicted = contradiction(sform, qform);
+  if (choice == NiftiTransform::automatic && !contradicted.empty())
+    throw Error(
+        contradicted, where,
+        "find out which one is right and choose it (facenav prepare --nifti-transform sform or qform)");
+  const double worst_mm = largestDistance_mm(sform, qform);
+  if (worst_mm <= kAgreement_mm) {
+    map.evidence += "; the " + other + " agrees";
+    return map;
+  }
+  const std::string far = std::to_string(int(std::ceil(worst_mm))) + " mm";
+  map.evidence += "; the " + other + " (" + spaceOf(is_sform ? image.qform_code : image.sform_code) +
+                  ") lies up to " + far + " off";
+  map.warning = (contradicted.empty() ? "sform and qform disagree by up to " + far : contradicted) +
+                "; the " + map.name + " is used";
+  return map;
+}
+
 ImagePtr makeImage(const VoxelGrid& grid, int datatype) {
   const int dims[8] = {3, grid.size[0], grid.size[1], grid.size[2], 1, 1, 1, 1};
   ImagePtr image(nifti_make_new_nim(dims, datatype, 1));
@@ -179,36 +256,23 @@ void fill(nifti_image& image, const std::vector<Source>& voxels) {
 
 }  // namespace
 
-NiftiRead readNifti(const std::filesystem::path& path) {
+NiftiTransform niftiTransformNamed(const std::string& name) {
+  if (name == "automatic") return NiftiTransform::automatic;
+  if (name == "sform") return NiftiTransform::sform;
+  if (name == "qform") return NiftiTransform::qform;
+  throw Error("no such NIfTI transform: " + name, {}, "one of automatic, sform, qform");
+}
+
+NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice) {
   const ImagePtr image = readImage(path);
+  const WorldMap map = chooseMap(*image, choice, path.string());
   NiftiRead result;
-  Volume& volume = result.volume;
-  volume.grid.size = {image->nx, image->ny, image->nz};
-  volume.modality = "";
-  if (image->sform_code > 0) {
-    volume.grid.mri_from_voxel = toAffine(image->sto_xyz);
-    volume.orientation_source = "sform";
-  } else if (image->qform_code > 0) {
-    volume.grid.mri_from_voxel = toAffine(image->qto_xyz);
-    volume.orientation_source = "qform";
-  } else {
-    throw Error("has neither sform nor qform, so left and right are not known", path.string(),
-                "export it again from DICOM, e.g. with dcm2niix");
-  }
-  requireOrthogonal(volume.grid.mri_from_voxel, path.string());
-  if (image->sform_code > 0 && image->qform_code > 0) {
-    VoxelGrid other = volume.grid;
-    other.mri_from_voxel = toAffine(image->qto_xyz);
-    double worst_mm = 0;
-    for (int c = 0; c < 8; ++c) {
-      const Eigen::Vector3d ijk((c & 1) * image->nx, ((c >> 1) & 1) * image->ny, (c >> 2) * image->nz);
-      worst_mm = std::max(worst_mm, (volume.grid.toMri(ijk).mm - other.toMri(ijk).mm).norm());
-    }
-    if (worst_mm > 0.1)
-      result.warning = "sform and qform disagree by up to " + std::to_string(int(std::ceil(worst_mm))) +
-                       " mm; the sform is used";
-  }
-  volume.voxels = toFloat(*image, path.string());
+  result.volume.grid = map.grid;
+  result.volume.modality = "";
+  result.volume.orientation_source = map.name;
+  result.evidence = map.evidence;
+  result.warning = map.warning;
+  result.volume.voxels = toFloat(*image, path.string());
   return result;
 }
 

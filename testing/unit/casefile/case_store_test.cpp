@@ -115,6 +115,34 @@ TEST(CaseStore, ReplacingKeepsIdTargetsAndSessionsButNoStaleAlignment) {
   EXPECT_EQ(entries(folder.path()), 1u) << "no temporary folder is left";
 }
 
+/// The same scan with the axis i counted from the other side.
+PreparedCase countedBackwards(PreparedCase prepared) {
+  auto& mri = prepared.mri;
+  const int last = mri.grid.size[0] - 1;
+  mri.grid.mri_from_voxel.translation() = mri.grid.toMri({double(last), 0, 0}).mm;
+  mri.grid.mri_from_voxel.linear().col(0) *= -1;
+  for (std::size_t row = 0; row < mri.voxels.size(); row += std::size_t(last) + 1)
+    std::reverse(mri.voxels.begin() + std::ptrdiff_t(row),
+                 mri.voxels.begin() + std::ptrdiff_t(row) + last + 1);
+  return prepared;
+}
+
+TEST(CaseStore, TargetsAreNotMovedByReplacingTheirScanInSilence) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "case";
+  CaseStore::create(path, preparedCase(), provenance(), false).setTargets(onePlan());
+  PreparedCase mirrored = preparedCase(), shifted = preparedCase();
+  mirrored.mri.grid.mri_from_voxel =
+      Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0)) * mirrored.mri.grid.mri_from_voxel;
+  shifted.mri.grid.mri_from_voxel.translation().x() += 3;
+  for (const PreparedCase& other : {mirrored, shifted})
+    EXPECT_NE(faultOf([&] { CaseStore::create(path, other, provenance(), true); }).find("point elsewhere"),
+              std::string::npos);
+  EXPECT_NO_THROW(CaseStore::create(path, countedBackwards(preparedCase()), provenance(), true));
+  CaseStore::open(path).setTargets({});
+  EXPECT_NO_THROW(CaseStore::create(path, mirrored, provenance(), true));
+}
+
 TEST(CaseStore, DoesNotTouchWhatItMayNotReplace) {
   const TemporaryFolder folder;
   CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);

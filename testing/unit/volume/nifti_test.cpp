@@ -81,6 +81,52 @@ TEST(Nifti, DisagreementOfSformAndQformIsSaid) {
   EXPECT_NEAR(read.volume.grid.toMri({0, 0, 0}).mm.x(), 1.5, 1e-5);  // the sform's
 }
 
+/// A file whose sform is `linear` times its qform.
+std::filesystem::path fileWithSformTimes(const Eigen::DiagonalMatrix<double, 3>& linear,
+                                         const std::filesystem::path& path) {
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  for (int c = 0; c < 3; ++c) {
+    raw.header.srow_x[c] *= float(linear.diagonal()[0]);
+    raw.header.srow_y[c] *= float(linear.diagonal()[1]);
+    raw.header.srow_z[c] *= float(linear.diagonal()[2]);
+  }
+  raw.save();
+  return path;
+}
+
+TEST(Nifti, MirrorImagesAndScaledHeadsAreNotChosenInSilence) {
+  using volume::NiftiTransform;
+  const TemporaryFolder folder;
+  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1), larger(1.08, 1.08, 1.08);
+  for (const auto& linear : {mirror, larger}) {
+    const auto path = fileWithSformTimes(linear, folder.path() / "a.nii");
+    EXPECT_THROW(volume::readNifti(path), Error);
+    const auto sform = volume::readNifti(path, NiftiTransform::sform);
+    const auto qform = volume::readNifti(path, NiftiTransform::qform);
+    EXPECT_EQ(sform.volume.orientation_source, "sform");
+    EXPECT_EQ(qform.volume.orientation_source, "qform");
+    EXPECT_TRUE(qform.volume.grid.matches(numberedVolume().grid));
+    EXPECT_FALSE(sform.volume.grid.matches(numberedVolume().grid));
+    ASSERT_TRUE(sform.warning && qform.warning);
+    EXPECT_NE(*sform.warning, *qform.warning);
+  }
+}
+
+TEST(Nifti, TheEvidenceNamesWhatWasTakenAndWhetherTheOtherAgrees) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  EXPECT_EQ(volume::readNifti(path).evidence, "sform (scanner); the qform agrees");
+  EXPECT_EQ(volume::readNifti(path, volume::NiftiTransform::qform).evidence,
+            "qform (scanner), as asked for; the sform agrees");
+  Raw raw(path);
+  raw.header.qform_code = 0;
+  raw.save();
+  EXPECT_THROW(volume::readNifti(path, volume::NiftiTransform::qform), Error);
+  EXPECT_THROW(volume::niftiTransformNamed("aform"), Error);
+}
+
 TEST(Nifti, NeitherSformNorQformIsRefusedSinceLeftAndRightAreUnknown) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.nii";

@@ -60,14 +60,18 @@ struct Provenance {
   std::map<std::string, std::string> input_sha256;
 };
 
+/// Throws Error where `folder` is a case with targets whose MRI is not `mri` at the same place (another scan,
+/// or the same one by the other map of a NIfTI): its targets would point elsewhere.
+void requireTargetsStay(const std::filesystem::path& folder, const volume::Volume& mri);
+
 class CaseStore {
  public:
   /// Opens an existing case. Throws Error: no case.json, wrong schema version, missing file.
   static CaseStore open(const std::filesystem::path& folder);
   /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a
-  /// case that exists is replaced only with `replace`, and then its id, targets and sessions are kept; its
-  /// alignment is not, since it belongs to the old scalp. A brain mask corrected by hand is lost only with
-  /// `discard_edits`.
+  /// case that exists is replaced only with `replace`, and then its id, targets (requireTargetsStay) and
+  /// sessions are kept; its alignment is not, since it belongs to the old scalp. A brain mask corrected by
+  /// hand is lost only with `discard_edits`.
   static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
                           const std::vector<Provenance>& provenance, bool replace,
                           bool discard_edits = false);

@@ -10,6 +10,7 @@
 
 #include "facenav/core/task_monitor.h"
 #include "facenav/dicom/series.h"
+#include "facenav/volume/nifti.h"
 #include "facenav/volume/volume.h"
 
 namespace facenav::dicom {
@@ -24,8 +25,10 @@ struct ImportedVolume {
 
 /// Reads `input`: a folder (the recommended series, the only loadable one, or `series_id` as listSeries gives
 /// it), one DICOM file (the series of its folder that it belongs to), or .nii / .nii.gz. Throws Error:
-/// nothing loadable (naming the reason), several candidates and none recommended, unknown id, damage.
+/// nothing loadable (naming the reason), several candidates and none recommended, unknown id, damage, a NIfTI
+/// whose two maps contradict each other (`transform` chooses then).
 ImportedVolume importVolume(const std::filesystem::path& input, const std::optional<std::string>& series_id,
-                            TaskMonitor& monitor);
+                            TaskMonitor& monitor,
+                            volume::NiftiTransform transform = volume::NiftiTransform::automatic);
 
 }  // namespace facenav::dicom

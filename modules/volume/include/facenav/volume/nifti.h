@@ -1,7 +1,8 @@
 #pragma once
 // NIfTI-1 in and out (through niftiio, the reference implementation). World coordinates are RAS mm: sform
-// where its code is > 0, else qform; which one was used, and whether the two disagree, is reported, never
-// guessed in silence.
+// where its code is > 0, else qform; which one was used, and whether the two disagree, is reported. Where
+// they disagree about left and right or about the size of the head, nothing is guessed: the caller must
+// choose.
 
 #include <filesystem>
 #include <optional>
@@ -11,15 +12,23 @@
 
 namespace facenav::volume {
 
+/// Which of a file's two voxel-to-world maps to believe.
+enum class NiftiTransform { automatic, sform, qform };
+/// "automatic", "sform", "qform"; throws Error for other words.
+NiftiTransform niftiTransformNamed(const std::string& name);
+
 struct NiftiRead {
-  Volume volume;  // orientation_source is "sform" or "qform"
+  Volume volume;         // orientation_source is "sform" or "qform"
+  std::string evidence;  // in words: which map was taken, why, and whether the other one agrees
   std::optional<std::string>
       warning;  // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
 };
 
 /// Reads .nii or .nii.gz, any scalar type, with scl_slope and scl_inter applied.
-/// Throws Error: missing, truncated, not NIfTI, not 3-D, colour, no orientation, not rigid up to scale.
-NiftiRead readNifti(const std::filesystem::path& path);
+/// Throws Error: missing, truncated, not NIfTI, not 3-D, colour, no orientation, not rigid up to scale, the
+/// map asked for is absent; with `automatic` also where sform and qform are mirror images or differ by over 2
+/// % in scale.
+NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice = NiftiTransform::automatic);
 Mask readMask(const std::filesystem::path& path);
 
 /// Writes a whole .nii or .nii.gz: int16 where all values are integers in its range, uint16 likewise, else
