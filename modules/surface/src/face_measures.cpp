@@ -10,12 +10,12 @@ struct Definition {
   double usual_low_mm, usual_high_mm;
 };
 constexpr Definition kDefinitions[] = {
-    {"inner corners of the eyes", "endocanthion R", "endocanthion L", 26, 40},
+    {"inner corners of the eyes", "endocanthion R", "endocanthion L", 26, 45},
     {"centres of the closed lids", "lid centre R", "lid centre L", 54, 74},
     {"nose length, root to tip", "nasion", "pronasale", 37, 58},
-    {"nose height, root to base", "nasion", "subnasale", 42, 62},
+    {"nose height, root to base", "nasion", "subnasale", 41, 62},
     {"nose depth, base to tip", "subnasale", "pronasale", 14, 26},
-    {"nose width over the wings", "alare R", "alare L", 27, 48},
+    {"nose width over the wings", "alare R", "alare L", 27, 51},
     {"nose tip to inner corner of the right eye", "pronasale", "endocanthion R", 0, 0},
     {"nose tip to inner corner of the left eye", "pronasale", "endocanthion L", 0, 0},
     {"nose root to chin", "nasion", "pogonion", 88, 125},
@@ -26,7 +26,7 @@ constexpr Definition kDefinitions[] = {
     {"right tragus to nose tip", "tragion R", "pronasale", 118, 155},
     {"left tragus to nose tip", "tragion L", "pronasale", 118, 155},
     {"width of the head", "euryon R", "euryon L", 134, 168},
-    {"length of the head", "glabella", "opisthocranion", 168, 214},
+    {"length of the head", "glabella", "opisthocranion", 166, 214},
 };
 constexpr double kCircumferenceLow_mm = 515, kCircumferenceHigh_mm = 615;
 
