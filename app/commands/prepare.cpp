@@ -20,7 +20,7 @@ void addPrepare(CLI::App& app, Context& context) {
   verb->add_option(
           "--nifti-transform", request->nifti_transform,
           "which of a NIfTI file's maps to world coordinates to believe: automatic (the sform, else the "
-          "qform; refused where they are mirror images or differ in scale), sform, qform")
+          "qform), sform, qform")
       ->check(CLI::IsMember({"automatic", "sform", "qform"}))
       ->capture_default_str();
   verb->add_option("--brain", request->brain_segmenter,

@@ -147,7 +147,7 @@ double largestDistance_mm(const VoxelGrid& a, const VoxelGrid& b) {
   return worst_mm;
 }
 
-/// In words what no reader may decide by itself; empty where nothing of that kind lies between the two maps.
+/// In words what must not be settled in silence; empty where nothing of that kind lies between the two maps.
 std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
   constexpr double kLargestScale = 0.02;  // atlas-sized heads are 5-15 % off
   const double handedness =
@@ -161,8 +161,7 @@ std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
   return {};
 }
 
-/// Throws Error where the map asked for is absent, or where none was asked for and the two contradict each
-/// other.
+/// Throws Error where the map asked for is absent.
 WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::string& where) {
   constexpr double kAgreement_mm = 0.1;
   const bool has_sform = image.sform_code > 0, has_qform = image.qform_code > 0;
@@ -185,10 +184,6 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
   if (!has_sform || !has_qform) return map;
   const std::string other = is_sform ? "qform" : "sform";
   const std::string contradicted = contradiction(sform, qform);
-  if (choice == NiftiTransform::automatic && !contradicted.empty())
-    throw Error(
-        contradicted, where,
-        "find out which one is right and choose it (facenav prepare --nifti-transform sform or qform)");
   const double worst_mm = largestDistance_mm(sform, qform);
   if (worst_mm <= kAgreement_mm) {
     map.evidence += "; the " + other + " agrees";
@@ -199,6 +194,9 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
                   ") lies up to " + far + " off";
   map.warning = (contradicted.empty() ? "sform and qform disagree by up to " + far : contradicted) +
                 "; the " + map.name + " is used";
+  if (choice == NiftiTransform::automatic && !contradicted.empty())
+    *map.warning +=
+        ": find out which one is right before this case is used (--nifti-transform qform takes the other)";
   return map;
 }
 

@@ -101,7 +101,11 @@ TEST(Nifti, MirrorImagesAndScaledHeadsAreNotChosenInSilence) {
   const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1), larger(1.08, 1.08, 1.08);
   for (const auto& linear : {mirror, larger}) {
     const auto path = fileWithSformTimes(linear, folder.path() / "a.nii");
-    EXPECT_THROW(volume::readNifti(path), Error);
+    const auto automatic = volume::readNifti(path);
+    EXPECT_EQ(automatic.volume.orientation_source, "sform");
+    ASSERT_TRUE(automatic.warning);
+    EXPECT_NE(automatic.warning->find("find out which one is right"), std::string::npos)
+        << *automatic.warning;
     const auto sform = volume::readNifti(path, NiftiTransform::sform);
     const auto qform = volume::readNifti(path, NiftiTransform::qform);
     EXPECT_EQ(sform.volume.orientation_source, "sform");

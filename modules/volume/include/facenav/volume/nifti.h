@@ -1,8 +1,8 @@
 #pragma once
 // NIfTI-1 in and out (through niftiio, the reference implementation). World coordinates are RAS mm: sform
 // where its code is > 0, else qform; which one was used, and whether the two disagree, is reported. Where
-// they disagree about left and right or about the size of the head, nothing is guessed: the caller must
-// choose.
+// they disagree about left and right or about the size of the head, the warning says so: a case then carries
+// it as a finding that its sign-off must acknowledge.
 
 #include <filesystem>
 #include <optional>
@@ -26,8 +26,7 @@ struct NiftiRead {
 
 /// Reads .nii or .nii.gz, any scalar type, with scl_slope and scl_inter applied.
 /// Throws Error: missing, truncated, not NIfTI, not 3-D, colour, no orientation, not rigid up to scale, the
-/// map asked for is absent; with `automatic` also where sform and qform are mirror images or differ by over 2
-/// % in scale.
+/// map asked for is absent.
 NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice = NiftiTransform::automatic);
 Mask readMask(const std::filesystem::path& path);
 
