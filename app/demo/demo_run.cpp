@@ -131,8 +131,7 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
                          folder / "case",
                          {},
                          context.registrations.head_segmenters.defaultName(),
-                         context.registrations.brain_segmenters.defaultName(),
-                         false};
+                         context.registrations.brain_segmenters.defaultName()};
   const auto prepared = prepareCase(context, prepare);
   const casefile::CaseStore& store = prepared.store;
   const auto target = planHandArea(store);
