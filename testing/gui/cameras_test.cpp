@@ -16,14 +16,17 @@ namespace fakes = session::fakes;
 /// Frames of now, ten milliseconds apart, until it is told to fail.
 class FakeCameras : public capture::FrameSource {
  public:
-  FakeCameras(std::shared_ptr<std::atomic<int>> open, std::shared_ptr<std::atomic<bool>> unplugged)
-      : open_(std::move(open)), unplugged_(std::move(unplugged)) {
+  FakeCameras(std::shared_ptr<std::atomic<int>> open, std::shared_ptr<std::atomic<bool>> unplugged,
+              std::shared_ptr<std::atomic<bool>> hung)
+      : open_(std::move(open)), unplugged_(std::move(unplugged)), hung_(std::move(hung)) {
     if (++*open_ > 1) throw Error("camera cannot be opened", "camera 4", "is it plugged in and free?");
   }
   ~FakeCameras() override { --*open_; }
   const stereo::StereoRig& rig() const override { return rig_; }
   std::shared_ptr<const stereo::StereoFrame> next() override {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    do {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    } while (*hung_);
     if (*unplugged_) throw Error("camera gives no image", "camera 4", "check the cable");
     return fakes::frame(number_++, Timestamp::now().s);
   }
@@ -31,7 +34,7 @@ class FakeCameras : public capture::FrameSource {
  private:
   stereo::StereoRig rig_ = fakes::rig();
   std::shared_ptr<std::atomic<int>> open_;
-  std::shared_ptr<std::atomic<bool>> unplugged_;
+  std::shared_ptr<std::atomic<bool>> unplugged_, hung_;
   std::int64_t number_ = 0;
 };
 
@@ -41,7 +44,7 @@ class CamerasTest : public ::testing::Test {
     services_.listCameras = [this] { return plugged_in_; };
     services_.openCameras = [this](const stereo::StereoRig&, int left, int right) {
       opened_ = {left, right};
-      return std::make_unique<FakeCameras>(open_, unplugged_);
+      return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
     };
     services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
       aligned_with_ = recording;
@@ -84,6 +87,7 @@ class CamerasTest : public ::testing::Test {
   std::vector<capture::CameraDevice> plugged_in_{{2, "left"}, {4, "right"}};
   std::shared_ptr<std::atomic<int>> open_ = std::make_shared<std::atomic<int>>(0);
   std::shared_ptr<std::atomic<bool>> unplugged_ = std::make_shared<std::atomic<bool>>(false);
+  std::shared_ptr<std::atomic<bool>> hung_ = std::make_shared<std::atomic<bool>>(false);
   std::pair<int, int> opened_{-1, -1};
   std::optional<capture::Recording> aligned_with_;
   QString refused_;
@@ -144,6 +148,21 @@ TEST_F(CamerasTest, AnUnpluggedCameraIsSaidAndNothingIsTakenFromIt) {
   cameras().takeDots();
   EXPECT_FALSE(cameras().hasDots());
   EXPECT_TRUE(refused_.contains("no fresh picture"));
+}
+
+TEST_F(CamerasTest, ACameraThatHangsDoesNotHoldUpTheWindow) {
+  openCameras();
+  *hung_ = true;
+  std::thread rescue([hung = hung_] {  // of a window that waits
+    std::this_thread::sleep_for(std::chrono::seconds(3));
+    *hung = false;
+  });
+  cameras().show(capture::Recording{});
+  EXPECT_TRUE(*hung_);  // gone on before the camera did
+  EXPECT_FALSE(cameras().hasPictures());
+  *hung_ = false;
+  rescue.join();
+  EXPECT_TRUE(fixtures::waitFor([&] { return *open_ == 0; }));
 }
 
 TEST_F(CamerasTest, TheChoiceComesBackAfterARestart) {

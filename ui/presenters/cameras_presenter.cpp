@@ -84,7 +84,7 @@ bool CamerasPresenter::canOpen() const {
 }
 
 void CamerasPresenter::open() {
-  if (!canOpen()) return;
+  if (!canOpen() || tasks_.isRunning()) return;  // a refused task would wait for the old pictures here
   tasks_.start(tr("Opening the cameras"),
                [this, rig = *rig_, left = left_, right = right_,
                 old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
@@ -100,8 +100,18 @@ void CamerasPresenter::open() {
                });
 }
 
+/// Its end is waited for elsewhere.
+void CamerasPresenter::retire(std::shared_ptr<capture::LivePreview> preview) {
+  const auto has_gone = [](const std::future<void>& each) {
+    return each.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  retired_.erase(std::remove_if(retired_.begin(), retired_.end(), has_gone), retired_.end());
+  if (preview)
+    retired_.push_back(std::async(std::launch::async, [old = std::move(preview)]() mutable { old.reset(); }));
+}
+
 void CamerasPresenter::show(const capture::Recording& recording) {
-  release();
+  retire(release());
   if (recording.frame_count > 0)
     preview_ = std::make_shared<capture::LivePreview>(capture::makeSource(recording), true);
   emit changed();

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -42,7 +43,8 @@ class CamerasPresenter : public QObject {
   void open();
   /// Plays a recording for the eye.
   void show(const capture::Recording& recording);
-  /// Nothing is shown any more; hands over what must be released (off the GUI thread), null: nothing.
+  /// Nothing is shown any more; hands over what must be released, off the GUI thread (a camera that gives no
+  /// picture holds up whoever waits for it); null: nothing.
   std::shared_ptr<capture::LivePreview> release();
   bool isLive() const { return is_live_ && preview_; }
   bool hasPictures() const { return preview_ != nullptr; }
@@ -69,6 +71,7 @@ class CamerasPresenter : public QObject {
   void refused(const QString& words);
 
  private:
+  void retire(std::shared_ptr<capture::LivePreview> preview);
   void readRig();
   std::optional<stereo::StereoFrame> takeFresh();
 
@@ -79,6 +82,7 @@ class CamerasPresenter : public QObject {
   QString rig_file_, rig_problem_;
   std::optional<stereo::StereoRig> rig_;
   std::shared_ptr<capture::LivePreview> preview_;
+  std::vector<std::future<void>> retired_;  // waited for when this goes
   bool is_live_ = false;
   std::optional<stereo::StereoFrame> dots_, plain_;
   Timestamp dots_taken_, plain_taken_;

@@ -108,7 +108,7 @@ void TreatPresenter::align(bool then_start) {
 }
 
 void TreatPresenter::start() {
-  if (!recording_ || !outcome_ || isRunning() || !mayTreat()) return;
+  if (!recording_ || !outcome_ || isRunning() || tasks_.isRunning() || !mayTreat()) return;
   session::NavigatorSetup setup;
   setup.rig = recording_->rig;
   setup.reference = outcome_->reference;
@@ -196,6 +196,10 @@ std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
   const auto* t = target();
   if (!t) return std::nullopt;
   return session::ChosenTarget{*t, outcome_ ? outcome_->result.predictedError_mm(t->cortex_point) : 0.0};
+}
+
+QString TreatPresenter::recordingFolder() const {
+  return recording_ && !is_live_ ? QString::fromStdString(recording_->folder.string()) : QString();
 }
 
 QString TreatPresenter::recordingWords() const {

@@ -54,6 +54,8 @@ class TreatPresenter : public QObject {
   bool isRunning() const { return session_ != nullptr && !session_->hasEnded(); }
   /// The recording has been played to its end, or a fault stopped it.
   bool hasEnded() const { return session_ != nullptr && session_->hasEnded(); }
+  /// Of the recording that stands in for cameras; empty: none.
+  QString recordingFolder() const;
   QString recordingWords() const;
   QString alignmentWords() const;
   QString targetName() const { return target_; }
