@@ -1,6 +1,5 @@
 #include "presenters/cortex_presenter.h"
 
-#include <QSettings>
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +9,13 @@ namespace facenav::ui {
 namespace {
 
 const char* const kPeel = "plan/peel_mm";
+const char* const kLook = "plan/look";
+constexpr int kBeside = 3;  // after the three looks
 
 }  // namespace
 
 CortexPresenter::CortexPresenter(CaseModel& model, QObject* parent) : QObject(parent), model_(model) {
-  peel_mm_ = std::clamp(QSettings().value(kPeel, peel_mm_).toDouble(), 0.0, double(scene::kMostPeel_mm));
+  peel_mm_ = std::clamp(settings_.value(kPeel, peel_mm_).toDouble(), 0.0, double(scene::kMostPeel_mm));
   for (auto signal : {&CaseModel::opened, &CaseModel::brainChanged})
     connect(&model_, signal, this, &CortexPresenter::forget);
   connect(&runner_, &TaskRunner::progressed, this, [this](const QString&, double fraction) {
@@ -42,8 +43,19 @@ void CortexPresenter::forget() {
   make();
 }
 
-void CortexPresenter::setLook(scene::BrainLook look) {
+void CortexPresenter::setLook(scene::BrainLook look) { choose(look, false); }
+
+void CortexPresenter::setBesideModel() { choose(scene::BrainLook::distance, true); }
+
+void CortexPresenter::restoreLook() {
+  const int last = std::clamp(settings_.value(kLook, 0).toInt(), 0, kBeside);
+  last == kBeside ? setBesideModel() : setLook(scene::BrainLook(last));
+}
+
+void CortexPresenter::choose(scene::BrainLook look, bool is_beside_model) {
   look_ = look;
+  is_beside_model_ = is_beside_model;
+  settings_.setValue(kLook, is_beside_model ? kBeside : int(look));
   failure_.clear();
   make();
   emit changed();
@@ -51,7 +63,7 @@ void CortexPresenter::setLook(scene::BrainLook look) {
 
 void CortexPresenter::setPeel_mm(double peel_mm) {
   peel_mm_ = std::clamp(peel_mm, 0.0, double(scene::kMostPeel_mm));
-  QSettings().setValue(kPeel, peel_mm_);
+  settings_.setValue(kPeel, peel_mm_);
   emit changed();
 }
 

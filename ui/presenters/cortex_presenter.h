@@ -4,6 +4,7 @@
 // and anew when the brain is corrected.
 
 #include <QObject>
+#include <QSettings>
 #include <memory>
 
 #include "facenav/scene/navigation_scene.h"
@@ -19,8 +20,13 @@ class CortexPresenter : public QObject {
   explicit CortexPresenter(CaseModel& model, QObject* parent = nullptr);
 
   scene::BrainLook look() const { return look_; }
-  /// Begins to make the cortex where the look needs it.
+  /// Begins to make the cortex where the look needs it. Remembered.
   void setLook(scene::BrainLook look);
+  /// The distance map with the phi-theta model beside it.
+  void setBesideModel();
+  bool isBesideModel() const { return is_beside_model_; }
+  /// What was chosen last (QSettings).
+  void restoreLook();
   double peel_mm() const { return peel_mm_; }
   /// 0..40 mm.
   void setPeel_mm(double peel_mm);
@@ -42,13 +48,16 @@ class CortexPresenter : public QObject {
 
  private:
   void forget();
+  void choose(scene::BrainLook look, bool is_beside_model);
   void make();
 
   CaseModel& model_;
+  QSettings settings_;  // one that lives: each that dies writes the file, which a slider would feel
   TaskRunner runner_;
   std::shared_ptr<const scene::CortexPicture> cortex_;
   scene::BrainLook look_ = scene::BrainLook::model;
   double peel_mm_ = 2.0;
+  bool is_beside_model_ = false;
   int percent_ = 0, subject_ = 0;
   QString failure_;
 };

@@ -1,6 +1,8 @@
 #include "views/linked_views.h"
 
+#include <QApplication>
 #include <QGridLayout>
+#include <QLabel>
 #include <QVBoxLayout>
 
 namespace facenav::ui {
@@ -16,6 +18,11 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
     grid->addWidget(slices_[std::size_t(i)], i / 2, i % 2);
   }
   scene_column_ = new QVBoxLayout;
+  scene_title_ = new QLabel(tr("true cortex, coloured by its distance from the model"), this);
+  scene_title_->setObjectName("muted");
+  scene_title_->hide();
+  scene_column_->setSpacing(4);
+  scene_column_->addWidget(scene_title_);
   scene_column_->addWidget(scene_view_, 1);
   grid->addLayout(scene_column_, 1, 1);
   for (int i = 0; i < 2; ++i) grid->setRowStretch(i, 1), grid->setColumnStretch(i, 1);
@@ -75,7 +82,50 @@ void LinkedViews::setBrain(const surface::BrainModel& brain) {
   scene_view_->refresh();
 }
 
-void LinkedViews::setSceneFooter(QWidget* footer) { scene_column_->addWidget(footer); }
+/// In the place of the last slice view.
+void LinkedViews::makeModelView() {
+  model_box_ = new QWidget(this);
+  auto* column = new QVBoxLayout(model_box_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  auto* title = new QLabel(tr("\u03c6\u2013\u03b8 model"), model_box_);
+  title->setObjectName("muted");
+  model_view_ = new SceneView(model_box_);
+  model_view_->shareCamera(*scene_view_);
+  column->addWidget(title);
+  column->addWidget(model_view_, 1);
+  model_foot_ = new QLabel(tr("turn either view, both follow"), model_box_);
+  model_foot_->setObjectName("muted");
+  model_foot_->setAlignment(Qt::AlignCenter);
+  column->addWidget(model_foot_);
+  static_cast<QGridLayout*>(layout())->addWidget(model_box_, 1, 0);
+  connect(scene_view_, &SceneView::drawn, model_view_, [this] {
+    if (QApplication::mouseButtons() == Qt::NoButton)
+      model_view_->refreshMoving();  // else it follows by itself
+  });
+}
+
+void LinkedViews::showModelBeside(const LoadedCase* loaded) {
+  const bool is_beside = loaded && loaded->brain;
+  if (is_beside == (model_box_ && model_box_->isVisibleTo(this)) && (!is_beside || beside_ == loaded->brain))
+    return;
+  if (!model_view_) makeModelView();
+  scene::SceneLayers layers;
+  layers.scalp = !is_beside;
+  scene_view_->scene().setLayers(layers);
+  model_view_->scene().setLayers(layers);
+  if (is_beside && beside_ != loaded->brain) model_view_->show(*loaded);
+  if (is_beside) beside_ = loaded->brain;
+  if (footer_) model_foot_->setFixedHeight(footer_->height());  // views of one size
+  slices_.back()->setVisible(!is_beside);
+  scene_title_->setVisible(is_beside);
+  model_box_->setVisible(is_beside);
+}
+
+void LinkedViews::setSceneFooter(QWidget* footer) {
+  footer_ = footer;
+  scene_column_->addWidget(footer);
+}
 
 void LinkedViews::setTool(SliceTool* tool) {
   for (auto* view : slices_) view->setTool(tool);

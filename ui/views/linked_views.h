@@ -9,6 +9,7 @@
 #include "views/scene_view.h"
 #include "views/slice_view.h"
 
+class QLabel;
 class QVBoxLayout;
 
 namespace facenav::ui {
@@ -26,6 +27,8 @@ class LinkedViews : public QWidget {
   /// The brain in the 3-D view, after a correction.
   void setBrain(const LoadedCase& loaded);
   void setBrain(const surface::BrainModel& brain);
+  /// The phi-theta model beside the 3-D view, from the same place, both without the skin; null: not.
+  void showModelBeside(const LoadedCase* loaded);
   /// Below the 3-D view; taken over.
   void setSceneFooter(QWidget* footer);
   void setTool(SliceTool* tool);
@@ -33,6 +36,8 @@ class LinkedViews : public QWidget {
   void refreshSlices();
   void setCrosshair(const Point<Mri>& at);
   SceneView& sceneView() { return *scene_view_; }
+  /// Null before it is first asked for.
+  SceneView* modelView() { return model_view_; }
 
  signals:
   void crosshairMoved();
@@ -40,8 +45,13 @@ class LinkedViews : public QWidget {
   void chosen(double x_mm, double y_mm, double z_mm, bool is_scalp);
 
  private:
+  void makeModelView();
   std::array<SliceView*, 3> slices_;
-  SceneView* scene_view_;
+  SceneView *scene_view_, *model_view_ = nullptr;
+  QWidget *model_box_ = nullptr, *footer_ = nullptr;
+  QLabel* model_foot_ = nullptr;
+  QLabel* scene_title_;
+  std::shared_ptr<const surface::BrainModel> beside_;
   QVBoxLayout* scene_column_;
   std::shared_ptr<scene::SliceScene> slice_scene_;
   std::vector<scene::SliceContour> contours_;

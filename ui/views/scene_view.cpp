@@ -59,19 +59,27 @@ void SceneView::refresh() {
   timer.start();
   renderWindow()->Render();
   if (!is_quick_) whole_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+  emit drawn();
 }
 
 /// True, and the scene made quick until it rests, where whole pictures take too long to move.
-bool SceneView::drawsQuickly() {
+bool SceneView::drawsQuickly(bool is_skin_shown) {
   if (!is_quick_ && whole_ms_ < kFluid_ms) return false;
   rest_.start();
-  if (!is_quick_) scene_->setQuick(true);
+  if (!is_quick_ || is_skin_shown_ != is_skin_shown) scene_->setQuick(true, is_skin_shown);
+  is_skin_shown_ = is_skin_shown;
   return is_quick_ = true;
 }
 
-void SceneView::refreshMoving() {
-  drawsQuickly();
+void SceneView::refreshQuickly(bool is_skin_shown) {
+  drawsQuickly(is_skin_shown);
   refresh();
+}
+
+void SceneView::shareCamera(SceneView& other) {
+  scene_->shareCamera(other.scene());
+  connect(&other, &SceneView::turned, this, &SceneView::refreshMoving);
+  connect(this, &SceneView::turned, &other, &SceneView::refreshMoving);
 }
 
 void SceneView::setDrawing(bool is_drawing) {
@@ -100,8 +108,14 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     outline_ << event->pos();
     return line_->update();
   }
-  if (event->buttons() != Qt::NoButton) drawsQuickly();
+  if (event->buttons() != Qt::NoButton) drawsQuickly(true);
   QVTKOpenGLNativeWidget::mouseMoveEvent(event);
+  if (event->buttons() != Qt::NoButton) emit turned();
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  QVTKOpenGLNativeWidget::wheelEvent(event);
+  emit turned();
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {

@@ -26,13 +26,20 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void show(const LoadedCase& loaded);
   void refresh();
   /// While something moves: where whole pictures are slow here, quick ones, and a whole one when it rests.
-  void refreshMoving();
+  void refreshMoving() { refreshQuickly(true); }
+  /// The same without the skin, for a slider that is followed by the eye.
+  void refreshPeeling() { refreshQuickly(false); }
+  /// Both views are seen from one place; each follows when the other is turned.
+  void shareCamera(SceneView& other);
   /// True: the left button draws a closed line instead of turning the view (scalpel).
   void setDrawing(bool is_drawing);
   /// As it is seen now.
   scene::SceneProjection projection() const { return scene_->projection(width(), height()); }
 
  signals:
+  /// By the user's hand, or drawn anew.
+  void turned();
+  void drawn();
   /// -1..1 right and up, as of projection(); three corners or more.
   void outlineDrawn(const std::vector<Eigen::Vector2d>& outline);
   void picked(double x_mm, double y_mm, double z_mm, bool is_brain);
@@ -41,12 +48,14 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   std::unique_ptr<scene::NavigationScene> scene_;
-  bool drawsQuickly();
+  bool drawsQuickly(bool is_skin_shown);
+  void refreshQuickly(bool is_skin_shown);
 
   QWidget* line_;  // over the picture
   QPolygon outline_;
@@ -54,7 +63,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QPoint pressed_at_;
   QTimer rest_;
   double whole_ms_ = 0.0;
-  bool is_quick_ = false;
+  bool is_quick_ = false, is_skin_shown_ = true;
 };
 
 }  // namespace facenav::ui

@@ -14,7 +14,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kStepsPerMm = 2;
+constexpr int kStepsPerMm = 2, kBeside = 3;
 
 }  // namespace
 
@@ -24,12 +24,13 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   auto* row = new QHBoxLayout;
-  const QString names[3] = {tr("\u03c6\u2013\u03b8 model"), tr("Cortex"), tr("Distance")};
-  const QString tips[3] = {
+  const QString names[] = {tr("\u03c6\u2013\u03b8 model"), tr("Cortex"), tr("Distance"), tr("Side by side")};
+  const QString tips[] = {
       tr("the brain as the phi-theta model draws it (Shift+1)"),
       tr("the true surface, both banks of every sulcus, with the MRI at the peel depth (Shift+2)"),
-      tr("the true surface, coloured by its distance from the phi-theta model (Shift+3)")};
-  for (int i = 0; i < 3; ++i) {
+      tr("the true surface, coloured by its distance from the phi-theta model (Shift+3)"),
+      tr("the phi-theta model and, beside it, its distance from the true surface (Shift+4)")};
+  for (int i = 0; i <= kBeside; ++i) {
     auto* button = new QPushButton(names[i], this);
     button->setObjectName("tool");
     button->setCheckable(true);
@@ -46,19 +47,23 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
   peel_->setToolTip(tr("how deep below the surface the MRI is shown, 0 to 40 mm (arrows, Page up and down)"));
   peel_words_ = new QLabel(this);
   peel_words_->setMinimumWidth(110);
-  row->addWidget(peel_, 1);
-  row->addWidget(peel_words_);
   column->addLayout(row);
-  auto* below = new QHBoxLayout;
+  auto* below_box = new QWidget(this);
+  below_box->setMinimumHeight(36);  // whatever is in it: the view above keeps its size
+  auto* below = new QHBoxLayout(below_box);
+  below->setContentsMargins(0, 0, 0, 0);
+  below->addWidget(peel_, 1);
+  below->addWidget(peel_words_);
   legend_ = new DistanceLegend(this);
   words_ = new QLabel(this);
   words_->setObjectName("muted");
   words_->setToolTip(tr("of the distances between the phi-theta model and the true surface, all vertices"));
   below->addWidget(legend_, 1);
   below->addWidget(words_);
-  column->addLayout(below);
-  connect(looks_, &QButtonGroup::idClicked, this,
-          [this](int id) { presenter_.setLook(scene::BrainLook(id)); });
+  column->addWidget(below_box);
+  connect(looks_, &QButtonGroup::idClicked, this, [this](int id) {
+    id == kBeside ? presenter_.setBesideModel() : presenter_.setLook(scene::BrainLook(id));
+  });
   connect(peel_, &QSlider::valueChanged, this,
           [this](int value) { presenter_.setPeel_mm(double(value) / kStepsPerMm); });
   connect(&presenter_, &CortexPresenter::changed, this, &BrainLookPanel::showState);
@@ -67,7 +72,7 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
 
 void BrainLookPanel::showState() {
   const auto look = presenter_.look();
-  looks_->button(int(look))->setChecked(true);
+  looks_->button(presenter_.isBesideModel() ? kBeside : int(look))->setChecked(true);
   for (auto* button : looks_->buttons())
     button->setEnabled(presenter_.isPossible() || looks_->id(button) == int(scene::BrainLook::model));
   const bool peels = look != scene::BrainLook::distance;

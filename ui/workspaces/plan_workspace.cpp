@@ -162,10 +162,13 @@ void PlanWorkspace::takeCortex() {
 }
 
 void PlanWorkspace::showBrain() {
-  auto& scene = views_->sceneView().scene();
-  scene.setBrainLook(cortex_.look());
-  scene.setPeelDepth(cortex_.peel_mm());
-  views_->sceneView().refreshMoving();
+  auto& view = views_->sceneView();
+  const bool is_peeling = std::exchange(shown_peel_mm_, cortex_.peel_mm()) != cortex_.peel_mm();
+  const bool is_beside = cortex_.isBesideModel() && cortex_.cortex() && model_.isOpen();
+  views_->showModelBeside(is_beside ? &model_.current() : nullptr);
+  view.scene().setBrainLook(cortex_.look());
+  view.scene().setPeelDepth(cortex_.peel_mm());
+  is_peeling ? view.refreshPeeling() : view.refreshMoving();
 }
 
 void PlanWorkspace::showPlan() {

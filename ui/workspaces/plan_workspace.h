@@ -46,6 +46,7 @@ class PlanWorkspace : public QWidget {
   QLabel* detail_;
   QPushButton *undo_, *redo_, *remove_;
   bool is_drawing_brain_ = false;
+  double shown_peel_mm_ = -1.0;
   bool is_outdated_ = false, is_filling_ = false;
 };
 

@@ -52,8 +52,12 @@ void BrainLayer::setModel(const surface::BrainModel& brain) {
   update();
 }
 
-BrainLayer::Level BrainLayer::makeLevel(const surface::TriangleMesh& mesh, const surface::PeelTexture& peel) {
+BrainLayer::Level BrainLayer::makeLevel(const surface::TriangleMesh& mesh, const surface::PeelTexture& peel,
+                                        const std::vector<float>& distance_mm) {
   Level level;
+  level.distances = vtkSmartPointer<vtkFloatArray>::New();
+  level.distances->SetNumberOfValues(vtkIdType(distance_mm.size()));
+  std::copy(distance_mm.begin(), distance_mm.end(), level.distances->GetPointer(0));
   level.peel = &peel;
   level.greys = vtkSmartPointer<vtkUnsignedCharArray>::New();
   level.greys->SetNumberOfValues(vtkIdType(mesh.vertices_mm.size()));
@@ -81,12 +85,8 @@ void BrainLayer::setCortex(std::shared_ptr<const CortexPicture> cortex) {
   }
   detailed_ = std::move(cortex);
   if (detailed_) {
-    fine_ = makeLevel(detailed_->cortex.mesh, detailed_->peel);
-    coarse_ = makeLevel(detailed_->coarse_mesh, detailed_->coarse_peel);
-    distances_ = vtkSmartPointer<vtkFloatArray>::New();
-    distances_->SetNumberOfValues(vtkIdType(detailed_->cortex.distance_mm.size()));
-    std::copy(detailed_->cortex.distance_mm.begin(), detailed_->cortex.distance_mm.end(),
-              distances_->GetPointer(0));
+    fine_ = makeLevel(detailed_->cortex.mesh, detailed_->peel, detailed_->cortex.distance_mm);
+    coarse_ = makeLevel(detailed_->coarse_mesh, detailed_->coarse_peel, detailed_->coarse_distance_mm);
   }
   update();
 }
@@ -98,11 +98,13 @@ void BrainLayer::clear() {
 }
 
 void BrainLayer::setLook(BrainLook look) {
+  if (look_ == look) return;
   look_ = look;
   update();
 }
 
 void BrainLayer::setPeelDepth(double depth_mm) {
+  if (peel_mm_ == depth_mm) return;
   peel_mm_ = depth_mm;
   if (look_ == BrainLook::cortex) colourCortex();
 }
@@ -145,7 +147,7 @@ void BrainLayer::colourCortex() {
   auto* data = vtkPolyData::SafeDownCast(mapper->GetInput())->GetPointData();
   if (showsDistance()) {
     mapper->SetLookupTable(is_grey_ ? greyTable(kGreyTint) : distanceTable(detailed_->full_mm));
-    data->SetScalars(distances_);
+    data->SetScalars(level().distances);
     return;
   }
   mapper->SetLookupTable(greyTable(is_grey_ ? kGreyTint : kBrainTint));

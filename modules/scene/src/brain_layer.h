@@ -35,11 +35,13 @@ class BrainLayer {
   struct Level {
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkUnsignedCharArray> greys;
+    vtkSmartPointer<vtkFloatArray> distances;
     const surface::PeelTexture* peel = nullptr;
   };
-  Level makeLevel(const surface::TriangleMesh& mesh, const surface::PeelTexture& peel);
+  Level makeLevel(const surface::TriangleMesh& mesh, const surface::PeelTexture& peel,
+                  const std::vector<float>& distance_mm);
   bool showsDistance() const { return look_ == BrainLook::distance; }
-  const Level& level() const { return is_quick_ && !showsDistance() ? coarse_ : fine_; }
+  const Level& level() const { return is_quick_ ? coarse_ : fine_; }
   void update();
   void colourCortex();
 
@@ -48,7 +50,6 @@ class BrainLayer {
   vtkSmartPointer<vtkActor> model_;
   Level fine_, coarse_;
   std::shared_ptr<const CortexPicture> detailed_;
-  vtkSmartPointer<vtkFloatArray> distances_;
   BrainLook look_ = BrainLook::model;
   double peel_mm_ = 0.0;
   bool is_visible_ = true, is_grey_ = false, is_quick_ = false;

@@ -7,9 +7,11 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkQuadricClustering.h>
+#include <vtkStaticPointLocator.h>
 
 #include <algorithm>
 
+#include "facenav/core/error.h"
 #include "image_bridge.h"
 
 namespace facenav::scene {
@@ -51,6 +53,19 @@ surface::TriangleMesh coarsened(const surface::TriangleMesh& mesh, double cell_m
   normals->ConsistencyOff();
   normals->Update();
   return toMesh(normals->GetOutput());
+}
+
+std::vector<float> valuesAtNearest(const surface::TriangleMesh& fine, const std::vector<float>& values,
+                                   const surface::TriangleMesh& coarse) {
+  FACENAV_EXPECT(fine.vertices_mm.size() == values.size(), "one value a vertex");
+  vtkNew<vtkStaticPointLocator> locator;
+  auto poly = toPolyData(fine);
+  locator->SetDataSet(poly);
+  locator->BuildLocator();
+  std::vector<float> nearest(coarse.vertices_mm.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    nearest[i] = values[std::size_t(locator->FindClosestPoint(coarse.vertices_mm[i].data()))];
+  return nearest;
 }
 
 }  // namespace facenav::scene

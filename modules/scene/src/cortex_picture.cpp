@@ -8,7 +8,7 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kCoarse_mm = 2.5, kLeastScale_mm = 2.0;
+constexpr double kCoarse_mm = 3.2, kLeastScale_mm = 2.0;
 
 }  // namespace
 
@@ -22,8 +22,14 @@ CortexPicture makeCortexPicture(const volume::Volume& mri, const volume::Mask& b
   monitor.report("sampling below the surface", 1.0);
   const auto distance = surface::summarise(cortex.distance_mm);
   const double full_mm = std::max(kLeastScale_mm, std::ceil(distance.p95_mm));
-  return {std::move(cortex),      std::move(peel), std::move(coarse_mesh),
-          std::move(coarse_peel), distance,        full_mm};
+  auto coarse_distance_mm = valuesAtNearest(cortex.mesh, cortex.distance_mm, coarse_mesh);
+  return {std::move(cortex),
+          std::move(peel),
+          std::move(coarse_mesh),
+          std::move(coarse_peel),
+          std::move(coarse_distance_mm),
+          distance,
+          full_mm};
 }
 
 palette::Rgb distanceColour(double signed_mm, double full_mm) {

@@ -42,7 +42,8 @@ struct NavigationScene::Implementation {
   ViewFrame view_frame = ViewFrame::head_fixed;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
-  bool has_ghost = false, is_live = false, is_on_target = false, is_grey = false, is_quick = false;
+  bool has_ghost = false, is_live = false, is_on_target = false, is_grey = false, is_quick = false,
+       hides_skin = false;
 
   Implementation();
   bool coilIsShown() const { return is_live && camera_T_mri && camera_T_coil; }
@@ -103,7 +104,7 @@ void NavigationScene::Implementation::updateVisibility() {
 
 void NavigationScene::Implementation::setGrey(bool grey) {
   is_grey = grey;
-  scalp.setLook(layers.scalp, is_quick, grey, layers.scalp_opacity);
+  scalp.setLook(layers.scalp && !hides_skin, is_quick, grey, layers.scalp_opacity);
   brain.setGrey(grey);
   targets.setColours(is_grey, is_on_target);
 }
@@ -142,9 +143,16 @@ void NavigationScene::clearBrain() { implementation_->brain.clear(); }
 
 void NavigationScene::setBrainLook(BrainLook look) { implementation_->brain.setLook(look); }
 
-void NavigationScene::setQuick(bool is_quick) {
+void NavigationScene::shareCamera(NavigationScene& other) {
+  vtkCamera* camera = other.implementation_->renderer->GetActiveCamera();
+  implementation_->renderer->SetActiveCamera(camera);
+  implementation_->on_top->SetActiveCamera(camera);
+}
+
+void NavigationScene::setQuick(bool is_quick, bool is_skin_shown) {
   auto& s = *implementation_;
   s.is_quick = is_quick;
+  s.hides_skin = is_quick && !is_skin_shown;
   s.brain.setQuick(is_quick);
   s.renderer->SetUseFXAA(!is_quick);
   s.updateVisibility();

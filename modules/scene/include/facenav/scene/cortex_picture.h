@@ -15,6 +15,7 @@ struct CortexPicture {
   surface::PeelTexture peel;
   surface::TriangleMesh coarse_mesh;  // larger triangles, for while it moves (NavigationScene::setQuick)
   surface::PeelTexture coarse_peel;
+  std::vector<float> coarse_distance_mm;
   surface::SurfaceDistance distance;  // over the vertices
   double full_mm = 2.0;               // where the scale of the colour map ends
 };

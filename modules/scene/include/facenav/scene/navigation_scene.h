@@ -74,8 +74,11 @@ class NavigationScene {
   // What the user chooses.
   void setLayers(const SceneLayers& layers);
   void setBrainLook(BrainLook look);
-  /// While the view or the peel depth moves: larger triangles, rougher edges, a third of the time.
-  void setQuick(bool is_quick);
+  /// While the view or the peel depth moves: larger triangles, rougher edges, a third of the time; without
+  /// the translucent skin, whose layers cost as much again, where `is_skin_shown` is false.
+  void setQuick(bool is_quick, bool is_skin_shown = true);
+  /// Both scenes are seen from one place from now on; `other` decides where views and presets look from.
+  void shareCamera(NavigationScene& other);
   /// 0..40 mm, of the look `cortex`; a few milliseconds.
   void setPeelDepth(double depth_mm);
   void setSliceCentre(const Point<Mri>& centre);
