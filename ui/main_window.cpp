@@ -16,6 +16,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/elided_label.h"
 #include "widgets/status_chip.h"
@@ -25,6 +26,17 @@
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
+namespace {
+
+const char* const kGeometry = "last/geometry";
+const char* const kCase = "last/case";
+const char* const kWorkspace = "last/workspace";
+const char* const kStep = "last/step";
+const char* const kRecording = "last/recording";
+const char* const kTarget = "last/target";
+const char* const kGuiding = "last/guiding";
+
+}  // namespace
 
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
@@ -73,13 +85,17 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   });
   connect(&queue_, &PrepareQueue::choiceNeeded, this, [this](int id) {
     if (!tasks_.isRunning())
-      task_bar_->showMessage(tr("%1: no series is recommended, choose one").arg(queue_.job(id)->title), true);
+      task_bar_->showNotice(tr("%1: no series is recommended, choose one").arg(queue_.job(id)->title));
   });
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
+  connect(&treat_, &TreatPresenter::changed, this, &MainWindow::remember);
+  connect(prepare_workspace_, &PrepareWorkspace::stepChanged, this, &MainWindow::remember);
   connect(&treat_, &TreatPresenter::refused, this,
           [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(&model_, &CaseModel::opened, this, [this] {
-    if (is_to_check_) prepare_workspace_->setStep(PrepareStep::check);
+    if (step_to_restore_ || is_to_check_)
+      prepare_workspace_->setStep(step_to_restore_.value_or(PrepareStep::check));
+    step_to_restore_.reset();
     if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
     to_override_.reset();
   });
@@ -89,12 +105,15 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
           [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnPlaying);
+  connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnRestoring);
   connect(&tasks_, &TaskRunner::failed, this, [this] {
     to_play_.clear();
+    recording_to_restore_.clear();
     is_starting_ = false;
   });
   setWorkspace(Workspace::prepare);
   showCaseWords();
+  is_remembering_ = true;
   task_bar_->showMessage(tr("Drop DICOM folders, NIfTI files or a case anywhere."), false);
 }
 
@@ -181,7 +200,12 @@ void MainWindow::setWorkspace(Workspace workspace) {
   for (QWidget* widget : {static_cast<QWidget*>(cameras_), static_cast<QWidget*>(face_),
                           static_cast<QWidget*>(coil_), static_cast<QWidget*>(timing_)})
     widget->setVisible(workspace == Workspace::treat);
+  remember();
 }
+
+Workspace MainWindow::workspace() const { return Workspace(stack_->currentIndex()); }
+
+PrepareStep MainWindow::prepareStep() const { return prepare_workspace_->step(); }
 
 void MainWindow::setPrepareStep(PrepareStep step) {
   setWorkspace(Workspace::prepare);
@@ -198,8 +222,9 @@ void MainWindow::overrideSignOff(const QString& by, const QString& reason) {
 void MainWindow::holdQueue() { queue_.setHeld(treat_.isRunning()); }
 
 void MainWindow::openCase(const QString& folder) {
-  QSettings().setValue("last/case", QFileInfo(folder).absoluteFilePath());
+  QSettings().setValue(kCase, QFileInfo(folder).absoluteFilePath());
   is_to_check_ = true;
+  step_to_restore_.reset();
   prepare_.openCase(folder);
 }
 
@@ -227,13 +252,46 @@ bool MainWindow::isSettled() const {
 
 void MainWindow::restoreLast() {
   const QSettings settings;
-  restoreGeometry(settings.value("last/geometry").toByteArray());
+  restoreGeometry(settings.value(kGeometry).toByteArray());
   queue_.restore();
-  const QString folder = settings.value("last/case").toString();
-  const auto workspace = Workspace(std::clamp(settings.value("last/workspace", 0).toInt(), 0, 2));
-  if (!folder.isEmpty() && QFileInfo::exists(folder))
-    prepare_.openCase(folder);  // the worklist stays in front
+  const QString folder = settings.value(kCase).toString();
+  const auto workspace = Workspace(std::clamp(settings.value(kWorkspace, 0).toInt(), 0, 2));
+  const auto step = PrepareStep(std::clamp(settings.value(kStep, 0).toInt(), 0, int(PrepareStep::archive)));
+  recording_to_restore_ = settings.value(kRecording).toString();
+  target_to_restore_ = settings.value(kTarget).toString();
+  cortex_.restoreLook();
+  const bool has_case = !folder.isEmpty() && QFileInfo::exists(folder);
+  if (has_case) {
+    was_guiding_ = settings.value(kGuiding, false).toBool();
+    step_to_restore_ = step;  // once the case is there
+    prepare_.openCase(folder);
+  }
   setWorkspace(workspace);
+}
+
+/// Case opened -> recording opened -> its target chosen. Nothing is aligned: the head has moved since.
+void MainWindow::goOnRestoring() {
+  if (tasks_.isRunning() || !model_.isOpen()) return;
+  const QString recording = std::exchange(recording_to_restore_, {});
+  if (const QString target = std::exchange(target_to_restore_, {}); !target.isEmpty())
+    for (const auto& t : model_.current().plan.targets)
+      if (t.name == target.toStdString()) treat_.chooseTarget(target);
+  if (!recording.isEmpty() && QFileInfo::exists(recording + "/stereo.yml") && !treat_.hasRecording())
+    return treat_.openRecording(recording);
+  if (std::exchange(was_guiding_, false))
+    task_bar_->showNotice(tr("guidance was running when the window went: align again to go on"));
+}
+
+/// At every change, since a crash gives no notice.
+void MainWindow::remember() {
+  if (!is_remembering_) return;
+  QSettings settings;
+  settings.setValue(kWorkspace, stack_->currentIndex());
+  if (!step_to_restore_) settings.setValue(kStep, int(prepareStep()));
+  settings.setValue(kGuiding, treat_.isRunning());
+  if (target_to_restore_.isEmpty() && model_.isOpen()) settings.setValue(kTarget, treat_.targetName());
+  if (recording_to_restore_.isEmpty() && (treat_.hasRecording() || model_.isOpen()))
+    settings.setValue(kRecording, treat_.recordingFolder());
 }
 
 void MainWindow::showCaseWords() {
@@ -281,9 +339,9 @@ void MainWindow::take(const QString& path) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   treat_.stop();
+  remember();
   QSettings settings;
-  settings.setValue("last/geometry", saveGeometry());
-  settings.setValue("last/workspace", stack_->currentIndex());
+  settings.setValue(kGeometry, saveGeometry());
   event->accept();
 }
 

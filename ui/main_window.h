@@ -1,6 +1,6 @@
 #pragma once
-// MainWindow: the workstation: header (case, state), three workspaces, task bar. Opens case, recording and
-// workspace that were open when it was closed.
+// MainWindow: the workstation: header (case, state), three workspaces, task bar. After a restart case,
+// workspace, step, the brain's look, recording and target are those of before; an alignment never is.
 
 #include <QMainWindow>
 
@@ -37,7 +37,11 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void setWorkspace(Workspace workspace);
+  Workspace workspace() const;
   void setPrepareStep(PrepareStep step);
+  PrepareStep prepareStep() const;
+  const CortexPresenter& cortex() const { return cortex_; }
+  const TreatPresenter& treat() const { return treat_; }
   /// The folder that the worklist shows and new cases go to.
   void setCasesFolder(const QString& folder);
   /// Recorded in the case, once it is open: it may be treated without a sign-off.
@@ -45,7 +49,8 @@ class MainWindow : public QMainWindow {
   void openCase(const QString& folder);
   /// Opens a recording once the case is there, aligns and starts guidance.
   void play(const QString& recording);
-  /// What was open when the window was closed last (QSettings).
+  /// What was open when the window was last open, closed or not (QSettings). Says so where guidance was
+  /// running.
   void restoreLast();
   /// No task runs, and what play() was asked for has begun or failed.
   bool isSettled() const;
@@ -67,6 +72,8 @@ class MainWindow : public QMainWindow {
   void goOnPlaying();
   void take(const QString& dropped_path);
   void holdQueue();
+  void remember();
+  void goOnRestoring();
 
   Services services_;
   TaskRunner tasks_;
@@ -88,9 +95,10 @@ class MainWindow : public QMainWindow {
   QLabel* timing_;
   StatusChip *cameras_, *face_, *coil_;
   TaskBar* task_bar_;
-  QString to_play_;
+  QString to_play_, recording_to_restore_, target_to_restore_;
+  std::optional<PrepareStep> step_to_restore_;
   std::optional<Override> to_override_;
-  bool is_starting_ = false, is_to_check_ = false;
+  bool is_starting_ = false, is_to_check_ = false, is_remembering_ = false, was_guiding_ = false;
 };
 
 }  // namespace facenav::ui

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
+#include <vtkRenderer.h>
 
 #include <QAbstractButton>
+#include <QSettings>
 #include <set>
+#include <vector>
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
@@ -9,6 +12,7 @@
 #include "views/scene_view.h"
 #include "views/slice_view.h"
 #include "widgets/cameras_panel.h"
+#include "workspaces/prepare/prepare_workspace.h"
 
 #define FACENAV_NEEDS_DISPLAY() \
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run"
@@ -80,6 +84,45 @@ TEST(MainWindow, AMissingCaseIsSaidInWordsAndTheWindowLives) {
   EXPECT_TRUE(words.contains("/nowhere/case"));
   window.setWorkspace(Workspace::treat);
   QApplication::processEvents();
+}
+
+TEST(MainWindow, ComesBackWithCaseWorkspaceStepAndLookEvenAfterACrash) {
+  FACENAV_NEEDS_DISPLAY();
+  QSettings().clear();
+  testing::TemporaryFolder folder;
+  casefile::CaseStore::create(folder.path() / "case", fixtures::ballWithBrain(), {}, false);
+  const auto settled = [](MainWindow& window) {
+    return fixtures::waitFor([&] { return !window.tasks().isRunning() && !window.cortex().isMaking(); },
+                             30000);
+  };
+  {
+    MainWindow window{Services{}};
+    window.show();
+    window.openCase(QString::fromStdString((folder.path() / "case").string()));
+    ASSERT_TRUE(settled(window));
+    window.setPrepareStep(PrepareStep::sign_off);
+    window.setWorkspace(Workspace::plan);
+    for (auto* button : window.findChildren<QAbstractButton*>())
+      if (button->text() == "Side by side") button->click();
+    ASSERT_TRUE(settled(window));
+    QApplication::processEvents();
+  }  // gone without being closed
+  MainWindow window{Services{}};
+  window.show();
+  window.restoreLast();
+  ASSERT_TRUE(settled(window));
+  EXPECT_EQ(window.workspace(), Workspace::plan);
+  EXPECT_EQ(window.prepareStep(), PrepareStep::sign_off);
+  EXPECT_TRUE(window.cortex().isBesideModel());
+  EXPECT_FALSE(window.treat().isAligned());
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.cortex().cortex() != nullptr; }, 30000));
+  QApplication::processEvents();
+  std::vector<SceneView*> seen;
+  for (auto* view : window.findChildren<SceneView*>())
+    if (view->isVisible()) seen.push_back(view);
+  ASSERT_EQ(seen.size(), 2u);  // model and distance, from one place
+  EXPECT_EQ(seen[0]->scene().renderer()->GetActiveCamera(), seen[1]->scene().renderer()->GetActiveCamera());
+  QSettings().clear();
 }
 
 TEST(MainWindow, EveryButtonSaysWhatItDoes) {

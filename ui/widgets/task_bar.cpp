@@ -56,11 +56,17 @@ void TaskBar::showProgress(const QString& step, double fraction) {
 }
 
 void TaskBar::showMessage(const QString& words, bool is_failure) {
+  say(is_failure ? tr("Could not be done: %1").arg(words) : words, is_failure);
+}
+
+void TaskBar::showNotice(const QString& words) { say(words, true); }
+
+void TaskBar::say(const QString& words, bool is_caution) {
   setBusy(false);
-  words_->setProperty("level", is_failure ? "caution" : "none");
+  words_->setProperty("level", is_caution ? "caution" : "none");
   words_->style()->unpolish(words_);
   words_->style()->polish(words_);
-  words_->setText(is_failure ? tr("Could not be done: %1").arg(words) : words);
+  words_->setText(words);
   words_->setToolTip(words);
 }
 

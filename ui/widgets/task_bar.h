@@ -18,8 +18,11 @@ class TaskBar : public QFrame {
  public:
   TaskBar(TaskRunner& tasks, QWidget* parent = nullptr);
   void showMessage(const QString& words, bool is_failure);
+  /// Something to be done, not a failure.
+  void showNotice(const QString& words);
 
  private:
+  void say(const QString& words, bool is_caution);
   void setBusy(bool is_busy);
   void showProgress(const QString& step, double fraction);
 

@@ -79,6 +79,7 @@ QWidget* PrepareWorkspace::makeSteps() {
 void PrepareWorkspace::setStep(PrepareStep step) {
   pages_->setCurrentIndex(int(step));
   showSteps();
+  emit stepChanged();
 }
 
 PrepareStep PrepareWorkspace::step() const { return PrepareStep(pages_->currentIndex()); }

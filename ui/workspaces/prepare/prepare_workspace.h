@@ -33,6 +33,7 @@ class PrepareWorkspace : public QWidget {
   void chooseInput();
 
  signals:
+  void stepChanged();
   void caseChosen(const QString& folder);
 
  private:
