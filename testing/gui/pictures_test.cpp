@@ -14,12 +14,16 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 #include "facenav/atlas/brain_template.h"
 #include "facenav/core/error.h"
+#include "facenav/core/processor_time.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
+#include "unit/session/session_fakes.h"
 #include "views/scene_view.h"
 #include "widgets/brain_look_panel.h"
 #include "widgets/distance_legend.h"
@@ -123,6 +127,7 @@ void takeBrainLooks(MainWindow& window, Pictures& shots) {
     shots.take(QString("5_plan_cortex_%1mm").arg(depth_mm));
   }
   std::vector<double> steps_ms;
+  const double begun_ms = processorTime_ms();
   for (int value = 0; value <= peel->maximum(); ++value) {
     QElapsedTimer timer;
     timer.start();
@@ -131,11 +136,16 @@ void takeBrainLooks(MainWindow& window, Pictures& shots) {
     steps_ms.push_back(double(timer.nsecsElapsed()) * 1e-6);
   }
   std::sort(steps_ms.begin(), steps_ms.end());
-  std::printf("peel slider: %.1f ms a step (median), %.1f ms at most, %d steps\n",
-              steps_ms[steps_ms.size() / 2], steps_ms.back(), int(steps_ms.size()));
+  std::printf(
+      "peel slider: %.1f ms a step (median), %.1f ms at most, %d steps; %.1f ms of processor time each\n",
+      steps_ms[steps_ms.size() / 2], steps_ms.back(), int(steps_ms.size()),
+      (processorTime_ms() - begun_ms) / double(steps_ms.size()));
   looks[2]->click();
   fixtures::waitFor([&] { return panel->findChild<DistanceLegend*>()->isVisible(); }, 90000);
   shots.take("5_plan_distance");
+  looks[3]->click();
+  fixtures::waitFor([] { return false; }, 3000);  // a second view's first picture
+  shots.take("5_plan_side_by_side");
   looks[0]->click();
 }
 
@@ -174,6 +184,91 @@ void takeCameras(MainWindow& window, Pictures& shots, const std::string& recordi
   fixtures::waitFor([&] { return treat->presenter().cameras().isWell(); });
   buttonNamed(window, "1 Take with dots")->click();
   shots.take("6_treat_cameras_live");
+}
+
+/// The poses of truth/`name`.csv, frame by frame.
+template <class To, class From>
+std::vector<RigidTransform<To, From>> readTruth(const std::filesystem::path& recording,
+                                                const std::string& name) {
+  std::ifstream csv(recording / "truth" / (name + ".csv"));
+  std::string line;
+  std::getline(csv, line);
+  std::vector<RigidTransform<To, From>> poses;
+  while (std::getline(csv, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream values(line);
+    double frame, x, y, z, qw, qx, qy, qz;
+    if (values >> frame >> x >> y >> z >> qw >> qx >> qy >> qz)
+      poses.emplace_back(Eigen::Quaterniond(qw, qx, qy, qz), Eigen::Vector3d(x, y, z));
+  }
+  return poses;
+}
+
+class TrueCoil : public tracking::CoilTracker {
+ public:
+  explicit TrueCoil(std::vector<RigidTransform<Camera, Marker>> poses) : poses_(std::move(poses)) {}
+  void start(const stereo::StereoRig&, const tracking::CoilModel&) override {}
+  Tracked<tracking::CoilPose> track(const stereo::StereoFrame& frame) override {
+    tracking::CoilPose coil;
+    coil.camera_T_marker = poses_[std::size_t(frame.number) % poses_.size()];
+    return {coil, 0.9};
+  }
+
+ private:
+  std::vector<RigidTransform<Camera, Marker>> poses_;
+};
+
+/// A recording guided by its own truth, so that the picture is what a clinician would see; the face is lost
+/// while `is_face_hidden`.
+Services trueServices(const std::string& folder, std::shared_ptr<std::atomic<bool>> is_face_hidden) {
+  const auto head = readTruth<Camera, Mri>(folder, "head");
+  const auto coil = readTruth<Camera, Marker>(folder, "coil");
+  Services services = exampleServices();
+  services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
+  services.align = [head](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
+    session::AlignmentOutcome outcome;
+    outcome.result.camera_T_mri = head.front();
+    outcome.result.rms_mm = 0.41, outcome.result.points = 16000;
+    outcome.reference.frame = recording.capture.value().plain;
+    return outcome;
+  };
+  services.makeNavigator = [head, coil, is_face_hidden](const session::NavigatorSetup& setup) {
+    const auto pose = [head, is_face_hidden](std::int64_t n) -> std::optional<RigidTransform<Camera, Head>> {
+      if (*is_face_hidden) return std::nullopt;
+      const auto camera_T_mri = head[std::size_t(n) % head.size()];
+      return (camera_T_mri * head.front().inverse()).reframe<Camera, Head>();
+    };
+    return std::make_unique<session::Navigator>(setup, std::make_unique<session::fakes::Head>(pose),
+                                                std::make_unique<TrueCoil>(coil));
+  };
+  return services;
+}
+
+TEST(Pictures, OfGuidance) {
+  const char *cases = std::getenv("FACENAV_GUI_CASES"), *pictures = std::getenv("FACENAV_GUI_PICTURES");
+  const char* recording = std::getenv("FACENAV_GUI_RECORDING");
+  if (!cases || !pictures || !recording)
+    GTEST_SKIP() << "FACENAV_GUI_CASES, _PICTURES and _RECORDING are not set";
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto is_face_hidden = std::make_shared<std::atomic<bool>>(false);
+  MainWindow window(trueServices(recording, is_face_hidden));
+  window.resize(1480, 920);
+  window.show();
+  const auto entries = casefile::listCases(cases);
+  ASSERT_FALSE(entries.empty());
+  casefile::signOff(casefile::CaseStore::open(entries.front().folder), {"XY", "", true});
+  window.openCase(QString::fromStdString(entries.front().folder.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 60000));
+  window.setWorkspace(Workspace::treat);
+  window.play(recording);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 60000));
+  Pictures shots(window, pictures);
+  shots.take("7_treat_guiding");
+  *is_face_hidden = true;
+  shots.take("7_treat_face_lost");
+  *is_face_hidden = false;
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().hasEnded(); }, 60000));
+  shots.take("7_treat_recording_ended");
 }
 
 TEST(Pictures, OfEveryPage) {

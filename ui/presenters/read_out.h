@@ -8,7 +8,7 @@
 
 namespace facenav::ui {
 
-enum class Level { good, caution, lost };
+enum class Level { good, caution, lost, idle };  // idle: nothing is expected yet
 
 struct Chip {
   QString words, tip;

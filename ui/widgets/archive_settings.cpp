@@ -18,6 +18,7 @@ ArchiveSettings::ArchiveSettings(ArchivePresenter& presenter, QWidget* parent)
   heading->setObjectName("heading");
   column->addWidget(heading);
   auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   column->addLayout(form);
   const auto& node = presenter_.node();
   const auto tls = node.tls.value_or(pacs::Tls{});

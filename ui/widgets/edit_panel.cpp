@@ -25,6 +25,7 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   auto* heading = new QLabel(tr("Correct the brain"), this);
   heading->setObjectName("heading");
   grid->addWidget(heading, 0, 0, 1, 3);
+  for (int column = 0; column < 3; ++column) grid->setColumnStretch(column, 1);
   addTools(*grid);
   size_words_ = new QLabel(this);
   size_ = new QSlider(Qt::Horizontal, this);

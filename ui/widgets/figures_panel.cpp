@@ -7,6 +7,22 @@
 
 namespace facenav::ui {
 
+namespace {
+
+/// "FACE NOT SEEN: let .." as what is wrong, to be read from two metres, above what to do.
+QString twoLines(const ReadOut& read_out) {
+  const QString mark = read_out.level == Level::lost ? QStringLiteral("\u2715&nbsp;") : QString();
+  const int colon = read_out.instruction.indexOf(": ");
+  const QString head = read_out.instruction.left(colon < 0 ? read_out.instruction.size() : colon);
+  QString text = QStringLiteral("<div style='font-size:30pt'>%1%2</div>").arg(mark, head.toHtmlEscaped());
+  if (colon >= 0)
+    text += QStringLiteral("<div style='font-size:19pt'>%1</div>")
+                .arg(read_out.instruction.mid(colon + 2).toHtmlEscaped());
+  return text;
+}
+
+}  // namespace
+
 FiguresPanel::FiguresPanel(QWidget* parent)
     : QFrame(parent), banner_(new QLabel(this)), predicted_(new QLabel(this)) {
   setObjectName("panel");
@@ -14,7 +30,8 @@ FiguresPanel::FiguresPanel(QWidget* parent)
   banner_->setObjectName("banner");
   banner_->setWordWrap(true);
   banner_->setAlignment(Qt::AlignCenter);
-  banner_->setMinimumHeight(84);
+  banner_->setTextFormat(Qt::RichText);
+  banner_->setMinimumHeight(112);
   column->addWidget(banner_);
   auto* grid = new QGridLayout;
   const QString names[4] = {tr("across, mm"), tr("depth, mm"), tr("tilt"), tr("twist")};
@@ -46,13 +63,16 @@ FiguresPanel::FiguresPanel(QWidget* parent)
 void FiguresPanel::set(const ReadOut& read_out) {
   const char* level = read_out.level == Level::good      ? "good"
                       : read_out.level == Level::caution ? "caution"
-                                                         : "lost";
+                      : read_out.level == Level::lost    ? "lost"
+                                                         : "idle";
   if (banner_->property("level").toString() != level) {
     banner_->setProperty("level", level);
     banner_->style()->unpolish(banner_);
     banner_->style()->polish(banner_);
   }
-  banner_->setText(read_out.instruction);
+  banner_->setText(twoLines(read_out));
+  for (QLabel* value : values_)
+    value->setEnabled(read_out.level == Level::good || read_out.level == Level::caution);
   values_[0]->setText(read_out.across);
   values_[1]->setText(read_out.depth);
   values_[2]->setText(read_out.tilt);

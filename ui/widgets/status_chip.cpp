@@ -12,6 +12,7 @@ QColor colourOf(Level level) {
     case Level::caution:
       return QColor(255, 160, 51);
     case Level::lost:
+    case Level::idle:
       break;
   }
   return QColor(165, 170, 178);
@@ -51,6 +52,9 @@ void StatusChip::paintEvent(QPaintEvent*) {
   } else if (chip_.level == Level::caution) {
     painter.setBrush(colour);
     painter.drawPolygon(QPolygonF({c + QPointF(0, -r), c + QPointF(r, r), c + QPointF(-r, r)}));
+  } else if (chip_.level == Level::idle) {
+    painter.setPen(QPen(colour, 2.0));
+    painter.drawEllipse(c, r, r);
   } else {
     painter.setPen(QPen(colour, 2.4));
     painter.drawLine(c + QPointF(-r, -r), c + QPointF(r, r));

@@ -196,13 +196,15 @@ void TreatWorkspace::refresh() {
                            : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
                            : presenter_.isAligned() ? tr("READY: start guidance")
                                                     : tr("NOT ALIGNED");
+    read_out.level = Level::idle;
     read_out.timing.clear();
     read_out.cameras = {
-        presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::lost};
-    read_out.face = {tr("FACE idle"), {}, Level::lost};
-    read_out.coil = {tr("COIL idle"), {}, Level::lost};
+        presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::idle};
+    read_out.face = {tr("FACE idle"), {}, Level::idle};
+    read_out.coil = {tr("COIL idle"), {}, Level::idle};
   } else if (presenter_.hasEnded() && state->failure.empty()) {
     read_out.instruction = tr("RECORDING ENDED: start again");
+    read_out.level = Level::idle;
   }
   const bool shows_cameras = side_->currentIndex() == 1;
   if (shows_cameras && !presenter_.isRunning()) {
@@ -232,8 +234,8 @@ void TreatWorkspace::refresh() {
       scene.setLive(false);
     }
     scene.setOnTarget(read_out.level == Level::good);
-    scene.setBanner(was_started && read_out.level == Level::lost ? read_out.instruction.toStdString()
-                                                                 : std::string());
+    const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
+    scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
     was_started ? scene_->refreshMoving() : scene_->refresh();
     const auto overlay = presenter_.overlay(*state);
     left_->set(toQImage(overlay.left));

@@ -27,7 +27,8 @@ ArchivePage::ArchivePage(ArchivePresenter& presenter, QWidget* parent)
   auto* column = new QVBoxLayout;
   column->addWidget(makeQuery());
   table_->setHorizontalHeaderLabels(
-      {tr("date"), tr("kind"), tr("study"), tr("series"), tr("images"), tr("patient")});
+      {tr("Date"), tr("Kind"), tr("Study"), tr("Series"), tr("Images"), tr("Patient")});
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -92,6 +92,15 @@ void SignOffPage::fillItems() {
   }
   note_->clear();
   is_filling_ = false;
+  showTicks();
+}
+
+/// A sign-off that holds acknowledged them all.
+void SignOffPage::showTicks() {
+  if (!presenter_.holds()) return;
+  is_filling_ = true;
+  for (int i = 0; i < items_->count(); ++i) items_->item(i)->setCheckState(Qt::Checked);
+  is_filling_ = false;
 }
 
 void SignOffPage::showState() {
@@ -105,6 +114,7 @@ void SignOffPage::showState() {
   for (const auto& line : presenter_.volumes())
     words << (line.is_normal ? tr("\u2713  ") : tr("!  ")) + line.words;
   volumes_->setText(words.join('\n'));
+  showTicks();
   items_->setEnabled(!presenter_.holds());
   sign_->setEnabled(presenter_.canSign());
   missing_->setText(presenter_.holds() ? QString() : presenter_.whatIsMissing());

@@ -29,6 +29,7 @@ class SignOffPage : public QWidget {
  private:
   QWidget* makePanel();
   void fillItems();
+  void showTicks();
   void showState();
 
   SignOffPresenter& presenter_;
