@@ -48,6 +48,17 @@ TEST(Accuracy, AlignmentHeadAndCoilStayWithinTheGoals) {
   expectWithin(table.figure("", "coil_wrong_as_tracked"), 0, "wrong coil poses shown as tracked");
 }
 
+TEST(Accuracy, AFaceThatWearsAMaskIsAligned) {
+  FACENAV_NEEDS(virtualPatientMri());
+  const TemporaryFolder folder;
+  const auto table = evaluated("--scenario mask --seeds 1 --first-seed 31 --captures 0 --frames 8", folder);
+  EXPECT_THAT(table.failures(), IsEmpty());
+  expectWithin(table.figure("mask", "alignment_target_mm"), 1.0, "alignment at the target");
+  expectWithin(table.figure("mask", "alignment_deg"), 0.5, "alignment, rotation");
+  expectWithin(table.figure("mask", "motion_p95_mm"), 1.0, "motion since");
+  expectWithin(table.figure("mask", "head_wrong_as_tracked"), 0, "wrong head poses shown as tracked");
+}
+
 TEST(Accuracy, NobodyElseIsTrackedAndThePatientIsFoundAgain) {
   FACENAV_NEEDS(virtualPatientMri());
   const TemporaryFolder folder;

@@ -103,9 +103,22 @@ struct StereoView {
   double hairline_mm = 85;                        // above the nose tip; 1e9: bald
   double hair_mm = 3.5;
   bool has_hand = false;  // over one side of the face, 15-40 mm before it
+  bool has_mask = false;  // cloth from the bridge of the nose to the chin, taut over nose and chin
   double reach_mm = 135;  // of the measured region about the nose bridge
   std::uint32_t seed = 1;
 };
+
+/// Under the cloth of a face mask. `d`: from the nose tip, mm.
+inline bool isMasked(const Eigen::Vector3d& d) {
+  return std::abs(d.x()) < 60 && d.z() < 14 - 0.3 * std::abs(d.x());
+}
+
+/// How far forward of the nose tip the cloth lies there: 2 mm off the skin, spanning what lies far behind a
+/// bulge from nose to chin.
+inline double clothForward_mm(const Eigen::Vector3d& d) {
+  const double bulge = -8.0 - d.x() * d.x() / 55 - std::pow(d.z() + 8, 2) / 140;
+  return d.y() + 1.6 + std::clamp(bulge - d.y(), 0.0, 3.0);
+}
 
 /// What the cameras at Camera's origin (and 120 mm beside it) measure of `live`.
 inline PointCloud<Camera> measureSkin(const registration::SkinModel& live, const Eigen::Vector3d& nose_tip_mm,
@@ -155,6 +168,7 @@ inline PointCloud<Camera> measureSkin(const registration::SkinModel& live, const
            outward;
     if (view.has_hand && hand_side * d.x() > 10 && d.z() < 40)
       p += (15 + 25 * locks.at(p) * locks.at(p)) * (eye - p).normalized();
+    if (view.has_mask && isMasked(d)) p.y() = nose_tip_mm.y() + clothForward_mm(d);
     const Eigen::Vector3d ray = (p - eye).normalized();
     p += (view.noise_mm * normal(random) + view.shared_noise_mm * shared.at(p)) * ray;
     cloud.points_mm.push_back(camera_T_mri.isometry() * p);

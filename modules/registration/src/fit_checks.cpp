@@ -11,6 +11,7 @@
 #include "facenav/core/error.h"
 #include "part_fits.h"
 #include "skin_likelihood.h"
+#include "skin_patches.h"
 
 namespace facenav::registration {
 namespace {
@@ -19,6 +20,10 @@ namespace {
 // that fits best still tells; swollen skin lifts the best third, but not the median as far. Measured: right
 // head 0.1-0.35 mm median and 0.6-0.9 close, wrong head 1.3-2.4 mm and 0.2-0.5 close.
 constexpr double kWrongMedian_mm = 0.9, kWrongThird_mm = 0.5, kLeastClose = 0.3;
+// A mask explains half of a face that does not fit, if what is left fits as closely as skin does: bare 0.3 to
+// 1 of the face at 0.05-0.25 mm with the right head, 0 to 0.65 at 0.45-1.1 mm or 0 to 0.25 at any with
+// others.
+constexpr double kLeastBare = 0.25, kMostlyBare = 0.7, kWrongBare_mm = 0.4;
 // Logarithms of odds.
 constexpr double kFarFromMirrored = 30.0;
 constexpr double kMirrored = -5.0, kLeastUnmirrored = 1.0, kRival = 3.0;
@@ -58,10 +63,46 @@ double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
   return std::min(extent.x(), extent.z());
 }
 
+bool isNoFit(const Closeness& c) {
+  return (c.median_mm > kWrongMedian_mm && c.best_third_mm > kWrongThird_mm) ||
+         c.close_fraction < kLeastClose || c.bare_share < kLeastBare ||
+         (c.bare_share < kMostlyBare && c.bare_mm > kWrongBare_mm);
+}
+
+Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+                      const Eigen::Isometry3d& mri_T_camera, const Covers& covers) {
+  const FaceRegions regions(scalp.noseTip_mm());
+  Closeness out;
+  std::vector<double> skin, core, bare;
+  std::vector<Eigen::Vector3f> close_mm;
+  const auto matches = FieldFitter(scalp, face, points).match(mri_T_camera);
+  for (std::size_t p = 0; p < matches.size(); ++p) {
+    const PointMatch& m = matches[p];
+    const double off_mm = double(std::abs(m.residual_mm));
+    if (!m.is_valid || off_mm > 15) continue;
+    ++out.face_points;
+    if (regions.foreignShare(m.at_mri_mm.cast<double>()) > kHairy) continue;
+    skin.push_back(off_mm);
+    if (off_mm < 1.5) close_mm.push_back(m.at_mri_mm);
+    if (off_mm < 6) core.push_back(off_mm);
+    if (!covers.hold(face.points_mm[std::size_t(points[p])])) bare.push_back(off_mm);
+  }
+  const double all = std::max<double>(1.0, double(skin.size()));
+  out.close_fraction = double(close_mm.size()) / all;
+  out.bare_share = double(bare.size()) / all;
+  out.bare_mm = median(bare);
+  out.extent_mm = facialExtent_mm(close_mm);
+  if (core.empty()) return out;
+  std::sort(core.begin(), core.end());
+  out.best_third_mm = core[core.size() / 3];
+  out.median_mm = core[core.size() / 2];
+  return out;
+}
+
 /// How much likelier the skin is than its mirror image. The face is mirrored instead of the skin, which is
 /// the same, and fitted with as much care as the face itself, from three turns near the pose.
-double mirrorLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                     const Eigen::Isometry3d& mri_T_camera) {
+void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
+                     const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
   const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
   PointCloud<Camera> mirrored = pick(face, points);
   for (auto& p : mirrored.points_mm) p = flipped(p);
@@ -86,9 +127,14 @@ double mirrorLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face, co
   }
   const FieldFitter given(scalp, face, points);
   const double here = SkinLikelihood(scalp, face, points)(given.match(mri_T_camera));
-  if (here - most > kFarFromMirrored) return here - most;  // no care gains a mirror image so much
-  best = bestOfParts(scalp, mirrored, all, best).mri_T_camera;
-  return here - std::max(most, logLikelihood(fitter.match(best)));
+  evidence.mirror_log_odds = here - most;
+  if (evidence.mirror_log_odds > kFarFromMirrored) return;  // no care gains a mirror image so much
+  const PartFit closest = fitParts(scalp, mirrored, all, best).front();
+  if (closest.log_likelihood > most) most = closest.log_likelihood, best = closest.mri_T_camera;
+  evidence.mirror_log_odds = here - most;
+  if (evidence.mirror_log_odds > 0) return;
+  const Covers covers(scalp, mirrored, all, best);
+  evidence.does_mirror_fit = !isNoFit(closenessOf(scalp, mirrored, all, best, covers));
 }
 
 /// How much likelier the pose is than the best that the face finds elsewhere.
@@ -106,11 +152,6 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
     most = std::max(most, logLikelihood(everything.match(pose)));
   }
   return logLikelihood(everything.match(mri_T_camera)) - most;
-}
-
-bool isNoFit(const FitEvidence& evidence) {
-  return (evidence.median_mm > kWrongMedian_mm && evidence.best_third_mm > kWrongThird_mm) ||
-         evidence.close_fraction < kLeastClose;
 }
 
 /// The size of the live face over the scan's at which it would fit, and the logarithm of how much likelier;
@@ -140,67 +181,62 @@ double scaleZ(const FitEvidence& evidence) {
   return std::abs(evidence.scale - 1.0) / std::hypot(evidence.scale_sigma, kScannerScale);
 }
 
+std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
+
 std::string percentOf(double scale) { return oneDecimal(100.0 * scale) + " %"; }
+
+[[noreturn]] void refuse(const std::string& why, const std::string& remedy) {
+  throw Error("not aligned: " + why, {}, remedy);
+}
+
+[[noreturn]] void refuseSize(double scale) {
+  refuse(
+      "the face does not fit this MRI: the cameras measure it at " + percentOf(scale) + " of its size there",
+      "check the square size that the cameras were calibrated with, and that this is the patient's own MRI");
+}
 
 }  // namespace
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
-                           const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals) {
+                           const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
+                           const std::vector<Candidate>& rivals) {
   FitEvidence evidence;
   const std::vector<int> near = nearHead(scalp, face, mri_T_camera, 30.0);
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
-  const FaceRegions regions(scalp.noseTip_mm());
-  std::size_t skin_points = 0;
-  std::vector<double> core;
-  std::vector<Eigen::Vector3f> close_mm;
-  for (const PointMatch& m : FieldFitter(scalp, face, head).match(mri_T_camera)) {
-    if (!m.is_valid || std::abs(m.residual_mm) > 15) continue;
-    ++evidence.face_points;
-    if (regions.foreignShare(m.at_mri_mm.cast<double>()) > kHairy) continue;
-    ++skin_points;
-    if (std::abs(m.residual_mm) < 1.5f) close_mm.push_back(m.at_mri_mm);
-    if (std::abs(m.residual_mm) < 6) core.push_back(double(std::abs(m.residual_mm)));
-  }
-  evidence.close_fraction = double(close_mm.size()) / std::max<double>(1.0, double(skin_points));
-  evidence.extent_mm = facialExtent_mm(close_mm);
-  if (!core.empty()) {
-    std::sort(core.begin(), core.end());
-    evidence.best_third_mm = core[core.size() / 3];
-    evidence.median_mm = core[core.size() / 2];
-  }
-  evidence.mirror_log_odds = mirrorLogOdds(scalp, face, sparse, mri_T_camera);
-  if (isNoFit(evidence) || evidence.median_mm > kSuspect_mm)
+  evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
+  compareMirrored(evidence, scalp, face, sparse, mri_T_camera);
+  if (isNoFit(evidence.closeness) || evidence.closeness.bare_mm > kSuspect_mm)
     std::tie(evidence.fitting_scale, evidence.scale_log_odds) =
         fittingScale(scalp, face, sparse, mri_T_camera);
   if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals);
   return evidence;
 }
 
-void requireTrust(const FitEvidence& evidence) {
-  const auto refuse = [](const std::string& why, const std::string& remedy) {
-    throw Error("not aligned: " + why, {}, remedy);
-  };
+void requireLikeness(const FitEvidence& evidence) {
+  const Closeness& closeness = evidence.closeness;
   const bool is_resized = evidence.scale_log_odds > kScaled;  // then little of it lies close
-  if (evidence.face_points < 300 || (evidence.extent_mm < kLeastExtent_mm && !is_resized))
+  if (closeness.face_points < 300 || (closeness.extent_mm < kLeastExtent_mm && !is_resized))
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
-  if (evidence.mirror_log_odds < kMirrored &&
+  if (evidence.mirror_log_odds < kMirrored && evidence.does_mirror_fit &&
       !(is_resized && evidence.scale_log_odds > -evidence.mirror_log_odds))
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
-  const bool is_scaled = scaleZ(evidence) > kRefusedScale_z && std::abs(evidence.scale - 1) > kRefusedScale;
-  if (is_resized || is_scaled)
-    refuse("the face does not fit this MRI: the cameras measure it at " +
-               percentOf(is_resized ? evidence.fitting_scale : evidence.scale) + " of its size there",
-           "check the square size that the cameras were calibrated with, and that this is the patient's own "
-           "MRI");
-  if (isNoFit(evidence))
-    refuse("the face does not fit this MRI (median distance " + oneDecimal(evidence.median_mm) + " mm)",
+  if (is_resized) refuseSize(evidence.fitting_scale);
+  if (isNoFit(closeness))
+    refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
+               " of it lie on the skin, median distance " + oneDecimal(closeness.median_mm) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
   if (evidence.mirror_log_odds < kLeastUnmirrored)
     refuse("the face cannot be told from its mirror image",
            "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
   if (evidence.rival_log_odds < kRival)
     refuse("the pose is ambiguous: the face fits in two places", "show more of the face to both cameras");
+}
+
+void requireTrust(const FitEvidence& evidence) {
+  requireLikeness(evidence);
+  if (scaleZ(evidence) > kRefusedScale_z && std::abs(evidence.scale - 1) > kRefusedScale)
+    refuseSize(evidence.scale);
   if (!(evidence.predicted_error_mm < kLargestError_mm))
     refuse("too little of the face was measured to fix the pose (predicted error " +
                oneDecimal(evidence.predicted_error_mm) + " mm)",
@@ -213,10 +249,13 @@ std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
     cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
                        " of the MRI's size (+/- " + oneDecimal(100 * evidence.scale_sigma) +
                        "): check the square size that they were calibrated with");
-  if (std::max(evidence.median_mm, evidence.misfit_mm) > kLoose_mm)
-    cautions.push_back("the skin fits loosely (by " +
-                       oneDecimal(std::max(evidence.median_mm, evidence.misfit_mm)) +
+  const double loose_mm = std::max(evidence.closeness.bare_mm, evidence.misfit_mm);
+  if (loose_mm > kLoose_mm)
+    cautions.push_back("the skin fits loosely (by " + oneDecimal(loose_mm) +
                        " mm): check that this is the patient's own MRI, and a calm face");
+  if (evidence.closeness.bare_share < kMostlyBare)
+    cautions.push_back(percent(1 - evidence.closeness.bare_share) +
+                       " of the face are covered (a mask, hair, a hand): the rest was aligned");
   return cautions;
 }
 

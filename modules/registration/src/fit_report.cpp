@@ -74,7 +74,7 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 }
 
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, FitEvidence evidence) {
+                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
   result.covariance = inCamera(fit.belief.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
@@ -96,8 +96,8 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   std::size_t offered = 0;
   for (std::size_t p = 0; p < matches.size(); ++p) {
     const double residual = double(matches[p].residual_mm);
-    const bool is_inlier =
-        weights[p] > 0 && matches[p].is_valid && std::abs(nearest[p].residual_mm) < fit.limit_mm;
+    const bool is_inlier = weights[p] > 0 && matches[p].is_valid &&
+                           std::abs(nearest[p].residual_mm) < fit.limit_mm && !covers.hold(face.points_mm[p]);
     offered += nearest[p].is_valid && std::abs(nearest[p].residual_mm) < 15;
     result.is_inlier.push_back(is_inlier);
     result.residual_mm.push_back(residual);

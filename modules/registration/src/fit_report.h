@@ -22,10 +22,10 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
                const Eigen::Isometry3d& pose, double limit_mm);
 
 /// Throws Error("not aligned: ...") when the fit is doubtful. `closest`: the pose before the misfit model,
-/// where the skins lie closest; the model may hold that one lies outside the other all over. `evidence`: as
-/// gathered at `closest`.
+/// where the skins lie closest; the model may hold that one lies outside the other all over. `covers`,
+/// `evidence`: as found there.
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, FitEvidence evidence);
+                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence);
 
 /// The first reason not to try at all: no skin, a defaced scan, hardly any points. Throws Error("not aligned:
 /// ...").

@@ -88,9 +88,11 @@ class IcpAligner : public Aligner {
     best = iterate(scalp, face, thinOut(face, head, 3.0, 5000), best.mri_T_camera, kKept,
                    400);  // it slides slowly
     const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);
-    const auto fit = judge(scalp, face, head, best.mri_T_camera, inlierLimit_mm(matches, 3.0));
-    return report(scalp, face, fit, best.mri_T_camera,
-                  gatherEvidence(scalp, face, best.mri_T_camera, starts));
+    const Covers covers(scalp, face, head, best.mri_T_camera);
+    const auto fit =
+        judge(scalp, face, covers.bare(face, head), best.mri_T_camera, inlierLimit_mm(matches, 3.0));
+    return report(scalp, face, fit, best.mri_T_camera, covers,
+                  gatherEvidence(scalp, face, best.mri_T_camera, covers, starts));
   }
 
  private:

@@ -12,15 +12,14 @@ namespace {
 struct Part {
   double left, right, below, above;
 };
-constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6}, {0, 1, 0, 0.45},
-                           {0, 1, 0.3, 1}, {0, 0.5, 0, 1}, {0.5, 1, 0, 1}, {0.15, 0.85, 0, 0.7}};
+constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6},      {0, 1, 0, 0.45},
+                           {0, 1, 0.3, 1}, {0, 1, 0.5, 1}, {0, 1, 0.6, 0.95},   {0, 1, 0.7, 1},
+                           {0, 0.5, 0, 1}, {0.5, 1, 0, 1}, {0.15, 0.85, 0, 0.7}};
 
-/// Patches of 25 mm are less independent than the likelihood takes them to be.
-constexpr double kTemper = 2.0;
 constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
 constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncertain by
 constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
-constexpr double kLeastWeight = 0.02;  // what is less likely by more lies outside a 95 % bound
+constexpr double kRuledOut = 8.0;  // logarithm of odds
 
 float quantile(std::vector<float> values, double fraction) {
   const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
@@ -45,21 +44,17 @@ std::vector<float> weightsOf(const Part& part, const std::vector<PointMatch>& ma
 
 }  // namespace
 
-PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                    const Eigen::Isometry3d& mri_T_camera) {
-  struct Pose {
-    Eigen::Isometry3d mri_T_camera;
-    double log_likelihood;
-  };
+std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>& face,
+                              const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
   const FieldFitter all(scalp, face, points);
   const SkinLikelihood logLikelihood(scalp, face, points);
   const auto matches = all.match(mri_T_camera);
-  std::vector<Pose> poses;
+  std::vector<PartFit> poses;
   // Where several lead to the same place, one of them is followed to its end.
-  const auto closeIn = [&](std::vector<Pose>& some) {
-    std::vector<Pose> ended;
+  const auto closeIn = [&](std::vector<PartFit>& some) {
+    std::vector<PartFit> ended;
     std::vector<Eigen::Isometry3d> begun;
-    for (const Pose& pose : some) {
+    for (const PartFit& pose : some) {
       const bool is_new = std::all_of(begun.begin(), begun.end(), [&](const Eigen::Isometry3d& b) {
         return areDistinct(b, pose.mri_T_camera, scalp.middle_mm(), kSame_rad, kSame_mm);
       });
@@ -84,13 +79,13 @@ PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, con
     poses.push_back({pose, 0});
   }
   closeIn(poses);
-  const auto likeliest_first = [](const Pose& a, const Pose& b) {
+  const auto likeliest_first = [](const PartFit& a, const PartFit& b) {
     return a.log_likelihood > b.log_likelihood;
   };
   std::sort(poses.begin(), poses.end(), likeliest_first);
   // On a forehead alone every part may lead to a neighbour of the best pose.
   const Eigen::Isometry3d centre = poses.front().mri_T_camera;
-  std::vector<Pose> around;
+  std::vector<PartFit> around;
   for (int axis = 0; axis < 6; ++axis)
     for (const double side : {-1.0, 1.0}) {
       Vector6d off = Vector6d::Zero();
@@ -102,24 +97,15 @@ PartFit bestOfParts(const ScalpField& scalp, const PointCloud<Camera>& face, con
   closeIn(around);
   poses.insert(poses.end(), around.begin(), around.end());
   std::sort(poses.begin(), poses.end(), likeliest_first);
-  PartFit fit{poses.front().mri_T_camera};
-  std::vector<Eigen::Isometry3d> seen{fit.mri_T_camera};
-  double total = 1;
-  for (const Pose& pose : poses) {
-    const bool is_new = std::all_of(seen.begin(), seen.end(), [&](const Eigen::Isometry3d& s) {
-      return areDistinct(s, pose.mri_T_camera, scalp.middle_mm(), 0.005, 0.5);
+  std::vector<PartFit> left;
+  for (const PartFit& pose : poses) {
+    if (pose.log_likelihood < poses.front().log_likelihood - kRuledOut) break;
+    const bool is_new = std::all_of(left.begin(), left.end(), [&](const PartFit& l) {
+      return areDistinct(l.mri_T_camera, pose.mri_T_camera, scalp.middle_mm(), kSame_rad, kSame_mm);
     });
-    const double weight = std::exp((pose.log_likelihood - poses.front().log_likelihood) / kTemper);
-    if (!is_new || weight < kLeastWeight) continue;
-    seen.push_back(pose.mri_T_camera);
-    const Eigen::Isometry3d apart = pose.mri_T_camera * fit.mri_T_camera.inverse();
-    Vector6d d;
-    d << logRotation(apart.linear()), apart * scalp.middle_mm() - scalp.middle_mm();
-    fit.doubt += weight * d * d.transpose();
-    total += weight;
+    if (is_new) left.push_back(pose);
   }
-  fit.doubt /= total;
-  return fit;
+  return left;
 }
 
 }  // namespace facenav::registration

@@ -13,6 +13,10 @@ namespace {
 constexpr float kOutside = 0.67f;           // foreign things lie outside the skin: let go there first
 constexpr std::size_t kMostPoints = 10000;  // more add nothing: neighbours share their error
 constexpr double kHairPatch_mm = 10.0;
+// Patches are less independent than the likelihood takes them to be.
+constexpr double kTemper = 2.0;
+constexpr double kLeastWeight = 0.02;  // what is less likely by more lies outside a 95 % bound
+constexpr double kSame_rad = 0.005, kSame_mm = 0.5;
 
 }  // namespace
 
@@ -46,21 +50,60 @@ double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
   return std::clamp(4.0 * 1.4826 * median(sizes), 0.6, 3.0);
 }
 
+namespace {
+
+/// Closer, with weights anew, from within a millimetre or two.
+void closeIn(FieldFitter& fitter, Eigen::Isometry3d& mri_T_camera, float& limit_mm) {
+  const auto matches = fitter.match(mri_T_camera);
+  fitter.setWeights(patchWeights(matches, 4.0));
+  limit_mm = std::min(1.5f, float(inlierLimit_mm(matches, double(limit_mm))));
+  mri_T_camera = fitter.fit(mri_T_camera, {limit_mm, kOutside * limit_mm, 3, true});
+}
+
+/// Of `others` that still lead elsewhere when all points are fitted from there, by how likely they are.
+Matrix6d doubtOf(const std::vector<PartFit>& others, const Eigen::Isometry3d& mri_T_camera,
+                 FieldFitter& fitter, const Eigen::Vector3d& middle) {
+  std::vector<Eigen::Isometry3d> seen{mri_T_camera};
+  Matrix6d sum = Matrix6d::Zero();
+  double total = 1;
+  for (std::size_t o = 1; o < others.size(); ++o) {
+    Eigen::Isometry3d pose = others[o].mri_T_camera;
+    const double weight = std::exp((others[o].log_likelihood - others.front().log_likelihood) / kTemper);
+    const auto is_new = [&] {
+      return std::all_of(seen.begin(), seen.end(), [&](const Eigen::Isometry3d& s) {
+        return areDistinct(s, pose, middle, kSame_rad, kSame_mm);
+      });
+    };
+    if (weight < kLeastWeight || !is_new()) continue;
+    float limit_mm = 2.0f;
+    closeIn(fitter, pose, limit_mm);
+    if (!is_new()) continue;
+    seen.push_back(pose);
+    const Eigen::Isometry3d apart = pose * mri_T_camera.inverse();
+    Vector6d d;
+    d << logRotation(apart.linear()), apart * middle - middle;
+    sum += weight * d * d.transpose();
+    total += weight;
+  }
+  return sum / total;
+}
+
+}  // namespace
+
 RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
                   const Eigen::Isometry3d& mri_T_camera) {
-  RobustFit fit{mri_T_camera};
+  RobustFit fit;
+  fit.mri_T_camera = mri_T_camera;
   fit.points = thinOut(face, nearHead(scalp, face, mri_T_camera, 20.0), 1.0, kMostPoints);
-  const PartFit parts = bestOfParts(scalp, face, thinOut(face, fit.points, 6.0, 1000), mri_T_camera);
-  fit.mri_T_camera = parts.mri_T_camera;
-  fit.doubt = parts.doubt;
+  const auto parts = fitParts(scalp, face, thinOut(face, fit.points, 6.0, 1000), mri_T_camera);
+  fit.mri_T_camera = parts.front().mri_T_camera;
+  fit.covers = Covers(scalp, face, fit.points, fit.mri_T_camera);
+  fit.points = fit.covers.bare(face, fit.points);
   FieldFitter sparse(scalp, face, thinOut(face, fit.points, 3.0, 4000)), all(scalp, face, fit.points);
   float limit_mm = 2.0f;
-  for (FieldFitter* fitter : {&sparse, &all}) {
-    const auto matches = fitter->match(fit.mri_T_camera);
-    fitter->setWeights(patchWeights(matches, 4.0));
-    limit_mm = std::min(1.5f, float(inlierLimit_mm(matches, double(limit_mm))));
-    fit.mri_T_camera = fitter->fit(fit.mri_T_camera, {limit_mm, kOutside * limit_mm, 3, true});
-  }
+  closeIn(sparse, fit.mri_T_camera, limit_mm);
+  fit.doubt = doubtOf(parts, fit.mri_T_camera, sparse, scalp.middle_mm());
+  closeIn(all, fit.mri_T_camera, limit_mm);
   fit.limit_mm = double(limit_mm);
   return fit;
 }

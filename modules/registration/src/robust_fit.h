@@ -2,6 +2,7 @@
 // The robust fit: from a start, known or searched for, to the pose that most of the face fits closely. What
 // the misfit model then corrects and judges.
 
+#include "bare_skin.h"
 #include "part_fits.h"
 #include "start_search.h"
 
@@ -9,9 +10,12 @@ namespace facenav::registration {
 
 struct RobustFit {
   Eigen::Isometry3d mri_T_camera;
-  double limit_mm = 1.5;              // residuals beyond are no skin
-  std::vector<int> points = {};       // of the cloud: what lies near the head, at most 10 000
-  Matrix6d doubt = Matrix6d::Zero();  // see PartFit
+  double limit_mm = 1.5;         // residuals beyond are no skin
+  std::vector<int> points = {};  // of the cloud: what lies near the head, bare, at most 10 000
+  Covers covers;
+  // Mean square of (turn rad, shift mm) about the scalp's middle to other poses that parts of the face lead
+  // to and that the face does not rule out; zero when all parts agree.
+  Matrix6d doubt = Matrix6d::Zero();
 };
 
 /// From within a few mm of the skin: parts first (hair, hands), then all points on the fine field.

@@ -1,7 +1,6 @@
 #include "skin_likelihood.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -10,60 +9,221 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kPatch_mm = 25.0;
-// Sizes that misfit may have, and their weights: log-normal about 0.35 mm, a factor of e^0.8 one sigma.
-constexpr std::array<double, 4> kSigma_mm{0.2, 0.4, 0.8, 1.6}, kWeight{0.31, 0.39, 0.23, 0.07};
+// Sizes that misfit may have: log-normal about 0.35 mm, a factor of e^0.8 one sigma; and detail of the skin
+// (noise of the cloud, the scan's voxels, stubble) and of what covers it (cloth, hair).
+constexpr std::array<double, 5> kSize_mm{0.1, 0.2, 0.4, 0.8, 1.6}, kSizeShare{0.10, 0.28, 0.35, 0.21, 0.06};
+constexpr std::array<double, 4> kDetail_mm{0.1, 0.2, 0.4, 0.8}, kDetailShare{0.25, 0.35, 0.3, 0.1};
+constexpr std::array<double, 3> kCoverDetail_mm{0.3, 1.0, 3.0};
+// Independent values of detail in a patch that is seen in full. The matcher's window leaves some 20; what
+// neighbouring patches share of it is not modelled.
+constexpr double kGrains = 5.0;
 constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // hair lies anywhere up to there; hands, coils
 constexpr double kBehind = 0.15, kBehind_mm = 3.0;  // eyes, gross errors: nothing else lies behind the skin
 constexpr double kNowhere_per_mm = 0.03;            // no counterpart: it says next to nothing
 constexpr double kLeastOutside = 0.3;
-
-double foreignDensity(double residual_mm) {
-  if (residual_mm <= 0) return kBehind / kBehind_mm * std::exp(residual_mm / kBehind_mm);
-  constexpr double kArea = 0.9064;  // of exp(-x^4) from 0 on
-  return 0.65 / (kArea * kHair_mm) * std::exp(-std::pow(residual_mm / kHair_mm, 4)) +
-         0.2 / kForeignFar_mm * std::exp(-residual_mm / kForeignFar_mm);
-}
+constexpr double kGross = 0.05, kGross_per_mm = 0.05;  // points that do not go with their patch
+// The cost of a rim, for each pair of neighbours that differ, and of being covered where skin is bare as a
+// rule, logarithms of odds: a mask over half a face costs 8 in all.
+constexpr double kRim = 0.3, kBare = -0.15, kHairy = 0.06;
 
 double skinDensity(double residual_mm, double sigma_mm) {
   const double u = residual_mm / sigma_mm;
   return std::exp(-0.5 * u * u) / (sigma_mm * std::sqrt(2 * M_PI));
 }
 
+double coverDensity(double residual_mm) {
+  if (residual_mm <= 0) return kBehind / kBehind_mm * std::exp(residual_mm / kBehind_mm);
+  constexpr double kArea = 0.9064;  // of exp(-x^4) from 0 on
+  // A hand or a coil before the face is rare, but no reason to look for the head elsewhere.
+  return std::max(kLeastOutside * kNowhere_per_mm,
+                  0.65 / (kArea * kHair_mm) * std::exp(-std::pow(residual_mm / kHair_mm, 4)) +
+                      0.2 / kForeignFar_mm * std::exp(-residual_mm / kForeignFar_mm));
+}
+
+double logSum(const double* values, std::size_t count) {
+  const double most = *std::max_element(values, values + count);
+  double sum = 0;
+  for (std::size_t v = 0; v < count; ++v) sum += std::exp(values[v] - most);
+  return most + std::log(sum);
+}
+
+double entropy(double q) {
+  const auto part = [](double p) { return p > 1e-12 ? -p * std::log(p) : 0.0; };
+  return part(q) + part(1 - q);
+}
+
+/// Logarithm of how likely the residuals are to scatter so about `middle_mm`, against "nowhere".
+double logDetail(const std::vector<float>& residuals_mm, double middle_mm, double detail_mm, double grains) {
+  double sum = 0;
+  for (const float r : residuals_mm)
+    sum += std::log((1 - kGross) * skinDensity(double(r) - middle_mm, detail_mm) + kGross * kGross_per_mm);
+  return grains * (sum / double(residuals_mm.size()) - std::log(kNowhere_per_mm));
+}
+
 }  // namespace
 
+/// What its points say of a patch: log likelihoods if it is bare, by detail and size, or covered.
+struct SkinLikelihood::Patch {
+  std::array<std::array<double, kSizes>, kDetails> bare{};
+  double covered = 0.0;
+  double prior = kBare;  // log odds of being covered
+};
+
+struct SkinLikelihood::Labels {
+  double log_evidence = 0.0;
+  std::vector<double> covered;  // probability of each patch
+};
+
 SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face,
-                               const std::vector<int>& points)
+                               const std::vector<int>& points, double patch_mm)
     : regions_(scalp.noseTip_mm()) {
-  std::unordered_map<long long, int> counts;
-  const auto patchOf = [&](int p) { return cubeOf(face.points_mm[std::size_t(p)].cast<float>(), kPatch_mm); };
-  for (const int p : points) ++counts[patchOf(p)];
-  std::vector<double> sizes;
-  for (const auto& patch : counts) sizes.push_back(patch.second);
-  const double full = median(sizes);
-  for (const int p : points) weights_.push_back(float(1.0 / std::max<double>(full, counts[patchOf(p)])));
+  std::unordered_map<long long, int> numbers;
+  std::vector<Eigen::Vector3i> cubes;
+  std::vector<double> counts;
+  for (const int p : points) {
+    const Eigen::Vector3f at = face.points_mm[std::size_t(p)].cast<float>();
+    const auto [entry, is_new] = numbers.try_emplace(cubeOf(at, patch_mm), int(cubes.size()));
+    if (is_new) cubes.push_back((at / float(patch_mm)).array().floor().cast<int>()), counts.push_back(0);
+    patch_of_.push_back(entry->second);
+    ++counts[std::size_t(entry->second)];
+  }
+  full_ = median(counts);
+  neighbours_.resize(cubes.size());
+  for (std::size_t a = 0; a < cubes.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if ((cubes[a] - cubes[b]).cwiseAbs().maxCoeff() == 1)
+        neighbours_[a].push_back(int(b)), neighbours_[b].push_back(int(a));
+}
+
+std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<PointMatch>& matches) const {
+  std::vector<Patch> patches(neighbours_.size());
+  std::vector<std::vector<float>> residuals(patches.size());
+  std::vector<Eigen::Vector3f> sums(patches.size(), Eigen::Vector3f::Zero());
+  for (std::size_t p = 0; p < matches.size(); ++p) {
+    if (!matches[p].is_valid) continue;
+    residuals[std::size_t(patch_of_[p])].push_back(matches[p].residual_mm);
+    sums[std::size_t(patch_of_[p])] += matches[p].at_mri_mm;
+  }
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (residuals[i].empty()) continue;
+    Patch& patch = patches[i];
+    const double n = double(residuals[i].size());
+    const Eigen::Vector3d at = sums[i].cast<double>() / n;
+    const double foreign = regions_.foreignShare(at);
+    if (foreign > kHairy) patch.prior = std::max(kBare, std::log(foreign / (1 - foreign)));
+    // One head of hair is one thing: where it is likely, points say less than their number.
+    const double share = std::min(1.0, n / full_) * (1 - foreign), grains = kGrains * share;
+    auto middle = residuals[i].begin() + std::ptrdiff_t(residuals[i].size() / 2);
+    std::nth_element(residuals[i].begin(), middle, residuals[i].end());
+    const double m = double(*middle);
+    for (std::size_t d = 0; d < kDetails; ++d) {
+      const double detail = logDetail(residuals[i], m, kDetail_mm[d], grains);
+      const double mean2 = kDetail_mm[d] * kDetail_mm[d] / std::max(grains, 1.0);
+      for (std::size_t s = 0; s < kSizes; ++s) {
+        const double size2 = kSize_mm[s] * kSize_mm[s] + mean2;
+        patch.bare[d][s] = detail + share * 0.5 * (std::log(mean2 / size2) - m * m / size2);
+      }
+    }
+    patch.covered = -1e300;
+    for (const double detail_mm : kCoverDetail_mm) {
+      const double mean_mm = detail_mm * std::sqrt(2 * M_PI / std::max(grains, 1.0));
+      patch.covered = std::max(patch.covered, logDetail(residuals[i], m, detail_mm, grains) +
+                                                  share * std::log(mean_mm * coverDensity(m)));
+    }
+  }
+  return patches;
+}
+
+double SkinLikelihood::pull(const std::vector<double>& covered, std::size_t patch) const {
+  double sum = 0;
+  for (const int j : neighbours_[patch]) sum += kRim * (2 * covered[std::size_t(j)] - 1);
+  return sum;
+}
+
+/// What labels alone contribute to the bound of the evidence.
+double SkinLikelihood::energy(const std::vector<double>& covered, const std::vector<Patch>& patches) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    const double q = covered[i];
+    // Each pair is met twice; pull() is its agreement less its disagreement.
+    sum += q * patches[i].prior + entropy(q) + 0.5 * (q - 0.5) * pull(covered, i);
+  }
+  return sum;
+}
+
+/// Mean field over labels and sizes, at one detail.
+SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, std::size_t detail,
+                                             bool is_first_bare) const {
+  constexpr int kMostSweeps = 20;
+  constexpr double kSettled = 0.02;
+  constexpr std::size_t kFirstSize = 1;
+  Labels labels{-1e300, std::vector<double>(patches.size(), 0.0)};
+  std::array<double, kSizes> share{};
+  share[kFirstSize] = 1;
+  const auto bareOf = [&](const Patch& patch) {
+    double sum = 0;
+    for (std::size_t s = 0; s < kSizes; ++s) sum += share[s] * patch.bare[detail][s];
+    return sum;
+  };
+  if (!is_first_bare)
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      labels.covered[i] = patches[i].covered > bareOf(patches[i]) ? 1.0 : 0.0;
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    std::array<double, kSizes> logs{};
+    double by_labels = energy(labels.covered, patches);
+    for (std::size_t s = 0; s < kSizes; ++s) logs[s] = std::log(kSizeShare[s]);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      for (std::size_t s = 0; s < kSizes; ++s)
+        logs[s] += (1 - labels.covered[i]) * patches[i].bare[detail][s];
+      by_labels += labels.covered[i] * patches[i].covered;
+    }
+    const double by_sizes = logSum(logs.data(), kSizes), now = by_labels + by_sizes;
+    const bool is_settled = now < labels.log_evidence + kSettled;
+    labels.log_evidence = std::max(now, labels.log_evidence);
+    if (is_settled) break;
+    for (std::size_t s = 0; s < kSizes; ++s) share[s] = std::exp(logs[s] - by_sizes);
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      labels.covered[i] = 1 / (1 + std::exp(bareOf(patches[i]) - patches[i].covered - patches[i].prior -
+                                            pull(labels.covered, i)));
+  }
+  return labels;
+}
+
+/// Of the labels before anything is seen: their normalisation.
+SkinLikelihood::Labels SkinLikelihood::unlabelled(const std::vector<Patch>& patches) const {
+  std::vector<Patch> blank(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) blank[i].prior = patches[i].prior;
+  return label(blank, 0, true);
+}
+
+template <class Visitor>
+double SkinLikelihood::sumOut(const std::vector<Patch>& patches, Visitor&& visit) const {
+  std::array<double, kDetails> logs{};
+  std::array<Labels, kDetails> all;
+  for (std::size_t d = 0; d < kDetails; ++d) {
+    all[d] = label(patches, d, false);
+    Labels other = label(patches, d, true);
+    if (other.log_evidence > all[d].log_evidence) all[d] = std::move(other);
+    logs[d] = std::log(kDetailShare[d]) + all[d].log_evidence;
+  }
+  const double sum = logSum(logs.data(), kDetails);
+  for (std::size_t d = 0; d < kDetails; ++d) visit(std::exp(logs[d] - sum), all[d].covered);
+  return sum;
 }
 
 double SkinLikelihood::operator()(const std::vector<PointMatch>& matches) const {
-  std::array<double, kSigma_mm.size()> sums{};
-  for (std::size_t p = 0; p < matches.size(); ++p) {
-    const PointMatch& match = matches[p];
-    const double residual_mm = double(match.residual_mm);
-    const double foreign = regions_.foreignShare(match.at_mri_mm.cast<double>());
-    if (!match.is_valid) continue;
-    // A hand or a coil before the face is rare, but no reason to look for the head elsewhere.
-    const double other = std::max(foreign * foreignDensity(residual_mm),
-                                  residual_mm > 0 ? kLeastOutside * kNowhere_per_mm : 0.0);
-    // One head of hair is one thing: where it is likely, points say less than their number.
-    const double weight = double(weights_[p]) * (1 - foreign);
-    for (std::size_t s = 0; s < sums.size(); ++s)
-      sums[s] += weight *
-                 std::log(((1 - foreign) * skinDensity(residual_mm, kSigma_mm[s]) + other) / kNowhere_per_mm);
-  }
-  const double best = *std::max_element(sums.begin(), sums.end());
-  double total = 0;
-  for (std::size_t s = 0; s < sums.size(); ++s) total += kWeight[s] * std::exp(sums[s] - best);
-  return best + std::log(total);
+  const auto patches = gather(matches);
+  return sumOut(patches, [](double, const std::vector<double>&) {}) - unlabelled(patches).log_evidence;
+}
+
+std::vector<float> SkinLikelihood::covered(const std::vector<PointMatch>& matches) const {
+  std::vector<double> sum(neighbours_.size(), 0.0);
+  sumOut(gather(matches), [&](double share, const std::vector<double>& covered) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * covered[i];
+  });
+  std::vector<float> out;
+  for (const int patch : patch_of_) out.push_back(float(sum[std::size_t(patch)]));
+  return out;
 }
 
 }  // namespace facenav::registration

@@ -11,12 +11,19 @@ namespace {
 AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
                          const std::vector<Candidate>& rivals, TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
-  auto evidence = std::async(std::launch::async,
-                             [&] { return gatherEvidence(scalp, face, robust.mri_T_camera, rivals); });
-  FinalFit fit = correct(scalp, face, robust.points, robust.mri_T_camera, robust.limit_mm);
-  fit.belief.covariance += robust.doubt;
+  auto gathering = std::async(std::launch::async, [&] {
+    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals);
+  });
+  std::optional<FinalFit> fit;
+  try {
+    fit = correct(scalp, face, robust.points, robust.mri_T_camera, robust.limit_mm);
+  } catch (const Error&) {
+    requireLikeness(gathering.get());  // a stranger's skin has little that fits: then that is the reason
+    throw;
+  }
+  fit->belief.covariance += robust.doubt;
   monitor.report("checking the fit", 0.9);
-  return report(scalp, face, fit, robust.mri_T_camera, evidence.get());
+  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get());
 }
 
 AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,

@@ -105,6 +105,35 @@ TEST(PredictedError, HairOverHalfOfWhatTheScanHasDoesNotPull) {
   EXPECT_GE(aligned, 2) << "of 3";
 }
 
+TEST(PredictedError, AMaskOverHalfOfTheFaceDoesNotPull) {
+  // All of mask and brow can be fitted loosely by a head that nods; the bare skin closely by the right pose.
+  const Eigen::Vector3d nose = fixture().scalp.noseTip_mm();
+  for (const std::uint32_t seed : {491u, 492u}) {
+    const auto truth = facing(12.0 * std::sin(seed), 5.0 * std::cos(seed), 3, {0, 0, 10});
+    StereoView view;
+    view.seed = seed;
+    view.has_mask = true;
+    const auto face = measureSkin(liveSkin(fixture().skin, nose, Misfit::none, seed), nose, truth, view);
+    TaskMonitor monitor;
+    const auto result = makeSurfaceAligner()->align(fixture().scalp, face, {}, monitor);
+    const auto error = poseError(result.camera_T_mri, truth, kTarget);
+    EXPECT_LT(error.at_point_mm, 1.0) << seed;
+    EXPECT_LT(error.rotation_rad, 0.5 * M_PI / 180) << seed;
+    EXPECT_LT(error.at_point_mm, result.errorBound_mm(kTarget)) << seed;
+    EXPECT_LT(result.errorBound_mm(kTarget), 2.5) << "no use if it says too much";
+    int cloth = 0, inliers_on_cloth = 0;
+    for (std::size_t p = 0; p < face.size(); ++p) {
+      const Eigen::Vector3d d = (truth.inverse() * Point<Camera>(face.points_mm[p])).mm - nose;
+      if (!facenav::testing::isMasked(d)) continue;
+      ++cloth;
+      inliers_on_cloth += result.is_inlier[p];
+    }
+    EXPECT_LT(inliers_on_cloth, 0.03 * cloth);
+    ASSERT_FALSE(result.cautions.empty());
+    EXPECT_NE(result.cautions.front().find("covered"), std::string::npos) << result.cautions.front();
+  }
+}
+
 TEST(PredictedError, GrowsWithTheMisfit) {
   const auto& nose = fixture().scalp.noseTip_mm();
   const double small_mm =

@@ -1,0 +1,30 @@
+#pragma once
+// Which points of the cloud lie on bare skin, once the pose is roughly known: hair, a mask, a hand and what
+// else covers the face is left out of the fit as whole patches.
+
+#include <Eigen/Geometry>
+#include <unordered_set>
+#include <vector>
+
+#include "facenav/geometry/point.h"
+#include "facenav/registration/scalp_field.h"
+
+namespace facenav::registration {
+
+/// The patches of the cloud that something covers.
+class Covers {
+ public:
+  Covers() = default;
+  /// As `points` show at a pose that is off by no more than a millimetre or two.
+  Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+         const Eigen::Isometry3d& mri_T_camera);
+
+  bool hold(const Eigen::Vector3d& p_camera_mm) const;
+  /// Those of `points` that lie elsewhere.
+  std::vector<int> bare(const PointCloud<Camera>& face, const std::vector<int>& points) const;
+
+ private:
+  std::unordered_set<long long> cubes_;
+};
+
+}  // namespace facenav::registration
