@@ -64,6 +64,8 @@ void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
   surface::writeBrain(brain, vtp, texture);
   makePrivate(vtp);
   makePrivate(texture);
+  std::error_code absent;  // it shows the mask of before
+  fs::remove(store.folder() / "surface_distance.png", absent);
   const fs::path folded = store.folder() / "cortex.vtp";
   if (!cortex) {
     fs::remove(folded);

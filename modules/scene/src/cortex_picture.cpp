@@ -21,7 +21,7 @@ CortexPicture makeCortexPicture(const volume::Volume& mri, const volume::Mask& b
   surface::PeelTexture peel(mri, brain, cortex.mesh);
   monitor.report("sampling below the surface", 1.0);
   const auto distance = surface::summarise(cortex.distance_mm);
-  const double full_mm = std::max(kLeastScale_mm, std::ceil(distance.p95_mm));
+  const double full_mm = distanceScale_mm(distance);
   auto coarse_distance_mm = valuesAtNearest(cortex.mesh, cortex.distance_mm, coarse_mesh);
   return {std::move(cortex),
           std::move(peel),
@@ -30,6 +30,10 @@ CortexPicture makeCortexPicture(const volume::Volume& mri, const volume::Mask& b
           std::move(coarse_distance_mm),
           distance,
           full_mm};
+}
+
+double distanceScale_mm(const surface::SurfaceDistance& distance) {
+  return std::max(kLeastScale_mm, std::ceil(distance.p95_mm));
 }
 
 palette::Rgb distanceColour(double signed_mm, double full_mm) {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "facenav/volume/mask_morphology.h"
-#include "facenav/volume/smoothing.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -13,35 +12,38 @@ using volume::Mask;
 using volume::Volume;
 
 /// The connected body of white matter: what the neck's muscles, which look like grey matter, do not have.
-Mask whiteCore(const Volume& flat, const Mask& first, const TissueModel& tissue, double tear_mm) {
+Mask whiteCore(const Volume& calm, const Mask& first, const TissueModel& tissue, double tear_mm) {
   const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
   const float high =
       float(tissue.white.mean + std::max(3 * tissue.white.deviation, 0.15 * tissue.white.mean));
-  const Volume smooth = smoothed(flat);
   Mask white = first;
   for (std::size_t v = 0; v < white.voxels.size(); ++v)
-    white.voxels[v] &= smooth.voxels[v] > low && smooth.voxels[v] < high;
+    white.voxels[v] &= calm.voxels[v] > low && calm.voxels[v] < high;
   return largestPart(erode(white, tear_mm));
 }
 
 }  // namespace
 
-Refinement::Refinement(const Volume& flat, const Mask& first, const TissueModel& tissue, float open_fluid)
-    : flat_(flat), tissue_(tissue), open_fluid_(open_fluid) {
+Refinement::Refinement(const Volume& flat, const Volume& calm, const Mask& first, const TissueModel& tissue,
+                       float open_fluid)
+    : flat_(flat), calm_(calm), tissue_(tissue), open_fluid_(open_fluid) {
   const RefinementOptions reach;
   region_ = intersection(dilate(first, reach.search_mm),
-                         dilate(whiteCore(flat, first, tissue, reach.white_tear_mm), reach.white_reach_mm));
+                         dilate(whiteCore(calm, first, tissue, reach.white_tear_mm), reach.white_reach_mm));
 }
 
 Mask Refinement::brain(double tissue_share) const {
   const RefinementOptions options;
   const float low = open_fluid_ + float(tissue_share) * (float(tissue_.grey.mean) - open_fluid_);
   const float high = float(tissue_.white.mean * options.brightest);
-  Mask near = region_;
-  for (std::size_t v = 0; v < near.voxels.size(); ++v)
-    near.voxels[v] &= flat_.voxels[v] > low && flat_.voxels[v] < high;
-  const Mask core = largestPart(erode(near, options.tear_mm));
-  Mask brain = intersection(dilate(core, options.regrow_mm), near);
+  const auto within = [&](const Volume& image) {
+    Mask near = region_;
+    for (std::size_t v = 0; v < near.voxels.size(); ++v)
+      near.voxels[v] &= image.voxels[v] > low && image.voxels[v] < high;
+    return near;
+  };
+  const Mask core = largestPart(erode(within(flat_), options.tear_mm));
+  Mask brain = intersection(dilate(core, options.regrow_mm), within(calm_));
   const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);
   brain = unionOf(close(brain, options.sulcus_mm), deep);
   return largestPart(open(fillHoles(close(brain, options.smooth_mm)), options.smooth_mm));

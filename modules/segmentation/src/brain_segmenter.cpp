@@ -126,8 +126,8 @@ class BrainSegmenter : public Segmenter {
     const TissueModel tissue = fitTissue(calm, core, &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
-    const Volume flat = corrected(image, tissue);
-    const Refinement refinement(flat, first, tissue, openFluid(corrected(calm, tissue), core, tissue));
+    const Volume flat = corrected(image, tissue), calm_flat = corrected(calm, tissue);
+    const Refinement refinement(flat, calm_flat, first, tissue, openFluid(calm_flat, core, tissue));
     const Mask brain = refinement.brain();
     monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;

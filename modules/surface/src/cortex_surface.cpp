@@ -13,8 +13,20 @@
 #include "facenav/volume/vtk_image.h"
 #include "insideness.h"
 #include "mesh_polydata.h"
+#include "scalp_outline.h"
 
 namespace facenav::surface {
+namespace {
+
+/// VTK's connectivity keeps the points of the parts that it drops: they are no place of the surface.
+TriangleMesh withoutLoosePoints(const TriangleMesh& mesh) {
+  std::vector<bool> is_used(mesh.vertices_mm.size());
+  for (const auto& t : mesh.triangles)
+    for (int c = 0; c < 3; ++c) is_used[std::size_t(t[c])] = true;
+  return subMesh(mesh, is_used);
+}
+
+}  // namespace
 
 TriangleMesh extractCortex(const volume::Volume& tissue, int smoothing_steps, TaskMonitor& monitor) {
   monitor.report("extracting the brain's surface", 0.3);
@@ -37,7 +49,7 @@ TriangleMesh extractCortex(const volume::Volume& tissue, int smoothing_steps, Ta
       smoothing_steps > 0 ? static_cast<vtkPolyDataAlgorithm*>(smooth) : largest.Get();
   last->Update();
   monitor.report("extracting the brain's surface", 0.9);
-  TriangleMesh mesh = toTriangleMesh(*last->GetOutput());
+  TriangleMesh mesh = withoutLoosePoints(toTriangleMesh(*last->GetOutput()));
   if (mesh.triangles.empty()) throw Error("the brain has no surface", {}, "segment the brain, or paint it");
   for (auto& v : mesh.vertices_mm) v = tissue.grid.mri_from_voxel * v;
   mesh.normals = vertexNormals(mesh);

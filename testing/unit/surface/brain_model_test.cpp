@@ -12,6 +12,7 @@
 #include <array>
 #include <fstream>
 #include <map>
+#include <random>
 #include <set>
 
 #include "facenav/core/error.h"
@@ -112,7 +113,7 @@ TEST(BrainModel, RadiusFollowsTheEllipsoidToSubVoxel) {
 }
 
 TEST(BrainModel, IsClosedOutwardAndWithoutDegenerateTriangles) {
-  for (const auto& size : {std::array<int, 2>{180, 180}, {17, 31}, {360, 360}}) {
+  for (const auto& size : {std::array<int, 2>{180, 180}, {17, 31}, {360, 360}, {720, 720}}) {
     const BrainModel model = size[0] == 180 ? plainModel() : modelOf(makeEllipsoid({}), size[0], size[1]);
     const auto index = welded(model.mesh);
     std::map<std::pair<int, int>, int> directed;
@@ -133,6 +134,49 @@ TEST(BrainModel, IsClosedOutwardAndWithoutDegenerateTriangles) {
     EXPECT_EQ(int(vertices.size()) - int(directed.size()) / 2 + int(model.mesh.triangles.size()),
               2);  // Euler: one sphere
     EXPECT_NEAR(volume_mm3 / (4 * M_PI / 3 * kRadii_mm.prod()), 1, size[0] == 17 ? 0.06 : 0.01);
+  }
+}
+
+/// A crumpled brain: gyri, deep folds, a cut at the base; radii jump from bin to bin.
+surface::SphericalMap crumpled(int rows, int columns) {
+  surface::SphericalMap map;
+  map.rows = rows, map.columns = columns;
+  map.centre = Point<Mri>(kCentre_mm);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> jump(-6, 6);
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const double phi = (r + 0.5) * M_PI / rows, theta = 2 * M_PI * (c + 0.5) / columns;
+      const double fold = std::sin(40 * phi) * std::cos(23 * theta) > 0.8 ? -25 : 0;
+      map.radius_mm.push_back(60 + 12 * std::sin(9 * theta) * std::sin(phi) + fold + jump(random));
+      map.colour.push_back(100);
+    }
+  return map;
+}
+
+/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), > 0 counter-clockwise
+/// from outside.
+double solidAngle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const double x = a.norm(), y = b.norm(), z = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
+}
+
+TEST(BrainModel, DoesNotCutItselfOnAnyGridHoweverCrumpled) {
+  // Every triangle faces away from the centre and all of them together cover the sphere of directions once:
+  // then no direction meets two triangles, so that no two of them can cut each other.
+  for (const int size : {180, 360, 720}) {
+    const auto model = surface::meshOf(crumpled(size, size));
+    double covered = 0, least = 1;
+    for (const auto& t : model.mesh.triangles) {
+      const auto corner = [&](int c) -> Vector3d {
+        return model.mesh.vertices_mm[std::size_t(t[c])] - kCentre_mm;
+      };
+      const double angle = solidAngle(corner(0), corner(1), corner(2));
+      least = std::min(least, angle);
+      covered += angle;
+    }
+    EXPECT_GT(least, 0) << size;
+    EXPECT_NEAR(covered, 4 * M_PI, 1e-6) << size;
   }
 }
 

@@ -86,6 +86,24 @@ TEST(DetailedCortex, HasBothBanksOfASulcusAndItsFloor) {
   EXPECT_GT(floor, 100);
 }
 
+TEST(DetailedCortex, LeavesNothingOfTheSmallPartsThatItDrops) {
+  auto with_crumb = tissue();
+  for (int k = 2; k < 6; ++k)
+    for (int j = 2; j < 6; ++j)
+      for (int i = 2; i < 6; ++i) with_crumb.voxels[with_crumb.grid.index(i, j, k)] = 1;
+  TaskMonitor monitor;
+  for (const int smoothing_steps : {0, 10}) {
+    const auto mesh = surface::extractCortex(with_crumb, smoothing_steps, monitor);
+    std::vector<bool> is_used(mesh.vertices_mm.size());
+    for (const auto& t : mesh.triangles)
+      for (int c = 0; c < 3; ++c) is_used[std::size_t(t[c])] = true;
+    for (std::size_t v = 0; v < is_used.size(); ++v) {
+      ASSERT_TRUE(is_used[v]);
+      ASSERT_LT(mesh.vertices_mm[v].norm(), kRadius_mm + 1);
+    }
+  }
+}
+
 TEST(DetailedCortex, LiesAsFarBelowTheModelAsTheSulcusIsDeepWhileTheModelLiesCloseToIt) {
   const auto to = model();
   const auto found = cortex(to);

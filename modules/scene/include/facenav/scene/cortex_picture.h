@@ -24,6 +24,8 @@ struct CortexPicture {
 CortexPicture makeCortexPicture(const volume::Volume& mri, const volume::Mask& brain,
                                 surface::DetailedCortex cortex, TaskMonitor& monitor);
 
+/// Where the colour map's scale ends, mm: whole millimetres, beyond 95 of 100 places.
+double distanceScale_mm(const surface::SurfaceDistance& distance);
 /// Colour of a signed distance: orange outside, blue inside, white at 0, full at `full_mm`.
 palette::Rgb distanceColour(double signed_mm, double full_mm);
 
