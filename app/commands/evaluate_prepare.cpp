@@ -50,6 +50,9 @@ void run(Context& context, Request request) {
   std::string markdown = evaluation::maskMarkdown(tables.masks);
   if (!tables.perturbations.empty())
     markdown += "\n" + evaluation::perturbationMarkdown(tables.perturbations);
+  if (!tables.reliability.empty())
+    markdown +=
+        "\nStated doubt against real error:\n\n" + evaluation::reliabilityMarkdown(tables.reliability);
   if (request.output) write(tables, markdown, *request.output);
   if (!context.is_quiet) std::printf("%s", markdown.c_str());
 }
@@ -78,6 +81,8 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
                  "how far the mask moves: +-20 deg, 0.5 to 1.5 mm, gain, noise, bias field");
   verb->add_flag("--hard", request->evaluation.has_hard_heads,
                  "the head made another: long neck, child, big, low contrast, bias, noisy scalp");
+  verb->add_option("--only", request->evaluation.only,
+                   "of --perturb and --hard, those whose name contains this (\"mm\", \"noise\", ...)");
   verb->add_flag("--no-whole", request->has_no_whole, "leave out the run of 'facenav prepare' as a whole");
   verb->add_option("--seed", request->evaluation.seed, "of noise and bias fields")->capture_default_str();
   verb->add_option("-o,--output", request->output, "folder for prepare.md, masks.csv, perturbations.csv");

@@ -1,8 +1,12 @@
 #include "evaluate/prepare_evaluation.h"
 
+#include <array>
+#include <fstream>
+
 #include "evaluate/measured_child.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/evaluation/volume_perturbation.h"
+#include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
 #include "pipeline.h"
@@ -84,16 +88,37 @@ MaskRow wholePrepare(Context& context, const PrepareTrial& trial, const std::opt
   return row;
 }
 
+/// From the child process to its parent: raw, as in memory.
+void writeDoubts(const std::vector<segmentation::BoundaryDoubt>& doubts, const fs::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  for (const auto& d : doubts) {
+    const std::array<double, 4> values{d.place.mm.x(), d.place.mm.y(), d.place.mm.z(), d.doubt_mm};
+    stream.write(reinterpret_cast<const char*>(values.data()), sizeof values);
+  }
+  if (!stream.flush()) throw Error("cannot be written", file.string(), "check free disk space");
+}
+
+std::vector<segmentation::BoundaryDoubt> readDoubts(const fs::path& file) {
+  std::vector<segmentation::BoundaryDoubt> doubts;
+  std::ifstream stream(file, std::ios::binary);
+  for (std::array<double, 4> v{}; stream.read(reinterpret_cast<char*>(v.data()), sizeof v);)
+    doubts.push_back({Point<Mri>(v[0], v[1], v[2]), float(v[3])});
+  return doubts;
+}
+
 MaskRow segmenterAlone(Context& context, const PrepareTrial& trial, const std::string& method,
-                       const Volume& volume, const std::optional<Mask>& truth, std::optional<Mask>& found) {
+                       const Volume& volume, const std::optional<Mask>& truth,
+                       std::optional<segmentation::SegmentationResult>& found) {
   const Scratch scratch;
-  const fs::path file = scratch.path() / "mask.nii.gz";
+  const fs::path file = scratch.path() / "mask.nii.gz", doubts = scratch.path() / "doubts";
   const auto segmenter = context.registrations.brain_segmenters.create(method);
   auto row = rowOf(trial, method, measureInChild([&] {
-                     volume::writeMask(segmenter->segment(volume, context.monitor).mask, file);
+                     const auto result = segmenter->segment(volume, context.monitor);
+                     volume::writeMask(result.mask, file);
+                     writeDoubts(result.doubts, doubts);
                    }));
   judge(file, truth, row);
-  if (row.failure.empty()) found = volume::readMask(file);
+  if (row.failure.empty()) found = {volume::readMask(file), {}, readDoubts(doubts)};
   return row;
 }
 
@@ -105,17 +130,51 @@ struct Judged {
   const Mask& unmoved;
 };
 
+/// The places about which a method stated doubt, with their real errors: against the true surface where it
+/// is one of tissue (a mask with fluid has its surface elsewhere), and, for what a perturbation did, against
+/// the unperturbed mask.
+class Doubts {
+ public:
+  explicit Doubts(const Judged& of) : of_(of), unmoved_(of.unmoved) {
+    if (of.truth && !of.trial.is_with_fluid) truth_.emplace(*of.truth);
+  }
+  void add(const std::vector<segmentation::BoundaryDoubt>& doubts,
+           const evaluation::VolumePerturbation* perturbation) {
+    for (const auto& doubt : doubts) {
+      const auto place =
+          perturbation ? evaluation::unperturbed(doubt.place, of_.volume.grid, *perturbation) : doubt.place;
+      if (truth_) against_truth_.push_back({doubt.doubt_mm, truth_->at_mm(place)});
+      if (perturbation) against_unmoved_.push_back({doubt.doubt_mm, unmoved_.at_mm(place)});
+    }
+  }
+  void addRows(std::vector<evaluation::ReliabilityRow>& rows) const {
+    const auto add = [&](const char* against, const auto& places) {
+      if (!places.empty())
+        rows.push_back(evaluation::reliabilityRow(nameOf(of_.trial), of_.method, against, places));
+    };
+    add("true surface", against_truth_);
+    add("unperturbed mask", against_unmoved_);
+  }
+
+ private:
+  const Judged& of_;
+  evaluation::SurfaceError unmoved_;
+  std::optional<evaluation::SurfaceError> truth_;
+  std::vector<evaluation::DoubtedPlace> against_truth_, against_unmoved_;
+};
+
 PerturbationRow perturbedRow(Context& context, const Judged& of,
                              const evaluation::VolumePerturbation& perturbation, bool must_hold,
-                             unsigned seed) {
+                             unsigned seed, Doubts& doubts) {
   PerturbationRow row;
   row.volume = nameOf(of.trial), row.method = of.method, row.perturbation = perturbation.name;
   row.must_hold = must_hold;
   try {
     const Volume other = evaluation::perturbed(of.volume, of.unmoved, perturbation, seed);
     const auto segmenter = context.registrations.brain_segmenters.create(of.method);
-    const Mask found = segmenter->segment(other, context.monitor).mask;
-    const Mask back = evaluation::unperturbed(found, of.volume.grid, perturbation);
+    const auto result = segmenter->segment(other, context.monitor);
+    doubts.add(result.doubts, &perturbation);
+    const Mask back = evaluation::unperturbed(result.mask, of.volume.grid, perturbation);
     row.moved = evaluation::compareMasks(back, of.unmoved);
     if (of.truth) row.truth = evaluation::compareMasks(back, *of.truth);
   } catch (const Error& error) {
@@ -124,12 +183,13 @@ PerturbationRow perturbedRow(Context& context, const Judged& of,
   return row;
 }
 
-void addPerturbations(Context& context, const PrepareEvaluation& request, const Judged& of,
+void addPerturbations(Context& context, const PrepareEvaluation& request, const Judged& of, Doubts& doubts,
                       std::vector<PerturbationRow>& rows) {
   const auto add = [&](const auto& perturbations, bool must_hold) {
     for (const auto& perturbation : perturbations) {
+      if (perturbation.name.find(request.only) == std::string::npos) continue;
       context.monitor.report(nameOf(of.trial) + ", " + of.method + ": " + perturbation.name, 0.5);
-      rows.push_back(perturbedRow(context, of, perturbation, must_hold, request.seed));
+      rows.push_back(perturbedRow(context, of, perturbation, must_hold, request.seed, doubts));
     }
   };
   if (request.is_perturbed) add(evaluation::standardPerturbations(), true);
@@ -149,10 +209,14 @@ PrepareTables evaluatePrepare(Context& context, const PrepareEvaluation& request
     for (const auto& method : request.methods) {
       context.monitor.report("evaluate prepare: " + nameOf(trial) + ", " + method,
                              double(t) / double(request.trials.size()));
-      std::optional<Mask> found;
+      std::optional<segmentation::SegmentationResult> found;
       tables.masks.push_back(segmenterAlone(context, trial, method, volume, truths[t], found));
-      if (found)
-        addPerturbations(context, request, {trial, volume, truths[t], method, *found}, tables.perturbations);
+      if (!found) continue;
+      const Judged judged{trial, volume, truths[t], method, found->mask};
+      Doubts doubts(judged);
+      doubts.add(found->doubts, nullptr);
+      addPerturbations(context, request, judged, doubts, tables.perturbations);
+      doubts.addRows(tables.reliability);
     }
   }
   return tables;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "context.h"
+#include "facenav/evaluation/doubt_reliability.h"
 #include "facenav/evaluation/mask_table.h"
 
 namespace facenav::app {
@@ -24,12 +25,14 @@ struct PrepareEvaluation {
   std::vector<std::string> methods;  // registered names
   bool is_whole = true;              // `facenav prepare` too, as a whole, everything written
   bool is_perturbed = false, has_hard_heads = false;
+  std::string only;  // perturbations and hard heads whose name contains this
   unsigned seed = 1;
 };
 
 struct PrepareTables {
   std::vector<evaluation::MaskRow> masks;
   std::vector<evaluation::PerturbationRow> perturbations;
+  std::vector<evaluation::ReliabilityRow> reliability;  // where a method states its doubt
 };
 
 /// A failure of one method on one volume is a row. Throws Error: a mask that cannot be read, Cancelled.

@@ -180,4 +180,8 @@ Mask unperturbed(const Mask& mask, const VoxelGrid& original, const VolumePertur
   return back.grid.matches(original) ? back : volume::resample(back, original);
 }
 
+Point<Mri> unperturbed(const Point<Mri>& place, const VoxelGrid& original, const VolumePerturbation& p) {
+  return Point<Mri>(movedFromOriginal(original, p).inverse() * place.mm);
+}
+
 }  // namespace facenav::evaluation

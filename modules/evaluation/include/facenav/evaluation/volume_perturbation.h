@@ -37,4 +37,8 @@ volume::Volume perturbed(const volume::Volume& volume, const volume::Mask& brain
 volume::Mask unperturbed(const volume::Mask& mask, const volume::VoxelGrid& original,
                          const VolumePerturbation& perturbation);
 
+/// Likewise a place.
+Point<Mri> unperturbed(const Point<Mri>& place, const volume::VoxelGrid& original,
+                       const VolumePerturbation& perturbation);
+
 }  // namespace facenav::evaluation
