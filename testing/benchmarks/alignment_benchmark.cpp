@@ -175,6 +175,21 @@ class AlignmentBenchmark {
     print("pcl::GeneralizedIterativeClosestPoint", gicp, ours_ms);
   }
 
+  /// Ours alone, over many random starts: is it ever lost?
+  void starts(double turn_deg, double shift_mm, int trials) {
+    const Eigen::Vector3d nose = registration::findNoseTip(skin_);
+    Outcome fit;
+    for (int t = 0; t < trials; ++t) {
+      const Trial trial = makeTrial(skin_, nose, turn_deg, shift_mm, std::uint32_t(9000 + 17 * t));
+      registration::AlignmentStart start;
+      start.guess = trial.guess;
+      note(fit, trial, target_, [&] { return fitOnly(trial, start); });
+    }
+    std::printf(
+        "\nOurs from %d random starts %.0f deg, %.0f mm off: %d found, median %.1f ms, max %.1f ms.\n",
+        fit.trials, turn_deg, shift_mm, fit.found, quantile(fit.time_ms, 0.5), quantile(fit.time_ms, 1.0));
+  }
+
  private:
   /// The registration alone: what the peers do.
   PoseMaybe fitOnly(const Trial& trial, const registration::AlignmentStart& start) const {
@@ -200,5 +215,6 @@ int main() {
   AlignmentBenchmark benchmark(ModelHead().skin());
   benchmark.run(15, 30, 8);
   benchmark.run(30, 60, 8);
+  benchmark.starts(30, 60, 100);
   return 0;
 }

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <iterator>
 
-#include "cloud_sampling.h"
 #include "skin_likelihood.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
 namespace {
 
-constexpr double kPatch_mm = 12.0, kSpacing_mm = 3.0;
-constexpr std::size_t kMostPoints = 4000;
+constexpr double kPatch_mm = 12.0;
 
 long long cubeAt(const Eigen::Vector3d& p_mm) { return cubeOf(p_mm.cast<float>(), kPatch_mm); }
 
@@ -19,11 +17,10 @@ long long cubeAt(const Eigen::Vector3d& p_mm) { return cubeOf(p_mm.cast<float>()
 
 Covers::Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                const Eigen::Isometry3d& mri_T_camera) {
-  const std::vector<int> some = thinOut(face, points, kSpacing_mm, kMostPoints);
-  const auto covered = SkinLikelihood(scalp, face, some, kPatch_mm)
-                           .covered(FieldFitter(scalp, face, some).match(mri_T_camera));
-  for (std::size_t p = 0; p < some.size(); ++p)
-    if (covered[p] > 0.5f) cubes_.insert(cubeAt(face.points_mm[std::size_t(some[p])]));
+  const auto covered = SkinLikelihood(scalp, face, points, kPatch_mm)
+                           .covered(FieldFitter(scalp, face, points).match(mri_T_camera));
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (covered[p] > 0.5f) cubes_.insert(cubeAt(face.points_mm[std::size_t(points[p])]));
 }
 
 bool Covers::hold(const Eigen::Vector3d& p_mm) const { return cubes_.count(cubeAt(p_mm)) > 0; }

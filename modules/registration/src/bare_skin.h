@@ -15,7 +15,7 @@ namespace facenav::registration {
 class Covers {
  public:
   Covers() = default;
-  /// As `points` show at a pose that is off by no more than a millimetre or two.
+  /// As `points`, 3 to 5 mm apart, show at a pose that is off by no more than a millimetre or two.
   Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
          const Eigen::Isometry3d& mri_T_camera);
 

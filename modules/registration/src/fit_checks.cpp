@@ -33,6 +33,7 @@ constexpr double kScaled = 10.0;
 // Sizes: a rim of 0.6 % is what scanners and calibrations are off by. One in twenty is said,
 // what chance hardly makes and matters at the cortex (2 % of 100 mm) is refused.
 constexpr double kScannerScale = 0.006;
+constexpr double kCautionScale = 0.01;  // a millimetre at the cortex
 constexpr double kCautionScale_z = 2.0, kRefusedScale_z = 4.0, kRefusedScale = 0.02;
 constexpr double kLoose_mm = 0.6, kSuspect_mm = 0.3;
 constexpr double kHairy = 0.35;           // where hair is this frequent, it says nothing about the head
@@ -245,10 +246,11 @@ void requireTrust(const FitEvidence& evidence) {
 
 std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   std::vector<std::string> cautions;
-  if (scaleZ(evidence) > kCautionScale_z)
+  const double off = std::abs(evidence.scale - 1);
+  if (scaleZ(evidence) > kCautionScale_z || (off > kCautionScale && off > 3 * evidence.scale_sigma))
     cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
                        " of the MRI's size (+/- " + oneDecimal(100 * evidence.scale_sigma) +
-                       "): check the square size that they were calibrated with");
+                       "): check the square size that they were calibrated with, and the MRI's size");
   const double loose_mm = std::max(evidence.closeness.bare_mm, evidence.misfit_mm);
   if (loose_mm > kLoose_mm)
     cautions.push_back("the skin fits loosely (by " + oneDecimal(loose_mm) +

@@ -50,6 +50,18 @@ double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& mid
   return worst;
 }
 
+/// A face that is larger or smaller than the scan's by more than two standard errors says that scan or
+/// calibration is off in size; the pose, which fits at the face, is then off in the brain by that much of the
+/// way there. A shift, since only the brain is asked about.
+Matrix6d bySize(const PoseBelief& belief, const Eigen::Vector3d& face_mri_mm, const Eigen::Vector3d& middle,
+                const Eigen::Matrix3d& camera_R_mri) {
+  const double beyond = std::max(0.0, std::abs(belief.scale) - 2 * belief.scale_sigma);
+  const Eigen::Vector3d shift_mm = beyond * (camera_R_mri * (middle - face_mri_mm));
+  Matrix6d covariance = Matrix6d::Zero();
+  covariance.bottomRightCorner<3, 3>() = shift_mm * shift_mm.transpose();
+  return covariance;
+}
+
 }  // namespace
 
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
@@ -94,6 +106,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   const std::vector<float> weights = patchWeights(nearest, 4.0);
   double squares = 0;
   std::size_t offered = 0;
+  Eigen::Vector3d face_mri_mm = Eigen::Vector3d::Zero();
   for (std::size_t p = 0; p < matches.size(); ++p) {
     const double residual = double(matches[p].residual_mm);
     const bool is_inlier = weights[p] > 0 && matches[p].is_valid &&
@@ -104,8 +117,11 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
     if (!is_inlier) continue;
     ++result.points;
     squares += residual * residual;
+    face_mri_mm += matches[p].at_mri_mm.cast<double>();
     result.max_mm = std::max(result.max_mm, std::abs(residual));
   }
+  face_mri_mm /= std::max(1, result.points);
+  result.covariance += bySize(fit.belief, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
   result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
   result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;
   return result;

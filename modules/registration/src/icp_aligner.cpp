@@ -88,7 +88,7 @@ class IcpAligner : public Aligner {
     best = iterate(scalp, face, thinOut(face, head, 3.0, 5000), best.mri_T_camera, kKept,
                    400);  // it slides slowly
     const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);
-    const Covers covers(scalp, face, head, best.mri_T_camera);
+    const Covers covers(scalp, face, thinOut(face, head, 3.0, 4000), best.mri_T_camera);
     const auto fit =
         judge(scalp, face, covers.bare(face, head), best.mri_T_camera, inlierLimit_mm(matches, 3.0));
     return report(scalp, face, fit, best.mri_T_camera, covers,

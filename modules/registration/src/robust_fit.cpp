@@ -97,9 +97,10 @@ RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
   fit.points = thinOut(face, nearHead(scalp, face, mri_T_camera, 20.0), 1.0, kMostPoints);
   const auto parts = fitParts(scalp, face, thinOut(face, fit.points, 6.0, 1000), mri_T_camera);
   fit.mri_T_camera = parts.front().mri_T_camera;
-  fit.covers = Covers(scalp, face, fit.points, fit.mri_T_camera);
+  const auto some = thinOut(face, fit.points, 3.0, 4000);
+  fit.covers = Covers(scalp, face, some, fit.mri_T_camera);
   fit.points = fit.covers.bare(face, fit.points);
-  FieldFitter sparse(scalp, face, thinOut(face, fit.points, 3.0, 4000)), all(scalp, face, fit.points);
+  FieldFitter sparse(scalp, face, fit.covers.bare(face, some)), all(scalp, face, fit.points);
   float limit_mm = 2.0f;
   closeIn(sparse, fit.mri_T_camera, limit_mm);
   fit.doubt = doubtOf(parts, fit.mri_T_camera, sparse, scalp.middle_mm());

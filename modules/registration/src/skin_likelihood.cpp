@@ -52,13 +52,33 @@ double entropy(double q) {
   return part(q) + part(1 - q);
 }
 
-/// Logarithm of how likely the residuals are to scatter so about `middle_mm`, against "nowhere".
-double logDetail(const std::vector<float>& residuals_mm, double middle_mm, double detail_mm, double grains) {
-  double sum = 0;
-  for (const float r : residuals_mm)
-    sum += std::log((1 - kGross) * skinDensity(double(r) - middle_mm, detail_mm) + kGross * kGross_per_mm);
-  return grains * (sum / double(residuals_mm.size()) - std::log(kNowhere_per_mm));
-}
+/// Logarithm of how likely points are to lie so far from the middle of a patch with that much detail, against
+/// "nowhere": a look-up, good to 0.002.
+class LogDetail {
+ public:
+  explicit LogDetail(double detail_mm) : per_mm_(float(kSteps / (kMost * detail_mm))) {
+    for (int i = 0; i <= kSteps + 1; ++i)
+      values_[std::size_t(i)] = float(std::log(
+          ((1 - kGross) * skinDensity(double(i) / double(per_mm_), detail_mm) + kGross * kGross_per_mm) /
+          kNowhere_per_mm));
+  }
+  /// Mean over the residuals.
+  double operator()(const std::vector<float>& residuals_mm, float middle_mm) const {
+    float sum = 0;
+    for (const float r : residuals_mm) {
+      const float at = std::min(std::abs(r - middle_mm) * per_mm_, float(kSteps));
+      const auto i = std::size_t(at);
+      sum += values_[i] + (at - float(i)) * (values_[i + 1] - values_[i]);
+    }
+    return double(sum) / double(residuals_mm.size());
+  }
+
+ private:
+  static constexpr int kSteps = 240;
+  static constexpr double kMost = 6.0;  // sigma
+  float per_mm_;
+  std::array<float, kSteps + 2> values_;
+};
 
 }  // namespace
 
@@ -96,6 +116,10 @@ SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>
 }
 
 std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<PointMatch>& matches) const {
+  static const std::array<LogDetail, kDetails> bare_detail{
+      LogDetail(kDetail_mm[0]), LogDetail(kDetail_mm[1]), LogDetail(kDetail_mm[2]), LogDetail(kDetail_mm[3])};
+  static const std::array<LogDetail, 3> cover_detail{
+      LogDetail(kCoverDetail_mm[0]), LogDetail(kCoverDetail_mm[1]), LogDetail(kCoverDetail_mm[2])};
   std::vector<Patch> patches(neighbours_.size());
   std::vector<std::vector<float>> residuals(patches.size());
   std::vector<Eigen::Vector3f> sums(patches.size(), Eigen::Vector3f::Zero());
@@ -115,9 +139,10 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     const double share = std::min(1.0, n / full_) * (1 - foreign), grains = kGrains * share;
     auto middle = residuals[i].begin() + std::ptrdiff_t(residuals[i].size() / 2);
     std::nth_element(residuals[i].begin(), middle, residuals[i].end());
-    const double m = double(*middle);
+    const float m_mm = *middle;
+    const double m = double(m_mm);
     for (std::size_t d = 0; d < kDetails; ++d) {
-      const double detail = logDetail(residuals[i], m, kDetail_mm[d], grains);
+      const double detail = grains * bare_detail[d](residuals[i], m_mm);
       const double mean2 = kDetail_mm[d] * kDetail_mm[d] / std::max(grains, 1.0);
       for (std::size_t s = 0; s < kSizes; ++s) {
         const double size2 = kSize_mm[s] * kSize_mm[s] + mean2;
@@ -125,9 +150,9 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
       }
     }
     patch.covered = -1e300;
-    for (const double detail_mm : kCoverDetail_mm) {
-      const double mean_mm = detail_mm * std::sqrt(2 * M_PI / std::max(grains, 1.0));
-      patch.covered = std::max(patch.covered, logDetail(residuals[i], m, detail_mm, grains) +
+    for (std::size_t d = 0; d < kCoverDetail_mm.size(); ++d) {
+      const double mean_mm = kCoverDetail_mm[d] * std::sqrt(2 * M_PI / std::max(grains, 1.0));
+      patch.covered = std::max(patch.covered, grains * cover_detail[d](residuals[i], m_mm) +
                                                   share * std::log(mean_mm * coverDensity(m)));
     }
   }
@@ -154,11 +179,11 @@ double SkinLikelihood::energy(const std::vector<double>& covered, const std::vec
 /// Mean field over labels and sizes, at one detail.
 SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, std::size_t detail,
                                              bool is_first_bare) const {
-  constexpr int kMostSweeps = 20;
-  constexpr double kSettled = 0.02;
+  constexpr int kMostSweeps = 15;
+  constexpr double kSettled = 0.01;
   constexpr std::size_t kFirstSize = 1;
-  Labels labels{-1e300, std::vector<double>(patches.size(), 0.0)};
-  std::array<double, kSizes> share{};
+  Labels labels{0.0, std::vector<double>(patches.size(), 0.0)};
+  std::array<double, kSizes> share{}, logs{};
   share[kFirstSize] = 1;
   const auto bareOf = [&](const Patch& patch) {
     double sum = 0;
@@ -168,24 +193,29 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
   if (!is_first_bare)
     for (std::size_t i = 0; i < patches.size(); ++i)
       labels.covered[i] = patches[i].covered > bareOf(patches[i]) ? 1.0 : 0.0;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    std::array<double, kSizes> logs{};
-    double by_labels = energy(labels.covered, patches);
+  const auto bySizes = [&] {
     for (std::size_t s = 0; s < kSizes; ++s) logs[s] = std::log(kSizeShare[s]);
-    for (std::size_t i = 0; i < patches.size(); ++i) {
+    for (std::size_t i = 0; i < patches.size(); ++i)
       for (std::size_t s = 0; s < kSizes; ++s)
         logs[s] += (1 - labels.covered[i]) * patches[i].bare[detail][s];
-      by_labels += labels.covered[i] * patches[i].covered;
-    }
-    const double by_sizes = logSum(logs.data(), kSizes), now = by_labels + by_sizes;
-    const bool is_settled = now < labels.log_evidence + kSettled;
-    labels.log_evidence = std::max(now, labels.log_evidence);
-    if (is_settled) break;
+    return logSum(logs.data(), kSizes);
+  };
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    const double by_sizes = bySizes();
     for (std::size_t s = 0; s < kSizes; ++s) share[s] = std::exp(logs[s] - by_sizes);
-    for (std::size_t i = 0; i < patches.size(); ++i)
-      labels.covered[i] = 1 / (1 + std::exp(bareOf(patches[i]) - patches[i].covered - patches[i].prior -
-                                            pull(labels.covered, i)));
+    double change = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      const double log_odds =
+          patches[i].covered - bareOf(patches[i]) + patches[i].prior + pull(labels.covered, i);
+      const double covered = 1 / (1 + std::exp(-log_odds));
+      change = std::max(change, std::abs(covered - labels.covered[i]));
+      labels.covered[i] = covered;
+    }
+    if (change < kSettled) break;
   }
+  labels.log_evidence = bySizes() + energy(labels.covered, patches);
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    labels.log_evidence += labels.covered[i] * patches[i].covered;
   return labels;
 }
 

@@ -1,10 +1,12 @@
 #include "start_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "skin_patches.h"
 #include "start_poses.h"
 
 namespace facenav::registration {
@@ -116,6 +118,54 @@ void refine(std::vector<Candidate>& candidates, const FieldFitter& fitter,
 
 std::vector<int> sparsePoints(const PointCloud<Camera>& face) { return thinOut(face, 5.0, 4000); }
 
+/// Does most of the cloud lie on the skin, by a quick look?
+bool isExplained(const ScalpField& scalp, const FieldFitter& fitter, const Eigen::Isometry3d& mri_T_camera) {
+  constexpr double kReach_mm = 4.0, kUnexplained = 0.4;
+  return seesTheFace(mri_T_camera, scalp.middle_mm()) &&
+         fitter.cost(mri_T_camera, kReach_mm) < kUnexplained * kReach_mm * kReach_mm;
+}
+
+/// Median of the points, and the middle of their nearest fiftieth.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> middleAndForemost(const PointCloud<Camera>& face,
+                                                              const std::vector<int>& points) {
+  constexpr std::size_t kShare = 50;
+  std::vector<double> axis[3];
+  for (const int p : points)
+    for (int a = 0; a < 3; ++a) axis[a].push_back(face.points_mm[std::size_t(p)][a]);
+  if (points.empty()) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::vector<int> near = points;
+  const std::size_t count = std::min(near.size(), near.size() / kShare + 1);
+  std::nth_element(near.begin(), near.begin() + std::ptrdiff_t(count) - 1, near.end(), [&](int p, int q) {
+    return face.points_mm[std::size_t(p)].z() < face.points_mm[std::size_t(q)].z();
+  });
+  Eigen::Vector3d foremost = Eigen::Vector3d::Zero();
+  for (std::size_t n = 0; n < count; ++n) foremost += face.points_mm[std::size_t(near[n])] / double(count);
+  return {Eigen::Vector3d(median(axis[0]), median(axis[1]), median(axis[2])), foremost};
+}
+
+/// The best of what turns about a start lead to: the head where it was, or its nose before the cloud's middle
+/// or where the cloud is nearest.
+Candidate fromAround(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+                     const FieldFitter& coarse, const std::array<Eigen::Isometry3d, 2>& begun_ended) {
+  constexpr double kTurn_deg = 24.0, kNose_mm = 25.0;
+  const FieldFitter coarsest(scalp, face, thinOut(face, points, 15.0, 400));
+  const Eigen::Isometry3d camera_T_mri = begun_ended[0].inverse();
+  const auto [middle, foremost] = middleAndForemost(face, points);
+  std::vector<Candidate> candidates{{begun_ended[1], 0.0}};
+  for (const auto& turn : orientationsAround(camera_T_mri.linear(), kTurn_deg)) {
+    candidates.push_back({placed(turn, scalp.middle_mm(), camera_T_mri * scalp.middle_mm()), 0.0});
+    candidates.push_back({placed(turn, scalp.noseTip_mm(), (1 - kNose_mm / middle.norm()) * middle), 0.0});
+    candidates.push_back({placed(turn, scalp.noseTip_mm(), foremost), 0.0});
+  }
+  refine(candidates, coarsest, {{40, 28, 4, false}, {20, 14, 4, false}}, 12.0);
+  keepDistinct(candidates, scalp.middle_mm(), 8);
+  refine(candidates, coarse, {{16, 11, 5, false}, {10, 7, 4, false}}, 6.0);
+  keepDistinct(candidates, scalp.middle_mm(), 3);
+  refine(candidates, coarse, {{8, 5, 4, false}}, 4.0);
+  keepDistinct(candidates, scalp.middle_mm(), 1);
+  return candidates.empty() ? Candidate{begun_ended[1], 0.0} : candidates.front();
+}
+
 }  // namespace
 
 std::vector<int> nearHead(const ScalpField& scalp, const PointCloud<Camera>& face,
@@ -161,9 +211,12 @@ std::optional<Candidate> descend(const ScalpField& scalp, const PointCloud<Camer
     return {};
   const std::vector<int> dense = sparsePoints(face);
   const FieldFitter coarse(scalp, face, thinOut(face, dense, 12.0, 600)), denser(scalp, face, dense);
+  const Eigen::Isometry3d begun = c.mri_T_camera;
   for (const FitStage& stage : {FitStage{70, 60, 5, false}, FitStage{40, 30, 5, false},
                                 FitStage{20, 14, 6, false}, FitStage{10, 7, 5, false}})
     c.mri_T_camera = coarse.fit(c.mri_T_camera, stage);
+  if (!isExplained(scalp, coarse, c.mri_T_camera))
+    c = fromAround(scalp, face, dense, coarse, {begun, c.mri_T_camera});
   c.mri_T_camera = denser.fit(c.mri_T_camera, {6, 4, 6, false});
   c.cost = denser.cost(c.mri_T_camera, 4.0);
   if (!seesTheFace(c.mri_T_camera, scalp.middle_mm())) return {};

@@ -135,6 +135,10 @@ TEST(SurfaceAligner, TellsTheFacesSizeFromTheScans) {
   // The pose stays rigid; the size is reported. Off by far, the face does not fit any more.
   const auto small = align(patientsField(), resized(cloud, 0.988));
   EXPECT_NEAR(small.face_scale, 0.988, 0.005);
+  ASSERT_FALSE(small.cautions.empty());
+  EXPECT_THAT(small.cautions.front(), HasSubstr("of the MRI's size"));
+  const Eigen::Vector3d target_mm = 0.988 * (truth * kTarget).mm;  // in such cameras' space
+  EXPECT_LT(((small.camera_T_mri * kTarget).mm - target_mm).norm(), small.errorBound_mm(kTarget));
   EXPECT_THAT([&] { align(patientsField(), resized(cloud, 1.06)); },
               ThrowsMessage<Error>(HasSubstr("not aligned")));
 }
