@@ -75,6 +75,16 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
   return std::min(*at, by_class);
 }
 
+/// By the level of the smoothed mask: the steps of the working grid, which lies anyhow against the scan's,
+/// would leave their pattern in the scan's own.
+Mask onGrid(const Mask& brain, const VoxelGrid& grid) {
+  const Volume level = volume::smoothed({brain.grid, {brain.voxels.begin(), brain.voxels.end()}, {}, {}});
+  Mask out{grid, std::vector<std::uint8_t>(grid.count())};
+  const Volume there = volume::resample(level, grid);
+  for (std::size_t v = 0; v < out.voxels.size(); ++v) out.voxels[v] = there.voxels[v] >= 0.5f;
+  return out;
+}
+
 constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about the one that is taken
 constexpr int kDoubtStep = 2;                         // voxels between the places where doubt is stated
 
@@ -131,7 +141,7 @@ class BrainSegmenter : public Segmenter {
     const Mask brain = refinement.brain();
     monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;
-    result.mask = volume::resample(brain, volume.grid);
+    result.mask = onGrid(brain, volume.grid);
     result.doubts = doubtsOf(brain, refinement);
     result.warnings = checkBrain(result.mask);
     return result;

@@ -24,7 +24,9 @@ constexpr double kGirthFrom_mm = 100,
 constexpr double kLeastGirth_mm = 50, kMostGirth_mm = 125;
 constexpr double kRoundness = 0.98,
                  kBrainShare = 0.81;  // height of the centre, radius of the brain's ball, per girth
-constexpr double kSkull_mm = 6;       // closes the skull where the scalp over it is missed
+constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same where a head fills 0.4 of its scan
+constexpr float kHeadShare = 0.1f;                      // of the robust maximum: brighter than air
+constexpr double kSkull_mm = 6;                         // closes the skull where the scalp over it is missed
 constexpr double kSkullShare = 1.2,
                  kDarkest = 0.03;  // where the darkest share of values is sought, per brain radius
 
@@ -56,6 +58,22 @@ Mask headOf(const Volume& working, float threshold) {
   Mask head{working.grid, std::vector<std::uint8_t>(working.voxels.size())};
   for (std::size_t v = 0; v < head.voxels.size(); ++v) head.voxels[v] = working.voxels[v] > threshold;
   return largestPart(open(head, 3.0));
+}
+
+/// BET's robust maximum, of the head alone: a share of the whole scan would depend on how much air it holds.
+/// What counts as head follows from it; two rounds settle that.
+float robustMaximum(const Volume& working) {
+  float bright = volume::percentile(working, kRobust);
+  for (int round = 0; round < 2; ++round) {
+    std::vector<float> head;
+    for (const float value : working.voxels)
+      if (value > kHeadShare * bright) head.push_back(value);
+    if (head.empty()) return bright;
+    const auto at = head.begin() + std::ptrdiff_t(kRobustInHead * double(head.size() - 1));
+    std::nth_element(head.begin(), at, head.end());
+    bright = *at;
+  }
+  return bright;
 }
 
 /// The value of the skull: what is darkest within the head around the brain. BET's robust minimum of the
@@ -117,9 +135,9 @@ Volume halved(const Volume& volume) {
 }
 
 BrainStart findBrainStart(const Volume& working) {
-  const float t98 = volume::percentile(working, 0.98);
+  const float t98 = robustMaximum(working);
   if (!(t98 > 0)) noBrain("the volume has no contrast");
-  const Mask head = headOf(working, 0.1f * t98);
+  const Mask head = headOf(working, kHeadShare * t98);
   const Slices slices = sliceAreas(head);
   const double spacing_mm = working.grid.spacing_mm().mean();
   int top = int(slices.area_mm2.size()) - 1;
