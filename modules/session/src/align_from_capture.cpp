@@ -7,6 +7,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/session/rig_check.h"
+#include "facenav/session/shared_depth.h"
 
 namespace facenav::session {
 namespace {
@@ -47,19 +48,9 @@ void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFra
   if (verdict.hasMoved()) throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
 }
 
-/// The start with what calibration and matching leave in all disparities alike, as a depth at the face.
-/// Matching leaves 0.000 to 0.010 px (mean over a face against its true depth, rigs of three baselines and
-/// focal lengths); the rest is what a good calibration may.
 registration::AlignmentStart withSharedDepth(registration::AlignmentStart start, const stereo::StereoRig& rig,
                                              const PointCloud<Camera>& face) {
-  constexpr double kShared_px = 0.02;
-  if (face.empty()) return start;
-  std::vector<double> depths;
-  for (const auto& p : face.points_mm) depths.push_back(p.z());
-  std::nth_element(depths.begin(), depths.begin() + std::ptrdiff_t(depths.size() / 2), depths.end());
-  const double z = depths[depths.size() / 2];
-  const double focal_px = rig.left.k(0, 0), baseline_mm = rig.right_T_left.translation_mm().norm();
-  start.shared_depth_sigma_mm = kShared_px * z * z / (focal_px * baseline_mm);
+  start.shared_depth_sigma_mm = sharedDepthSigma_mm(rig, face);
   return start;
 }
 
