@@ -26,7 +26,7 @@ Mask whiteCore(const Volume& calm, const Mask& first, const TissueModel& tissue,
 
 Refinement::Refinement(const Volume& flat, const Volume& calm, const Mask& first, const TissueModel& tissue,
                        float open_fluid)
-    : flat_(flat), calm_(calm), tissue_(tissue), open_fluid_(open_fluid) {
+    : flat_(flat), tissue_(tissue), open_fluid_(open_fluid) {
   const RefinementOptions reach;
   region_ = intersection(dilate(first, reach.search_mm),
                          dilate(whiteCore(calm, first, tissue, reach.white_tear_mm), reach.white_reach_mm));
@@ -36,14 +36,11 @@ Mask Refinement::brain(double tissue_share) const {
   const RefinementOptions options;
   const float low = open_fluid_ + float(tissue_share) * (float(tissue_.grey.mean) - open_fluid_);
   const float high = float(tissue_.white.mean * options.brightest);
-  const auto within = [&](const Volume& image) {
-    Mask near = region_;
-    for (std::size_t v = 0; v < near.voxels.size(); ++v)
-      near.voxels[v] &= image.voxels[v] > low && image.voxels[v] < high;
-    return near;
-  };
-  const Mask core = largestPart(erode(within(flat_), options.tear_mm));
-  Mask brain = intersection(dilate(core, options.regrow_mm), within(calm_));
+  Mask near = region_;
+  for (std::size_t v = 0; v < near.voxels.size(); ++v)
+    near.voxels[v] &= flat_.voxels[v] > low && flat_.voxels[v] < high;
+  const Mask core = largestPart(erode(near, options.tear_mm));
+  Mask brain = intersection(dilate(core, options.regrow_mm), near);
   const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);
   brain = unionOf(close(brain, options.sulcus_mm), deep);
   return largestPart(open(fillHoles(close(brain, options.smooth_mm)), options.smooth_mm));

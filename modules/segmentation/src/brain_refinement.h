@@ -2,9 +2,7 @@
 // From BET's smooth surface to tissue with closed sulci: what has the intensity of grey or white matter near
 // that surface and not far from the connected body of white matter (BET leaks into the neck where the skull
 // base is thin or blurred, but muscle has no such body), torn off from dura, eyes and vessels by erosion,
-// grown back where it is tissue; then sulci and ventricles are closed. Torn by the scan's own voxels, since
-// the gaps to dura and neck are a voxel wide; grown back by smoothed ones, since single voxels' noise, and
-// how sharp the scan is, would move the edge.
+// grown back where it is tissue; then sulci and ventricles are closed.
 
 #include "brain_tissue.h"
 
@@ -27,8 +25,8 @@ struct RefinementOptions {
 /// What all limits of tissue share is worked out once; safe to ask from several threads.
 class Refinement {
  public:
-  /// `flat`: bias-corrected, cubic voxels; `calm`: the same, smoothed; both kept by reference. `first` on
-  /// their grid.
+  /// `flat`: bias-corrected, cubic voxels, kept by reference; `calm`: the same, smoothed; `first` on their
+  /// grid.
   /// `open_fluid`: the value of fluid without any tissue in its voxels.
   Refinement(const volume::Volume& flat, const volume::Volume& calm, const volume::Mask& first,
              const TissueModel& tissue, float open_fluid);
@@ -36,7 +34,7 @@ class Refinement {
   volume::Mask brain(double tissue_share = RefinementOptions().tissue_share) const;
 
  private:
-  const volume::Volume &flat_, &calm_;
+  const volume::Volume& flat_;
   TissueModel tissue_;
   float open_fluid_;
   volume::Mask region_;  // near the first surface and near the connected body of white matter
