@@ -25,6 +25,9 @@ constexpr double kLongestGap_s = 0.3;    // beyond it a prediction is worth noth
 constexpr double kTrustMemory_s = 0.7;   // over which a patch shows whether it moves by itself
 constexpr double kLeastLikeness = 0.15;  // after it: less is no face
 constexpr double kLikely = 0.8;          // the head is there, about
+// Of the telling patches, in either camera: a face that was looked for must show more of itself than one that
+// was tracked a frame before, else another person's, laid over it by the search, might do.
+constexpr double kSurelyFound = 0.5;
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
 constexpr double kNoiseInDetail = 0.041;  // variance of level 1 less its 3 x 3 mean, by that of the sensor
@@ -184,6 +187,8 @@ class ModelHeadTracker : public HeadTracker {
         fitPose(rig_, model_, key.level, now, start, rough_level_ - 1, {}, rough_level_ - 1).motion;
     PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, nearly), nearly, 0, trust());
     Verdict verdict = judge(model_, fit, key.covariance);
+    if (verdict.isTracked() && std::min(verdict.good_share[0], verdict.good_share[1]) < kSurelyFound)
+      verdict.lost = LostReason::few_features;
     return {std::move(fit), std::move(verdict)};
   }
 
