@@ -109,8 +109,7 @@ void drawCaption(View& view, const std::string& words, bool is_lost) {
 
 std::string caption(const NavigationState& state, bool is_left) {
   std::string words = is_left ? "left camera" : "right camera";
-  if (!state.head) words += "   FACE LOST (" + toString(state.head.reason()) + ")";
-  if (!state.coil) words += "   COIL LOST (" + toString(state.coil.reason()) + ")";
+  for (const std::string& title : lossTitles(state)) words += "   " + title;
   return words;
 }
 

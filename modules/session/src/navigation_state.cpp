@@ -99,4 +99,12 @@ std::string lossInWords(const NavigationState& state) {
   return {};
 }
 
+std::vector<std::string> lossTitles(const NavigationState& state) {
+  const auto title = [](const std::string& words) { return words.substr(0, words.find(':')); };
+  std::vector<std::string> titles;
+  if (!state.head) titles.push_back(title(headWords(state.head.reason(), state.head_detail)));
+  if (!state.coil) titles.push_back(title(coilWords(state.coil.reason())));
+  return titles;
+}
+
 }  // namespace facenav::session

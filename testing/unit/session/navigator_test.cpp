@@ -125,6 +125,14 @@ TEST(NavigationState, SaysWhatALossLooksLike) {
   EXPECT_EQ(words.count(""), 0u);
 }
 
+TEST(NavigationState, NamesAllThatIsLostInWordsAndNotInCodes) {
+  NavigationState state;
+  state.head = Lost{LostReason::few_features};
+  state.head_detail = tracking::LossDetail::covered;
+  state.coil = Lost{LostReason::no_marker};
+  EXPECT_EQ(lossTitles(state), (std::vector<std::string>{"FACE COVERED", "COIL NOT SEEN"}));
+}
+
 TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {
   auto setup = fakes::setup();
   const RigidTransform<Coil, Marker> coil_T_marker(Eigen::Quaterniond::Identity(), {0, 80, -30});

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "facenav/core/timestamp.h"
 #include "facenav/core/tracked.h"
@@ -50,5 +51,8 @@ std::string lossWord(const NavigationState& state);
 /// What to tell the user when something is lost, head first: "FACE HIDDEN: move the coil or hand aside".
 /// Empty when both are tracked.
 std::string lossInWords(const NavigationState& state);
+
+/// All that is lost by its name alone, head first: "FACE COVERED", "COIL NOT SEEN".
+std::vector<std::string> lossTitles(const NavigationState& state);
 
 }  // namespace facenav::session
