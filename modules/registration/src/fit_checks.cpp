@@ -257,7 +257,7 @@ std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
                        " mm): check that this is the patient's own MRI, and a calm face");
   if (evidence.closeness.bare_share < kMostlyBare)
     cautions.push_back(percent(1 - evidence.closeness.bare_share) +
-                       " of the face are covered (a mask, hair, a hand): the rest was aligned");
+                       " of the face is covered (a mask, hair, a hand): the rest was aligned");
   return cautions;
 }
 

@@ -16,12 +16,10 @@ struct MarkerDetection {
   PatternMatch match;
 };
 
-/// The light that a print is looked for in: dim, where its contrast is low. Either costs about the same.
-enum class MarkerLight { bright, dim, bright_else_dim };
-
-/// All quadrangles of the image that show one of the patterns; the same place is given once.
+/// All quadrangles of the image that show one of the patterns; the same place is given once. Where none does,
+/// low contrast (dim light) is tried too, which costs as much again, unless `is_dim_tried` says no.
 std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
-                                           MarkerLight light = MarkerLight::bright_else_dim);
+                                           bool is_dim_tried = true);
 /// Whether the quadrangle shows this pattern this way up: for a place that was predicted.
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern);
 

@@ -23,14 +23,11 @@ namespace {
 
 constexpr double kLongestGap_s = 0.3;    // beyond it a prediction is worth nothing
 constexpr double kTrustMemory_s = 0.7;   // over which a patch shows whether it moves by itself
+constexpr int kRoughLevel = 2;           // where fits that only choose a start end
 constexpr double kLeastLikeness = 0.15;  // after it: less is no face
 constexpr double kLikely = 0.8;          // the head is there, about
-// Of the telling patches, in either camera: a face that was looked for must show more of itself than one that
-// was tracked a frame before, else another person's, laid over it by the search, might do.
-constexpr double kSurelyFound = 0.5;
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
-constexpr double kNoiseInDetail = 0.041;  // variance of level 1 less its 3 x 3 mean, by that of the sensor
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
@@ -54,11 +51,9 @@ class ModelHeadTracker : public HeadTracker {
     if (model_.level[0].patches.size() < 30)
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
-    rough_level_ = model_.level[2].patches.size() < kFewestPatches ? 1 : 2;
     rig_ = rig;
     keys_ = KeyFrames(model_);
-    coarse_ = reference_search_ =
-        CoarseSearch(rig, key, FaceTemplate(rig, region, surface, model_.centre_mm));
+    coarse_ = reference_search_ = CoarseSearch(rig, key, model_);
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
@@ -78,10 +73,7 @@ class ModelHeadTracker : public HeadTracker {
       const KeyFrame& key = keys_.nearest(predicted);
       const PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, predicted), predicted, 0, trust());
       const Verdict verdict = judge(model_, fit, key.covariance);
-      if (verdict.isTracked()) {
-        learnSides(frame, fit, verdict);
-        return accepted(frame, fit, verdict);
-      }
+      if (verdict.isTracked()) return accepted(frame, fit, verdict);
     }
     return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
@@ -136,25 +128,20 @@ class ModelHeadTracker : public HeadTracker {
     return factors;
   }
 
-  // The prediction failed. At first a coarse fit from there; while that leads nowhere, in the frames after
-  // it, from wherever the face seems to be: the one after which the patches look most as they should is
-  // fitted to the end. So no frame takes long.
+  // The prediction failed: from there, and from wherever a picture of the face is found, a coarse fit each;
+  // the one after which the patches look most as they should is fitted to the end. So no frame takes long.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
-    const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
-                                             ImagePyramid::coarse(frame.right)};
+    const std::array<ImagePyramid, 2> now = {ImagePyramid(frame.left), ImagePyramid(frame.right)};
     PoseFit best;
     if (last_) best = roughly(now, expected.value_or(last_->motion));
-    if (best.likeness > kLikely && lost_frames_ == 0) {  // lost to a quick move at most
-      const auto there = attempt(frame, now, best.motion);
+    if (best.likeness > kLikely) {  // lost to a quick move at most: nothing need be searched
+      const auto there = attempt(now, best.motion);
       if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
-      return lost(*there.verdict.lost, detailOf(there, now));
     }
-    const auto starts =
-        coarse_.find(rig_, now, last_ ? std::optional(last_->motion) : std::nullopt, lost_frames_);
+    const auto starts = coarse_.find(rig_, now, lost_frames_);
     for (const auto& start : starts) {
-      if (best.likeness > kLikely) break;
-      const PoseFit rough = roughly(now, start, rough_level_);
+      const PoseFit rough = roughly(now, start);
       if (rough.likeness > best.likeness) best = rough;
     }
     if (last_ && best.likeness < kLikely &&
@@ -162,17 +149,14 @@ class ModelHeadTracker : public HeadTracker {
             std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
       return lost(LostReason::camera, LossDetail::swapped);
     if (best.likeness < kLeastLikeness)
-      return lost(LostReason::no_face,
-                  circumstance(last_ ? last_->motion : Eigen::Isometry3d::Identity(), now)
-                      .value_or(starts.empty() ? LossDetail::not_found : LossDetail::doubtful));
-    const auto there = attempt(frame, now, best.motion);
+      return lost(LostReason::no_face, starts.empty() ? LossDetail::not_found : LossDetail::doubtful);
+    const auto there = attempt(now, best.motion);
     if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
     return lost(*there.verdict.lost, detailOf(there, now));
   }
 
-  PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start,
-                  int first_level = kLevels - 1) const {
-    return fitPose(rig_, model_, keys_.likeliest(start).level, now, start, first_level, {}, rough_level_);
+  PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) const {
+    return fitPose(rig_, model_, keys_.likeliest(start).level, now, start, kLevels - 1, {}, kRoughLevel);
   }
 
   struct Attempt {
@@ -180,37 +164,20 @@ class ModelHeadTracker : public HeadTracker {
     Verdict verdict;
   };
 
-  Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
-                  const Eigen::Isometry3d& start) {
+  Attempt attempt(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
-    const Eigen::Isometry3d nearly =
-        fitPose(rig_, model_, key.level, now, start, rough_level_ - 1, {}, rough_level_ - 1).motion;
-    PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, nearly), nearly, 0, trust());
+    PoseFit fit = fitPose(rig_, model_, key.level, now, start, kRoughLevel - 1, trust());
     Verdict verdict = judge(model_, fit, key.covariance);
-    if (verdict.isTracked() && std::min(verdict.good_share[0], verdict.good_share[1]) < kSurelyFound)
-      verdict.lost = LostReason::few_features;
     return {std::move(fit), std::move(verdict)};
   }
 
   // In words only: where patches look as they should, but too few, the rest is covered.
   LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now) const {
-    if (const auto detail = circumstance(there.fit.motion, now)) return *detail;
-    switch (*there.verdict.lost) {
-      case LostReason::camera:
-        return LossDetail::one_camera;
-      case LostReason::few_features:
-        return LossDetail::covered;
-      default:
-        return LossDetail::doubtful;
-    }
-  }
-
-  // What makes any face hard to see, wherever it is.
-  std::optional<LossDetail> circumstance(const Eigen::Isometry3d& motion,
-                                         const std::array<ImagePyramid, 2>& now) const {
-    if ((motion * model_.centre_mm).z() > kFar * model_.centre_mm.z()) return LossDetail::too_far;
+    if (*there.verdict.lost == LostReason::camera) return LossDetail::one_camera;
+    const double depth_mm = (there.fit.motion * model_.centre_mm).z();
+    if (depth_mm > kFar * model_.centre_mm.z()) return LossDetail::too_far;
     if (detailIn(now[0]) < kBlurred * detail_at_start_) return LossDetail::blurred;
-    return std::nullopt;
+    return *there.verdict.lost == LostReason::few_features ? LossDetail::covered : LossDetail::doubtful;
   }
 
   // How much of the face's contrast is fine detail: that between level 0 and 1, by that between 1 and 2.
@@ -223,10 +190,7 @@ class ModelHeadTracker : public HeadTracker {
     coarse(box).convertTo(grey, CV_32F, 1.0 / kGreyScale);
     cv::blur(grey, smooth, {3, 3});
     cv::blur(grey, smoother, {9, 9});
-    const double fine = cv::norm(grey, smooth, cv::NORM_L2SQR) / box.area(),
-                 noise = kNoiseInDetail * model_.noise_grey * model_.noise_grey;
-    return std::sqrt(std::max(0.0, fine - noise) * box.area()) /
-           (1e-3 + cv::norm(smooth, smoother, cv::NORM_L2));
+    return cv::norm(grey, smooth, cv::NORM_L2) / (1e-3 + cv::norm(smooth, smoother, cv::NORM_L2));
   }
 
   // Pictures that are no news: the track goes on from before with the next good ones.
@@ -243,15 +207,11 @@ class ModelHeadTracker : public HeadTracker {
     return Lost{reason};
   }
 
-  // Not in a frame in which the head was looked for: that has cost enough.
-  void learnSides(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
-    if (keys_.learn(rig_, model_, frame, fit, verdict))
-      coarse_.add(rig_, {ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
-  }
-
   Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     learnTrust(frame.captured, fit);
     detail_ = LossDetail::unknown;
+    if (keys_.learn(rig_, model_, frame, fit, verdict))
+      coarse_.add(rig_, {frame.left, frame.right}, model_, fit.motion);
     remember(frame.captured, fit);
     HeadPose pose;
     pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
@@ -306,7 +266,6 @@ class ModelHeadTracker : public HeadTracker {
   std::shared_ptr<const FaceDetector> detector_;
   stereo::StereoRig rig_;
   PatchModel model_;
-  int rough_level_ = 2;  // where fits that only choose a start end
   KeyFrames keys_;
   CoarseSearch coarse_, reference_search_;  // the second: without what was learnt since start()
   LossDetail detail_ = LossDetail::unknown;
