@@ -244,6 +244,8 @@ void requireTrust(const FitEvidence& evidence) {
            "show more of the face to both cameras");
 }
 
+bool isPartlyCovered(const FitEvidence& evidence) { return evidence.closeness.bare_share < kMostlyBare; }
+
 std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   std::vector<std::string> cautions;
   const double off = std::abs(evidence.scale - 1);
@@ -255,7 +257,7 @@ std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   if (loose_mm > kLoose_mm)
     cautions.push_back("the skin fits loosely (by " + oneDecimal(loose_mm) +
                        " mm): check that this is the patient's own MRI, and a calm face");
-  if (evidence.closeness.bare_share < kMostlyBare)
+  if (isPartlyCovered(evidence))
     cautions.push_back(percent(1 - evidence.closeness.bare_share) +
                        " of the face is covered (a mask, hair, a hand): the rest was aligned");
   return cautions;

@@ -42,6 +42,9 @@ void requireLikeness(const FitEvidence& evidence);
 /// The same, and whether the pose is fixed well enough.
 void requireTrust(const FitEvidence& evidence);
 
+/// Something hides a good part of the face: what lies there is not skin, even where it happens to fit.
+bool isPartlyCovered(const FitEvidence& evidence);
+
 /// What is no reason to refuse, but to look, in plain words.
 std::vector<std::string> cautionsOf(const FitEvidence& evidence);
 

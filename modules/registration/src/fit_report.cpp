@@ -107,10 +107,13 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   double squares = 0;
   std::size_t offered = 0;
   Eigen::Vector3d face_mri_mm = Eigen::Vector3d::Zero();
+  // On a bare face a patch or two that look covered still fit the skin, and go with the head.
+  const bool is_partly_covered = isPartlyCovered(evidence);
   for (std::size_t p = 0; p < matches.size(); ++p) {
     const double residual = double(matches[p].residual_mm);
     const bool is_inlier = weights[p] > 0 && matches[p].is_valid &&
-                           std::abs(nearest[p].residual_mm) < fit.limit_mm && !covers.hold(face.points_mm[p]);
+                           std::abs(nearest[p].residual_mm) < fit.limit_mm &&
+                           !(is_partly_covered && covers.hold(face.points_mm[p]));
     offered += nearest[p].is_valid && std::abs(nearest[p].residual_mm) < 15;
     result.is_inlier.push_back(is_inlier);
     result.residual_mm.push_back(residual);
