@@ -68,5 +68,15 @@ TEST(Accuracy, NobodyElseIsTrackedAndThePatientIsFoundAgain) {
   expectWithin(table.figure("", "found_again_max_s"), 0.2, "found again after a loss");
 }
 
+// A search that reached farther once laid this person's face over the patient's.
+TEST(Accuracy, APersonWhoLooksLikeThePatientIsNotTracked) {
+  FACENAV_NEEDS(virtualPatientMri());
+  const TemporaryFolder folder;
+  const auto table =
+      evaluated("--scenario other_face --seeds 1 --first-seed 93 --captures 0 --frames 30", folder);
+  EXPECT_THAT(table.failures(), IsEmpty());
+  expectWithin(table.figure("other_face", "head_wrong_as_tracked"), 0, "wrong head poses shown as tracked");
+}
+
 }  // namespace
 }  // namespace facenav::testing

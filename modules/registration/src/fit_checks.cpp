@@ -225,7 +225,7 @@ void requireLikeness(const FitEvidence& evidence) {
   if (is_resized) refuseSize(evidence.fitting_scale);
   if (isNoFit(closeness))
     refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
-               " of it lie on the skin, median distance " + oneDecimal(closeness.median_mm) + " mm)",
+               " of it lies on the skin, median distance " + oneDecimal(closeness.median_mm) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
   if (evidence.mirror_log_odds < kLeastUnmirrored)
     refuse("the face cannot be told from its mirror image",
