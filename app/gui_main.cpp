@@ -11,6 +11,7 @@
 #include <cstdio>
 
 #include "appearance.h"
+#include "case_pictures.h"
 #include "context.h"
 #include "facenav/capture/camera_pair_source.h"
 #include "facenav/core/error.h"
@@ -86,6 +87,7 @@ ui::Services makeServices() {
   services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
     return capture::openCameraPair(rig, left, right);
   };
+  services.drawSurfaceDistance = app::writeSurfaceDistance;
   services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
   return services;
 }

@@ -4,19 +4,17 @@
 #include <future>
 #include <map>
 
+#include "case_pictures.h"
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sha256.h"
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/dicom/import_volume.h"
-#include "facenav/scene/cortex_picture.h"
-#include "facenav/scene/png.h"
 #include "facenav/session/face_measures_picture.h"
 #include "facenav/session/navigator.h"
 #include "facenav/session/preparation.h"
 #include "facenav/session/skin_fit_picture.h"
-#include "facenav/session/surface_distance_picture.h"
 #include "facenav/tracking/face_landmarks.h"
 #include "stored_capture.h"
 
@@ -134,22 +132,6 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
     logWarning("the coil's poses are the marker's (no --coil was given): the marker is guided, not the coil");
 }
 
-/// A picture in a case shows the patient's face: for this user's eyes only.
-void writePrivatePng(const RgbImage& image, const fs::path& path) {
-  scene::writePng(image, path);
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
-}
-
-/// How far the phi-theta surface lies from the cortex, as a picture beside the case's others.
-void writeSurfaceDistance(const casefile::PreparedCase& prepared, const fs::path& path) {
-  const auto& q = *prepared.brain_quality;
-  const surface::ModelDistance figures{{q.surface_median_mm, q.surface_p95_mm, 0},
-                                       {q.model_median_mm, q.model_p95_mm, 0}};
-  const double full_mm = scene::distanceScale_mm(figures.cortex_to_model);
-  const auto colour = [full_mm](double mm) { return scene::distanceColour(mm, full_mm); };
-  writePrivatePng(session::drawSurfaceDistance(*prepared.cortex, figures, full_mm, colour), path);
-}
-
 /// The atlas, or a warning that there is none: a case without MNI coordinates is still a case.
 std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
   try {
@@ -213,8 +195,12 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
     writePrivatePng(session::drawFaceMeasures(prepared.scalp, check.landmarks, check.measures),
                     store.folder() / "face_measures.png");
   }
-  if (prepared.cortex && prepared.brain_quality)
-    writeSurfaceDistance(prepared, store.folder() / "surface_distance.png");
+  if (prepared.cortex && prepared.brain_quality) {
+    const auto& q = *prepared.brain_quality;
+    writeSurfaceDistance(*prepared.cortex,
+                         {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}},
+                         store.folder());
+  }
   std::optional<double> brain_ml;
   if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
   if (field.valid()) field.get();

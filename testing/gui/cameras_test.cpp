@@ -67,6 +67,18 @@ class CamerasTest : public ::testing::Test {
     TaskMonitor monitor;
     model_.open(loadCase(case_folder, monitor));
   }
+  /// From the two pictures to running trackers.
+  void guide() {
+    cameras().takeDots();
+    const auto with_dots = cameras().picture()->number;
+    ASSERT_TRUE(fixtures::waitFor([&] { return cameras().picture()->number > with_dots; }));
+    cameras().takePlain();
+    ASSERT_TRUE(treat_->canAlign());
+    treat_->align(true);
+    settle();
+    settle();
+    ASSERT_TRUE(treat_->isRunning());
+  }
   void openCameras() {
     cameras().setRigFile(QString::fromStdString((folder_.path() / "stereo.yml").string()));
     cameras().refreshDevices();
@@ -121,15 +133,7 @@ TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   EXPECT_TRUE(refused_.contains("take the two pictures"));
   cameras().takePlain();  // the dots come first
   EXPECT_FALSE(cameras().capture());
-  cameras().takeDots();
-  const auto with_dots = cameras().picture()->number;
-  ASSERT_TRUE(fixtures::waitFor([&] { return cameras().picture()->number > with_dots; }));
-  cameras().takePlain();
-  ASSERT_TRUE(treat_->canAlign());
-  treat_->align(true);
-  settle();
-  settle();
-  ASSERT_TRUE(treat_->isRunning());
+  ASSERT_NO_FATAL_FAILURE(guide());
   ASSERT_TRUE(aligned_with_ && aligned_with_->capture);
   EXPECT_LT(aligned_with_->capture->pattern.captured.s, aligned_with_->capture->plain.captured.s);
   EXPECT_TRUE(fixtures::waitFor([&] { return bool(treat_->state()->camera_T_mri); }));
@@ -138,6 +142,22 @@ TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   EXPECT_FALSE(treat_->state()->camera_T_mri);  // the last pose is not left standing
   treat_->stop();
   EXPECT_EQ(*open_, 0);
+}
+
+TEST_F(CamerasTest, ACameraThatHangsWhileGuidingDoesNotHoldUpTheWindow) {
+  openCameras();
+  ASSERT_NO_FATAL_FAILURE(guide());
+  *hung_ = true;
+  std::thread rescue([hung = hung_] {  // of a window that waits
+    std::this_thread::sleep_for(std::chrono::seconds(5));
+    *hung = false;
+  });
+  treat_->stop();
+  EXPECT_TRUE(*hung_);  // gone on before the camera did
+  EXPECT_FALSE(treat_->isRunning());
+  *hung_ = false;
+  rescue.join();
+  EXPECT_TRUE(fixtures::waitFor([&] { return *open_ == 0; }));
 }
 
 TEST_F(CamerasTest, AnUnpluggedCameraIsSaidAndNothingIsTakenFromIt) {

@@ -11,7 +11,11 @@ namespace {
 
 class EditPresenterTest : public ::testing::Test {
  protected:
-  EditPresenterTest() : edit_(model_, tasks_) {
+  EditPresenterTest() : edit_(services_, model_, tasks_) {
+    services_.drawSurfaceDistance = [this](const auto& cortex, const auto&, const auto& case_folder) {
+      EXPECT_FALSE(cortex.mesh.triangles.empty());
+      drawn_in_ = case_folder;
+    };
     casefile::CaseStore::create(folder_.path() / "case", fixtures::ballWithBrain(), {}, false);
     open();
     plane_ =
@@ -37,6 +41,8 @@ class EditPresenterTest : public ::testing::Test {
     fixtures::waitFor([&] { return !tasks_.isRunning(); });
   }
   testing::TemporaryFolder folder_;
+  std::filesystem::path drawn_in_;  // the folder of the last distance picture
+  Services services_;
   CaseModel model_;
   TaskRunner tasks_;
   EditPresenter edit_;
@@ -99,6 +105,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   EXPECT_EQ(model_.current().brain_mask->voxels, edit_.mask()->voxels);
   EXPECT_EQ(casefile::automaticBrainMask(model_.current().store)->voxels, before.voxels);
   EXPECT_EQ(model_.current().shown_sha256, casefile::seenFiles(model_.current().store));
+  EXPECT_EQ(drawn_in_, model_.current().store.folder());
   edit_.resetToAutomatic();
   EXPECT_EQ(edit_.mask()->voxels, before.voxels);
   edit_.undo();
@@ -107,7 +114,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
 
 TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {
   {
-    EditPresenter other(model_, tasks_);
+    EditPresenter other(services_, model_, tasks_);
     open();
     other.setTool(EditTool::brush);
     other.press(plane_, pixel(60, 0), false);

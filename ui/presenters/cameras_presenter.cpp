@@ -100,14 +100,9 @@ void CamerasPresenter::open() {
                });
 }
 
-/// Its end is waited for elsewhere.
 void CamerasPresenter::retire(std::shared_ptr<capture::LivePreview> preview) {
-  const auto has_gone = [](const std::future<void>& each) {
-    return each.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  };
-  retired_.erase(std::remove_if(retired_.begin(), retired_.end(), has_gone), retired_.end());
   if (preview)
-    retired_.push_back(std::async(std::launch::async, [old = std::move(preview)]() mutable { old.reset(); }));
+    retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(0));
 }
 
 void CamerasPresenter::show(const capture::Recording& recording) {

@@ -4,13 +4,13 @@
 
 #include <QObject>
 #include <QStringList>
-#include <future>
 #include <memory>
 #include <optional>
 
 #include "facenav/capture/camera_list.h"
 #include "facenav/capture/live_preview.h"
 #include "facenav/capture/recording.h"
+#include "presenters/retirement.h"
 #include "presenters/services.h"
 #include "presenters/task_runner.h"
 
@@ -82,7 +82,7 @@ class CamerasPresenter : public QObject {
   QString rig_file_, rig_problem_;
   std::optional<stereo::StereoRig> rig_;
   std::shared_ptr<capture::LivePreview> preview_;
-  std::vector<std::future<void>> retired_;  // waited for when this goes
+  Retirement retirement_;
   bool is_live_ = false;
   std::optional<stereo::StereoFrame> dots_, plain_;
   Timestamp dots_taken_, plain_taken_;

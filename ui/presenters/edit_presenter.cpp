@@ -41,8 +41,8 @@ volume::Mask emptyMask(const volume::VoxelGrid& grid) {
 
 }  // namespace
 
-EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)
-    : QObject(parent), model_(model), tasks_(tasks) {
+EditPresenter::EditPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
+    : QObject(parent), services_(services), model_(model), tasks_(tasks) {
   connect(&model_, &CaseModel::opened, this, &EditPresenter::open);
   autosave_timer_.setInterval(kAutosave_ms);
   connect(&autosave_timer_, &QTimer::timeout, this, &EditPresenter::autosave);
@@ -308,6 +308,7 @@ void EditPresenter::save() {
                  auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
                  casefile::saveEditedBrainMask(store, mask);  // void is the sign-off from here on
                  casefile::saveBrainModel(store, *brain, &surfaces.cortex);
+                 services_.drawSurfaceDistance(surfaces.cortex, surfaces.distance, store.folder());
                  casefile::removeBrainDraft(store);
                  const auto shown = casefile::seenFiles(store);
                  const auto status = casefile::signOffStatus(store);

@@ -9,9 +9,8 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
 
 template <class T>
-Chip chip(const QString& name, const Tracked<T>& tracked) {
-  if (!tracked)
-    return {tr("%1 LOST").arg(name), QString::fromStdString(toString(tracked.reason())), Level::lost};
+Chip chip(const QString& name, const Tracked<T>& tracked, const std::string& loss) {
+  if (!tracked) return {tr("%1 LOST").arg(name), QString::fromStdString(loss), Level::lost};
   const bool is_weak = tracked.quality() < 0.4;
   return {is_weak ? tr("%1 weak").arg(name) : tr("%1 tracked").arg(name),
           tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
@@ -38,8 +37,8 @@ ReadOut makeReadOut(const session::NavigationState& state) {
       !state.head && (state.head.reason() == LostReason::stale || state.head.reason() == LostReason::camera);
   out.cameras = {has_images && !is_stale ? tr("CAMERAS on") : tr("CAMERAS no images"), QString(),
                  has_images && !is_stale ? Level::good : Level::lost};
-  out.face = chip(tr("FACE"), state.head);
-  out.coil = chip(tr("COIL"), state.coil);
+  out.face = chip(tr("FACE"), state.head, session::headLossInWords(state));
+  out.coil = chip(tr("COIL"), state.coil, session::coilLossInWords(state));
   out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));
   const auto& g = state.guidance;
   const bool has_values = g.values.has_value() && g.state != guidance::State::lost;

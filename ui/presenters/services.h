@@ -20,6 +20,7 @@
 #include "facenav/pacs/pacs.h"
 #include "facenav/session/align_from_capture.h"
 #include "facenav/session/session.h"
+#include "facenav/surface/detailed_cortex.h"
 
 namespace facenav::ui {
 
@@ -53,6 +54,10 @@ struct Services {
       openCameras;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   std::function<tracking::CoilModel(const std::filesystem::path&)> readCoil;
+  /// The picture beside a brain model that was corrected by hand, in its case folder.
+  std::function<void(const surface::DetailedCortex&, const surface::ModelDistance&,
+                     const std::filesystem::path& case_folder)>
+      drawSurfaceDistance;
   /// The labelled atlas; throws Error where it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;
   /// Written into provenance.

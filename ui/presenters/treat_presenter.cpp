@@ -8,6 +8,8 @@
 namespace facenav::ui {
 namespace {
 
+constexpr std::chrono::milliseconds kPatience(1000);  // with a session that ends
+
 /// The files may have changed on the disk since the case was opened: asked again, right before use.
 void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
   if (is_overridden || casefile::signOffStatus(store).holds()) return;
@@ -48,7 +50,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
 }
 
 TreatPresenter::~TreatPresenter() {
-  if (session_) session_->stop();
+  if (session_) endSession();
 }
 
 void TreatPresenter::openRecording(const QString& folder) {
@@ -172,10 +174,19 @@ QString TreatPresenter::logFailure() const {
 }
 
 void TreatPresenter::stop() {
-  if (session_) session_->stop();
-  log_.reset();
-  session_.reset();
+  if (session_) endSession();
   emit changed();
+}
+
+/// From here on nothing is shown of it. A well camera ends within a picture, the log with what is left.
+void TreatPresenter::endSession() {
+  retirement_.add(
+      [session = std::shared_ptr(std::move(session_)), log = std::shared_ptr(std::move(log_))]() mutable {
+        session->stop();
+        log.reset();
+        session.reset();
+      },
+      kPatience);
 }
 
 void TreatPresenter::chooseTarget(const QString& name) {

@@ -10,6 +10,7 @@
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
 #include "presenters/read_out.h"
+#include "presenters/retirement.h"
 #include "presenters/services.h"
 #include "presenters/task_runner.h"
 
@@ -74,6 +75,7 @@ class TreatPresenter : public QObject {
   void startNavigator(std::shared_ptr<session::Navigator> navigator,
                       std::unique_ptr<capture::FrameSource> source);
   void useCameras();
+  void endSession();
   std::optional<session::ChosenTarget> chosen() const;
 
   const Services& services_;
@@ -87,6 +89,7 @@ class TreatPresenter : public QObject {
   std::shared_ptr<const session::AlignmentOutcome> outcome_;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;  // goes before the session
+  Retirement retirement_;
   QElapsedTimer since_start_;
   QString target_;
 };

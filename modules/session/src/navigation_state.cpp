@@ -92,18 +92,25 @@ std::string lossInWords(const NavigationState& state) {
   if (!state.failure.empty()) return "STOPPED: " + state.failure;
   if (!state.rig_fault.empty()) return "CAMERAS MOVED: calibrate them again";
   if (state.has_drifted) return "DRIFT: the face no longer matches the MRI, align again";
-  if (!state.head) return headWords(state.head.reason(), state.head_detail);
+  if (!state.head) return headLossInWords(state);
   if (!state.is_aligned) return "NOT ALIGNED: align the head first";
   if (!state.camera_T_mri) return headWords(state.camera_T_mri.reason(), state.head_detail);
-  if (!state.coil) return coilWords(state.coil.reason());
-  return {};
+  return coilLossInWords(state);
+}
+
+std::string headLossInWords(const NavigationState& state) {
+  return state.head ? std::string() : headWords(state.head.reason(), state.head_detail);
+}
+
+std::string coilLossInWords(const NavigationState& state) {
+  return state.coil ? std::string() : coilWords(state.coil.reason());
 }
 
 std::vector<std::string> lossTitles(const NavigationState& state) {
   const auto title = [](const std::string& words) { return words.substr(0, words.find(':')); };
   std::vector<std::string> titles;
-  if (!state.head) titles.push_back(title(headWords(state.head.reason(), state.head_detail)));
-  if (!state.coil) titles.push_back(title(coilWords(state.coil.reason())));
+  for (const std::string& words : {headLossInWords(state), coilLossInWords(state)})
+    if (!words.empty()) titles.push_back(title(words));
   return titles;
 }
 

@@ -16,6 +16,7 @@
 #include <fstream>
 
 #include "facenav/core/error.h"
+#include "support/nibabel.h"
 #include "support/test_data.h"
 
 namespace facenav::surface {
@@ -104,22 +105,15 @@ TEST(MeshFiles, StlAndPlySayThatTheyAreInRas) {
 
 TEST(MeshFiles, NibabelReadsBackGifti) {
   const testing::TemporaryFolder folder;
-  const auto path = folder.path() / "mesh.gii", script = folder.path() / "read.py";
+  const auto path = folder.path() / "mesh.gii";
   writeMesh(tetrahedron(), MeshFormat::gifti, path);
-  std::ofstream(script) << "import nibabel, sys\n"
-                           "gii = nibabel.load(sys.argv[1])\n"
-                           "points, triangles = gii.agg_data('pointset'), gii.agg_data('triangle')\n"
-                           "for t in triangles:\n"
-                           "  for i in t: print(*(float(v) for v in points[i]))\n"
-                           "space = gii.get_arrays_from_intent('pointset')[0].coordsys\n"
-                           "assert space.dataspace == 1, space.dataspace\n";  // scanner anatomical
-  FILE* pipe = popen(("/usr/bin/python3 " + script.string() + " " + path.string()).c_str(), "r");
-  ASSERT_NE(pipe, nullptr);
-  std::vector<Eigen::Vector3d> corners;
-  Eigen::Vector3d p;
-  while (std::fscanf(pipe, "%lf %lf %lf", &p[0], &p[1], &p[2]) == 3) corners.push_back(p);
-  EXPECT_EQ(pclose(pipe), 0);
-  expectSame(corners);
+  expectSame(
+      testing::pointsByNibabel(path,
+                               "points, triangles = image.agg_data('pointset'), image.agg_data('triangle')\n"
+                               "for t in triangles:\n"
+                               "  for i in t: print(*(float(v) for v in points[i]))\n"
+                               "space = image.get_arrays_from_intent('pointset')[0].coordsys\n"
+                               "assert space.dataspace == 1, space.dataspace\n"));  // scanner anatomical
 }
 
 TEST(MeshFiles, AnEmptyMeshIsRefusedAndLeavesNoFile) {

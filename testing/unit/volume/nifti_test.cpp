@@ -10,6 +10,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "support/matchers.h"
+#include "support/nibabel.h"
 #include "support/test_data.h"
 #include "volumes.h"
 
@@ -41,6 +42,26 @@ TEST(Nifti, RoundTripKeepsValuesAndPlaces) {
     EXPECT_EQ(read.volume.orientation_source, "sform");
     EXPECT_FALSE(read.warning) << *read.warning;
   }
+}
+
+/// An exported mask means the same places to everyone else's tools, by either map.
+TEST(Nifti, NibabelReadsMasksBackAtTheSamePlaces) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "mask.nii.gz";
+  volume::Mask mask{numberedVolume().grid, std::vector<std::uint8_t>(5 * 6 * 7, 0)};
+  const Eigen::Vector3i marked[] = {{0, 2, 5}, {4, 0, 1}};
+  for (const auto& v : marked) mask.voxels[mask.grid.index(v[0], v[1], v[2])] = 1;
+  volume::writeMask(mask, path);
+  const auto places = pointsByNibabel(path,
+                                      "import numpy\n"
+                                      "voxels = numpy.asarray(image.dataobj)\n"
+                                      "assert set(numpy.unique(voxels)) == {0, 1}\n"
+                                      "for affine in image.get_sform(), image.get_qform():\n"
+                                      "  for v in numpy.argwhere(voxels):\n"
+                                      "    print(*nibabel.affines.apply_affine(affine, v))\n");
+  ASSERT_EQ(places.size(), 4u);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    EXPECT_LT((places[i] - mask.grid.toMri(marked[i % 2].cast<double>()).mm).norm(), 1e-4) << i;
 }
 
 TEST(Nifti, ValueTypeIsTheSmallestThatHoldsAll) {

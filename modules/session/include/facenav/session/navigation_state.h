@@ -52,6 +52,10 @@ std::string lossWord(const NavigationState& state);
 /// Empty when both are tracked.
 std::string lossInWords(const NavigationState& state);
 
+/// The same for one of them, also where the other is lost before it. Empty where it is tracked.
+std::string headLossInWords(const NavigationState& state);
+std::string coilLossInWords(const NavigationState& state);
+
 /// All that is lost by its name alone, head first: "FACE COVERED", "COIL NOT SEEN".
 std::vector<std::string> lossTitles(const NavigationState& state);
 

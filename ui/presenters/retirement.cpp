@@ -1,0 +1,16 @@
+#include "presenters/retirement.h"
+
+#include <algorithm>
+
+namespace facenav::ui {
+
+void Retirement::add(std::function<void()> end, std::chrono::milliseconds patience) {
+  const auto has_come = [](const std::future<void>& each) {
+    return each.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  ends_.erase(std::remove_if(ends_.begin(), ends_.end(), has_come), ends_.end());
+  ends_.push_back(std::async(std::launch::async, std::move(end)));
+  ends_.back().wait_for(patience);
+}
+
+}  // namespace facenav::ui
