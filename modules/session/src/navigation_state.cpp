@@ -110,7 +110,7 @@ std::vector<std::string> lossTitles(const NavigationState& state) {
   const auto title = [](const std::string& words) { return words.substr(0, words.find(':')); };
   std::vector<std::string> titles;
   for (const std::string& words : {headLossInWords(state), coilLossInWords(state)})
-    if (!words.empty()) titles.push_back(title(words));
+    if (!words.empty() && (titles.empty() || titles.back() != title(words))) titles.push_back(title(words));
   return titles;
 }
 

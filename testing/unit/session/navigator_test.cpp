@@ -131,6 +131,7 @@ TEST(NavigationState, NamesAllThatIsLostInWordsAndNotInCodes) {
   state.head_detail = tracking::LossDetail::covered;
   state.coil = Lost{LostReason::no_marker};
   EXPECT_EQ(lossTitles(state), (std::vector<std::string>{"FACE COVERED", "COIL NOT SEEN"}));
+  EXPECT_EQ(lossTitles(blanked(state, LostReason::stale)), std::vector<std::string>{"NO NEW IMAGES"});
 }
 
 TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {

@@ -56,7 +56,7 @@ std::string lossInWords(const NavigationState& state);
 std::string headLossInWords(const NavigationState& state);
 std::string coilLossInWords(const NavigationState& state);
 
-/// All that is lost by its name alone, head first: "FACE COVERED", "COIL NOT SEEN".
+/// All that is lost by its name alone, head first: "FACE COVERED", "COIL NOT SEEN"; a cause of both once.
 std::vector<std::string> lossTitles(const NavigationState& state);
 
 }  // namespace facenav::session
