@@ -25,7 +25,6 @@ constexpr double kScaleSigma = 1e-3;        // of lengths, left by a good calibr
 constexpr double kMostSizeSigma = 2.5e-3;   // a size less well seen says nothing of the depth
 constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
 constexpr double kLongestPrediction_s = 0.5;
-constexpr int kSurelyLost = 4;  // frames in a row
 
 bool isUsable(const cv::Mat& grey, const stereo::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
@@ -57,7 +56,8 @@ class MarkerCoilTracker final : public CoilTracker {
   };
 
   /// The whole frame. A coil that stays lost is looked for in one image at a time, by turns, and in the other
-  /// only when that one shows a marker: half the time, and found one frame later at most (in dim light six).
+  /// only when that one shows a marker: half the time, and found one frame later at most. Every third of
+  /// these frames is for dim light, so that each image has had its turn within six.
   Search searchAll(const stereo::StereoFrame& frame) const;
   void fitDetections(const stereo::StereoFrame& frame, const std::vector<MarkerDetection>& seen, bool is_left,
                      Search& search) const;
@@ -169,15 +169,16 @@ std::optional<Solution> MarkerCoilTracker::fitPredicted(const stereo::StereoFram
 
 MarkerCoilTracker::Search MarkerCoilTracker::searchAll(const stereo::StereoFrame& frame) const {
   Search search;
-  const bool is_left_first = lost_frames_ % 2 == 0;
-  // Dim light in every third frame, so that each image has its turn within six.
-  bool is_dim_tried = lost_frames_ < kSurelyLost || lost_frames_ % 3 == 0;
+  const bool is_left_first = lost_frames_ % 2 == 0, is_fresh = lost_frames_ == 0;
   for (const bool is_left : {is_left_first, !is_left_first}) {
-    const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup_.patterns, is_dim_tried);
+    const bool is_other = is_left != is_left_first;
+    MarkerLight light = lost_frames_ % 3 == 2 ? MarkerLight::dim : MarkerLight::bright;
+    if ((is_fresh && !is_other) || search.is_seen_in_left || search.is_seen_in_right)
+      light = MarkerLight::bright_else_dim;
+    const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup_.patterns, light);
     (is_left ? search.is_seen_in_left : search.is_seen_in_right) = !seen.empty();
     fitDetections(frame, seen, is_left, search);
-    if (!search.good.empty() || (seen.empty() && lost_frames_ > 0)) break;
-    is_dim_tried = true;
+    if (!search.good.empty() || (seen.empty() && !is_fresh)) break;
   }
   return search;
 }

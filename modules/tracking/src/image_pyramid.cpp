@@ -6,10 +6,11 @@
 namespace facenav::tracking {
 namespace {
 
-// The kernel along x: reads from[-2] .. from[count + 1].
+// The kernel along x, at every `step`-th pixel: reads from[-2] .. from[step * (count - 1) + 2].
+template <int step>
 void blurRow(const std::uint8_t* from, std::uint16_t* to, int count) {
-  for (int x = 0; x < count; ++x)
-    to[x] = std::uint16_t(from[x - 2] + from[x + 2] + 4 * (from[x - 1] + from[x + 1]) + 6 * from[x]);
+  for (int i = 0, x = 0; i < count; ++i, x += step)
+    to[i] = std::uint16_t(from[x - 2] + from[x + 2] + 4 * (from[x - 1] + from[x + 1]) + 6 * from[x]);
 }
 
 // And along y, over five rows of the above.
@@ -18,14 +19,28 @@ void blurColumn(const std::uint16_t* const rows[5], std::uint16_t* to, int count
   for (int x = 0; x < count; ++x) to[x] = std::uint16_t(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x]);
 }
 
-cv::Mat1w everySecond(const cv::Mat1w& image) {
-  cv::Mat1w half((image.rows + 1) / 2, (image.cols + 1) / 2);
-  for (int y = 0; y < half.rows; ++y) {
-    const std::uint16_t* from = image.ptr<std::uint16_t>(2 * y);
-    std::uint16_t* to = half.ptr<std::uint16_t>(y);
-    for (int x = 0; x < half.cols; ++x) to[x] = from[2 * x];
+// Every `step`-th pixel of `part` along both axes, blurred; the image must reach two pixels beyond.
+template <int step>
+cv::Mat1w blurred(const cv::Mat& grey, const cv::Rect& part) {
+  constexpr int m = kBlurMargin_px;
+  cv::Mat1w result((part.height + step - 1) / step, (part.width + step - 1) / step);
+  cv::Mat1w ring(5, result.cols);
+  for (int y = -m; y < step * (result.rows - 1) + 1 + m; ++y) {
+    const int slot = (y + m) % 5;
+    blurRow<step>(grey.ptr<std::uint8_t>(part.y + y) + part.x, ring.ptr<std::uint16_t>(slot), result.cols);
+    if (y < m || (y - m) % step != 0) continue;
+    const std::uint16_t* rows[5];
+    for (int k = 0; k < 5; ++k) rows[k] = ring.ptr<std::uint16_t>((slot + 1 + k) % 5);
+    blurColumn(rows, result.ptr<std::uint16_t>((y - m) / step), result.cols);
   }
-  return half;
+  return result;
+}
+
+cv::Mat padded(const cv::Mat& grey) {
+  cv::Mat wider;
+  constexpr int m = kBlurMargin_px;
+  cv::copyMakeBorder(grey, wider, m, m, m, m, cv::BORDER_REPLICATE);
+  return wider;
 }
 
 }  // namespace
@@ -33,29 +48,24 @@ cv::Mat1w everySecond(const cv::Mat1w& image) {
 BlurredImage blurredPart(const cv::Mat& grey, const cv::Rect& box) {
   constexpr int m = kBlurMargin_px;
   const cv::Rect part = box & cv::Rect(m, m, std::max(0, grey.cols - 2 * m), std::max(0, grey.rows - 2 * m));
-  BlurredImage blurred;
-  blurred.origin = part.tl();
-  if (part.area() == 0) return blurred;
-  blurred.pixels.create(part.size());
-  cv::Mat1w ring(5, part.width);
-  for (int y = -m; y < part.height + m; ++y) {
-    const int slot = (y + m) % 5;
-    blurRow(grey.ptr<std::uint8_t>(part.y + y) + part.x, ring.ptr<std::uint16_t>(slot), part.width);
-    if (y < m) continue;
-    const std::uint16_t* rows[5];
-    for (int k = 0; k < 5; ++k) rows[k] = ring.ptr<std::uint16_t>((slot + 1 + k) % 5);
-    blurColumn(rows, blurred.pixels.ptr<std::uint16_t>(y - m), part.width);
-  }
-  return blurred;
+  BlurredImage result;
+  result.origin = part.tl();
+  if (part.area() > 0) result.pixels = blurred<1>(grey, part);
+  return result;
 }
 
-ImagePyramid::ImagePyramid(const cv::Mat& grey) {
-  cv::Mat padded;
+ImagePyramid ImagePyramid::coarse(const cv::Mat& grey, cv::Point origin) {
+  ImagePyramid pyramid;
   constexpr int m = kBlurMargin_px;
-  cv::copyMakeBorder(grey, padded, m, m, m, m, cv::BORDER_REPLICATE);
-  level[0].pixels = blurredPart(padded, {0, 0, padded.cols, padded.rows}).pixels;
-  level[1].pixels = everySecond(level[0].pixels);
-  for (int l = 2; l < kLevels; ++l) cv::pyrDown(level[l - 1].pixels, level[l].pixels);
+  pyramid.level[1].pixels = blurred<2>(padded(grey), {m, m, grey.cols, grey.rows});
+  for (int l = 2; l < kLevels; ++l) cv::pyrDown(pyramid.level[l - 1].pixels, pyramid.level[l].pixels);
+  for (int l = 0; l < kLevels; ++l) pyramid.level[l].origin = {origin.x >> l, origin.y >> l};
+  return pyramid;
+}
+
+ImagePyramid::ImagePyramid(const cv::Mat& grey, cv::Point origin) : ImagePyramid(coarse(grey, origin)) {
+  constexpr int m = kBlurMargin_px;
+  level[0].pixels = blurred<1>(padded(grey), {m, m, grey.cols, grey.rows});
 }
 
 cv::Mat1f greyOf(const BlurredImage& image) {

@@ -17,7 +17,7 @@ constexpr int kOldestGeneration = 3;
 constexpr std::size_t kMost = 16, kPatchesAtOnce = 24, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kWorstScale = 3.0, kWorstSigma_mm = 0.25;  // worth learning from
 constexpr int kLeastUsable = 60;
-constexpr int kMargin_px = 16;
+constexpr int kMargin_px = 48;  // about the patches' centres: half of the coarsest patch, and its blur
 
 double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return rotationAngle(a.linear().transpose() * b.linear());
@@ -113,14 +113,25 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
   fresh.key.level = keys_.front().level;
   const auto boxes = boxesAt(rig, model, fit.motion, kMargin_px);
   for (int c = 0; c < 2; ++c) {
-    const ImagePyramid pyramid(c == 0 ? frame.left : frame.right);
-    for (int l = 1; l < kLevels; ++l) fresh.grey[l][c] = greyOf(pyramid.level[l]);
-    const cv::Rect box = boxes[c] & cv::Rect({}, pyramid.level[0].pixels.size());
-    if (box.area() > 0) fresh.grey[0][c] = greyOf({pyramid.level[0].pixels(box), box.tl()});
-    fresh.origin[c] = box.tl();
+    const cv::Mat& image = c == 0 ? frame.left : frame.right;
+    cv::Rect box = boxes[c] & cv::Rect({}, image.size());
+    const cv::Point shift(box.x % kCoarsestStep, box.y % kCoarsestStep);
+    box = {box.tl() - shift, box.br()};
+    fresh.image[c] = image(box).clone(), fresh.origin[c] = box.tl();
   }
   for (const auto& sight : fit.sights) fresh.is_good.push_back({sight[0].isGood(), sight[1].isGood()});
   unfinished_.push_front(std::move(fresh));
+}
+
+bool KeyFrames::prepare() {
+  Unfinished& fresh = unfinished_.front();
+  for (int c = 0; c < 2; ++c) {
+    if (fresh.image[c].empty()) continue;
+    fresh.pyramid[c] = ImagePyramid(fresh.image[c], fresh.origin[c]);
+    fresh.image[c].release();
+    return true;
+  }
+  return false;
 }
 
 void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model, std::size_t i) {
@@ -131,11 +142,11 @@ void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model
     const auto& camera = c == 0 ? rig.left : rig.right;
     const Eigen::Isometry3d camera_T_head =
         c == 0 ? fresh.key.motion : rig.right_T_left.isometry() * fresh.key.motion;
-    const cv::Mat1f& grey = fresh.grey[fresh.level][c];
+    const BlurredImage& image = fresh.pyramid[c].level[fresh.level];
     PatchLooks looked;
-    if ((fresh.level > 0 || fresh.is_good[i][c]) && !grey.empty())
-      looked = look(camera, camera_T_head, grey, fresh.level > 0 ? cv::Point() : fresh.origin[c], points,
-                    fresh.level, noiseBeforeBlur(model.noise_grey, fresh.level));
+    if ((fresh.level > 0 || fresh.is_good[i][c]) && !image.pixels.empty())
+      looked = look(camera, camera_T_head, image, points, fresh.level,
+                    noiseBeforeBlur(model.noise_grey, fresh.level));
     if (looked.view.is_usable) {
       addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, fresh.level, looked.view);
       fresh.usable += fresh.level == 0;
@@ -146,6 +157,7 @@ void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model
 }
 
 void KeyFrames::goOn(const stereo::StereoRig& rig, const PatchModel& model) {
+  if (prepare()) return;
   Unfinished& fresh = unfinished_.front();
   const std::size_t all = fresh.key.level[fresh.level].patches.size();
   const std::size_t end = std::min(fresh.next + (fresh.level == 0 ? kPatchesAtOnce : kCoarseAtOnce), all);

@@ -43,8 +43,9 @@ class KeyFrames {
  private:
   struct Unfinished {
     KeyFrame key;
-    std::array<std::array<cv::Mat1f, 2>, kLevels> grey;
-    std::array<cv::Point, 2> origin;           // of level 0
+    std::array<cv::Mat, 2> image;  // of the head's surroundings, as recorded
+    std::array<cv::Point, 2> origin;
+    std::array<ImagePyramid, 2> pyramid;       // of these; made in frames of their own
     std::vector<std::array<bool, 2>> is_good;  // of level 0
     int level = 0;
     std::size_t next = 0;   // patch
@@ -55,6 +56,8 @@ class KeyFrames {
   bool isNewSide(const PoseFit& fit, const Verdict& verdict) const;
   void begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict);
+  /// Makes what is to be learnt from ready, one image a call; true while there was something to do.
+  bool prepare();
   void goOn(const stereo::StereoRig& rig, const PatchModel& model);
   void learnPatch(const stereo::StereoRig& rig, const PatchModel& model, std::size_t i);
   double cost(std::size_t key, const Eigen::Isometry3d& motion) const;

@@ -59,14 +59,16 @@ std::vector<MarkerDetection> detect(const cv::Mat& grey, const SmallImage& small
 }  // namespace
 
 std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
-                                           bool is_dim_tried) {
+                                           MarkerLight light) {
   const SmallImage small(grey);
-  QuadOptions options;
-  const auto found = detect(grey, small, patterns, options);
-  if (!found.empty() || !is_dim_tried) return found;
-  options.least_contrast_grey = 10;
-  options.dark_share = 0.33;  // paper darker than the bright wall behind it must still count as light
-  return detect(grey, small, patterns, options);
+  const QuadOptions bright;
+  QuadOptions dim;
+  dim.least_contrast_grey = 10;
+  dim.dark_share = 0.33;  // paper darker than the bright wall behind it must still count as light
+  std::vector<MarkerDetection> found;
+  if (light != MarkerLight::dim) found = detect(grey, small, patterns, bright);
+  if (found.empty() && light != MarkerLight::bright) found = detect(grey, small, patterns, dim);
+  return found;
 }
 
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern) {

@@ -16,10 +16,12 @@ struct MarkerDetection {
   PatternMatch match;
 };
 
-/// All quadrangles of the image that show one of the patterns; the same place is given once. Where none does,
-/// low contrast (dim light) is tried too, which costs as much again, unless `is_dim_tried` says no.
+/// The light that a print is looked for in: dim, where its contrast is low. Either costs about the same.
+enum class MarkerLight { bright, dim, bright_else_dim };
+
+/// All quadrangles of the image that show one of the patterns; the same place is given once.
 std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
-                                           bool is_dim_tried = true);
+                                           MarkerLight light = MarkerLight::bright_else_dim);
 /// Whether the quadrangle shows this pattern this way up: for a place that was predicted.
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern);
 

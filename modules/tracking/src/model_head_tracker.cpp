@@ -132,11 +132,12 @@ class ModelHeadTracker : public HeadTracker {
   // the one after which the patches look most as they should is fitted to the end. So no frame takes long.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
-    const std::array<ImagePyramid, 2> now = {ImagePyramid(frame.left), ImagePyramid(frame.right)};
+    const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
+                                             ImagePyramid::coarse(frame.right)};
     PoseFit best;
     if (last_) best = roughly(now, expected.value_or(last_->motion));
     if (best.likeness > kLikely) {  // lost to a quick move at most: nothing need be searched
-      const auto there = attempt(now, best.motion);
+      const auto there = attempt(frame, now, best.motion);
       if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
     }
     const auto starts = coarse_.find(rig_, now, lost_frames_);
@@ -150,7 +151,7 @@ class ModelHeadTracker : public HeadTracker {
       return lost(LostReason::camera, LossDetail::swapped);
     if (best.likeness < kLeastLikeness)
       return lost(LostReason::no_face, starts.empty() ? LossDetail::not_found : LossDetail::doubtful);
-    const auto there = attempt(now, best.motion);
+    const auto there = attempt(frame, now, best.motion);
     if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
     return lost(*there.verdict.lost, detailOf(there, now));
   }
@@ -164,9 +165,12 @@ class ModelHeadTracker : public HeadTracker {
     Verdict verdict;
   };
 
-  Attempt attempt(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) {
+  Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
+                  const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
-    PoseFit fit = fitPose(rig_, model_, key.level, now, start, kRoughLevel - 1, trust());
+    const Eigen::Isometry3d nearly =
+        fitPose(rig_, model_, key.level, now, start, kRoughLevel - 1, {}, kRoughLevel - 1).motion;
+    PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, nearly), nearly, 0, trust());
     Verdict verdict = judge(model_, fit, key.covariance);
     return {std::move(fit), std::move(verdict)};
   }

@@ -22,21 +22,44 @@ constexpr double kSurfaceReach_px = 5.5;     // beyond the patch, of the surface
 constexpr double kSpreadPerRoughness = 0.2;  // rad of a normal by mm of roughness, over half a patch
 constexpr double kLeastFacing = 0.30;        // cosine of view against normal
 
-double bicubic(const cv::Mat1f& image, double x, double y) {
-  const int ix = int(std::floor(x)), iy = int(std::floor(y));
-  const auto weights = [](double t, std::array<double, 4>& w) {  // Catmull-Rom
-    w = {0.5 * (-t + 2 * t * t - t * t * t), 0.5 * (2 - 5 * t * t + 3 * t * t * t),
-         0.5 * (t + 4 * t * t - 3 * t * t * t), 0.5 * (-t * t + t * t * t)};
-  };
-  std::array<double, 4> wx, wy;
-  weights(x - ix, wx), weights(y - iy, wy);
-  double sum = 0;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) sum += wy[j] * wx[i] * image(iy - 1 + j, ix - 1 + i);
-  return sum;
+// Grey and its derivatives along x and y (differences over two pixels) by Catmull-Rom's bicubic kernel; all
+// three share the same six rows of sums.
+struct Sample {
+  float grey = 0.f, d_u = 0.f, d_v = 0.f;
+};
+
+struct Taps {
+  std::array<float, 6> value{}, slope{};  // of the pixels -2 .. 3
+
+  explicit Taps(float t) {
+    const std::array<float, 4> w = {0.5f * (-t + 2 * t * t - t * t * t),
+                                    0.5f * (2 - 5 * t * t + 3 * t * t * t),
+                                    0.5f * (t + 4 * t * t - 3 * t * t * t), 0.5f * (-t * t + t * t * t)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      value[k + 1] = w[k];
+      slope[k + 2] += 0.5f * w[k];
+      slope[k] -= 0.5f * w[k];
+    }
+  }
+};
+
+Sample sampleAt(const cv::Mat1w& image, const Eigen::Vector2d& px) {
+  const int ix = int(std::floor(px.x())), iy = int(std::floor(px.y()));
+  const Taps x(float(px.x() - ix)), y(float(px.y() - iy));
+  Sample sample;
+  for (int j = 0; j < 6; ++j) {
+    const std::uint16_t* row = image.ptr<std::uint16_t>(iy - 2 + j) + ix - 2;
+    float value = 0, slope = 0;
+    for (int k = 0; k < 6; ++k) value += x.value[k] * float(row[k]), slope += x.slope[k] * float(row[k]);
+    sample.grey += y.value[j] * value;
+    sample.d_u += y.value[j] * slope;
+    sample.d_v += y.slope[j] * value;
+  }
+  constexpr float kGrey = 1.f / kGreyScale;
+  return {kGrey * sample.grey, kGrey * sample.d_u, kGrey * sample.d_v};
 }
 
-bool isInside(const cv::Mat1f& image, const Eigen::Vector2d& px, double margin) {
+bool isInside(const cv::Mat1w& image, const Eigen::Vector2d& px, double margin) {
   return px.x() >= margin && px.y() >= margin && px.x() < image.cols - 1 - margin &&
          px.y() < image.rows - 1 - margin;
 }
@@ -64,26 +87,36 @@ std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
   return ramps;
 }
 
-// Of errors of shading: smooth over some two pixels.
-std::array<double, kSide> shadingCorrelation() {
-  std::array<double, kSide> c;
-  for (int lag = 0; lag < kSide; ++lag) c[lag] = std::exp(-0.5 * std::pow(lag / kShadingSmooth_px, 2));
+using Square = Eigen::Matrix<float, kSide, kSide, Eigen::RowMajor>;
+
+// The patch's errors of unit variance, correlated along either axis by lag as given, as that axis' matrix.
+Square correlation(const std::array<double, kSide>& by_lag) {
+  Square c;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) c(i, j) = float(by_lag[std::size_t(std::abs(i - j))]);
   return c;
 }
 
-// The patch's errors, of unit variance and correlated along both axes as given, through `pattern`: C *
-// pattern.
-std::vector<float> correlated(const std::vector<float>& pattern, const std::array<double, kSide>& c) {
-  std::vector<float> across(kSamples, 0.f), both(kSamples, 0.f);
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      for (int k = 0; k < kSide; ++k)
-        across[y * kSide + x] += float(c[std::abs(x - k)]) * pattern[y * kSide + k];
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      for (int k = 0; k < kSide; ++k)
-        both[y * kSide + x] += float(c[std::abs(y - k)]) * across[k * kSide + x];
-  return both;
+const Square& shadingCorrelation() {  // smooth over some two pixels
+  static const Square c = [] {
+    std::array<double, kSide> by_lag;
+    for (int lag = 0; lag < kSide; ++lag) by_lag[lag] = std::exp(-0.5 * std::pow(lag / kShadingSmooth_px, 2));
+    return correlation(by_lag);
+  }();
+  return c;
+}
+
+const Square& noiseCorrelationAt(int level) {
+  static const Square finest = correlation(noiseCorrelation(0)), halved = correlation(noiseCorrelation(1));
+  return level == 0 ? finest : halved;
+}
+
+// C * pattern, C: of the whole patch.
+std::vector<float> correlated(const std::vector<float>& pattern, const Square& c) {
+  std::vector<float> result(kSamples);
+  Eigen::Map<Square>(result.data()) =
+      c.lazyProduct((Eigen::Map<const Square>(pattern.data()).lazyProduct(c)).eval());
+  return result;
 }
 
 // What the filters in `looked` make of noise, shading and light; `whole`: the derivatives themselves.
@@ -92,7 +125,7 @@ void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
   const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
   Eigen::Matrix2d structure, noise, shading;
   for (int b = 0; b < 2; ++b) {
-    const auto noisy = correlated(*d[b], noiseCorrelation(level));
+    const auto noisy = correlated(*d[b], noiseCorrelationAt(level));
     const auto shaded = correlated(*d[b], shadingCorrelation());
     for (int a = 0; a < 2; ++a) {
       structure(a, b) = dot(*d[a], whole[b]);
@@ -154,21 +187,19 @@ std::optional<PatchPoints> pointsOf(const stereo::StereoRig& rig, const FaceSurf
 }
 
 PatchLooks look(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
-                const cv::Mat1f& image, cv::Point origin, const PatchPoints& points, int level,
-                double noise_grey) {
+                const BlurredImage& image, const PatchPoints& points, int level, double noise_grey) {
   const double scale = 1 << level;
+  const Eigen::Vector2d origin(image.origin.x, image.origin.y);
   PatchLooks looked;
   const Eigen::Vector3d centre_mm = camera_T_head * points.centre_mm;
   const double facing = -(camera_T_head.linear() * points.normal).dot(centre_mm.normalized());
   if (facing < kLeastFacing) return looked;
+  for (auto* values : {&looked.grey, &looked.d_u, &looked.d_v}) values->reserve(kSamples);
   for (const auto& p_mm : points.points_mm) {
-    const Eigen::Vector2d px =
-        stereo::project(camera, camera_T_head * p_mm) / scale - Eigen::Vector2d(origin.x, origin.y);
-    if (!isInside(image, px, 3)) return looked;
-    const auto at = [&](double u, double v) { return bicubic(image, px.x() + u, px.y() + v); };
-    looked.grey.push_back(float(at(0, 0)));
-    looked.d_u.push_back(float(0.5 * (at(1, 0) - at(-1, 0))));
-    looked.d_v.push_back(float(0.5 * (at(0, 1) - at(0, -1))));
+    const Eigen::Vector2d px = stereo::project(camera, camera_T_head * p_mm) / scale - origin;
+    if (!isInside(image.pixels, px, 3)) return looked;
+    const Sample sample = sampleAt(image.pixels, px);
+    looked.grey.push_back(sample.grey), looked.d_u.push_back(sample.d_u), looked.d_v.push_back(sample.d_v);
   }
   const auto whole_ramps = shadingRamps(looked.grey);
   looked.view.mean = float(removeMean(looked.grey));

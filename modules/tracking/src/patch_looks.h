@@ -31,12 +31,11 @@ struct PatchLooks {
 std::optional<PatchPoints> pointsOf(const stereo::StereoRig& rig, const FaceSurface& surface,
                                     const Eigen::Vector2d& centre_px, int level);
 
-/// `image`: the level in grey; `noise_grey`: of the sensor. Not usable where the patch leaves the image, is
-/// seen at a grazing angle, or tells less than half a pixel.
-/// `camera_T_head` at the key frame; `origin`: the level's pixel at image(0, 0).
+/// `image`: the level, or the part of it that matters; `noise_grey`: of the sensor. Not usable where the
+/// patch leaves the image, is seen at a grazing angle, or tells less than half a pixel. `camera_T_head` at
+/// the key frame.
 PatchLooks look(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
-                const cv::Mat1f& image, cv::Point origin, const PatchPoints& points, int level,
-                double noise_grey);
+                const BlurredImage& image, const PatchPoints& points, int level, double noise_grey);
 
 /// Fills d(displacement)/d(xi): the patch's point moves by exp(w)(X - c) + c + v before the key frame sees
 /// it.

@@ -56,18 +56,18 @@ std::vector<Eigen::Vector2d> centres(const cv::Mat1f& image, const FaceRegion& r
   return found;
 }
 
-std::vector<Candidate> candidates(const stereo::StereoRig& rig, const std::array<cv::Mat1f, 2>& grey,
+std::vector<Candidate> candidates(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key,
                                   const FaceRegion& region, const FaceSurface& surface, int level,
                                   double noise_grey) {
   std::vector<Candidate> all;
-  for (const auto& px : centres(grey[0], region, kPlan[level].cell_px, level)) {
+  for (const auto& px : centres(greyOf(key[0].level[level]), region, kPlan[level].cell_px, level)) {
     auto points = pointsOf(rig, surface, px, level);
     if (!points) continue;
     Candidate candidate{px, region.rigidity((1 << level) * px), std::move(*points), {}};
-    candidate.looked[0] =
-        look(rig.left, Eigen::Isometry3d::Identity(), grey[0], {}, candidate.points, level, noise_grey);
-    candidate.looked[1] =
-        look(rig.right, rig.right_T_left.isometry(), grey[1], {}, candidate.points, level, noise_grey);
+    candidate.looked[0] = look(rig.left, Eigen::Isometry3d::Identity(), key[0].level[level], candidate.points,
+                               level, noise_grey);
+    candidate.looked[1] = look(rig.right, rig.right_T_left.isometry(), key[1].level[level], candidate.points,
+                               level, noise_grey);
     if (candidate.looked[0].view.is_usable || candidate.looked[1].view.is_usable)
       all.push_back(std::move(candidate));
   }
@@ -216,9 +216,8 @@ PatchModel learnPatches(const stereo::StereoRig& rig, const stereo::StereoFrame&
   model.regions = kRegionColumns * kRegionRows;
   for (int l = 0; l < kLevels; ++l) {
     model.level[l].level = l;
-    const std::array<cv::Mat1f, 2> grey = {greyOf(key[0].level[l]), greyOf(key[1].level[l])};
     const double noise_grey = noiseBeforeBlur(model.noise_grey, l);
-    auto all = candidates(rig, grey, region, surface, l, noise_grey);
+    auto all = candidates(rig, key, region, surface, l, noise_grey);
     if (all.empty()) continue;
     if (l == 0) model.centre_mm = meanOf(all);
     for (auto& candidate : all) {

@@ -27,7 +27,7 @@ constexpr float kLeastScale = 0.5f;
 constexpr float kSharedError = 1.6f;
 constexpr float kPairLooks = 0.4f;  // both cameras see the patch about equally well
 constexpr int kIterations[kLevels] = {8, 5, 5, 6};
-constexpr double kSettled_px[kLevels] = {0.01, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
+constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
 std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose) {
   std::array<float, 12> m;

@@ -39,6 +39,28 @@ TEST(BlurredPart, OfABoxOutsideTheImageIsEmpty) {
   EXPECT_TRUE(blurredPart(noiseImage(40, 50), {60, 10, 20, 20}).pixels.empty());
 }
 
+TEST(ImagePyramid, WithoutItsFinestLevelIsTheSameAbove) {
+  const cv::Mat image = noiseImage(61, 83);
+  const ImagePyramid whole(image), coarse = ImagePyramid::coarse(image);
+  EXPECT_TRUE(coarse.level[0].pixels.empty());
+  for (int y = 0; y < whole.level[1].pixels.rows; ++y)
+    for (int x = 0; x < whole.level[1].pixels.cols; ++x)
+      ASSERT_EQ(whole.level[1].pixels(y, x), whole.level[0].pixels(2 * y, 2 * x)) << x << ' ' << y;
+  for (int l = 1; l < kLevels; ++l)
+    EXPECT_EQ(cv::norm(whole.level[l].pixels, coarse.level[l].pixels, cv::NORM_INF), 0) << l;
+}
+
+TEST(ImagePyramid, OfAPartLiesInTheWhole) {
+  const cv::Mat image = noiseImage(160, 200);
+  const cv::Point origin(40, 24);
+  const ImagePyramid whole(image), part(image(cv::Rect(origin, cv::Size(112, 104))).clone(), origin);
+  for (int l = 0; l < kLevels; ++l) {
+    const cv::Rect inside(2, 2, part.level[l].pixels.cols - 5, part.level[l].pixels.rows - 5);
+    const cv::Rect there = inside + part.level[l].origin;
+    EXPECT_EQ(cv::norm(whole.level[l].pixels(there), part.level[l].pixels(inside), cv::NORM_INF), 0) << l;
+  }
+}
+
 TEST(PatchKernel, BothKernelsGiveTheSameSums) {
   const BlurredImage blurred = blurredPart(noiseImage(60, 80), {0, 0, 80, 60});
   std::vector<float> x, y, z, grey, d_u, d_v;
