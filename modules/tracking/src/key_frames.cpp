@@ -14,7 +14,7 @@ constexpr double kNewSide_rad = 11 * kDegree;        // from every other key fra
 constexpr double kAlike_rad = 2 * kDegree;           // no change of key frame for less
 constexpr double kGenerationCost_rad = 4 * kDegree;  // of a key frame made from a key frame
 constexpr int kOldestGeneration = 3;
-constexpr std::size_t kMost = 16, kPatchesAtOnce = 24, kCoarseAtOnce = 6;
+constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kWorstScale = 3.0, kWorstSigma_mm = 0.25;  // worth learning from
 constexpr int kLeastUsable = 60;
 constexpr int kMargin_px = 48;  // about the patches' centres: half of the coarsest patch, and its blur
