@@ -11,7 +11,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kRoughest_mm = 2.0;  // rms of the points about the quadric: hair, an edge, two surfaces
+constexpr std::size_t kMostPoints = 1200;  // under one quadric: more say nothing new of six numbers
+constexpr double kRoughest_mm = 2.0;       // rms of the points about the quadric: hair, an edge, two surfaces
 
 Vector6 basis(const Eigen::Vector2d& d) {
   Vector6 b;
@@ -54,6 +55,9 @@ std::vector<int> FaceSurface::near(const Eigen::Vector2d& px, double radius_px) 
     for (int x = x0; x <= x1; ++x)
       for (int i : cells_[y * columns_ + x])
         if ((px_[i].cast<double>() - px).squaredNorm() <= radius_px * radius_px) found.push_back(i);
+  const std::size_t every = found.size() / kMostPoints + 1;
+  for (std::size_t i = 0; i * every < found.size(); ++i) found[i] = found[i * every];
+  found.resize((found.size() + every - 1) / every);
   return found;
 }
 
@@ -80,10 +84,12 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Eigen::Vector2d d = (px_[points[k]].cast<double>() - px) / radius_px;
       const double error = inverse_depth_[points[k]] - surface.inverseDepth(px + d * radius_px);
-      const double w = std::abs(error) < limit ? std::pow(1 - std::pow(error / limit, 2), 2) : 0.0;
       errors.push_back(std::abs(error));
-      h += w * basis(d) * basis(d).transpose();
-      g += w * basis(d) * double(inverse_depth_[points[k]]);
+      if (std::abs(error) >= limit) continue;
+      const double inlying = 1 - error * error / (limit * limit);
+      const Vector6 b = basis(d), weighted = inlying * inlying * b;
+      h.noalias() += weighted * b.transpose();
+      g += double(inverse_depth_[points[k]]) * weighted;
     }
     if (round == 3) {
       surface.rms_mm = 1.4826 * median(errors) * mm;

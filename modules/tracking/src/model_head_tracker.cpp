@@ -28,6 +28,7 @@ constexpr double kLeastLikeness = 0.15;  // after it: less is no face
 constexpr double kLikely = 0.8;          // the head is there, about
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
+constexpr double kNoiseInDetail = 0.041;  // variance of level 1 less its 3 x 3 mean, by that of the sensor
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
@@ -150,7 +151,9 @@ class ModelHeadTracker : public HeadTracker {
             std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
       return lost(LostReason::camera, LossDetail::swapped);
     if (best.likeness < kLeastLikeness)
-      return lost(LostReason::no_face, starts.empty() ? LossDetail::not_found : LossDetail::doubtful);
+      return lost(LostReason::no_face,
+                  circumstance(last_ ? last_->motion : Eigen::Isometry3d::Identity(), now)
+                      .value_or(starts.empty() ? LossDetail::not_found : LossDetail::doubtful));
     const auto there = attempt(frame, now, best.motion);
     if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
     return lost(*there.verdict.lost, detailOf(there, now));
@@ -177,11 +180,23 @@ class ModelHeadTracker : public HeadTracker {
 
   // In words only: where patches look as they should, but too few, the rest is covered.
   LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now) const {
-    if (*there.verdict.lost == LostReason::camera) return LossDetail::one_camera;
-    const double depth_mm = (there.fit.motion * model_.centre_mm).z();
-    if (depth_mm > kFar * model_.centre_mm.z()) return LossDetail::too_far;
+    if (const auto detail = circumstance(there.fit.motion, now)) return *detail;
+    switch (*there.verdict.lost) {
+      case LostReason::camera:
+        return LossDetail::one_camera;
+      case LostReason::few_features:
+        return LossDetail::covered;
+      default:
+        return LossDetail::doubtful;
+    }
+  }
+
+  // What makes any face hard to see, wherever it is.
+  std::optional<LossDetail> circumstance(const Eigen::Isometry3d& motion,
+                                         const std::array<ImagePyramid, 2>& now) const {
+    if ((motion * model_.centre_mm).z() > kFar * model_.centre_mm.z()) return LossDetail::too_far;
     if (detailIn(now[0]) < kBlurred * detail_at_start_) return LossDetail::blurred;
-    return *there.verdict.lost == LostReason::few_features ? LossDetail::covered : LossDetail::doubtful;
+    return std::nullopt;
   }
 
   // How much of the face's contrast is fine detail: that between level 0 and 1, by that between 1 and 2.
@@ -194,7 +209,10 @@ class ModelHeadTracker : public HeadTracker {
     coarse(box).convertTo(grey, CV_32F, 1.0 / kGreyScale);
     cv::blur(grey, smooth, {3, 3});
     cv::blur(grey, smoother, {9, 9});
-    return cv::norm(grey, smooth, cv::NORM_L2) / (1e-3 + cv::norm(smooth, smoother, cv::NORM_L2));
+    const double fine = cv::norm(grey, smooth, cv::NORM_L2SQR) / box.area(),
+                 noise = kNoiseInDetail * model_.noise_grey * model_.noise_grey;
+    return std::sqrt(std::max(0.0, fine - noise) * box.area()) /
+           (1e-3 + cv::norm(smooth, smoother, cv::NORM_L2));
   }
 
   // Pictures that are no news: the track goes on from before with the next good ones.

@@ -21,8 +21,31 @@ using testing::SyntheticView;
 constexpr double kDegree = M_PI / 180;
 const Point<Head> kCortex(0, -60, 690);  // some 90 mm behind the face
 
+/// The detector that the trackers use; asked again about the same picture (every test starts from the same
+/// reference), it remembers its answer.
+class RememberingDetector : public tracking::FaceDetector {
+ public:
+  std::optional<tracking::FaceLandmarks> detect(const cv::Mat& grey) const override {
+    for (const auto& [picture, answer] : answers_)
+      if (picture.size() == grey.size() && cv::norm(picture, grey, cv::NORM_INF) == 0) return answer;
+    answers_.emplace_back(grey.clone(), detector_->detect(grey));
+    return answers_.back().second;
+  }
+  std::optional<tracking::FaceLandmarks> detectNear(const cv::Mat& grey,
+                                                    const tracking::FaceLandmarks& last) const override {
+    return detector_->detectNear(grey, last);
+  }
+  std::optional<tracking::FaceLandmarks> detectAtRoll(const cv::Mat& grey, double roll_rad) const override {
+    return detector_->detectAtRoll(grey, roll_rad);
+  }
+
+ private:
+  std::unique_ptr<tracking::FaceDetector> detector_ = tracking::makeFaceDetector();
+  mutable std::vector<std::pair<cv::Mat, std::optional<tracking::FaceLandmarks>>> answers_;
+};
+
 std::shared_ptr<const tracking::FaceDetector> detector() {
-  static const std::shared_ptr<const tracking::FaceDetector> shared = tracking::makeFaceDetector();
+  static const auto shared = std::make_shared<const RememberingDetector>();
   return shared;
 }
 
@@ -331,6 +354,37 @@ TEST_F(HeadTrackers, ALossSaysWhatItLooksLike) {
   std::swap(swapped.left, swapped.right);
   EXPECT_FALSE(tracker->track(swapped).isTracked());
   EXPECT_EQ(tracking::toString(tracker->lossDetail()), "swapped");
+}
+
+TEST_F(HeadTrackers, ALossOfAFaceThatIsBlurredOrTooFarSaysSo) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  ASSERT_TRUE(tracker->track(face_->render(rig_, stillView(0))).isTracked());
+  cv::theRNG().state = 5;
+  SyntheticView noiseless = stillView(1);
+  noiseless.noise_grey = 0;
+  auto blurred = face_->render(rig_, noiseless);
+  for (cv::Mat* image : {&blurred.left, &blurred.right}) {  // the lens blurs, then the sensor adds its noise
+    cv::Mat1f grey, noise(image->size());
+    image->convertTo(grey, CV_32F);
+    cv::GaussianBlur(grey, grey, {}, 6.0);
+    cv::randn(noise, 0, 1.5);
+    cv::Mat(grey + noise).convertTo(*image, CV_8U);
+  }
+  EXPECT_FALSE(tracker->track(blurred).isTracked());
+  EXPECT_EQ(tracking::toString(tracker->lossDetail()), "blurred");
+  bool is_tracked = true;
+  for (int i = 2; i < 30 && is_tracked; ++i) {  // walks away
+    SyntheticView view = stillView(i);
+    view.motion = Eigen::Translation3d(0, 0, 90.0 * (i - 1));
+    const auto pose = tracker->track(face_->render(rig_, view));
+    is_tracked = pose.isTracked();
+    if (is_tracked) {
+      EXPECT_LT(errorOf(*pose, view).at_point_mm, 3.0) << i;
+    }
+  }
+  EXPECT_FALSE(is_tracked);
+  EXPECT_EQ(tracking::toString(tracker->lossDetail()), "too_far");
 }
 
 TEST_F(HeadTrackers, TheSameFramesGiveTheSamePoses) {
