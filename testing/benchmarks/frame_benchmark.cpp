@@ -6,11 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "facenav/room/synthetic_source.h"
-#include "facenav/session/align_from_capture.h"
-#include "facenav/tracking/coil_tracker.h"
-#include "facenav/tracking/head_tracker.h"
 #include "facenav/volume/nifti.h"
+#include "support/room_film.h"
 #include "support/stopwatch.h"
 #include "support/test_data.h"
 
@@ -21,53 +18,17 @@ namespace {
 
 constexpr int kFrames = 60;
 
+using Film = support::RoomFilm;
+
 /// A treatment, rendered once: what the trackers get, and the truth.
-struct Film {
-  stereo::StereoRig rig;
-  tracking::HeadReference reference;
-  tracking::CoilModel coil;
-  RigidTransform<Camera, Mri> at_reference;
-  Point<Mri> target;
-  std::vector<std::shared_ptr<const stereo::StereoFrame>> frames;
-  std::vector<room::GroundTruth> truth;
-};
-
-tracking::CoilModel modelOf(const room::RoomCoil& coil) {
-  tracking::CoilModel model = tracking::defaultCoil();
-  model.markers.front().dictionary = coil.dictionary;
-  model.markers.front().id = coil.marker_id;
-  model.markers.front().size_mm = coil.marker_size_mm;
-  model.markers.front().coil_T_marker = coil.marker_T_coil.inverse();
-  return model;
-}
-
-/// The face as the capture pair with dots measures it, in the plain pair's frame.
-tracking::HeadReference referenceOf(const stereo::StereoRig& rig, const capture::CapturePair& pair,
-                                    const tracking::FaceDetector& detector) {
+Film treatment(const tracking::FaceDetector& detector) {
   TaskMonitor monitor;
-  const auto landmarks = session::findFace(rig, pair.plain, detector);
-  const auto face = session::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
-  return {pair.plain, face.cloud, face.left_px};
-}
-
-Film filmed(const tracking::FaceDetector& detector) {
-  TaskMonitor monitor;
-  const auto patient = std::make_shared<const room::VirtualPatient>(
-      room::makePatient(volume::readNifti(support::virtualPatientMri()).volume, {}, monitor));
   room::ScenarioOptions options;
   options.frames = kFrames;
-  room::SyntheticSource source(options, patient);
-  Film film;
-  film.rig = source.rig();
-  film.coil = modelOf(source.coil());
-  film.at_reference = source.captureTruth();
-  film.target = source.target() * Point<frames::Target>(0.0, 0.0, 25.0);
-  film.reference = referenceOf(film.rig, source.capturePair(), detector);
-  while (auto frame = source.next()) {
-    film.frames.push_back(frame);
-    film.truth.push_back(source.truth());
-  }
-  return film;
+  return support::filmed(options,
+                         std::make_shared<const room::VirtualPatient>(room::makePatient(
+                             volume::readNifti(support::virtualPatientMri()).volume, {}, monitor)),
+                         detector);
 }
 
 /// One way through the film.
@@ -95,23 +56,23 @@ Pass run(const Film& film, Tracker& tracker, Clock clock, const ErrorOf& error_m
     const double start_ms = clock();
     const auto pose = tracker.track(*film.frames[i]);
     const double ms = clock() - start_ms;
-    note(pass, ms, pose ? std::optional<double>(error_mm(*pose, film.truth[i])) : std::nullopt);
+    note(pass, ms, pose ? std::optional<double>(error_mm(*pose, i)) : std::nullopt);
   }
   return pass;
 }
 
 Pass headPass(const Film& film, tracking::HeadTracker& tracker, Clock clock) {
   tracker.start(film.rig, film.reference);
-  return run(film, tracker, clock, [&](const tracking::HeadPose& pose, const room::GroundTruth& truth) {
-    const auto camera_T_mri = pose.camera_T_head * film.at_reference.reframe<Head, Mri>();
-    return ((camera_T_mri * film.target).mm - (truth.camera_T_mri * film.target).mm).norm();
+  return run(film, tracker, clock, [&](const tracking::HeadPose& pose, std::size_t frame) {
+    return film.errorAtTarget_mm(pose, frame);
   });
 }
 
 Pass coilPass(const Film& film, tracking::CoilTracker& tracker, Clock clock) {
   tracker.start(film.rig, film.coil);
-  return run(film, tracker, clock, [&](const tracking::CoilPose& pose, const room::GroundTruth& truth) {
-    return (pose.camera_T_marker.translation_mm() - truth.camera_T_marker->translation_mm()).norm();
+  return run(film, tracker, clock, [&](const tracking::CoilPose& pose, std::size_t frame) {
+    return (pose.camera_T_marker.translation_mm() - film.truth[frame].camera_T_marker->translation_mm())
+        .norm();
   });
 }
 
@@ -139,7 +100,7 @@ int main() {
     return 0;
   }
   const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
-  const Film film = filmed(*detector);
+  const Film film = treatment(*detector);
   std::printf(
       "\n## Stereo frame end to end, 640 x 480, treatment (%d frames)\n\nHead: error at the cortical target, "
       "alignment "

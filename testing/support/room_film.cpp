@@ -1,0 +1,49 @@
+#include "support/room_film.h"
+
+#include "facenav/session/align_from_capture.h"
+
+namespace facenav::testing {
+namespace {
+
+tracking::CoilModel modelOf(const room::RoomCoil& coil) {
+  tracking::CoilModel model = tracking::defaultCoil();
+  model.markers.front().dictionary = coil.dictionary;
+  model.markers.front().id = coil.marker_id;
+  model.markers.front().size_mm = coil.marker_size_mm;
+  model.markers.front().coil_T_marker = coil.marker_T_coil.inverse();
+  return model;
+}
+
+/// The face as the capture pair with dots measures it, in the plain pair's frame.
+tracking::HeadReference referenceOf(const stereo::StereoRig& rig, const capture::CapturePair& pair,
+                                    const tracking::FaceDetector& detector) {
+  TaskMonitor monitor;
+  const auto landmarks = session::findFace(rig, pair.plain, detector);
+  const auto face = session::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
+  return {pair.plain, face.cloud, face.left_px};
+}
+
+}  // namespace
+
+double RoomFilm::errorAtTarget_mm(const tracking::HeadPose& pose, std::size_t frame) const {
+  const auto camera_T_mri = pose.camera_T_head * at_reference.reframe<Head, Mri>();
+  return ((camera_T_mri * target).mm - (truth[frame].camera_T_mri * target).mm).norm();
+}
+
+RoomFilm filmed(const room::ScenarioOptions& options, std::shared_ptr<const room::VirtualPatient> patient,
+                const tracking::FaceDetector& detector) {
+  room::SyntheticSource source(options, std::move(patient));
+  RoomFilm film;
+  film.rig = source.rig();
+  film.coil = modelOf(source.coil());
+  film.at_reference = source.captureTruth();
+  film.target = source.target() * Point<frames::Target>(0.0, 0.0, 25.0);
+  film.reference = referenceOf(film.rig, source.capturePair(), detector);
+  while (auto frame = source.next()) {
+    film.frames.push_back(frame);
+    film.truth.push_back(source.truth());
+  }
+  return film;
+}
+
+}  // namespace facenav::testing

@@ -1,0 +1,31 @@
+#pragma once
+// A short film of the virtual room with its truth, and what the trackers start from: for tests and benchmarks
+// of the head and coil trackers on a whole face.
+
+#include <memory>
+#include <vector>
+
+#include "facenav/room/synthetic_source.h"
+#include "facenav/tracking/coil_tracker.h"
+#include "facenav/tracking/head_tracker.h"
+
+namespace facenav::testing {
+
+struct RoomFilm {
+  stereo::StereoRig rig;
+  tracking::HeadReference reference;
+  tracking::CoilModel coil;
+  RigidTransform<Camera, Mri> at_reference;
+  Point<Mri> target;  // in the cortex
+  std::vector<std::shared_ptr<const stereo::StereoFrame>> frames;
+  std::vector<room::GroundTruth> truth;
+
+  /// Of a pose since the reference, at the target: the alignment's error apart.
+  double errorAtTarget_mm(const tracking::HeadPose& pose, std::size_t frame) const;
+};
+
+/// Rendered anew. The reference's surface is measured from the dots, as the alignment does.
+RoomFilm filmed(const room::ScenarioOptions& options, std::shared_ptr<const room::VirtualPatient> patient,
+                const tracking::FaceDetector& detector);
+
+}  // namespace facenav::testing
