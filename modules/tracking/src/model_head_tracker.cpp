@@ -15,6 +15,7 @@
 #include "patch_model.h"
 #include "patch_placement.h"
 #include "pose_fit.h"
+#include "skin_detail.h"
 #include "stereo_face.h"
 #include "track_verdict.h"
 
@@ -29,6 +30,7 @@ constexpr double kLikely = 0.8;          // the head is there, about
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
 constexpr double kNoiseInDetail = 0.041;  // variance of level 1 less its 3 x 3 mean, by that of the sensor
+constexpr std::size_t kAskedParts = 8;    // of the patches, one a tracked frame: whose skin it is
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
@@ -53,12 +55,13 @@ class ModelHeadTracker : public HeadTracker {
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
     rig_ = rig;
+    both_cameras_ = detailOfBothCameras(model_);
     keys_ = KeyFrames(model_);
     coarse_ = reference_search_ = CoarseSearch(rig, key, model_);
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
-    lost_frames_ = 0;
+    lost_frames_ = 0, asked_part_ = 0;
     detail_at_start_ = detailIn(key[0]);
     guard_.start(reference.frame);
   }
@@ -72,9 +75,10 @@ class ModelHeadTracker : public HeadTracker {
     if (is_recent && lost_frames_ == 0) {
       const Eigen::Isometry3d predicted = predict(dt_s);
       const KeyFrame& key = keys_.nearest(predicted);
-      const PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, predicted), predicted, 0, trust());
+      const auto now = boxed(frame, predicted);
+      const PoseFit fit = fitPose(rig_, model_, key.level, now, predicted, 0, trust());
       const Verdict verdict = judge(model_, fit, key.covariance);
-      if (verdict.isTracked()) return accepted(frame, fit, verdict);
+      if (verdict.isTracked() && !isAnothers(key, now, fit)) return accepted(frame, fit, verdict);
     }
     return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
@@ -129,6 +133,19 @@ class ModelHeadTracker : public HeadTracker {
     return factors;
   }
 
+  // Somebody else, put in the patient's place between two frames. A part of the patches is asked in each, all
+  // of them where that part is in doubt.
+  bool isAnothers(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit) {
+    asked_part_ = (asked_part_ + 1) % kAskedParts;
+    return whose(key, now, fit, {kAskedParts, asked_part_}) != Whose::patients &&
+           whose(key, now, fit) == Whose::anothers;
+  }
+
+  Whose whose(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit,
+              const PatchShare& share = {}) const {
+    return whoseSkin(detailAgreement(rig_, model_, key.level[0], now, fit, share), both_cameras_);
+  }
+
   // The prediction failed: from there, and from wherever a picture of the face is found, a coarse fit each;
   // the one after which the patches look most as they should is fitted to the end. So no frame takes long.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
@@ -173,8 +190,10 @@ class ModelHeadTracker : public HeadTracker {
     const KeyFrame& key = keys_.nearest(start);
     const Eigen::Isometry3d nearly =
         fitPose(rig_, model_, key.level, now, start, kRoughLevel - 1, {}, kRoughLevel - 1).motion;
-    PoseFit fit = fitPose(rig_, model_, key.level, boxed(frame, nearly), nearly, 0, trust());
+    const auto finest = boxed(frame, nearly);
+    PoseFit fit = fitPose(rig_, model_, key.level, finest, nearly, 0, trust());
     Verdict verdict = judge(model_, fit, key.covariance);
+    if (verdict.isTracked() && whose(key, finest, fit) != Whose::patients) verdict.lost = LostReason::no_face;
     return {std::move(fit), std::move(verdict)};
   }
 
@@ -288,6 +307,8 @@ class ModelHeadTracker : public HeadTracker {
   std::shared_ptr<const FaceDetector> detector_;
   stereo::StereoRig rig_;
   PatchModel model_;
+  DetailAgreement both_cameras_;  // in the reference
+  std::size_t asked_part_ = 0;
   KeyFrames keys_;
   CoarseSearch coarse_, reference_search_;  // the second: without what was learnt since start()
   LossDetail detail_ = LossDetail::unknown;

@@ -55,6 +55,12 @@ const Base& baseOf(int level) {
 
 }  // namespace
 
+const Eigen::Matrix<float, kSamples, kSamples, Eigen::RowMajor>& patternsByFineness() {
+  static const Eigen::Matrix<float, kSamples, kSamples, Eigen::RowMajor> patterns =
+      baseOf(0).vectors.transpose();
+  return patterns;
+}
+
 std::array<double, kSide> noiseCorrelation(int level) {
   std::array<double, kSide> c{};
   if (level == 0) c = {70, 56, 28, 8, 1};

@@ -7,6 +7,7 @@
 // little, and the fine marks on the skin say how it moved. Made once for each key frame: tracking costs the
 // same.
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -21,6 +22,10 @@ std::array<std::vector<float>, 2> displacementFilters(const std::vector<float>& 
                                                       const std::vector<float>& d_u,
                                                       const std::vector<float>& d_v, int level,
                                                       double noise_grey, double shading_grey);
+
+/// Patterns of a patch of the finest level, one a row, in which the sensor's noise is independent and of unit
+/// variance, and light tells ever more: from grain that the blur has left to nothing but noise to the mean.
+const Eigen::Matrix<float, patch::kSamples, patch::kSamples, Eigen::RowMajor>& patternsByFineness();
 
 /// Autocorrelation of a level's blur along one axis, by lag in pixels of the level: of the sensor's noise in
 /// it, for unit variance before the blur.

@@ -11,12 +11,21 @@ constexpr double kLeastArea = 0.2;  // of a patch now, over its area in the key 
 
 }  // namespace
 
+std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose) {
+  std::array<float, 12> m;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) m[3 * r + c] = float(pose.linear()(r, c));
+    m[9 + r] = float(pose.translation()(r));
+  }
+  return m;
+}
+
 Placed place(const PatchLevel& level, const stereo::CameraModel& camera, int index,
-             const Eigen::Isometry3d& camera_T_head) {
+             const Eigen::Isometry3d& camera_T_head, const PatchShare& share) {
   Placed placed;
   placed.placements.reserve(level.patches.size()), placed.centres_px.reserve(level.patches.size());
   const double scale = 1.0 / (1 << level.level);
-  for (std::size_t i = 0; i < level.patches.size(); ++i) {
+  for (std::size_t i = share.first; i < level.patches.size(); i += share.every) {
     const Patch& patch = level.patches[i];
     if (!patch.view[index].is_usable) continue;
     const Eigen::Vector3d centre_mm = camera_T_head * patch.centre_mm;

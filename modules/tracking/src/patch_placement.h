@@ -13,9 +13,17 @@ struct Placed {
   std::vector<Eigen::Matrix2d> key_from_now;  // of small displacements, pixels of the level
 };
 
+/// A rigid motion as the kernel takes it: rotation, row by row, then translation (mm).
+std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose);
+
+/// Some of a level's patches: every such one, from the first on.
+struct PatchShare {
+  std::size_t every = 1, first = 0;
+};
+
 /// `index`: 0 left, 1 right; patches that face away or are foreshortened too far are left out.
 Placed place(const PatchLevel& level, const stereo::CameraModel& camera, int index,
-             const Eigen::Isometry3d& camera_T_head);
+             const Eigen::Isometry3d& camera_T_head, const PatchShare& share = {});
 
 /// The boxes of both images in which the patches lie at a pose, grown by `margin_px`.
 std::array<cv::Rect, 2> boxesAt(const stereo::StereoRig& rig, const PatchModel& model,

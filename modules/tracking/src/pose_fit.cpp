@@ -29,15 +29,6 @@ constexpr float kPairLooks = 0.4f;  // both cameras see the patch about equally 
 constexpr int kIterations[kLevels] = {8, 5, 5, 6};
 constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
-std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose) {
-  std::array<float, 12> m;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) m[3 * r + c] = float(pose.linear()(r, c));
-    m[9 + r] = float(pose.translation()(r));
-  }
-  return m;
-}
-
 patch::Image imageOf(const BlurredImage& image) {
   return {image.pixels.ptr<std::uint16_t>(0),
           int(image.pixels.step1()),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/core/error.h"
@@ -283,6 +284,30 @@ TEST_F(HeadTrackers, AnotherPersonIsNotTracked) {
     for (std::size_t frame = 1; frame < 4; ++frame)
       EXPECT_FALSE(tracker->track(frames[frame]).isTracked()) << (is_model ? "model" : "features7");
   }
+}
+
+/// The portrait's coarse features, with pores and freckles of their own for each `seed`.
+SyntheticFace withSkin(std::uint64_t seed) {
+  cv::Mat1f portrait, pores;
+  cv::imread(SyntheticFace::portraitPath(), cv::IMREAD_GRAYSCALE).convertTo(portrait, CV_32F);
+  cv::resize(portrait, portrait, {}, 2, 2, cv::INTER_CUBIC);
+  cv::GaussianBlur(portrait, portrait, {}, 2.5);
+  pores.create(portrait.size());
+  cv::RNG random(seed);
+  random.fill(pores, cv::RNG::NORMAL, 0, 10);
+  cv::GaussianBlur(pores, pores, {}, 0.8);
+  return SyntheticFace(cv::Mat(portrait + pores), {390, 200}, {518, 208});
+}
+
+TEST_F(HeadTrackers, ATwinWithOtherPoresIsNotTracked) {
+  const SyntheticFace patient = withSkin(1), twin = withSkin(2);
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  tracker->start(rig_, patient.reference(rig_, true));
+  ASSERT_TRUE(tracker->track(patient.render(rig_, stillView(0))).isTracked());
+  for (int i = 1; i < 5; ++i) EXPECT_FALSE(tracker->track(twin.render(rig_, stillView(i))).isTracked()) << i;
+  EXPECT_TRUE(tracker->track(patient.render(rig_, stillView(5))).isTracked());
+  tracker->forgetLearnt();
+  EXPECT_FALSE(tracker->track(twin.render(rig_, stillView(6))).isTracked());
 }
 
 TEST_F(HeadTrackers, AFaceLostIsFoundAgainElsewhereAtOnce) {
