@@ -15,7 +15,7 @@ std::vector<stereo::Correspondence> matchSurface(const stereo::StereoRig& rig,
                                                  const stereo::StereoFrame& frame,
                                                  const PointCloud<Camera>& surface,
                                                  const std::vector<Eigen::Vector2f>& left_px,
-                                                 std::size_t most = 200);
+                                                 std::size_t most = 600);
 
 class RigCheck {
  public:

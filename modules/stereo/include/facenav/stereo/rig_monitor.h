@@ -41,7 +41,7 @@ struct SquareSighting {
 /// covariance of anything computed from the rig is the sum of the squares of its changes.
 struct RigUncertainty {
   std::vector<StereoRig> one_sigma;
-  double lens_px = 0.1;  // left by the lens model in one place of the image
+  double lens_px = 0.05;  // left by the lens model in one place of the image
 };
 /// From the rig's own covariance; where it has none, what is typical of its rms_px (0.2 px where unknown).
 RigUncertainty uncertaintyOf(const StereoRig& rig);
