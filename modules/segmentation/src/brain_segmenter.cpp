@@ -8,6 +8,7 @@
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 #include "facenav/volume/smoothing.h"
+#include "scan_sharpness.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -89,14 +90,14 @@ constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about the
 constexpr int kDoubtStep = 2;                         // voxels between the places where doubt is stated
 
 /// Where a stricter and a more generous limit of tissue would put the surface: from the mean of the fluid in
-/// sulci to where grey matter's class begins.
+/// sulci to where grey matter's class begins; the generous one also takes sinuses and dura for cortex.
 std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement) {
   const double taken = RefinementOptions().tissue_share;
-  const auto awayOf = [&](double share) {
-    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(share)));
+  const auto awayOf = [&](double share, bool is_near_white) {
+    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(share, is_near_white)));
   };
-  auto strict = std::async(std::launch::async, [&] { return awayOf(taken + kStrict); });
-  std::vector<float> furthest = awayOf(taken - kGenerous);
+  auto strict = std::async(std::launch::async, [&] { return awayOf(taken + kStrict, true); });
+  std::vector<float> furthest = awayOf(taken - kGenerous, false);
   const std::vector<float> other = strict.get();
   for (std::size_t v = 0; v < furthest.size(); ++v) furthest[v] = std::max(furthest[v], other[v]);
   const Mask surface = volume::surfaceVoxels(brain);
@@ -127,7 +128,7 @@ class BrainSegmenter : public Segmenter {
     const Mask whole = enclosed(surface, working.grid);
     const VoxelGrid grid = gridAround(whole, kMargin_mm);
     const Mask first = volume::resample(whole, grid);
-    const Volume image = volume::resample(working, grid);
+    const Volume image = sharpAsOneMillimetre(volume::resample(working, grid), volume.grid);
     monitor.report("measuring grey and white matter", 0.6);
     // Without the voxels' noise, which would spread the fluid's class down into air and with it the limit of
     // tissue.
@@ -136,8 +137,11 @@ class BrainSegmenter : public Segmenter {
     const TissueModel tissue = fitTissue(calm, core, &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
-    const Volume flat = corrected(image, tissue), calm_flat = corrected(calm, tissue);
-    const Refinement refinement(flat, calm_flat, first, tissue, openFluid(calm_flat, core, tissue));
+    const Volume rough_flat = corrected(image, tissue), calm_flat = corrected(calm, tissue);
+    const float open_fluid = openFluid(calm_flat, core, tissue);
+    const Volume flat =
+        calmed(rough_flat, noiseOf(rough_flat, calm_flat, core, tissue), tissue.grey.mean - open_fluid);
+    const Refinement refinement(flat, calm_flat, first, tissue, open_fluid);
     const Mask brain = refinement.brain();
     monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;

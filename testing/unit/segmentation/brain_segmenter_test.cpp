@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "facenav/core/error.h"
@@ -186,6 +187,17 @@ TEST(BrainSegmenter, AgreesWithColin27sBrain) {
   const auto found = brainOf(colin);
   EXPECT_GE(volume::overlap(truth, found).inside, 0.975);
   EXPECT_NEAR(found.volume_ml(), 1768, 50);  // ch2bet closed by 2 voxels and filled
+}
+
+TEST(BrainSegmenter, HoldsStillUnderNoise) {
+  FACENAV_NEEDS(testing::colin27());
+  const auto colin = volume::readNifti(testing::colin27()).volume;
+  auto noisy = colin;
+  const float sigma = 0.06f * volume::percentile(colin, 0.98);
+  std::mt19937 random(3);
+  std::normal_distribution<float> normal;
+  for (float& v : noisy.voxels) v = std::hypot(v + sigma * normal(random), sigma * normal(random));
+  EXPECT_GE(volume::overlap(brainOf(noisy), brainOf(colin)).dice, 0.99);
 }
 
 TEST(BrainSegmenter, LiesInsideTheMaskWithFluidOfAWholeHead) {
