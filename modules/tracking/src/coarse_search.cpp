@@ -1,146 +1,233 @@
 #include "coarse_search.h"
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
-
-#include "patch_placement.h"
 
 namespace facenav::tracking {
 namespace {
 
-constexpr int kLevel = 3;
+constexpr int kLevel = kLevels - 1;
 constexpr double kShrink = 1 << kLevel;
-constexpr double kLeastNcc = 0.45;
 constexpr double kDegree = M_PI / 180;
-constexpr double kRolls_rad[] = {18 * kDegree, -18 * kDegree, 36 * kDegree, -36 * kDegree};
-constexpr double kYaw_rad = 22 * kDegree, kNod_rad = 14 * kDegree;
-constexpr double kScales[] = {0.82, 1.22};
-constexpr std::size_t kAtOnce = 2;  // pictures a frame beside the reference's
-
-cv::Rect shrunk(const cv::Rect& box, cv::Size size) {
-  const cv::Rect part(cv::Point(int(box.x / kShrink), int(box.y / kShrink)),
-                      cv::Point(int(box.br().x / kShrink) + 1, int(box.br().y / kShrink) + 1));
-  return part & cv::Rect({}, size);
-}
+constexpr double kYaws_deg[] = {0, 14, -14, 28, -28}, kNods_deg[] = {0, 13, -13}, kLeans_deg[] = {0, 17, -17};
+constexpr double kScales[] = {1.0, 0.82, 1.22};    // of the face in the image, by turns
+constexpr double kNearest = 0.6, kFarthest = 1.7;  // by the view's distance
+constexpr std::size_t kAtOnce = 20;                // views a frame
+constexpr std::size_t kMostPoints = 160;           // of a view
+constexpr std::size_t kFewestPoints = 30;
+constexpr std::size_t kMostFitted = 2;  // places a frame
+constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
 
 Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
 }
 
+double turnOf(const Eigen::Matrix3d& rotation) { return Eigen::AngleAxisd(rotation).angle(); }
+
 }  // namespace
 
-CoarseSearch::CoarseSearch(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key,
-                           const PatchModel& model)
-    : centre_mm_(model.centre_mm) {
-  Picture upright;
-  const auto boxes = boxesAt(rig, model, Eigen::Isometry3d::Identity(), 0);
-  const Eigen::Vector2d centre_px[2] = {stereo::project(rig.left, centre_mm_),
-                                        stereo::project(rig.right, rig.right_T_left.isometry() * centre_mm_)};
-  for (int c = 0; c < 2; ++c) {
-    const cv::Mat1f image = greyOf(key[c].level[kLevel]);
-    const cv::Rect box = shrunk(boxes[c], image.size());
-    upright.face[c] = image(box).clone();
-    upright.centre_px[c] = centre_px[c] / kShrink - Eigen::Vector2d(box.x, box.y);
+// An evened image with a rim of nothing, and again as four images of every second pixel along both axes:
+// whole rows of places, two pixels apart, are then compared at once.
+class CoarseSearch::SearchImage {
+ public:
+  explicit SearchImage(const cv::Mat1f& image)
+      : size_(image.size()), rim_(2 * (std::max(image.cols, image.rows) / 4)) {
+    cv::copyMakeBorder(image, padded_, rim_, rim_ + 1, rim_, rim_ + 1, cv::BORDER_CONSTANT, 0.0);
+    for (int p = 0; p < 4; ++p) {
+      half_[p].create(padded_.rows / 2, padded_.cols / 2);
+      for (int y = 0; y < half_[p].rows; ++y) {
+        const float* from = padded_[2 * y + (p >> 1)] + (p & 1);
+        for (int x = 0; x < half_[p].cols; ++x) half_[p](y, x) = from[2 * x];
+      }
+    }
   }
-  pictures_.push_back(upright);
-  const auto leaning = [&](double roll_rad) {
-    Eigen::Matrix2d turn;
-    turn << std::cos(roll_rad), -std::sin(roll_rad), std::sin(roll_rad), std::cos(roll_rad);
-    pictures_.push_back(changed(upright, turn, turnAbout(Eigen::Vector3d::UnitZ(), roll_rad)));
+
+  /// A view's points in whole pixels of this image; those too far out to be in the rim are left out.
+  struct Stencil {
+    std::vector<cv::Point> at;
+    std::vector<int> offset;  // of the same in the padded image
+    std::vector<float> value;
+    double squares = 0.0;
   };
-  const auto foreshortened = [&](int axis, double angle_rad) {
-    Eigen::Matrix2d squeeze = Eigen::Matrix2d::Identity();
-    squeeze(1 - axis, 1 - axis) = std::cos(angle_rad);
-    pictures_.push_back(changed(upright, squeeze, turnAbout(Eigen::Vector3d::Unit(axis), angle_rad)));
+  Stencil stencil(const std::vector<View::Point>& points, double scale) const {
+    Stencil stencil;
+    for (const auto& point : points) {
+      const cv::Point at(int(std::lround(scale * point.from_centre.x())),
+                         int(std::lround(scale * point.from_centre.y())));
+      if (std::max(std::abs(at.x), std::abs(at.y)) > rim_) continue;
+      stencil.at.push_back(at), stencil.value.push_back(point.value);
+      stencil.offset.push_back(at.y * int(padded_.step1()) + at.x);
+      stencil.squares += double(point.value) * point.value;
+    }
+    return stencil;
+  }
+
+  struct Match {
+    double product = 0.0, then_squares = 0.0, now_squares = 0.0;
+    double likeness() const { return product / std::sqrt(std::max(1e-9, then_squares * now_squares)); }
+    Match operator+(const Match& other) const {
+      return {product + other.product, then_squares + other.then_squares, now_squares + other.now_squares};
+    }
   };
-  for (double sign : {1.0, -1.0}) foreshortened(1, sign * kYaw_rad);
-  for (double roll_rad : kRolls_rad) leaning(roll_rad);
-  for (double sign : {1.0, -1.0}) foreshortened(0, sign * kNod_rad);
-  for (double scale : kScales)
-    pictures_.push_back(changed(upright, scale * Eigen::Matrix2d::Identity(), Eigen::Matrix3d::Identity()));
-}
 
-CoarseSearch::Picture CoarseSearch::changed(const Picture& upright, const Eigen::Matrix2d& now_from_then,
-                                            const Eigen::Matrix3d& turn) const {
-  Picture picture;
-  picture.turn = turn;
-  const double scale = std::sqrt(std::abs(now_from_then.determinant()));
-  const double lean = std::abs(now_from_then(1, 0)) / scale;
-  for (int c = 0; c < 2; ++c) {
-    const cv::Mat1f& face = upright.face[c];
-    if (face.empty()) continue;
-    // The middle part only when it leans: the corners would come from outside the picture.
-    const double wide = std::hypot(now_from_then(0, 0), now_from_then(1, 0)),
-                 high = std::hypot(now_from_then(0, 1), now_from_then(1, 1));
-    const cv::Size size(int(wide * (face.cols - lean * 0.35 * face.rows)),
-                        int(high * (face.rows - lean * 0.35 * face.cols)));
-    if (size.width < 4 || size.height < 4) continue;
-    const Eigen::Vector2d from(0.5 * (face.cols - 1), 0.5 * (face.rows - 1)),
-        to(0.5 * (size.width - 1), 0.5 * (size.height - 1));
-    const Eigen::Matrix2d& m = now_from_then;
-    const Eigen::Vector2d shift = to - m * from;
-    const cv::Matx23d warp(m(0, 0), m(0, 1), shift.x(), m(1, 0), m(1, 1), shift.y());
-    cv::warpAffine(face, picture.face[c], warp, size, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-    picture.centre_px[c] = m * upright.centre_px[c] + shift;
+  /// No match where the centre lies outside.
+  Match matchAt(const Stencil& stencil, const Eigen::Vector2d& centre_px) const {
+    const int x = int(std::lround(centre_px.x())), y = int(std::lround(centre_px.y()));
+    if (x < 0 || y < 0 || x >= size_.width || y >= size_.height) return {};
+    const float* centre = padded_[y + rim_] + x + rim_;
+    float product = 0, squares = 0;
+    for (std::size_t i = 0; i < stencil.offset.size(); ++i) {
+      const float now = centre[stencil.offset[i]];
+      product += stencil.value[i] * now, squares += now * now;
+    }
+    return {product, stencil.squares, squares};
   }
-  return picture;
-}
 
-void CoarseSearch::add(const stereo::StereoRig& rig, const std::array<cv::Mat, 2>& grey,
-                       const PatchModel& model, const Eigen::Isometry3d& motion) {
-  Picture picture;
-  picture.turn = motion.linear();
-  const auto boxes = boxesAt(rig, model, motion, 0);
-  const Eigen::Vector3d centre_mm = motion * centre_mm_;
-  const Eigen::Vector2d centre_px[2] = {stereo::project(rig.left, centre_mm),
-                                        stereo::project(rig.right, rig.right_T_left.isometry() * centre_mm)};
-  for (int c = 0; c < 2; ++c) {
-    cv::Mat small;
-    cv::resize(grey[c], small, {grey[c].cols / int(kShrink), grey[c].rows / int(kShrink)}, 0, 0,
-               cv::INTER_AREA);
-    const cv::Rect box = shrunk(boxes[c], small.size());
-    if (box.area() == 0) return;
-    small(box).convertTo(picture.face[c], CV_32F);
-    // Pixel x of an area average has its centre half of the area beyond 8 x.
-    picture.centre_px[c] = (centre_px[c] - Eigen::Vector2d::Constant(0.5 * (kShrink - 1))) / kShrink -
-                           Eigen::Vector2d(box.x, box.y);
-  }
-  pictures_.insert(pictures_.begin() + 1, std::move(picture));
-}
-
-std::optional<Eigen::Isometry3d> CoarseSearch::locate(const stereo::StereoRig& rig,
-                                                      const std::array<cv::Mat1f, 2>& images,
-                                                      const Picture& picture) const {
-  std::array<Eigen::Vector2d, 2> px;
-  for (int c = 0; c < 2; ++c) {
-    const cv::Mat1f &image = images[c], &face = picture.face[c];
-    if (face.rows < 6 || face.cols < 6 || face.rows > image.rows || face.cols > image.cols)
-      return std::nullopt;
-    cv::Mat1f scores;
-    cv::matchTemplate(image, face, scores, cv::TM_CCOEFF_NORMED);
-    double best = 0;
+  /// Where the points fit best, to two pixels, the centre inside the image.
+  Eigen::Vector2d bestPlace(const Stencil& stencil) const {
+    const int columns = size_.width / 2, rows = size_.height / 2;
+    cv::Mat1f sums(rows, columns, 0.f);
+    for (std::size_t i = 0; i < stencil.at.size(); ++i) {
+      const int x = stencil.at[i].x + rim_, y = stencil.at[i].y + rim_;
+      const cv::Mat1f& from = half_[2 * (y & 1) + (x & 1)];
+      const float value = stencil.value[i];
+      for (int v = 0; v < rows; ++v) {
+        const float* in = from[y / 2 + v] + x / 2;
+        float* to = sums[v];
+        for (int u = 0; u < columns; ++u) to[u] += value * in[u];
+      }
+    }
     cv::Point at;
-    cv::minMaxLoc(scores, nullptr, &best, nullptr, &at);
-    if (!(best > kLeastNcc)) return std::nullopt;
-    px[c] = kShrink * (picture.centre_px[c] + Eigen::Vector2d(at.x, at.y));
+    cv::minMaxLoc(sums, nullptr, nullptr, nullptr, &at);
+    return {2.0 * at.x, 2.0 * at.y};
   }
-  const Eigen::Vector3d now_mm = stereo::triangulate(rig, px[0], px[1]).mm;
-  if (!(now_mm.z() > 0.4 * centre_mm_.z() && now_mm.z() < 2.5 * centre_mm_.z())) return std::nullopt;
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = picture.turn;
-  motion.translation() = now_mm - picture.turn * centre_mm_;
-  return motion;
+
+ private:
+  cv::Size size_;
+  int rim_;
+  cv::Mat1f padded_;
+  std::array<cv::Mat1f, 4> half_;
+};
+
+CoarseSearch::CoarseSearch(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key,
+                           FaceTemplate face)
+    : face_(std::move(face)) {
+  looks_.push_back(face_.looksAt(rig, EvenedPair(key), Eigen::Isometry3d::Identity()));
+  const Eigen::Vector3d& centre_mm = face_.centre_mm();
+  for (const double lean_deg : kLeans_deg)
+    for (const double nod_deg : kNods_deg)
+      for (const double yaw_deg : kYaws_deg) {
+        const Eigen::Matrix3d turn = turnAbout(Eigen::Vector3d::UnitZ(), lean_deg * kDegree) *
+                                     turnAbout(Eigen::Vector3d::UnitY(), yaw_deg * kDegree) *
+                                     turnAbout(Eigen::Vector3d::UnitX(), nod_deg * kDegree);
+        const Eigen::Isometry3d motion =
+            Eigen::Translation3d(centre_mm) * Eigen::Isometry3d(turn) * Eigen::Translation3d(-centre_mm);
+        views_.push_back(viewAt(rig, motion, 0));
+      }
+  std::stable_sort(views_.begin(), views_.end(), [](const View& a, const View& b) {
+    return turnOf(a.motion.linear()) < turnOf(b.motion.linear());
+  });
+}
+
+CoarseSearch::View CoarseSearch::viewAt(const stereo::StereoRig& rig, const Eigen::Isometry3d& motion,
+                                        std::size_t looks) const {
+  View view{motion, looks, {}};
+  for (int c = 0; c < 2; ++c) {
+    const stereo::CameraModel& camera = c == 0 ? rig.left : rig.right;
+    const Eigen::Isometry3d camera_T_head = c == 0 ? motion : rig.right_T_left.isometry() * motion;
+    const Eigen::Vector2d centre_px = stereo::project(camera, camera_T_head * face_.centre_mm());
+    const auto is_seen = face_.seenBy(camera, camera_T_head);
+    const auto& grey = looks_[looks].grey[0][c];
+    for (std::size_t i = 0; i < grey.size(); ++i) {
+      if (!is_seen[i] || grey[i].weight <= 0) continue;
+      const Eigen::Vector2d px = stereo::project(camera, camera_T_head * face_.points()[i].mm);
+      view.points[c].push_back({((px - centre_px) / kShrink).cast<float>(), grey[i].value});
+    }
+    auto& points = view.points[c];
+    const std::size_t every = points.size() / kMostPoints + 1;
+    for (std::size_t i = 0; i * every < points.size(); ++i) points[i] = points[i * every];
+    points.resize((points.size() + every - 1) / every);
+  }
+  return view;
+}
+
+void CoarseSearch::add(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
+                       const Eigen::Isometry3d& motion) {
+  looks_.push_back(face_.looksAt(rig, EvenedPair(now), motion));
+  views_.insert(views_.begin(), viewAt(rig, motion, looks_.size() - 1));
+}
+
+std::size_t CoarseSearch::likeliest(const Eigen::Isometry3d& motion) const {
+  const auto apart = [&](const View& view) {
+    return turnOf(view.motion.linear().transpose() * motion.linear());
+  };
+  return std::min_element(views_.begin(), views_.end(),
+                          [&](const View& a, const View& b) { return apart(a) < apart(b); })
+      ->looks;
+}
+
+std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const stereo::StereoRig& rig,
+                                                            const std::array<SearchImage, 2>& images,
+                                                            const View& view, double scale) const {
+  if (view.points[0].size() < kFewestPoints || view.points[1].size() < kFewestPoints) return std::nullopt;
+  const auto in_left = images[0].stencil(view.points[0], scale),
+             in_right = images[1].stencil(view.points[1], scale);
+  const Eigen::Vector2d left_px = images[0].bestPlace(in_left);
+  const auto left = images[0].matchAt(in_left, left_px);
+  if (left.likeness() < kLeastLikeness) return std::nullopt;
+  const Eigen::Vector3d then_mm = view.motion * face_.centre_mm();
+  const Eigen::Vector3d ray = stereo::undistort(rig.left, kShrink * left_px).homogeneous().normalized();
+  Candidate best;
+  // Steps of distance that move the face by about a pixel of the level in the right image.
+  const double step =
+      kShrink * then_mm.norm() / (rig.right.k(0, 0) * rig.right_T_left.translation_mm().norm());
+  for (double distance = kNearest; distance < kFarthest; distance *= 1.0 + step * distance) {
+    const Eigen::Vector3d centre_mm = distance * then_mm.norm() * ray;
+    const Eigen::Vector3d right_mm = rig.right_T_left.isometry() * centre_mm;
+    if (right_mm.z() < 1) continue;
+    const auto both = left + images[1].matchAt(in_right, stereo::project(rig.right, right_mm) / kShrink);
+    if (both.likeness() <= best.likeness) continue;
+    best.likeness = both.likeness();
+    best.motion.linear() = Eigen::Quaterniond::FromTwoVectors(then_mm, ray) * view.motion.linear();
+    best.motion.translation() = centre_mm - best.motion.linear() * face_.centre_mm();
+  }
+  best.looks = view.looks;
+  return best.likeness > kLeastLikeness ? std::optional(best) : std::nullopt;
+}
+
+std::vector<CoarseSearch::Candidate> CoarseSearch::likelyPlaces(const stereo::StereoRig& rig,
+                                                                const EvenedPair& now, int attempt) const {
+  const std::array<SearchImage, 2> images = {SearchImage(now.image[0][0]), SearchImage(now.image[0][1])};
+  const std::size_t turns = (views_.size() + kAtOnce - 1) / kAtOnce, turn = std::size_t(attempt) % turns;
+  const double scale = kScales[(std::size_t(attempt) / turns) % std::size(kScales)];
+  std::vector<Candidate> found;
+  for (std::size_t k = turn * kAtOnce; k < std::min((turn + 1) * kAtOnce, views_.size()); ++k)
+    if (const auto there = locate(rig, images, views_[k], scale)) found.push_back(*there);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.likeness > b.likeness; });
+  if (found.size() > kMostFitted) found.resize(kMostFitted);
+  return found;
 }
 
 std::vector<Eigen::Isometry3d> CoarseSearch::find(const stereo::StereoRig& rig,
-                                                  const std::array<ImagePyramid, 2>& now, int attempt) const {
-  const std::array<cv::Mat1f, 2> images = {greyOf(now[0].level[kLevel]), greyOf(now[1].level[kLevel])};
-  std::vector<Eigen::Isometry3d> found;
-  if (const auto there = locate(rig, images, pictures_.front())) found.push_back(*there);
-  const std::size_t others = pictures_.size() - 1;
-  for (std::size_t k = 0; k < std::min(kAtOnce, others); ++k)
-    if (const auto there = locate(rig, images, pictures_[1 + (kAtOnce * std::size_t(attempt) + k) % others]))
-      found.push_back(*there);
-  return found;
+                                                  const std::array<ImagePyramid, 2>& now,
+                                                  const std::optional<Eigen::Isometry3d>& expected,
+                                                  int attempt) const {
+  if (views_.empty()) return {};
+  const EvenedPair evened(now);
+  auto found = expected && attempt == 0 ? std::vector<Candidate>() : likelyPlaces(rig, evened, attempt);
+  if (expected) found.push_back({likeliest(*expected), *expected, 0.0});
+  std::vector<FaceTemplate::Fit> fits;
+  for (const auto& candidate : found) {
+    const auto fit = face_.fit(rig, looks_[candidate.looks], evened, candidate.motion);
+    if (fit.likeness > kLeastFitted) fits.push_back(fit);
+  }
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const auto& a, const auto& b) { return a.likeness > b.likeness; });
+  std::vector<Eigen::Isometry3d> starts;
+  for (const auto& fit : fits) starts.push_back(fit.motion);
+  return starts;
 }
 
 }  // namespace facenav::tracking

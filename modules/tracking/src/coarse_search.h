@@ -1,48 +1,63 @@
 #pragma once
-// CoarseSearch: where the face has gone, from its looks alone: eighth-size pictures of the reference face, as
-// it was, leaning, turned, nearer and farther, and of each key frame, found in both images by NCC. Needs no
-// face detector (a covered or cut face has none to offer, and a cascade takes tens of milliseconds), and a
-// few pictures a frame keep each frame short.
+// CoarseSearch: where the face has gone, from its looks alone. The face's template (face_template.h), turned
+// as a head turns (yaw, nod, lean, and the sides learnt since), is laid over every place of the left image at
+// an eighth of the size, then at every depth over the right one; the likeliest places are fitted. Needs no
+// face detector (a covered or cut face has none to offer, and a cascade takes tens of milliseconds); some of
+// the views a frame keep each frame short.
 
 #include <array>
 #include <optional>
 #include <vector>
 
-#include "facenav/stereo/stereo_rig.h"
-#include "image_pyramid.h"
-#include "patch_model.h"
+#include "face_template.h"
 
 namespace facenav::tracking {
 
 class CoarseSearch {
  public:
   CoarseSearch() = default;
-  CoarseSearch(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key, const PatchModel& model);
+  CoarseSearch(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key, FaceTemplate face);
 
-  /// Where the head may be, roughly, as motions since the reference: from the reference's picture, and from
-  /// the next two of the others. `attempt` counts up from 0 while the face is lost. Empty where nothing in
-  /// both images looks like the face.
+  /// Where the head may be, to some degrees, as motions since the reference, the likeliest first: from where
+  /// it was `expected`, and from where it looks like. `attempt` counts up from 0 while the face is lost: each
+  /// takes the next views (the first only what is expected, if anything is). Empty where nothing in both
+  /// images looks like the face.
   std::vector<Eigen::Isometry3d> find(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
-                                      int attempt) const;
+                                      const std::optional<Eigen::Isometry3d>& expected, int attempt) const;
   /// The face as it is seen at `motion` (a key frame), to be looked for, too.
-  void add(const stereo::StereoRig& rig, const std::array<cv::Mat, 2>& grey, const PatchModel& model,
+  void add(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
            const Eigen::Isometry3d& motion);
 
  private:
-  struct Picture {
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // of the head, that it shows
-    std::array<cv::Mat1f, 2> face;
-    std::array<Eigen::Vector2d, 2> centre_px;  // of the model's centre in the picture
+  /// The face turned: some of its points about the place of its centre, pixels of the coarsest level.
+  struct View {
+    struct Point {
+      Eigen::Vector2f from_centre;
+      float value;
+    };
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    std::size_t looks = 0;
+    std::array<std::vector<Point>, 2> points;  // of each camera
   };
-  /// The picture with every pixel moved by `now_from_then` about the face's middle.
-  Picture changed(const Picture& picture, const Eigen::Matrix2d& now_from_then,
-                  const Eigen::Matrix3d& turn) const;
-  std::optional<Eigen::Isometry3d> locate(const stereo::StereoRig& rig,
-                                          const std::array<cv::Mat1f, 2>& images,
-                                          const Picture& picture) const;
+  struct Candidate {
+    std::size_t looks = 0;
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    double likeness = 0.0;
+  };
+  class SearchImage;
 
-  std::vector<Picture> pictures_;  // the first: as it was
-  Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
+  View viewAt(const stereo::StereoRig& rig, const Eigen::Isometry3d& motion, std::size_t looks) const;
+  std::optional<Candidate> locate(const stereo::StereoRig& rig, const std::array<SearchImage, 2>& images,
+                                  const View& view, double scale) const;
+
+  /// The likeliest over the views of this attempt.
+  std::vector<Candidate> likelyPlaces(const stereo::StereoRig& rig, const EvenedPair& now, int attempt) const;
+  /// The looks of the view most like `motion`.
+  std::size_t likeliest(const Eigen::Isometry3d& motion) const;
+
+  FaceTemplate face_;
+  std::vector<FaceTemplate::Looks> looks_;  // the reference's, then those learnt
+  std::vector<View> views_;                 // the learnt ones first, then by their turn from the reference
 };
 
 }  // namespace facenav::tracking

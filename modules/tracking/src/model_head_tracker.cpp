@@ -24,7 +24,6 @@ namespace {
 
 constexpr double kLongestGap_s = 0.3;    // beyond it a prediction is worth nothing
 constexpr double kTrustMemory_s = 0.7;   // over which a patch shows whether it moves by itself
-constexpr int kRoughLevel = 2;           // where fits that only choose a start end
 constexpr double kLeastLikeness = 0.15;  // after it: less is no face
 constexpr double kLikely = 0.8;          // the head is there, about
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
@@ -54,10 +53,12 @@ class ModelHeadTracker : public HeadTracker {
     if (model_.level[0].patches.size() < 30)
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
+    rough_level_ = model_.level[2].patches.size() < kFewestPatches ? 1 : 2;
     rig_ = rig;
     both_cameras_ = detailOfBothCameras(model_);
     keys_ = KeyFrames(model_);
-    coarse_ = reference_search_ = CoarseSearch(rig, key, model_);
+    coarse_ = reference_search_ =
+        CoarseSearch(rig, key, FaceTemplate(rig, region, surface, model_.centre_mm));
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
@@ -78,7 +79,10 @@ class ModelHeadTracker : public HeadTracker {
       const auto now = boxed(frame, predicted);
       const PoseFit fit = fitPose(rig_, model_, key.level, now, predicted, 0, trust());
       const Verdict verdict = judge(model_, fit, key.covariance);
-      if (verdict.isTracked() && !isAnothers(key, now, fit)) return accepted(frame, fit, verdict);
+      if (verdict.isTracked() && !isAnothers(key, now, fit)) {
+        learnSides(frame, fit, verdict);
+        return accepted(frame, fit, verdict);
+      }
     }
     return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
@@ -146,21 +150,25 @@ class ModelHeadTracker : public HeadTracker {
     return whoseSkin(detailAgreement(rig_, model_, key.level[0], now, fit, share), both_cameras_);
   }
 
-  // The prediction failed: from there, and from wherever a picture of the face is found, a coarse fit each;
-  // the one after which the patches look most as they should is fitted to the end. So no frame takes long.
+  // The prediction failed. At first a coarse fit from there; while that leads nowhere, in the frames after
+  // it, from wherever the face seems to be: the one after which the patches look most as they should is
+  // fitted to the end. So no frame takes long.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
                                              ImagePyramid::coarse(frame.right)};
     PoseFit best;
     if (last_) best = roughly(now, expected.value_or(last_->motion));
-    if (best.likeness > kLikely) {  // lost to a quick move at most: nothing need be searched
+    if (best.likeness > kLikely && lost_frames_ == 0) {  // lost to a quick move at most
       const auto there = attempt(frame, now, best.motion);
       if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
+      return lost(*there.verdict.lost, detailOf(there, now));
     }
-    const auto starts = coarse_.find(rig_, now, lost_frames_);
+    const auto starts =
+        coarse_.find(rig_, now, last_ ? std::optional(last_->motion) : std::nullopt, lost_frames_);
     for (const auto& start : starts) {
-      const PoseFit rough = roughly(now, start);
+      if (best.likeness > kLikely) break;
+      const PoseFit rough = roughly(now, start, rough_level_);
       if (rough.likeness > best.likeness) best = rough;
     }
     if (last_ && best.likeness < kLikely &&
@@ -176,8 +184,9 @@ class ModelHeadTracker : public HeadTracker {
     return lost(*there.verdict.lost, detailOf(there, now));
   }
 
-  PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start) const {
-    return fitPose(rig_, model_, keys_.likeliest(start).level, now, start, kLevels - 1, {}, kRoughLevel);
+  PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start,
+                  int first_level = kLevels - 1) const {
+    return fitPose(rig_, model_, keys_.likeliest(start).level, now, start, first_level, {}, rough_level_);
   }
 
   struct Attempt {
@@ -189,7 +198,7 @@ class ModelHeadTracker : public HeadTracker {
                   const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
     const Eigen::Isometry3d nearly =
-        fitPose(rig_, model_, key.level, now, start, kRoughLevel - 1, {}, kRoughLevel - 1).motion;
+        fitPose(rig_, model_, key.level, now, start, rough_level_ - 1, {}, rough_level_ - 1).motion;
     const auto finest = boxed(frame, nearly);
     PoseFit fit = fitPose(rig_, model_, key.level, finest, nearly, 0, trust());
     Verdict verdict = judge(model_, fit, key.covariance);
@@ -248,11 +257,15 @@ class ModelHeadTracker : public HeadTracker {
     return Lost{reason};
   }
 
+  // Not in a frame in which the head was looked for: that has cost enough.
+  void learnSides(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
+    if (keys_.learn(rig_, model_, frame, fit, verdict))
+      coarse_.add(rig_, {ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
+  }
+
   Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     learnTrust(frame.captured, fit);
     detail_ = LossDetail::unknown;
-    if (keys_.learn(rig_, model_, frame, fit, verdict))
-      coarse_.add(rig_, {frame.left, frame.right}, model_, fit.motion);
     remember(frame.captured, fit);
     HeadPose pose;
     pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
@@ -307,6 +320,7 @@ class ModelHeadTracker : public HeadTracker {
   std::shared_ptr<const FaceDetector> detector_;
   stereo::StereoRig rig_;
   PatchModel model_;
+  int rough_level_ = 2;           // where fits that only choose a start end
   DetailAgreement both_cameras_;  // in the reference
   std::size_t asked_part_ = 0;
   KeyFrames keys_;

@@ -21,7 +21,8 @@ constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arri
 constexpr float kAlikeShare = 0.6f;    // of the correlation expected
 constexpr int kHopelessAfter = 3;      // steps on the finest level, without so much of a face
 constexpr double kHopeless = 0.2;
-constexpr int kFewestAlike = 10;  // patches in view, of both cameras, to say anything
+constexpr double kAstray = 0.4, kAstray_px = 0.5;  // so much, and still moving
+constexpr int kFewestAlike = 10;                   // patches in view, of both cameras, to say anything
 constexpr float kLeastScale = 0.5f;
 // Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
 constexpr float kSharedError = 1.6f;
@@ -360,7 +361,7 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
   const std::vector<float> even;
   for (int l = first_level; l >= last_level; --l) {
     const PatchLevel& patches = levels[l];
-    if (patches.patches.size() < 4) continue;
+    if (patches.patches.size() < kFewestPatches) continue;
     LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
     double moved_px = std::numeric_limits<double>::max();
     Vector6d xi = Vector6d::Zero();
@@ -371,7 +372,9 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
       fit.motion = fit.motion * about(model.centre_mm, xi);
       moved_px = level.motion_px(xi);
       if (moved_px < kSettled_px[l]) break;
-      if (l == 0 && iteration == kHopelessAfter && level.likeness() < kHopeless) break;
+      if (l == 0 && iteration == kHopelessAfter &&
+          level.likeness() < (moved_px > kAstray_px ? kAstray : kHopeless))
+        break;
     }
     if (l == last_level) fit.likeness = level.likeness();
     if (l > 0) continue;

@@ -41,6 +41,9 @@ struct PoseFit {
   double likeness = 0.0;  // share of the patches in view, of the last level, that look as they should
 };
 
+/// A level with fewer patches is left out: they would throw the pose farther off than it was.
+constexpr std::size_t kFewestPatches = 15;
+
 /// Coarse to fine from `start`, beginning at `first_level`. `levels`: the model's, or the same patches as a
 /// later key frame shows them. Ends after `last_level`: above 0 a fit costs a fifth, to
 /// choose among starts by their likeness. `trust`: one factor per patch of level 0 (or empty).

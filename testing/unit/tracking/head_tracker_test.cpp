@@ -412,6 +412,28 @@ TEST_F(HeadTrackers, ALossOfAFaceThatIsBlurredOrTooFarSaysSo) {
   EXPECT_EQ(tracking::toString(tracker->lossDetail()), "too_far");
 }
 
+TEST_F(HeadTrackers, AHeadThatStartsAtTheSideIsFoundThere) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  for (const auto& [yaw_deg, nod_deg, lean_deg] :
+       {std::array{30.0, 0.0, 10.0}, std::array{-30.0, 10.0, 0.0}, std::array{22.0, -15.0, -15.0}}) {
+    tracker->forgetLearnt();
+    int frame = 0;
+    for (; frame < 6; ++frame) {  // 0.2 s at 30 fps
+      SyntheticView view = turnedView(frame, yaw_deg);
+      view.motion = view.motion * Eigen::Translation3d(0, 0, 640) *
+                    Eigen::AngleAxisd(nod_deg * kDegree, Eigen::Vector3d::UnitX()) *
+                    Eigen::AngleAxisd(lean_deg * kDegree, Eigen::Vector3d::UnitZ()) *
+                    Eigen::Translation3d(0, 0, -640);
+      const auto pose = tracker->track(face_->render(rig_, view));
+      if (!pose) continue;
+      EXPECT_LT(errorOf(*pose, view).at_point_mm, 1.5) << yaw_deg;
+      break;
+    }
+    EXPECT_LT(frame, 6) << yaw_deg << ' ' << nod_deg << ' ' << lean_deg;
+  }
+}
+
 TEST_F(HeadTrackers, TheSameFramesGiveTheSamePoses) {
   const auto frame = face_->render(rig_, viewAt(5, 10));
   Eigen::Matrix4d poses[2];
