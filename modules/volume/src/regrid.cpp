@@ -152,14 +152,33 @@ std::array<float, 4> cubicWeights(float t) {
           0.5f * (t3 - t2)};
 }
 
+/// Sixty-four neighbours, all within the grid: four of a row at a time.
+float cubicInside(const float* first, std::size_t row, std::size_t slab,
+                  const std::array<std::array<float, 4>, 3>& weight) {
+  Eigen::Array4f sum = Eigen::Array4f::Zero();
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (weight[2][c] == 0) continue;
+    for (std::size_t b = 0; b < 4; ++b)
+      sum += weight[2][c] * weight[1][b] * Eigen::Map<const Eigen::Array4f>(first + c * slab + b * row);
+  }
+  return (sum * Eigen::Map<const Eigen::Array4f>(weight[0].data())).sum();
+}
+
 /// Sixty-four neighbours; the grid's edge is repeated.
 float cubicAt(const Volume& volume, const Between& at) {
   const auto& n = volume.grid.size;
   std::array<std::array<float, 4>, 3> weight;
   std::array<std::array<std::size_t, 4>, 3> offset;
   const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
+  bool is_inside = true;
   for (std::size_t a = 0; a < 3; ++a) {
     weight[a] = cubicWeights(at.part[a]);
+    is_inside &= at.low[a] >= 1 && at.low[a] + 2 < n[a];
+  }
+  if (is_inside)
+    return cubicInside(&volume.voxels[volume.grid.index(at.low[0] - 1, at.low[1] - 1, at.low[2] - 1)],
+                       stride[1], stride[2], weight);
+  for (std::size_t a = 0; a < 3; ++a) {
     for (int c = 0; c < 4; ++c)
       offset[a][std::size_t(c)] = std::size_t(std::clamp(at.low[a] - 1 + c, 0, n[a] - 1)) * stride[a];
   }
