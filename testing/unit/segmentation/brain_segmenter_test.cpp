@@ -178,26 +178,30 @@ TEST(BrainSegmenter, StopsWhenCancelled) {
   EXPECT_THROW(makeBrainSegmenter()->segment(plainHead().volume, monitor), Cancelled);
 }
 
+/// Found once for all tests.
+const volume::Mask& brainOfColin27() {
+  static const volume::Mask brain = brainOf(volume::readNifti(testing::colin27()).volume);
+  return brain;
+}
+
 TEST(BrainSegmenter, AgreesWithColin27sBrain) {
   FACENAV_NEEDS(testing::colin27());
-  const auto colin = volume::readNifti(testing::colin27()).volume;
   const auto truth = volume::readMask(testing::colin27Brain());
   // ch2bet leaves the sulci open: half the brain's surface. Bare overlap is enough here: all of it lies
   // inside.
-  const auto found = brainOf(colin);
+  const auto& found = brainOfColin27();
   EXPECT_GE(volume::overlap(truth, found).inside, 0.975);
   EXPECT_NEAR(found.volume_ml(), 1768, 50);  // ch2bet closed by 2 voxels and filled
 }
 
 TEST(BrainSegmenter, HoldsStillUnderNoise) {
   FACENAV_NEEDS(testing::colin27());
-  const auto colin = volume::readNifti(testing::colin27()).volume;
-  auto noisy = colin;
-  const float sigma = 0.06f * volume::percentile(colin, 0.98);
+  auto noisy = volume::readNifti(testing::colin27()).volume;
+  const float sigma = 0.06f * volume::percentile(noisy, 0.98);
   std::mt19937 random(3);
   std::normal_distribution<float> normal;
   for (float& v : noisy.voxels) v = std::hypot(v + sigma * normal(random), sigma * normal(random));
-  EXPECT_GE(volume::overlap(brainOf(noisy), brainOf(colin)).dice, 0.99);
+  EXPECT_GE(volume::overlap(brainOf(noisy), brainOfColin27()).dice, 0.99);
 }
 
 TEST(BrainSegmenter, LiesInsideTheMaskWithFluidOfAWholeHead) {
