@@ -10,19 +10,20 @@ namespace {
 
 using patch::kSamples;
 
-constexpr int kGrain = 14;              // finest patterns: all but noise is blurred away
 constexpr int kFirst = 20, kBand = 34;  // patterns of the detail; what is smoother is light's, and all faces'
-constexpr float kPlainlyElse = 0.5f;    // of the correlation expected: a hand, a mask, hair
-constexpr double kDecides = 0.62;       // of what both cameras agree on: halfway between own and others'
-constexpr double kLeastAgreed = 0.73,
-                 kMostAgreed = 1.25;  // above 1: the noise was taken for larger than it is
-constexpr double kSure = 3.0;         // standard errors
+// Variance of the sensor's noise in these, by that before the blur: sampled bicubically in the key frame,
+// bilinearly now, mean over all places between pixels (the patterns' own unit counts sampling as noise, too).
+constexpr float kNoiseThen = 0.29f, kNoiseNow = 0.22f;
+constexpr float kPlainlyElse = 0.5f;  // of the correlation expected: a hand, a mask, hair
+constexpr double kDecides = 0.62;     // of what both cameras agree on: halfway between own and others'
+constexpr double kLeastAgreed = 0.73, kMostAgreed = 1.25;  // beyond: the noise is not what was taken
+constexpr double kSure = 3.0;                              // standard errors
 
 using Patches = Eigen::Matrix<float, kSamples, Eigen::Dynamic>;
-using Coefficients = Eigen::Matrix<float, kFirst + kBand, Eigen::Dynamic>;  // by fineness
+using Coefficients = Eigen::Matrix<float, kBand, Eigen::Dynamic>;
 
 Coefficients coefficientsOf(const Patches& patches) {
-  return patternsByFineness().topRows<kFirst + kBand>() * patches;
+  return patternsByFineness().middleRows<kBand>(kFirst) * patches;
 }
 
 // Bilinear at a placed patch's samples; false where one lies outside.
@@ -52,21 +53,11 @@ bool sample(const BlurredImage& image, const PatchLevel& level, const float m[12
   return true;
 }
 
-// Variance of the sensor's noise as the patches with the least grain show it.
-float noiseIn(const Coefficients& patches, float known) {
-  if (patches.cols() < 4) return known;
-  const Eigen::RowVectorXf grain = patches.topRows<kGrain>().colwise().squaredNorm() / kGrain;
-  std::vector<float> by_size(grain.data(), grain.data() + grain.size());
-  const auto quarter = by_size.begin() + std::ptrdiff_t(by_size.size() / 4);
-  std::nth_element(by_size.begin(), quarter, by_size.end());
-  return std::max(known, *quarter);
-}
-
 DetailAgreement compared(const Coefficients& then, const Coefficients& now, float noise_then,
                          float noise_now) {
   DetailAgreement sum;
   for (Eigen::Index i = 0; i < then.cols(); ++i) {
-    const auto a = then.col(i).tail<kBand>(), b = now.col(i).tail<kBand>();
+    const auto a = then.col(i), b = now.col(i);
     const float aa = a.squaredNorm(), bb = b.squaredNorm();
     const float signal =
         std::max(0.f, 1.f - kBand * noise_then / aa) * std::max(0.f, 1.f - kBand * noise_now / bb);
@@ -101,8 +92,8 @@ DetailAgreement detailAgreement(const stereo::StereoRig& rig, const PatchModel& 
   }
   now_grey.leftCols(count).rowwise() -= now_grey.leftCols(count).colwise().mean().eval();
   const float noise = float(model.noise_grey * model.noise_grey);
-  const Coefficients seen = coefficientsOf(now_grey.leftCols(count));
-  return compared(coefficientsOf(then_grey.leftCols(count)), seen, noise, noiseIn(seen, noise));
+  return compared(coefficientsOf(then_grey.leftCols(count)), coefficientsOf(now_grey.leftCols(count)),
+                  kNoiseThen * noise, kNoiseNow * noise);
 }
 
 DetailAgreement detailOfBothCameras(const PatchModel& model) {
@@ -117,7 +108,7 @@ DetailAgreement detailOfBothCameras(const PatchModel& model) {
           Eigen::Map<const Eigen::Matrix<float, kSamples, 1>>(&finest.looks[c].grey[i * kSamples]);
     ++count;
   }
-  const float noise = float(model.noise_grey * model.noise_grey);
+  const float noise = kNoiseThen * float(model.noise_grey * model.noise_grey);
   return compared(coefficientsOf(grey[0].leftCols(count)), coefficientsOf(grey[1].leftCols(count)), noise,
                   noise);
 }

@@ -10,7 +10,7 @@
 //
 // | heads                                           | the patient        | others               |
 // |-------------------------------------------------|--------------------|----------------------|
-// | three, one dark, 3 rigs: 24 poses, 24 others    | 0.83 / 0.91 / 0.99 | -0.14 / 0.16 / 0.35  |
+// | three, one dark, 3 rigs: 24 poses, 24 others    | 0.80 / 0.91 / 0.99 | -0.06 / 0.14 / 0.34  |
 // | one, recorded as JPEG of quality 75: 5 poses, 5 | 0.86 / 0.92 / 0.96 |  0.00 / 0.11 / 0.24  |
 
 #include <array>

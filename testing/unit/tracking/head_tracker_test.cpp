@@ -310,6 +310,23 @@ TEST_F(HeadTrackers, ATwinWithOtherPoresIsNotTracked) {
   EXPECT_FALSE(tracker->track(twin.render(rig_, stillView(6))).isTracked());
 }
 
+TEST_F(HeadTrackers, NoiseAndDimLightDoNotHideWhoseSkinItIs) {
+  const SyntheticFace patient = withSkin(1), twin = withSkin(2);
+  const auto dimView = [](int frame) {
+    SyntheticView view = stillView(frame);
+    view.gain = 0.4, view.noise_grey = 3.0;
+    return view;
+  };
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  tracker->start(rig_, patient.reference(rig_, true, dimView(0)));
+  for (int i = 1; i < 4; ++i) {
+    tracker->forgetLearnt();
+    EXPECT_TRUE(tracker->track(patient.render(rig_, dimView(i))).isTracked()) << i;
+    tracker->forgetLearnt();
+    EXPECT_FALSE(tracker->track(twin.render(rig_, dimView(10 + i))).isTracked()) << i;
+  }
+}
+
 TEST_F(HeadTrackers, AFaceLostIsFoundAgainElsewhereAtOnce) {
   const auto tracker = tracking::makeModelHeadTracker(detector());
   start(*tracker, true);
