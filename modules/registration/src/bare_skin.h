@@ -3,9 +3,9 @@
 // else covers the face is left out of the fit as whole patches.
 
 #include <Eigen/Geometry>
-#include <unordered_set>
 #include <vector>
 
+#include "cube_numbers.h"
 #include "facenav/geometry/point.h"
 #include "facenav/registration/scalp_field.h"
 
@@ -24,7 +24,8 @@ class Covers {
   std::vector<int> bare(const PointCloud<Camera>& face, const std::vector<int>& points) const;
 
  private:
-  std::unordered_set<long long> cubes_;
+  static constexpr double kPatch_mm = 12.0;
+  CubeNumbers cubes_{kPatch_mm};
 };
 
 }  // namespace facenav::registration

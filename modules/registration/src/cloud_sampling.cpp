@@ -2,43 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
+
+#include "cube_numbers.h"
 
 namespace facenav::registration {
 namespace {
-
-/// The set of cubes that are taken: open addressing, never more than half full.
-class CubeSet {
- public:
-  explicit CubeSet(std::size_t most) {
-    std::size_t size = 64;
-    while (size < 2 * most) size *= 2;
-    slots_.assign(size, kFree);
-  }
-  bool insert(std::uint64_t key) {
-    std::size_t at = std::size_t((key * 0x9e3779b97f4a7c15ull) >> 20) & (slots_.size() - 1);
-    for (; slots_[at] != kFree; at = (at + 1) & (slots_.size() - 1))
-      if (slots_[at] == key) return false;
-    slots_[at] = key;
-    return true;
-  }
-
- private:
-  static constexpr std::uint64_t kFree = ~0ull;
-  std::vector<std::uint64_t> slots_;
-};
-
-std::uint64_t cubeOf(const Eigen::Vector3d& p_mm, double per_mm) {
-  const auto cell = [&](double x) { return std::uint64_t(std::int64_t(x * per_mm + 1048576.0)) & 0x1fffff; };
-  return cell(p_mm.x()) | cell(p_mm.y()) << 21 | cell(p_mm.z()) << 42;
-}
 
 /// A stride that visits all of 0 .. n-1 in an order that looks scattered.
 std::size_t scatteredStride(std::size_t n) {
   std::size_t stride = std::size_t(0.6180339887 * double(n)) | 1;
   while (std::gcd(stride, n) != 1) ++stride;
   return stride;
+}
+
+/// Points a cube for which as many cubes as `share` of the points hold any: (1 - exp(-n)) / n = share, if
+/// they lie at random on a surface.
+double fillingAt(double share) {
+  double low = 0, high = 50;
+  for (int halving = 0; halving < 24; ++halving) {
+    const double n = 0.5 * (low + high);
+    (1 - std::exp(-n) > share * n ? low : high) = n;
+  }
+  return high;
 }
 
 }  // namespace
@@ -58,16 +44,21 @@ std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>
   const std::size_t stride = scatteredStride(of.size());
   for (;;) {
     std::vector<int> chosen;
-    CubeSet taken(std::min(of.size(), most + 1));
+    chosen.reserve(std::min(of.size(), most + 1));
+    CubeNumbers taken(cell_mm, std::min(of.size(), most + 1));
     std::size_t at = 0, visited = 0;
     for (; visited < of.size() && chosen.size() <= most; ++visited) {
-      if (taken.insert(cubeOf(cloud.points_mm[std::size_t(of[at])], 1.0 / cell_mm))) chosen.push_back(of[at]);
+      const auto cube = std::size_t(taken.of(cloud.points_mm[std::size_t(of[at])].cast<float>()));
+      if (cube == chosen.size()) chosen.push_back(of[at]);
       at += stride;
       if (at >= of.size()) at -= of.size();
     }
     if (chosen.size() <= most) return chosen;
-    // So many after part of the points: of a surface, cubes as much larger hold the number.
-    cell_mm *= std::max(1.2, 0.9 * std::sqrt(double(of.size()) / double(visited)));
+    // Of a surface, cubes as much larger hold the number; points in a pattern fill more cubes than that says.
+    const double seen = double(visited) / double(of.size());
+    const double growth = std::sqrt(seen * fillingAt(0.95 * double(most) / double(of.size())) /
+                                    fillingAt(double(most) / double(visited)));
+    cell_mm *= std::clamp(growth, 1.05, std::max(1.3, 1 / std::sqrt(seen)));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "facenav/geometry/rotation.h"
 #include "facenav/registration/scalp_field.h"
+#include "point_kernel.h"
 
 namespace facenav::registration {
 
@@ -30,27 +31,29 @@ class FieldFitter {
  public:
   FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& cloud, const std::vector<int>& points);
 
-  std::size_t size() const { return points_[0].size(); }
+  std::size_t size() const { return count_; }
   /// One per point, 0..1, or empty.
-  void setWeights(std::vector<float> weights) { weights_ = std::move(weights); }
+  void setWeights(std::vector<float> weights);
 
   Eigen::Isometry3d fit(Eigen::Isometry3d mri_T_camera, const FitStage& stage) const;
   std::vector<PointMatch> match(const Eigen::Isometry3d& mri_T_camera) const;
+  /// Numbers of the points within `reach_mm` of the skin, by the coarse grid.
+  std::vector<int> within(const Eigen::Isometry3d& mri_T_camera, double reach_mm) const;
   /// Mean truncated squared residual over all points, mm^2: points without counterpart cost the truncation,
   /// points deep inside the head 1.3 times (the neck bends).
   double cost(const Eigen::Isometry3d& mri_T_camera, double truncation_mm) const;
 
  private:
-  struct View;   // a pose in single precision
-  struct Block;  // some points, measured side by side
-  template <bool kIsFine>
-  void measure(Block& block, std::size_t first, const View& view) const;
-  void measure(Block& block, std::size_t first, const View& view, bool is_fine) const;
+  point::Points points() const;
+  /// visit(block, number of its first point), block by block.
+  template <class Visitor>
+  void measure(const Eigen::Isometry3d& mri_T_camera, bool is_fine, Visitor&& visit) const;
 
   const ScalpField& scalp_;
-  std::vector<float> points_[3], normals_[3];  // x, y, z
+  std::vector<float> points_[3], normals_[3];  // x, y, z; whole blocks
   std::vector<float> weights_;
   Eigen::Vector3f pivot_;  // increments rotate about the head's middle
+  std::size_t count_;
 };
 
 /// Tukey's biweight: 1 at 0, 0 from `limit` on.

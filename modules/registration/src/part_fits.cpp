@@ -19,6 +19,7 @@ constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6},      
 constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
 constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncertain by
 constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
+constexpr double kMet = 0.2;       // of these: as far as fits settle
 constexpr double kRuledOut = 8.0;  // logarithm of odds
 
 float quantile(std::vector<float> values, double fraction) {
@@ -49,23 +50,25 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
   const FieldFitter all(scalp, face, points);
   const SkinLikelihood logLikelihood(scalp, face, points);
   const auto matches = all.match(mri_T_camera);
+  // Where several lead to the same place, one of them is followed to its end; where ends meet, one is judged.
   std::vector<PartFit> poses;
-  // Where several lead to the same place, one of them is followed to its end.
-  const auto closeIn = [&](std::vector<PartFit>& some) {
-    std::vector<PartFit> ended;
-    std::vector<Eigen::Isometry3d> begun;
-    for (const PartFit& pose : some) {
-      const bool is_new = std::all_of(begun.begin(), begun.end(), [&](const Eigen::Isometry3d& b) {
-        return areDistinct(b, pose.mri_T_camera, scalp.middle_mm(), kSame_rad, kSame_mm);
-      });
-      if (!is_new) continue;
-      begun.push_back(pose.mri_T_camera);
-      Eigen::Isometry3d end = pose.mri_T_camera;
-      for (const float reach_mm : {1.6f, 1.2f})
-        end = all.fit(end, {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
-      ended.push_back({end, logLikelihood(all.match(end))});
-    }
-    some = std::move(ended);
+  const auto isNew = [&](const std::vector<Eigen::Isometry3d>& met, const Eigen::Isometry3d& pose,
+                         double of_same) {
+    return std::all_of(met.begin(), met.end(), [&](const Eigen::Isometry3d& m) {
+      return areDistinct(m, pose, scalp.middle_mm(), of_same * kSame_rad, of_same * kSame_mm);
+    });
+  };
+  std::vector<Eigen::Isometry3d> begun, between, ended;
+  const auto closeIn = [&](Eigen::Isometry3d pose) {
+    if (!isNew(begun, pose, 1)) return;
+    begun.push_back(pose);
+    pose = all.fit(pose, {1.6f, 0.67f * 1.6f, 4, true, kSettled_mm});
+    if (!isNew(between, pose, 1)) return;
+    between.push_back(pose);
+    pose = all.fit(pose, {1.2f, 0.67f * 1.2f, 4, true, kSettled_mm});
+    if (!isNew(ended, pose, kMet)) return;
+    ended.push_back(pose);
+    poses.push_back({pose, logLikelihood(all.match(pose))});
   };
   for (const Part& part : kParts) {
     const std::vector<float> weights = weightsOf(part, matches);
@@ -76,34 +79,28 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
     Eigen::Isometry3d pose = mri_T_camera;
     for (const float reach_mm : {6.0f, 4.0f, 2.5f, 1.5f})
       pose = alone.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
-    poses.push_back({pose, 0});
+    closeIn(pose);
   }
-  closeIn(poses);
   const auto likeliest_first = [](const PartFit& a, const PartFit& b) {
     return a.log_likelihood > b.log_likelihood;
   };
   std::sort(poses.begin(), poses.end(), likeliest_first);
   // On a forehead alone every part may lead to a neighbour of the best pose.
   const Eigen::Isometry3d centre = poses.front().mri_T_camera;
-  std::vector<PartFit> around;
   for (int axis = 0; axis < 6; ++axis)
     for (const double side : {-1.0, 1.0}) {
       Vector6d off = Vector6d::Zero();
       off[axis] = side * (axis < 3 ? kNearby_rad : kNearby_mm);
-      Eigen::Isometry3d pose = increment(off, scalp.noseTip_mm(), centre);
-      pose = all.fit(pose, {2.5f, 1.7f, 3, true, kSettled_mm});
-      around.push_back({pose, 0});
+      closeIn(all.fit(increment(off, scalp.noseTip_mm(), centre), {2.5f, 1.7f, 3, true, kSettled_mm}));
     }
-  closeIn(around);
-  poses.insert(poses.end(), around.begin(), around.end());
   std::sort(poses.begin(), poses.end(), likeliest_first);
   std::vector<PartFit> left;
+  std::vector<Eigen::Isometry3d> places;
   for (const PartFit& pose : poses) {
     if (pose.log_likelihood < poses.front().log_likelihood - kRuledOut) break;
-    const bool is_new = std::all_of(left.begin(), left.end(), [&](const PartFit& l) {
-      return areDistinct(l.mri_T_camera, pose.mri_T_camera, scalp.middle_mm(), kSame_rad, kSame_mm);
-    });
-    if (is_new) left.push_back(pose);
+    if (!isNew(places, pose.mri_T_camera, 1)) continue;
+    places.push_back(pose.mri_T_camera);
+    left.push_back(pose);
   }
   return left;
 }

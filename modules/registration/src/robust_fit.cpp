@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
 
 #include "cloud_sampling.h"
+#include "cube_numbers.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
@@ -21,24 +22,32 @@ constexpr double kSame_rad = 0.005, kSame_mm = 0.5;
 }  // namespace
 
 std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm) {
-  std::unordered_map<long long, std::vector<double>> patches;
-  for (const PointMatch& m : matches)
-    if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
-      patches[cubeOf(m.at_mri_mm, kHairPatch_mm)].push_back(double(m.residual_mm));
-  std::unordered_map<long long, double> middle;
+  constexpr std::size_t kUsual = 80;  // points a patch
+  CubeNumbers numbers(kHairPatch_mm);
+  std::vector<int> patch_of(matches.size(), -1);
+  std::vector<std::vector<float>> residuals;
+  for (std::size_t p = 0; p < matches.size(); ++p) {
+    const PointMatch& m = matches[p];
+    if (!m.is_valid) continue;
+    patch_of[p] = numbers.of(m.at_mri_mm);
+    if (std::size_t(patch_of[p]) == residuals.size()) residuals.emplace_back().reserve(kUsual);
+    if (std::abs(m.residual_mm) < float(reach_mm))
+      residuals[std::size_t(patch_of[p])].push_back(m.residual_mm);
+  }
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  std::vector<float> middle(residuals.size(), kNone);
   std::vector<double> sizes;
-  for (const auto& [key, residuals] : patches) {
-    if (residuals.size() < 4) continue;
-    middle[key] = median(residuals);
-    sizes.push_back(std::abs(middle[key]));
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (residuals[i].size() < 4) continue;
+    const auto half = residuals[i].begin() + std::ptrdiff_t(residuals[i].size() / 2);
+    std::nth_element(residuals[i].begin(), half, residuals[i].end());
+    middle[i] = *half;
+    sizes.push_back(double(std::abs(*half)));
   }
   const double limit = std::clamp(1.4826 * 4.0 * median(sizes), 0.5, 1.5);
   std::vector<float> weights(matches.size(), 0.0f);
-  for (std::size_t p = 0; p < matches.size(); ++p) {
-    if (!matches[p].is_valid) continue;
-    const auto patch = middle.find(cubeOf(matches[p].at_mri_mm, kHairPatch_mm));
-    if (patch != middle.end()) weights[p] = tukeyWeight(float(patch->second), float(limit));
-  }
+  for (std::size_t p = 0; p < matches.size(); ++p)
+    if (patch_of[p] >= 0) weights[p] = tukeyWeight(middle[std::size_t(patch_of[p])], float(limit));
   return weights;
 }
 
@@ -95,9 +104,9 @@ RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
   RobustFit fit;
   fit.mri_T_camera = mri_T_camera;
   fit.points = thinOut(face, nearHead(scalp, face, mri_T_camera, 20.0), 1.0, kMostPoints);
-  const auto parts = fitParts(scalp, face, thinOut(face, fit.points, 6.0, 1000), mri_T_camera);
-  fit.mri_T_camera = parts.front().mri_T_camera;
   const auto some = thinOut(face, fit.points, 3.0, 4000);
+  const auto parts = fitParts(scalp, face, thinOut(face, some, 6.0, 1000), mri_T_camera);
+  fit.mri_T_camera = parts.front().mri_T_camera;
   fit.covers = Covers(scalp, face, some, fit.mri_T_camera);
   fit.points = fit.covers.bare(face, fit.points);
   FieldFitter sparse(scalp, face, fit.covers.bare(face, some)), all(scalp, face, fit.points);

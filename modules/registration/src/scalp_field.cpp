@@ -27,7 +27,9 @@ ScalpField::ScalpField(const SkinModel& skin) : ScalpField(skin, Unfilled{}) {
   origin_ = (low_ - Eigen::Vector3d::Constant(NearestSkin::kMargin_mm)).cast<float>();
   nose_tip_ = findNoseTip(skin_);
   fillCoarse();
+  showGrids();
   fillBricks();
+  showGrids();
 }
 
 ScalpField::~ScalpField() = default;
@@ -35,6 +37,17 @@ ScalpField::~ScalpField() = default;
 const NearestSkin& ScalpField::nearest() const {
   std::call_once(once_, [this] { nearest_ = std::make_unique<NearestSkin>(skin_); });
   return *nearest_;
+}
+
+void ScalpField::showGrids() {
+  for (int a = 0; a < 3; ++a) {
+    grids_.origin_mm[a] = origin_[a];
+    grids_.coarse_size[a] = coarse_size_[std::size_t(a)];
+    grids_.brick_size[a] = brick_size_[std::size_t(a)];
+  }
+  grids_.coarse = coarse_.data();
+  grids_.brick_at = brick_at_.data();
+  grids_.bricks = bricks_.empty() ? nullptr : bricks_.front().data();
 }
 
 float ScalpField::nodeDistance_mm(const Eigen::Vector3d& p) const {
@@ -45,17 +58,19 @@ float ScalpField::nodeDistance_mm(const Eigen::Vector3d& p) const {
 
 void ScalpField::fillCoarse() {
   for (int a = 0; a < 3; ++a)
-    coarse_size_[a] = int(std::ceil((high_[a] - low_[a] + 2 * NearestSkin::kMargin_mm) / kCoarse_mm)) + 1;
+    coarse_size_[a] =
+        int(std::ceil((high_[a] - low_[a] + 2 * NearestSkin::kMargin_mm) / FieldGrids::kCoarse_mm)) + 1;
   coarse_.resize(std::size_t(coarse_size_[0]) * coarse_size_[1] * coarse_size_[2]);
   std::size_t node = 0;
   for (int k = 0; k < coarse_size_[2]; ++k)
     for (int j = 0; j < coarse_size_[1]; ++j)
       for (int i = 0; i < coarse_size_[0]; ++i, ++node)
-        coarse_[node] = nodeDistance_mm(origin_.cast<double>() + kCoarse_mm * Eigen::Vector3d(i, j, k));
+        coarse_[node] =
+            nodeDistance_mm(origin_.cast<double>() + FieldGrids::kCoarse_mm * Eigen::Vector3d(i, j, k));
 }
 
 void ScalpField::fillBricks() {
-  constexpr float kWidth_mm = kBrick * kFine_mm;
+  constexpr float kWidth_mm = FieldGrids::kBrick * FieldGrids::kFine_mm;
   for (int a = 0; a < 3; ++a)
     brick_size_[a] = int(std::ceil((high_[a] - low_[a] + 2 * NearestSkin::kMargin_mm) / kWidth_mm));
   brick_at_.assign(std::size_t(brick_size_[0]) * brick_size_[1] * brick_size_[2], -1);
@@ -74,11 +89,11 @@ void ScalpField::fillBricks() {
           continue;
         Brick brick;
         std::size_t node = 0;
-        for (int k = 0; k < kSide; ++k)
-          for (int j = 0; j < kSide; ++j)
-            for (int i = 0; i < kSide; ++i, ++node)
-              brick[node] =
-                  nodeDistance_mm(corner.cast<double>() + double(kFine_mm) * Eigen::Vector3d(i, j, k));
+        for (int k = 0; k < FieldGrids::kSide; ++k)
+          for (int j = 0; j < FieldGrids::kSide; ++j)
+            for (int i = 0; i < FieldGrids::kSide; ++i, ++node)
+              brick[node] = nodeDistance_mm(corner.cast<double>() +
+                                            double(FieldGrids::kFine_mm) * Eigen::Vector3d(i, j, k));
         brick_at_[cell] = std::int32_t(bricks_.size());
         bricks_.push_back(brick);
       }

@@ -129,9 +129,12 @@ bool ScalpField::fillFrom(const std::string& content) {
   if (!reader.get(&skin, 1) || skin != digestOf(skin_) || sum != checkSum(content, size)) return false;
   for (Eigen::Vector3d* v : {&low_, &high_, &nose_tip_})
     if (!reader.get(v->data(), 3)) return false;
-  return reader.get(origin_.data(), 3) && reader.get(coarse_size_.data(), 3) &&
-         reader.get(brick_size_.data(), 3) && reader.getSized(coarse_) && reader.getSized(brick_at_) &&
-         reader.getSized(bricks_);
+  if (!(reader.get(origin_.data(), 3) && reader.get(coarse_size_.data(), 3) &&
+        reader.get(brick_size_.data(), 3) && reader.getSized(coarse_) && reader.getSized(brick_at_) &&
+        reader.getSized(bricks_)))
+    return false;
+  showGrids();
+  return true;
 }
 
 std::shared_ptr<const ScalpField> ScalpField::read(const SkinModel& skin, const std::filesystem::path& path) {

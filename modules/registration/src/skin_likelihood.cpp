@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
+#include "cube_numbers.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
@@ -45,6 +45,14 @@ double logSum(const double* values, std::size_t count) {
   double sum = 0;
   for (std::size_t v = 0; v < count; ++v) sum += std::exp(values[v] - most);
   return most + std::log(sum);
+}
+
+// What is beyond doubt (1 in 3 million) is certain: it costs no exponential, and no entropy.
+constexpr double kCertain = 15.0;
+
+double logistic(double log_odds) {
+  if (std::abs(log_odds) > kCertain) return log_odds > 0 ? 1.0 : 0.0;
+  return 1 / (1 + std::exp(-log_odds));
 }
 
 double entropy(double q) {
@@ -97,15 +105,17 @@ struct SkinLikelihood::Labels {
 SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face,
                                const std::vector<int>& points, double patch_mm)
     : regions_(scalp.noseTip_mm()) {
-  std::unordered_map<long long, int> numbers;
+  CubeNumbers numbers(patch_mm);
   std::vector<Eigen::Vector3i> cubes;
   std::vector<double> counts;
+  patch_of_.reserve(points.size());
   for (const int p : points) {
     const Eigen::Vector3f at = face.points_mm[std::size_t(p)].cast<float>();
-    const auto [entry, is_new] = numbers.try_emplace(cubeOf(at, patch_mm), int(cubes.size()));
-    if (is_new) cubes.push_back((at / float(patch_mm)).array().floor().cast<int>()), counts.push_back(0);
-    patch_of_.push_back(entry->second);
-    ++counts[std::size_t(entry->second)];
+    const int patch = numbers.of(at);
+    if (std::size_t(patch) == cubes.size())
+      cubes.push_back((at / float(patch_mm)).array().floor().cast<int>()), counts.push_back(0);
+    patch_of_.push_back(patch);
+    ++counts[std::size_t(patch)];
   }
   full_ = median(counts);
   neighbours_.resize(cubes.size());
@@ -125,7 +135,9 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
   std::vector<Eigen::Vector3f> sums(patches.size(), Eigen::Vector3f::Zero());
   for (std::size_t p = 0; p < matches.size(); ++p) {
     if (!matches[p].is_valid) continue;
-    residuals[std::size_t(patch_of_[p])].push_back(matches[p].residual_mm);
+    auto& residuals_of_patch = residuals[std::size_t(patch_of_[p])];
+    if (residuals_of_patch.empty()) residuals_of_patch.reserve(std::size_t(2 * full_));
+    residuals_of_patch.push_back(matches[p].residual_mm);
     sums[std::size_t(patch_of_[p])] += matches[p].at_mri_mm;
   }
   for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -146,7 +158,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
       const double mean2 = kDetail_mm[d] * kDetail_mm[d] / std::max(grains, 1.0);
       for (std::size_t s = 0; s < kSizes; ++s) {
         const double size2 = kSize_mm[s] * kSize_mm[s] + mean2;
-        patch.bare[d][s] = detail + share * 0.5 * (std::log(mean2 / size2) - m * m / size2);
+        patch.bare[d][s] = detail + share * 0.5 * (double(std::log(float(mean2 / size2))) - m * m / size2);
       }
     }
     patch.covered = -1e300;
@@ -161,8 +173,8 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
 
 double SkinLikelihood::pull(const std::vector<double>& covered, std::size_t patch) const {
   double sum = 0;
-  for (const int j : neighbours_[patch]) sum += kRim * (2 * covered[std::size_t(j)] - 1);
-  return sum;
+  for (const int j : neighbours_[patch]) sum += covered[std::size_t(j)];
+  return kRim * (2 * sum - double(neighbours_[patch].size()));
 }
 
 /// What labels alone contribute to the bound of the evidence.
@@ -193,8 +205,13 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
   if (!is_first_bare)
     for (std::size_t i = 0; i < patches.size(); ++i)
       labels.covered[i] = patches[i].covered > bareOf(patches[i]) ? 1.0 : 0.0;
+  static const std::array<double, kSizes> log_shares = [] {
+    std::array<double, kSizes> out{};
+    for (std::size_t s = 0; s < kSizes; ++s) out[s] = std::log(kSizeShare[s]);
+    return out;
+  }();
   const auto bySizes = [&] {
-    for (std::size_t s = 0; s < kSizes; ++s) logs[s] = std::log(kSizeShare[s]);
+    logs = log_shares;
     for (std::size_t i = 0; i < patches.size(); ++i)
       for (std::size_t s = 0; s < kSizes; ++s)
         logs[s] += (1 - labels.covered[i]) * patches[i].bare[detail][s];
@@ -205,9 +222,10 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
     for (std::size_t s = 0; s < kSizes; ++s) share[s] = std::exp(logs[s] - by_sizes);
     double change = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
-      const double log_odds =
-          patches[i].covered - bareOf(patches[i]) + patches[i].prior + pull(labels.covered, i);
-      const double covered = 1 / (1 + std::exp(-log_odds));
+      const double alone = patches[i].covered - bareOf(patches[i]) + patches[i].prior;
+      // No neighbours pull by more than that.
+      const bool is_certain = std::abs(alone) > kCertain + kRim * double(neighbours_[i].size());
+      const double covered = logistic(is_certain ? alone : alone + pull(labels.covered, i));
       change = std::max(change, std::abs(covered - labels.covered[i]));
       labels.covered[i] = covered;
     }

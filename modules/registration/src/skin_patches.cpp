@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+
+#include "cube_numbers.h"
 
 namespace facenav::registration {
 namespace {
@@ -57,27 +58,21 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm) {
-  const auto cell = [&](double x) { return (long long)(std::floor(x / size_mm)) & 0xfffff; };
-  return cell(p_mm.x()) | cell(p_mm.y()) << 20 | cell(p_mm.z()) << 40;
-}
-
 std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, const PatchLimits& limits,
                                      const Eigen::Isometry3d& mri_T_camera, const Eigen::Vector3d& pivot) {
   const double limit_mm = std::max(limits.inside_mm, limits.outside_mm);
-  std::unordered_map<long long, int> numbers;
+  CubeNumbers numbers(limits.size_mm);
   std::vector<std::vector<int>> members;
   std::vector<int> beyond;
   for (std::size_t m = 0; m < matches.size(); ++m) {
     const double residual = double(matches[m].residual_mm);
     if (!matches[m].is_valid || std::abs(residual) > 4 * limit_mm) continue;
-    const auto [entry, is_new] =
-        numbers.try_emplace(cubeOf(matches[m].at_mri_mm, limits.size_mm), int(members.size()));
-    if (is_new) members.emplace_back(), beyond.push_back(0);
+    const auto patch = std::size_t(numbers.of(matches[m].at_mri_mm));
+    if (patch == members.size()) members.emplace_back(), beyond.push_back(0);
     if (residual <= limits.outside_mm && residual >= -limits.inside_mm)
-      members[std::size_t(entry->second)].push_back(int(m));
+      members[patch].push_back(int(m));
     else
-      ++beyond[std::size_t(entry->second)];
+      ++beyond[patch];
   }
   std::vector<int> counts;
   std::vector<SkinPatch> patches;

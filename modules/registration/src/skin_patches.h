@@ -18,8 +18,6 @@ struct SkinPatch {
 };
 
 double median(std::vector<double> values);
-/// Number of the cube of `size_mm` that a point lies in.
-long long cubeOf(const Eigen::Vector3f& p_mm, double size_mm);
 
 struct PatchLimits {
   double size_mm = 12.0;

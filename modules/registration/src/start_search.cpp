@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
@@ -170,14 +171,9 @@ Candidate fromAround(const ScalpField& scalp, const PointCloud<Camera>& face, co
 
 std::vector<int> nearHead(const ScalpField& scalp, const PointCloud<Camera>& face,
                           const Eigen::Isometry3d& mri_T_camera, double reach_mm) {
-  const Eigen::Matrix3f r = mri_T_camera.linear().cast<float>();
-  const Eigen::Vector3f t = mri_T_camera.translation().cast<float>();
-  std::vector<int> near;
-  near.reserve(face.size());
-  for (std::size_t p = 0; p < face.size(); ++p)
-    if (std::abs(scalp.coarse(r * face.points_mm[p].cast<float>() + t).distance_mm) < float(reach_mm))
-      near.push_back(int(p));
-  return near;
+  std::vector<int> all(face.size());
+  std::iota(all.begin(), all.end(), 0);
+  return FieldFitter(scalp, face, all).within(mri_T_camera, reach_mm);
 }
 
 std::vector<Candidate> findStarts(const ScalpField& scalp, const PointCloud<Camera>& face,

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <string>
 
+#include "facenav/registration/field_grids.h"
 #include "facenav/registration/skin_model.h"
 
 namespace facenav::registration {
@@ -43,8 +44,9 @@ class ScalpField {
   FieldSample coarse(const Eigen::Vector3f& p_mri_mm) const;
   /// Fine grid within about kBand_mm of the skin, the coarse one beyond.
   FieldSample fine(const Eigen::Vector3f& p_mri_mm) const;
-  static constexpr float kFar_mm = 1e6f;
-  static constexpr float kBand_mm = 3.0f;
+  /// The grids themselves; valid as long as the field.
+  const FieldGrids& grids() const { return grids_; }
+  static constexpr float kFar_mm = FieldGrids::kFar_mm, kBand_mm = 3.0f;
 
   const SkinModel& skin() const { return skin_; }
   const Eigen::Vector3d& low_mm() const { return low_; }
@@ -57,18 +59,15 @@ class ScalpField {
   const NearestSkin& nearest() const;
 
  private:
-  static constexpr float kCoarse_mm = 4.0f, kFine_mm = 1.25f;
-  static constexpr int kBrick = 4, kSide = kBrick + 1;  // cells, nodes along a brick
-  using Brick = std::array<float, kSide * kSide * kSide>;
+  using Brick = std::array<float, FieldGrids::kBrickNodes>;
 
   struct Unfilled {};
   ScalpField(const SkinModel& skin, Unfilled);
   bool fillFrom(const std::string& content);
   void fillCoarse();
   void fillBricks();
+  void showGrids();
   float nodeDistance_mm(const Eigen::Vector3d& p_mri_mm) const;
-  static FieldSample interpolate(const float* corner, int stride_y, int stride_z, const Eigen::Vector3f& at,
-                                 float spacing_mm);
 
   SkinModel skin_;
   mutable std::once_flag once_;
@@ -79,14 +78,14 @@ class ScalpField {
   std::vector<float> coarse_;
   std::vector<std::int32_t> brick_at_;
   std::vector<Brick> bricks_;
+  FieldGrids grids_;
 };
 
 /// The field of `skin` as kept in `path`; where that has none or another skin's, built anew and kept there if
 /// the folder allows. An empty path keeps nothing. Throws Error as ScalpField does.
 std::shared_ptr<const ScalpField> keptScalpField(const SkinModel& skin, const std::filesystem::path& path);
 
-inline FieldSample ScalpField::interpolate(const float* c, int sy, int sz, const Eigen::Vector3f& at,
-                                           float spacing_mm) {
+inline FieldSample interpolate(const float* c, int sy, int sz, const Eigen::Vector3f& at, float spacing_mm) {
   const float x = at.x(), y = at.y(), z = at.z();
   const float dx00 = c[1] - c[0], dx10 = c[sy + 1] - c[sy], dx01 = c[sz + 1] - c[sz],
               dx11 = c[sy + sz + 1] - c[sy + sz];
@@ -100,33 +99,40 @@ inline FieldSample ScalpField::interpolate(const float* c, int sy, int sz, const
           Eigen::Vector3f(gx * inverse, (dy0 + z * (dy1 - dy0)) * inverse, (b1 - b0) * inverse)};
 }
 
-inline FieldSample ScalpField::coarse(const Eigen::Vector3f& p) const {
-  const Eigen::Vector3f at = (p - origin_) * (1.0f / kCoarse_mm);
+inline FieldSample sampleCoarse(const FieldGrids& grids, const Eigen::Vector3f& p) {
+  constexpr float kSpacing_mm = FieldGrids::kCoarse_mm;
+  const Eigen::Vector3f at = (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / kSpacing_mm);
+  const int* size = grids.coarse_size;
   // Written so that a position that is no number falls outside.
-  if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < float(coarse_size_[0] - 1) &&
-        at.y() < float(coarse_size_[1] - 1) && at.z() < float(coarse_size_[2] - 1)))
-    return {kFar_mm, Eigen::Vector3f::UnitZ()};
+  if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < float(size[0] - 1) &&
+        at.y() < float(size[1] - 1) && at.z() < float(size[2] - 1)))
+    return {FieldGrids::kFar_mm, Eigen::Vector3f::UnitZ()};
   const int i = int(at.x()), j = int(at.y()), k = int(at.z());
-  const int sy = coarse_size_[0], sz = coarse_size_[0] * coarse_size_[1];
-  return interpolate(&coarse_[std::size_t(i) + std::size_t(sy) * j + std::size_t(sz) * k], sy, sz,
-                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kCoarse_mm);
+  const int sy = size[0], sz = size[0] * size[1];
+  return interpolate(grids.coarse + std::size_t(i) + std::size_t(sy) * j + std::size_t(sz) * k, sy, sz,
+                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kSpacing_mm);
 }
 
-inline FieldSample ScalpField::fine(const Eigen::Vector3f& p) const {
-  const Eigen::Vector3f at = (p - origin_) * (1.0f / kFine_mm);
-  constexpr float kMost = 1e6f;
+inline FieldSample sampleFine(const FieldGrids& grids, const Eigen::Vector3f& p) {
+  constexpr int kBrick = FieldGrids::kBrick, kSide = FieldGrids::kSide;
+  constexpr float kSpacing_mm = FieldGrids::kFine_mm, kMost = 1e6f;
+  const Eigen::Vector3f at = (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / kSpacing_mm);
+  const int* size = grids.brick_size;
   if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < kMost && at.y() < kMost &&
         at.z() < kMost))
-    return {kFar_mm, Eigen::Vector3f::UnitZ()};
+    return {FieldGrids::kFar_mm, Eigen::Vector3f::UnitZ()};
   const int i = int(at.x()), j = int(at.y()), k = int(at.z());
   const int a = i / kBrick, b = j / kBrick, c = k / kBrick;
-  if (a >= brick_size_[0] || b >= brick_size_[1] || c >= brick_size_[2]) return coarse(p);
+  if (a >= size[0] || b >= size[1] || c >= size[2]) return sampleCoarse(grids, p);
   const std::int32_t brick =
-      brick_at_[std::size_t(a) + std::size_t(brick_size_[0]) * (b + std::size_t(brick_size_[1]) * c)];
-  if (brick < 0) return coarse(p);
+      grids.brick_at[std::size_t(a) + std::size_t(size[0]) * (b + std::size_t(size[1]) * c)];
+  if (brick < 0) return sampleCoarse(grids, p);
   const int node = (i - a * kBrick) + kSide * ((j - b * kBrick) + kSide * (k - c * kBrick));
-  return interpolate(&bricks_[std::size_t(brick)][std::size_t(node)], kSide, kSide * kSide,
-                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kFine_mm);
+  return interpolate(grids.bricks + std::size_t(brick) * FieldGrids::kBrickNodes + std::size_t(node), kSide,
+                     kSide * kSide, {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kSpacing_mm);
 }
+
+inline FieldSample ScalpField::coarse(const Eigen::Vector3f& p) const { return sampleCoarse(grids_, p); }
+inline FieldSample ScalpField::fine(const Eigen::Vector3f& p) const { return sampleFine(grids_, p); }
 
 }  // namespace facenav::registration

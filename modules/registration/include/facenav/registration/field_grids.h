@@ -1,0 +1,23 @@
+#pragma once
+// FieldGrids: ScalpField's two grids as raw arrays, for kernels that look many points up at once. Nothing of
+// a library, so that it may be included where code is compiled for one kind of processor only. Mri mm.
+
+#include <cstdint>
+
+namespace facenav::registration {
+
+struct FieldGrids {
+  static constexpr float kCoarse_mm = 4.0f, kFine_mm = 1.25f;
+  static constexpr int kBrick = 4, kSide = kBrick + 1;  // cells, nodes along a brick
+  static constexpr int kBrickNodes = kSide * kSide * kSide;
+  static constexpr float kFar_mm = 1e6f;  // outside the coarse grid
+
+  float origin_mm[3] = {0, 0, 0};
+  int coarse_size[3] = {0, 0, 0};          // nodes
+  int brick_size[3] = {0, 0, 0};           // bricks
+  const float* coarse = nullptr;           // x fastest
+  const std::int32_t* brick_at = nullptr;  // number of each brick; -1: none, the coarse grid holds
+  const float* bricks = nullptr;           // kBrickNodes each, x fastest
+};
+
+}  // namespace facenav::registration
