@@ -175,19 +175,30 @@ class AlignmentBenchmark {
     print("pcl::GeneralizedIterativeClosestPoint", gicp, ours_ms);
   }
 
-  /// Ours alone, over many random starts: is it ever lost?
+  /// Ours alone, over many random starts: is it ever lost? Misfit moves even the best pose by millimetres, so
+  /// that the place to find is where the fit from the true pose ends.
   void starts(double turn_deg, double shift_mm, int trials) {
     const Eigen::Vector3d nose = registration::findNoseTip(skin_);
     Outcome fit;
+    int same = 0;
     for (int t = 0; t < trials; ++t) {
       const Trial trial = makeTrial(skin_, nose, turn_deg, shift_mm, std::uint32_t(9000 + 17 * t));
-      registration::AlignmentStart start;
+      registration::AlignmentStart start, best_start;
       start.guess = trial.guess;
-      note(fit, trial, target_, [&] { return fitOnly(trial, start); });
+      best_start.guess = trial.truth;
+      const PoseMaybe best = fitOnly(trial, best_start);
+      PoseMaybe pose;
+      note(fit, trial, target_, [&] { return pose = fitOnly(trial, start); });
+      same +=
+          best && pose && !registration::areDistinct(best->inverse(), pose->inverse(), target_.mm, 0.017, 1);
     }
     std::printf(
-        "\nOurs from %d random starts %.0f deg, %.0f mm off: %d found, median %.1f ms, max %.1f ms.\n",
-        fit.trials, turn_deg, shift_mm, fit.found, quantile(fit.time_ms, 0.5), quantile(fit.time_ms, 1.0));
+        "\nOurs from %d random starts %.0f deg, %.0f mm off: %d end within 1 mm and 1 deg of where the true "
+        "pose leads to, %d within 3 mm and 3 deg of the truth; median %.1f ms, max %.1f ms on one core; it "
+        "uses "
+        "no second one.\n",
+        fit.trials, turn_deg, shift_mm, same, fit.found, quantile(fit.time_ms, 0.5),
+        quantile(fit.time_ms, 1.0));
   }
 
  private:

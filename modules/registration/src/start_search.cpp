@@ -211,7 +211,10 @@ std::optional<Candidate> descend(const ScalpField& scalp, const PointCloud<Camer
   for (const FitStage& stage : {FitStage{70, 60, 5, false}, FitStage{40, 30, 5, false},
                                 FitStage{20, 14, 6, false}, FitStage{10, 7, 5, false}})
     c.mri_T_camera = coarse.fit(c.mri_T_camera, stage);
-  if (!isExplained(scalp, coarse, c.mri_T_camera))
+  // Whoever gave the start knew which way is up: a head that ends on its crown was not led to.
+  constexpr double kFarthestTurn = 60 * kDeg;
+  const Eigen::Isometry3d led = begun * c.mri_T_camera.inverse();
+  if (rotationAngle(led.linear()) > kFarthestTurn || !isExplained(scalp, coarse, c.mri_T_camera))
     c = fromAround(scalp, face, dense, coarse, {begun, c.mri_T_camera});
   c.mri_T_camera = denser.fit(c.mri_T_camera, {6, 4, 6, false});
   c.cost = denser.cost(c.mri_T_camera, 4.0);
