@@ -164,13 +164,18 @@ class ModelHeadTracker : public HeadTracker {
       if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
       return lost(*there.verdict.lost, detailOf(there, now));
     }
-    const auto starts =
-        coarse_.find(rig_, now, last_ ? std::optional(last_->motion) : std::nullopt, lost_frames_);
-    for (const auto& start : starts) {
-      if (best.likeness > kLikely) break;
-      const PoseFit rough = roughly(now, start, rough_level_);
-      if (rough.likeness > best.likeness) best = rough;
-    }
+    bool is_anything_alike = false;
+    const auto lookFrom = [&](const std::optional<Eigen::Isometry3d>& from) {
+      for (const auto& start : coarse_.find(rig_, now, from, lost_frames_)) {
+        is_anything_alike = true;
+        if (best.likeness > kLikely) break;
+        const PoseFit rough = roughly(now, start, rough_level_);
+        if (rough.likeness > best.likeness) best = rough;
+      }
+    };
+    lookFrom(last_ ? std::optional(last_->motion) : std::nullopt);
+    if (last_ && lost_frames_ == 0 && best.likeness < kLikely)
+      lookFrom(std::nullopt);  // a leap, of a few frames a second
     if (last_ && best.likeness < kLikely &&
         roughly({now[1], now[0]}, last_->motion).likeness >
             std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
@@ -178,7 +183,7 @@ class ModelHeadTracker : public HeadTracker {
     if (best.likeness < kLeastLikeness)
       return lost(LostReason::no_face,
                   circumstance(last_ ? last_->motion : Eigen::Isometry3d::Identity(), now)
-                      .value_or(starts.empty() ? LossDetail::not_found : LossDetail::doubtful));
+                      .value_or(is_anything_alike ? LossDetail::doubtful : LossDetail::not_found));
     const auto there = attempt(frame, now, best.motion);
     if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
     return lost(*there.verdict.lost, detailOf(there, now));

@@ -362,6 +362,19 @@ TEST_F(HeadTrackers, AFaceLostAtTheSideIsFoundAgainThere) {
   EXPECT_LT(frames, 6) << "0.2 s";
 }
 
+/// As between two axes of the paper's protractor, or with few frames a second.
+TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheVeryFrame) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  int frame = 0;
+  for (const double yaw_deg : {0.0, 10.0, -14.0, 12.0, -12.0, 14.0}) {
+    const SyntheticView view = turnedView(frame++, yaw_deg);
+    const auto pose = tracker->track(face_->render(rig_, view));
+    ASSERT_TRUE(pose.isTracked()) << yaw_deg << " deg";
+    EXPECT_LT(errorOf(*pose, view).at_point_mm, 0.5) << yaw_deg << " deg";
+  }
+}
+
 TEST_F(HeadTrackers, AFrozenCameraIsNoticedInItsFirstRepeatedFrame) {
   const auto tracker = tracking::makeModelHeadTracker(detector());
   start(*tracker, true);
