@@ -193,7 +193,8 @@ std::string percentOf(double scale) { return oneDecimal(100.0 * scale) + " %"; }
 [[noreturn]] void refuseSize(double scale) {
   refuse(
       "the face does not fit this MRI: the cameras measure it at " + percentOf(scale) + " of its size there",
-      "check the square size that the cameras were calibrated with, and that this is the patient's own MRI");
+      "check that this is the patient's own MRI; if it is, the square size that the cameras were calibrated "
+      "with");
 }
 
 }  // namespace
