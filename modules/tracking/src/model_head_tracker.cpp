@@ -150,9 +150,9 @@ class ModelHeadTracker : public HeadTracker {
     return whoseSkin(detailAgreement(rig_, model_, key.level[0], now, fit, share), both_cameras_);
   }
 
-  // The prediction failed. At first a coarse fit from there; while that leads nowhere, in the frames after
-  // it, from wherever the face seems to be: the one after which the patches look most as they should is
-  // fitted to the end. So no frame takes long.
+  // The prediction failed. A coarse fit from there; where that leads nowhere, from wherever the face seems to
+  // be, some of the views a frame: the one after which the patches look most as they should is fitted to the
+  // end, and shown only if the skin is the patient's.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
