@@ -1,5 +1,4 @@
-// facenav-gui: the workstation window. Composition only: the implementations and steps of the command line,
-// handed to the window as functions.
+// facenav-gui: the workstation window, with the services of app/window_services.h.
 
 #include <sys/stat.h>
 
@@ -11,15 +10,10 @@
 #include <cstdio>
 
 #include "appearance.h"
-#include "case_pictures.h"
-#include "context.h"
-#include "facenav/capture/camera_pair_source.h"
-#include "facenav/core/error.h"
 #include "facenav/scene/display.h"
 #include "main_window.h"
-#include "pipeline.h"
 #include "presenters/worklist_presenter.h"
-#include "stored_capture.h"
+#include "window_services.h"
 #include "workspaces/prepare/prepare_workspace.h"
 
 namespace {
@@ -30,67 +24,6 @@ struct Arguments {
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
   double after_s = 3.0;
 };
-
-app::Context makeContext(TaskMonitor& monitor) {
-  return app::Context{app::makeRegistrations(), monitor, std::filesystem::read_symlink("/proc/self/exe"),
-                      false};
-}
-
-capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording) {
-  if (recording.capture) return *recording.capture;
-  if (auto stored = app::readStoredCapture(store.folder(), recording.rig)) return *stored;
-  throw Error("not aligned: the recording has no capture pair", recording.folder.string(),
-              "record one with the dots projected (capture/ in the recording)");
-}
-
-ui::Services makeServices() {
-  ui::Services services;
-  services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
-    return dicom::listSeries(folder, monitor);
-  };
-  services.makeThumbnail = [](const dicom::SeriesInfo& series) { return dicom::makeThumbnail(series); };
-  services.callArchive = [](const pacs::PacsNode& node) { pacs::echo(node); };
-  services.findInArchive = [](const pacs::PacsNode& node, const pacs::PacsQuery& query,
-                              TaskMonitor& monitor) { return pacs::findSeries(node, query, monitor); };
-  services.fetchFromArchive = [](const pacs::PacsNode& node, const pacs::PacsSeries& series,
-                                 const std::filesystem::path& folder, pacs::Retrieval how,
-                                 TaskMonitor& monitor) {
-    std::filesystem::create_directories(folder.parent_path());
-    return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
-  };
-  services.readTemplate = [] { return atlas::readColin27(); };
-  services.software_version = app::softwareVersion();
-  services.prepareCase = [](const ui::PrepareOrder& order, TaskMonitor& monitor) {
-    auto context = makeContext(monitor);
-    app::PrepareRequest request;
-    request.input = order.input;
-    request.case_folder = order.case_folder;
-    request.series_uid = order.series_uid;
-    request.head_segmenter = context.registrations.head_segmenters.defaultName();
-    request.brain_segmenter = context.registrations.brain_segmenters.defaultName();
-    request.replace = std::filesystem::exists(order.case_folder / "case.json");
-    app::prepareCase(context, request);
-  };
-  services.align = [](const casefile::CaseStore& store, const capture::Recording& recording,
-                      TaskMonitor& monitor) {
-    auto context = makeContext(monitor);
-    return app::alignCase(context, store, recording.rig, captureOf(store, recording),
-                          context.registrations.aligners.defaultName());
-  };
-  services.makeNavigator = [](const session::NavigatorSetup& setup) {
-    const auto all = app::makeRegistrations();
-    return std::make_unique<session::Navigator>(setup,
-                                                all.head_trackers.create(all.head_trackers.defaultName()),
-                                                all.coil_trackers.create(all.coil_trackers.defaultName()));
-  };
-  services.listCameras = [] { return capture::listCameras(); };
-  services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
-    return capture::openCameraPair(rig, left, right);
-  };
-  services.drawSurfaceDistance = app::writeSurfaceDistance;
-  services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
-  return services;
-}
 
 ui::PrepareStep stepNamed(const std::string& name) {
   if (name == "series") return ui::PrepareStep::series;
@@ -135,7 +68,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setApplicationName("FaceNav");
   keepFilesPrivate();
   ui::applyAppearance(application);
-  ui::MainWindow window(makeServices());
+  ui::MainWindow window(app::windowServices());
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
     window.restoreLast();
   window.setCasesFolder(arguments.cases_folder.empty() ? ui::WorklistPresenter::rememberedFolder()

@@ -57,7 +57,7 @@ QLineEdit* ArchiveSettings::line(QFormLayout& form, const QString& name, const s
   made->setToolTip(tip);
   made->setAccessibleName(name);
   form.addRow(name, made);
-  connect(made, &QLineEdit::editingFinished, this, &ArchiveSettings::take);
+  connect(made, &QLineEdit::textEdited, this, &ArchiveSettings::take);
   return made;
 }
 
@@ -70,10 +70,11 @@ QSpinBox* ArchiveSettings::number(QFormLayout& form, const QString& name, int va
   made->setToolTip(tip);
   made->setAccessibleName(name);
   form.addRow(name, made);
-  connect(made, &QSpinBox::editingFinished, this, &ArchiveSettings::take);
+  connect(made, QOverload<int>::of(&QSpinBox::valueChanged), this, &ArchiveSettings::take);
   return made;
 }
 
+/// As it is typed: a shortcut (Test, Find, Fetch) uses what stands in the fields.
 void ArchiveSettings::take() {
   pacs::PacsNode node;
   node.host = host_->text().trimmed().toStdString();

@@ -6,7 +6,7 @@
 
 #include "../dicom/dicom_bytes.h"
 #include "facenav/dicom/import_volume.h"
-#include "orthanc.h"
+#include "support/orthanc.h"
 
 namespace facenav::testing {
 namespace {
