@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 
 #include "facenav/stereo/stereo_rig.h"
 
@@ -12,20 +14,18 @@ namespace {
 using Matrix2d = Eigen::Matrix2d;
 using Vector2d = Eigen::Vector2d;
 
-struct Distortion {
+struct Distortion {  // in the order of the file
   double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0, k4 = 0, k5 = 0, k6 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0,
          tau_x = 0, tau_y = 0;
 };
+static_assert(sizeof(Distortion) == 14 * sizeof(double) && std::is_trivially_copyable_v<Distortion>);
 
 Distortion coefficients(const cv::Mat& mat) {
   Distortion d;
   if (mat.empty()) return d;
   FACENAV_EXPECT(mat.type() == CV_64F && mat.isContinuous() && mat.total() <= 14,
                  "distortion must be 1 x n, 64-bit");
-  double* const fields[] = {&d.k1, &d.k2, &d.p1, &d.p2, &d.k3, &d.k4,    &d.k5,
-                            &d.k6, &d.s1, &d.s2, &d.s3, &d.s4, &d.tau_x, &d.tau_y};
-  const double* const values = mat.ptr<double>();
-  for (std::size_t i = 0; i < mat.total(); ++i) *fields[i] = values[i];
+  std::memcpy(static_cast<void*>(&d), mat.ptr<double>(), mat.total() * sizeof(double));
   return d;
 }
 

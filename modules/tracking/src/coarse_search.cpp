@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "search_kernel.h"
+
 namespace facenav::tracking {
 namespace {
 
@@ -33,7 +35,9 @@ class CoarseSearch::SearchImage {
  public:
   explicit SearchImage(const cv::Mat1f& image)
       : size_(image.size()), rim_(2 * (std::max(image.cols, image.rows) / 4)) {
-    cv::copyMakeBorder(image, padded_, rim_, rim_ + 1, rim_, rim_ + 1, cv::BORDER_CONSTANT, 0.0);
+    // To the right also what the kernel's last block of columns looks at in vain.
+    cv::copyMakeBorder(image, padded_, rim_, rim_ + 1, rim_, rim_ + 2 * search::kLanes, cv::BORDER_CONSTANT,
+                       0.0);
     for (int p = 0; p < 4; ++p) {
       half_[p].create(padded_.rows / 2, padded_.cols / 2);
       for (int y = 0; y < half_[p].rows; ++y) {
@@ -86,20 +90,22 @@ class CoarseSearch::SearchImage {
 
   /// Where the points fit best, to two pixels, the centre inside the image.
   Eigen::Vector2d bestPlace(const Stencil& stencil) const {
+    constexpr int kLanes = search::kLanes;
     const int columns = size_.width / 2, rows = size_.height / 2;
-    cv::Mat1f sums(rows, columns, 0.f);
-    for (std::size_t i = 0; i < stencil.at.size(); ++i) {
-      const int x = stencil.at[i].x + rim_, y = stencil.at[i].y + rim_;
-      const cv::Mat1f& from = half_[2 * (y & 1) + (x & 1)];
-      const float value = stencil.value[i];
-      for (int v = 0; v < rows; ++v) {
-        const float* in = from[y / 2 + v] + x / 2;
-        float* to = sums[v];
-        for (int u = 0; u < columns; ++u) to[u] += value * in[u];
-      }
+    cv::Mat1f sums(rows, (columns + kLanes - 1) / kLanes * kLanes);
+    std::vector<const float*> from;
+    from.reserve(stencil.at.size());
+    for (const auto& at : stencil.at) {
+      const int x = at.x + rim_, y = at.y + rim_;
+      from.push_back(half_[2 * (y & 1) + (x & 1)][y / 2] + x / 2);
     }
+    search::Correlation task;
+    task.from = from.data(), task.value = stencil.value.data(), task.count = int(from.size());
+    task.stride = int(half_[0].step1()), task.columns = sums.cols, task.rows = rows;
+    task.sums = sums.ptr<float>();
+    search::kernel().correlate(task);
     cv::Point at;
-    cv::minMaxLoc(sums, nullptr, nullptr, nullptr, &at);
+    cv::minMaxLoc(sums.colRange(0, columns), nullptr, nullptr, nullptr, &at);
     return {2.0 * at.x, 2.0 * at.y};
   }
 

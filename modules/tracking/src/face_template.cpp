@@ -7,11 +7,12 @@
 #include <optional>
 
 #include "facenav/geometry/rotation.h"
+#include "patch_placement.h"
+#include "search_kernel.h"
 
 namespace facenav::tracking {
 namespace {
 
-constexpr int kWindow_px = 11;           // of a level, over which light is evened
 constexpr float kLeastContrast = 0.03f;  // of the mean grey: flatter skin is not made to look rough
 constexpr double kWanted = 350;          // points over the region's box
 constexpr int kLeastSpacing_px = 6;      // of the points, in the left reference image
@@ -22,20 +23,16 @@ constexpr int kSteps[2] = {5, 4};          // by level
 constexpr double kSettled_mm = 0.5;        // what follows finds the rest
 constexpr std::size_t kEvery[2] = {2, 1};  // of the points, by level
 constexpr float kReach = 1.5f;             // of a residual's robust weight, local standard deviations
-constexpr std::size_t kFewest = 40;        // points in both images together
+constexpr double kFewest = 40;             // points in both images together
 
-struct Sampled {
-  float value, d_x, d_y;
-};
-
-// Bilinear, with its own slopes; nothing outside.
-std::optional<Sampled> sampled(const cv::Mat1f& image, double x, double y) {
+// Bilinear; nothing outside.
+std::optional<float> sampled(const cv::Mat1f& image, double x, double y) {
   if (!(x >= 0 && y >= 0 && x < image.cols - 1 && y < image.rows - 1)) return std::nullopt;
   const int ix = int(x), iy = int(y);
   const float fx = float(x - ix), fy = float(y - iy);
   const float *a = image[iy] + ix, *b = image[iy + 1] + ix;
   const float top = a[0] + fx * (a[1] - a[0]), low = b[0] + fx * (b[1] - b[0]);
-  return Sampled{top + fy * (low - top), (1 - fy) * (a[1] - a[0]) + fy * (b[1] - b[0]), low - top};
+  return top + fy * (low - top);
 }
 
 double facing(const FaceTemplate::Point& point, const Eigen::Isometry3d& camera_T_head) {
@@ -53,15 +50,18 @@ Eigen::Isometry3d seenFrom(const stereo::StereoRig& rig, int camera, const Eigen
 }  // namespace
 
 cv::Mat1f evened(const BlurredImage& level) {
-  const cv::Mat1f grey = greyOf(level);
-  cv::Mat1f mean, squares, result(grey.size());
-  cv::boxFilter(grey, mean, CV_32F, {kWindow_px, kWindow_px});
-  cv::sqrBoxFilter(grey, squares, CV_32F, {kWindow_px, kWindow_px});
-  for (int y = 0; y < grey.rows; ++y)
-    for (int x = 0; x < grey.cols; ++x) {
-      const float m = mean(y, x), least = 1.f + kLeastContrast * m;
-      result(y, x) = (grey(y, x) - m) / std::sqrt(std::max(0.f, squares(y, x) - m * m) + least * least);
-    }
+  constexpr int kRim = search::kRim;
+  cv::Mat1w wider;
+  cv::copyMakeBorder(level.pixels, wider, kRim, kRim, kRim, kRim, cv::BORDER_REFLECT_101);
+  cv::Mat1f result(level.pixels.size());
+  std::vector<std::int32_t> scratch(6 * std::size_t(result.cols + search::kWindow + search::kLanes));
+  search::Evening task;
+  task.from = wider.ptr<std::uint16_t>(), task.from_stride = int(wider.step1());
+  task.columns = result.cols, task.rows = result.rows;
+  task.least_contrast = 1.f, task.per_mean = kLeastContrast;
+  task.scratch = scratch.data();
+  task.to = result.ptr<float>(), task.to_stride = int(result.step1());
+  search::kernel().even(task);
   return result;
 }
 
@@ -131,54 +131,89 @@ FaceTemplate::Looks FaceTemplate::looksAt(const stereo::StereoRig& rig, const Ev
         if (!is_seen[i]) continue;
         const Eigen::Vector2d px = scale * stereo::project(cameraOf(rig, c), camera_T_head * points_[i].mm);
         if (const auto here = sampled(images.image[l][c], px.x(), px.y()))
-          grey[i] = {here->value, float(facing(points_[i], camera_T_head))};
+          grey[i] = {*here, float(facing(points_[i], camera_T_head))};
       }
     }
   }
   return looks;
 }
 
+FaceTemplate::Sums& FaceTemplate::Sums::operator+=(const Sums& other) {
+  normal += other.normal, pull += other.pull;
+  product += other.product, now_squares += other.now_squares, then_squares += other.then_squares;
+  seen += other.seen;
+  return *this;
+}
+
+FaceTemplate::Looked FaceTemplate::lookedFor(const stereo::StereoRig& rig, const Looks& looks, std::size_t l,
+                                             int c, const Eigen::Isometry3d& motion) const {
+  const double scale = 1.0 / (1 << EvenedPair::kLevel[l]);
+  const Eigen::Isometry3d camera_T_head = seenFrom(rig, c, motion);
+  Looked looked;
+  for (std::size_t i = 0; i < points_.size(); i += kEvery[l]) {
+    const Looks::Grey& then = looks.grey[l][c][i];
+    const Eigen::Vector3d now_mm = camera_T_head * points_[i].mm;
+    if (then.weight <= 0 || now_mm.z() < 1) continue;
+    Eigen::Matrix<double, 2, 3> d_p;
+    const Eigen::Vector2d px = scale * stereo::project(cameraOf(rig, c), now_mm, d_p);
+    const Eigen::Matrix2d d = scale * now_mm.z() * d_p.leftCols<2>();
+    looked.add(points_[i], then, d, px - d * now_mm.hnormalized());
+  }
+  return looked;
+}
+
+void FaceTemplate::Looked::add(const Point& point, const Looks::Grey& then, const Eigen::Matrix2d& d,
+                               const Eigen::Vector2d& offset) {
+  using F = search::TemplateField;
+  constexpr int kLanes = search::kLanes;
+  const int lane = count_++ % kLanes;
+  if (lane == 0) blocks_.resize(blocks_.size() + F::count * kLanes, 0.f);
+  float* to = &blocks_[blocks_.size() - F::count * kLanes] + lane;
+  const auto set = [&](int field, double value) { to[field * kLanes] = float(value); };
+  set(F::x, point.mm.x()), set(F::y, point.mm.y()), set(F::z, point.mm.z());
+  set(F::normal_x, point.normal.x()), set(F::normal_y, point.normal.y()), set(F::normal_z, point.normal.z());
+  set(F::value, then.value), set(F::weight, then.weight);
+  set(F::d00, d(0, 0)), set(F::d01, d(0, 1)), set(F::d10, d(1, 0)), set(F::d11, d(1, 1));
+  set(F::u0, offset.x()), set(F::v0, offset.y());
+}
+
+FaceTemplate::Sums FaceTemplate::Looked::sumsIn(const cv::Mat1f& image,
+                                                const Eigen::Isometry3d& camera_T_head,
+                                                const Eigen::Vector3d& centre_mm) const {
+  search::TemplateLook look;
+  look.blocks = blocks_.data();
+  look.block_count = int(blocks_.size()) / (search::TemplateField::count * search::kLanes);
+  look.image = image.ptr<float>(), look.stride = int(image.step1());
+  look.width = image.cols, look.height = image.rows;
+  const auto pose = floatsOf(camera_T_head);
+  std::copy(pose.begin(), pose.end(), look.camera_T_head);
+  for (int i = 0; i < 3; ++i) look.centre[i] = float(centre_mm[i]);
+  look.least_facing = float(kLeastFacing), look.reach = kReach;
+  const search::TemplateSums seen = search::kernel().sum(look);
+  Sums sums;
+  for (int i = 0, n = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) sums.normal(i, j) = sums.normal(j, i) = seen.normal[n++];
+    sums.pull(i) = seen.pull[i];
+  }
+  sums.product = seen.product, sums.now_squares = seen.now_squares, sums.then_squares = seen.then_squares;
+  sums.seen = seen.seen;
+  return sums;
+}
+
 FaceTemplate::Fit FaceTemplate::fit(const stereo::StereoRig& rig, const Looks& looks, const EvenedPair& now,
                                     const Eigen::Isometry3d& start) const {
   Fit fit{start, 0.0};
   for (std::size_t l = 0; l < 2; ++l) {
-    const double scale = 1.0 / (1 << EvenedPair::kLevel[l]);
+    const std::array<Looked, 2> looked = {lookedFor(rig, looks, l, 0, fit.motion),
+                                          lookedFor(rig, looks, l, 1, fit.motion)};
     for (int step = 0; step < kSteps[l]; ++step) {
-      Matrix6d h = Matrix6d::Zero();
-      Vector6d g = Vector6d::Zero();
-      double products = 0, now_squares = 0, then_squares = 0;
-      std::size_t seen = 0;
-      for (int c = 0; c < 2; ++c) {
-        const Eigen::Isometry3d camera_T_head = seenFrom(rig, c, fit.motion);
-        for (std::size_t i = 0; i < points_.size(); i += kEvery[l]) {
-          const Looks::Grey& then = looks.grey[l][c][i];
-          if (then.weight <= 0) continue;
-          const Eigen::Vector3d now_mm = camera_T_head * points_[i].mm;
-          const double towards = facing(points_[i], camera_T_head);
-          if (towards < kLeastFacing || now_mm.z() < 1) continue;
-          Eigen::Matrix<double, 2, 3> d_p;
-          const Eigen::Vector2d px = scale * stereo::project(cameraOf(rig, c), now_mm, d_p);
-          const auto here = sampled(now.image[l][c], px.x(), px.y());
-          if (!here) continue;
-          const float e = then.value - here->value, q = e / kReach;
-          const double w = std::min(double(then.weight), towards) / (1.0 + q * q);
-          const Eigen::RowVector3d d_x =
-              scale * Eigen::RowVector2d(here->d_x, here->d_y) * d_p * camera_T_head.linear();
-          Vector6d j;
-          j << (points_[i].mm - centre_mm_).cross(d_x.transpose()), d_x.transpose();
-          h.selfadjointView<Eigen::Lower>().rankUpdate(j, w);
-          g += w * e * j;
-          products += w * then.value * here->value;
-          now_squares += w * here->value * here->value, then_squares += w * then.value * then.value;
-          ++seen;
-        }
-      }
-      if (seen < kFewest) return {fit.motion, 0.0};
-      fit.likeness = products / std::sqrt(std::max(1e-9, now_squares * then_squares));
-      const Matrix6d whole = h.selfadjointView<Eigen::Lower>();
-      Matrix6d damped = whole;
-      damped.diagonal() *= 1.01;
-      const Vector6d xi = damped.ldlt().solve(g);
+      Sums sums;
+      for (int c = 0; c < 2; ++c)
+        sums += looked[c].sumsIn(now.image[l][c], seenFrom(rig, c, fit.motion), centre_mm_);
+      if (sums.seen < kFewest) return {fit.motion, 0.0};
+      fit.likeness = sums.product / std::sqrt(std::max(1e-9, sums.now_squares * sums.then_squares));
+      sums.normal.diagonal() *= 1.01;
+      const Vector6d xi = sums.normal.ldlt().solve(sums.pull);
       if (!xi.allFinite()) return {fit.motion, 0.0};
       fit.motion =
           fit.motion * Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_);

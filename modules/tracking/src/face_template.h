@@ -12,6 +12,7 @@
 
 #include "face_region.h"
 #include "face_surface.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/stereo/stereo_rig.h"
 #include "image_pyramid.h"
 
@@ -61,6 +62,28 @@ class FaceTemplate {
           const Eigen::Isometry3d& start) const;
 
  private:
+  /// Of one step of the fit, over points and cameras.
+  struct Sums {
+    Matrix6d normal = Matrix6d::Zero();
+    Vector6d pull = Vector6d::Zero();
+    double product = 0.0, now_squares = 0.0, then_squares = 0.0, seen = 0.0;
+    Sums& operator+=(const Sums& other);
+  };
+  /// The points that one camera looks for, placed by its model made linear near where they are expected.
+  class Looked {
+   public:
+    void add(const Point& point, const Looks::Grey& then, const Eigen::Matrix2d& d,
+             const Eigen::Vector2d& offset);
+    Sums sumsIn(const cv::Mat1f& image, const Eigen::Isometry3d& camera_T_head,
+                const Eigen::Vector3d& centre_mm) const;
+
+   private:
+    std::vector<float> blocks_;  // search::TemplateLook's
+    int count_ = 0;
+  };
+  Looked lookedFor(const stereo::StereoRig& rig, const Looks& looks, std::size_t l, int c,
+                   const Eigen::Isometry3d& motion) const;
+
   std::vector<Point> points_;
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
 };

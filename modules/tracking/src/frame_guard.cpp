@@ -1,8 +1,6 @@
 #include "frame_guard.h"
 
 #include <algorithm>
-#include <cstring>
-#include <opencv2/imgproc.hpp>
 
 namespace facenav::tracking {
 namespace {
@@ -14,38 +12,47 @@ constexpr double kMoving_mm_s = 5.0;    // no head stops from this within one fr
 constexpr std::size_t kHistory = 31, kLeastHistory = 2;
 constexpr int kRowStep = 3;
 
+constexpr int kBlock_px = 8, kBlockStep_px = 24;  // squares whose means tell a picture from noise
+
 bool isBlank(const cv::Mat& image) {
-  cv::Mat small;
-  cv::resize(image, small, {image.cols / 8, image.rows / 8}, 0, 0, cv::INTER_AREA);
-  cv::Scalar mean, deviation;
-  cv::meanStdDev(small, mean, deviation);
-  return mean[0] < kDarkest_grey || deviation[0] < kFlattest_grey;
+  double sum = 0, squares = 0;
+  int blocks = 0;
+  for (int y0 = 0; y0 + kBlock_px <= image.rows; y0 += kBlockStep_px)
+    for (int x0 = 0; x0 + kBlock_px <= image.cols; x0 += kBlockStep_px) {
+      int block = 0;
+      for (int y = y0; y < y0 + kBlock_px; ++y)
+        for (int x = x0; x < x0 + kBlock_px; ++x) block += image.ptr(y)[x];
+      const double mean = double(block) / (kBlock_px * kBlock_px);
+      sum += mean, squares += mean * mean, ++blocks;
+    }
+  if (blocks == 0) return true;
+  const double mean = sum / blocks;
+  return mean < kDarkest_grey || squares / blocks - mean * mean < kFlattest_grey * kFlattest_grey;
+}
+
+// Every kRowStep-th row, without a copy.
+cv::Mat someRows(const cv::Mat& image) {
+  return cv::Mat((image.rows + kRowStep - 1) / kRowStep, image.cols, image.type(), image.data,
+                 kRowStep * image.step);
 }
 
 }  // namespace
 
 void FrameGuard::start(const stereo::StereoFrame& reference) {
   size_ = reference.left.size();
-  left_ = reference.left.clone();
-  right_ = reference.right.clone();
+  left_ = someRows(reference.left).clone();
+  right_ = someRows(reference.right).clone();
   new_image_s_ = reference.captured.s;
   changed_.clear();
 }
 
 FrameGuard::Change FrameGuard::change(const cv::Mat& now, const cv::Mat& before, const cv::Rect& face) {
-  std::size_t all = 0, in_face = 0, seen = 0, face_seen = 0;
-  for (int y = 0; y < now.rows; y += kRowStep) {
-    const auto *a = now.ptr(y), *b = before.ptr(y);
-    const bool crosses_face = y >= face.y && y < face.y + face.height;
-    const int first = crosses_face ? std::clamp(face.x, 0, now.cols) : 0;
-    const int last = crosses_face ? std::clamp(face.x + face.width, 0, now.cols) : 0;
-    for (int x = 0; x < now.cols; ++x) all += a[x] != b[x];
-    for (int x = first; x < last; ++x) in_face += a[x] != b[x];
-    seen += now.cols;
-    face_seen += std::max(0, last - first);
-  }
-  return {double(all) / std::max<std::size_t>(1, seen),
-          double(in_face) / std::max<std::size_t>(1, face_seen)};
+  cv::Mat differs;
+  cv::compare(now, before, differs, cv::CMP_NE);
+  const cv::Rect in_rows(face.x, (face.y + kRowStep - 1) / kRowStep, face.width, face.height / kRowStep);
+  const cv::Rect seen = in_rows & cv::Rect({}, differs.size());
+  return {double(cv::countNonZero(differs)) / std::max<std::size_t>(1, differs.total()),
+          seen.empty() ? 0.0 : double(cv::countNonZero(differs(seen))) / seen.area()};
 }
 
 bool FrameGuard::streamIsNoisy() const {
@@ -70,13 +77,14 @@ std::optional<LostReason> FrameGuard::check(const stereo::StereoFrame& frame, do
   const auto fits = [&](const cv::Mat& image) { return image.size() == size_ && image.type() == CV_8UC1; };
   detail_ = LossDetail::no_picture;
   if (!fits(frame.left) || !fits(frame.right)) return LostReason::camera;
-  const Change left = change(frame.left, left_, left_face), right = change(frame.right, right_, right_face);
+  const cv::Mat now[2] = {someRows(frame.left), someRows(frame.right)};
+  const Change left = change(now[0], left_, left_face), right = change(now[1], right_, right_face);
   const bool is_new = left.all > 0 && right.all > 0;
   const double age_s = std::max(0.0, frame.captured.s - new_image_s_);
   const double moved_mm = speed_mm_s > kMoving_mm_s ? speed_mm_s * age_s : 0.0;
   const auto verdict = judge(left, right, moved_mm);
-  if (left.all > 0) frame.left.copyTo(left_);
-  if (right.all > 0) frame.right.copyTo(right_);
+  if (left.all > 0) now[0].copyTo(left_);
+  if (right.all > 0) now[1].copyTo(right_);
   if (is_new) {
     new_image_s_ = frame.captured.s;
     changed_.push_back(float(std::min(left.all, right.all)));

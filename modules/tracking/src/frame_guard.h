@@ -28,14 +28,14 @@ class FrameGuard {
 
  private:
   struct Change {
-    double all = 0.0, face = 0.0;  // share of pixels that differ from the previous image
+    double all = 0.0, face = 0.0;  // share of pixels (of some rows) that differ from before
   };
   static Change change(const cv::Mat& now, const cv::Mat& before, const cv::Rect& face);
   bool streamIsNoisy() const;
   std::optional<LostReason> judge(const Change& left, const Change& right, double moved_mm);
 
   cv::Size size_;
-  cv::Mat left_, right_;      // the previous images
+  cv::Mat left_, right_;      // some rows of the previous images
   double new_image_s_ = 0.0;  // when both images last were new
   LossDetail detail_ = LossDetail::unknown;
   std::vector<float> changed_;  // of recent pairs that differed, the smaller share of left and right

@@ -19,10 +19,16 @@ constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's 
 constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
 constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arrived
 constexpr float kAlikeShare = 0.6f;    // of the correlation expected
-constexpr int kHopelessAfter = 3;      // steps on the finest level, without so much of a face
-constexpr double kHopeless = 0.2;
-constexpr double kAstray = 0.4, kAstray_px = 0.5;  // so much, and still moving
-constexpr int kFewestAlike = 10;                   // patches in view, of both cameras, to say anything
+// Steps on the finest level after which a fit without so much of a face is given up, or with more of it that
+// is not arriving. What is alike hardly changes over the steps; the patient's face, three tenths of it
+// covered, showed 0.7 at least in its first step, and arrived within 0.1 px in two; others' 0.1 to 0.74, and
+// took eight steps or more.
+constexpr int kHopelessAfter = 1, kAstrayAfter = 3;
+constexpr double kHopeless = 0.2, kHopelessMoving = 0.5, kHopelessMoving_px = 0.2;
+constexpr double kAstray = 0.8;
+constexpr double kPlacedFor_px = 2.0;  // of motion: the cameras' models made linear at a patch hold
+constexpr int kLightSteps = 2;         // of a fit, in which the light is looked at anew
+constexpr int kFewestAlike = 10;       // patches in view, of both cameras, to say anything
 constexpr float kLeastScale = 0.5f;
 // Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
 constexpr float kSharedError = 1.6f;
@@ -49,6 +55,13 @@ class LevelFit {
     noise_share_ = float(patch::kSamples * noiseShare(level.level) * model.noise_grey * model.noise_grey);
   }
 
+  bool isHopeless(int step, double moved_px) const {
+    if (step != kHopelessAfter && step != kAstrayAfter) return false;
+    const double alike = likeness();
+    if (step == kAstrayAfter) return alike < kAstray && moved_px > kUnsettled_px;
+    return alike < kHopeless || (alike < kHopelessMoving && moved_px > kHopelessMoving_px);
+  }
+
   void placeAt(const Eigen::Isometry3d& motion) {
     placed_[0] = place(level_, rig_.left, 0, motion);
     placed_[1] = place(level_, rig_.right, 1, rig_.right_T_left.isometry() * motion);
@@ -57,6 +70,7 @@ class LevelFit {
 
   void look(const Eigen::Isometry3d& motion) {
     for (auto& sight : sights_) sight = {};
+    ++looks_;
     const Eigen::Isometry3d camera_T_head[2] = {motion, rig_.right_T_left.isometry() * motion};
     for (int c = 0; c < 2; ++c) {
       const auto& placements = placed_[c].placements;
@@ -85,6 +99,7 @@ class LevelFit {
   }
 
   void finish(PoseFit& fit, const Vector6d& last_step) {
+    markCentres(fit.motion);
     fit.scale = std::max(scale_[0], scale_[1]);
     for (float& scale : scale_) scale = std::max(1.f, scale);  // no surer than the errors that are known of
     fit.information = information();
@@ -153,6 +168,18 @@ class LevelFit {
     }
   };
 
+  // Where the patches' centres lie at the fit's end.
+  void markCentres(const Eigen::Isometry3d& motion) {
+    const Eigen::Isometry3d camera_T_head[2] = {motion, rig_.right_T_left.isometry() * motion};
+    for (int c = 0; c < 2; ++c)
+      for (const auto& at : placed_[c].placements) {
+        const Eigen::Vector2f flat =
+            (camera_T_head[c] * level_.patches[at.patch].centre_mm).hnormalized().cast<float>();
+        sights_[at.patch][c].px << at.d[0] * flat.x() + at.d[1] * flat.y() + at.offset[0],
+            at.d[2] * flat.x() + at.d[3] * flat.y() + at.offset[1];
+      }
+  }
+
   // How unevenly the face's brightness has changed since the key frame: half the middle 68 %.
   double lightChange() const {
     std::vector<float> ratios;
@@ -183,8 +210,8 @@ class LevelFit {
         changes[index].ray[c] = (level_.patches[index].centre_mm - eyes_mm[c]).normalized();
         changes[index].light_change = light_change;
       }
-    worth_.clear();
-    rows_.clear();
+    worth_.clear(), worth_.reserve(2 * level_.patches.size());
+    rows_.clear(), rows_.reserve(2 * level_.patches.size());
     for (std::size_t i = 0; i < level_.patches.size(); ++i) {
       const Patch& patch = level_.patches[i];
       const float looks[2] = {looksWeight(sights_[i][0]), looksWeight(sights_[i][1])};
@@ -228,7 +255,6 @@ class LevelFit {
     const int index = placed_[camera].placements[k].patch;
     const PatchView& view = level_.patches[index].view[camera];
     PatchSight& sight = sights_[index][camera];
-    sight.px = placed_[camera].centres_px[k].cast<float>();
     if (!sums.is_inside) return;
     const float n = float(patch::kSamples), spread = sums.ii - sums.i * sums.i / n;
     sight.is_visible = true;
@@ -246,8 +272,10 @@ class LevelFit {
     if (!sight.is_visible || sight.ncc < 0.1f || gain < 0.05f) return;
     Eigen::Vector2f pull(sums.ui, sums.vi);
     if (level_.level == 0) {
-      const Eigen::Vector2f slope = lightSlope(model_.neighbours[index], sights_, index, camera);
-      pull -= sight.brightness * view.ramp.cast<float>() * slope;
+      auto& slopes = light_slopes_[camera];
+      slopes.resize(level_.patches.size(), Eigen::Vector2f::Zero());
+      if (looks_ <= kLightSteps) slopes[index] = lightSlope(model_.neighbours[index], sights_, index, camera);
+      pull -= sight.brightness * view.ramp.cast<float>() * slopes[index];
     }
     sight.displacement = view.structure_inverse.cast<float>() * pull / -gain;
   }
@@ -341,6 +369,8 @@ class LevelFit {
   std::array<std::vector<patch::Sums>, 2> sums_;
   PatchSights sights_;
   bool is_assessed_ = false;
+  int looks_ = 0;
+  std::array<std::vector<Eigen::Vector2f>, 2> light_slopes_;
   std::vector<Worth> worth_;
   std::vector<Row> rows_;
   std::array<std::vector<float>, 2> distances_;  // by kind of row
@@ -363,18 +393,17 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
     const PatchLevel& patches = levels[l];
     if (patches.patches.size() < kFewestPatches) continue;
     LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
-    double moved_px = std::numeric_limits<double>::max();
+    double moved_px = std::numeric_limits<double>::max(), since_placed_px = 0;
     Vector6d xi = Vector6d::Zero();
     for (int iteration = 0; iteration < kIterations[l]; ++iteration) {
-      if (moved_px > 0.5) level.placeAt(fit.motion);
+      if (iteration == 0 || since_placed_px > kPlacedFor_px) level.placeAt(fit.motion), since_placed_px = 0;
       level.look(fit.motion);
       xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
       fit.motion = fit.motion * about(model.centre_mm, xi);
       moved_px = level.motion_px(xi);
+      since_placed_px += moved_px;
       if (moved_px < kSettled_px[l]) break;
-      if (l == 0 && iteration == kHopelessAfter &&
-          level.likeness() < (moved_px > kAstray_px ? kAstray : kHopeless))
-        break;
+      if (l == 0 && level.isHopeless(iteration, moved_px)) break;
     }
     if (l == last_level) fit.likeness = level.likeness();
     if (l > 0) continue;
