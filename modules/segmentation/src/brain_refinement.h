@@ -9,11 +9,11 @@
 namespace facenav::segmentation {
 
 struct RefinementOptions {
-  double search_mm = 8;         // tissue is sought this far outside the first surface
-  double tissue_share = 0.504;  // lower limit of tissue, between open fluid (0) and grey matter's mean (1)
-  double brightest = 1.35;      // upper limit, times white matter: above are fat and vessels
-  double white_tear_mm = 1.0;   // white matter thinner than twice this does not belong to its connected body
-  double white_reach_mm = 14;   // tissue lies at most this far from that body
+  double search_mm = 8;        // tissue is sought this far outside the first surface
+  double tissue_share = 0.48;  // lower limit of tissue, between open fluid (0) and grey matter's mean (1)
+  double brightest = 1.35;     // upper limit, times white matter: above are fat and vessels
+  double white_tear_mm = 1.0;  // white matter thinner than twice this does not belong to its connected body
+  double white_reach_mm = 14;  // tissue lies at most this far from that body
   double cortex_mm = 6;    // the torn core lies this near to white matter: sinuses and dura lie further out
   double tear_mm = 2.0;    // bridges thinner than twice this are torn
   double regrow_mm = 4.5;  // from the torn core back, through tissue

@@ -59,21 +59,23 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
 }
 
 /// The value of fluid where it is wide open (ventricles): the darkest fiftieth of the core. The fluid's
-/// class, most of which lies in narrow sulci, turns brighter with the size of the voxels. Where the core
-/// holds next to no fluid (the darkest fiftieth is grey matter already) it is told from the class: both rules
-/// put the limit of tissue at one place on 1 mm scans of adults.
+/// class, most of which lies in narrow sulci, turns brighter with the size of the voxels and darker with
+/// noise. Only where the core holds next to no fluid (the darkest fiftieth comes near the class' mean) it is
+/// told from the class, by the limit of tissue that both rules give on 1 mm scans of adults.
 float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue) {
   constexpr double kDarkest = 0.02, kOfClass = 0.2;  // share of the way from the class' mean to grey matter's
   const double share = RefinementOptions().tissue_share;
   const double limit = tissue.fluid.mean + kOfClass * (tissue.grey.mean - tissue.fluid.mean);
-  const float by_class = float((limit - share * tissue.grey.mean) / (1 - share));
+  const double by_class = (limit - share * tissue.grey.mean) / (1 - share);
   std::vector<float> values;
   for (std::size_t v = 0; v < core.voxels.size(); ++v)
     if (core.voxels[v]) values.push_back(flat.voxels[v]);
-  if (values.empty()) return by_class;
+  if (values.empty()) return float(by_class);
   const auto at = values.begin() + std::ptrdiff_t(kDarkest * double(values.size()));
   std::nth_element(values.begin(), at, values.end());
-  return std::min(*at, by_class);
+  // From halfway between both on, the class counts more and more.
+  const double away = (*at - by_class) / std::max(1e-6, tissue.fluid.mean - by_class);
+  return float(*at + (by_class - *at) * std::clamp(2 * away - 1, 0.0, 1.0));
 }
 
 /// By the level of the smoothed mask: the steps of the working grid, which lies anyhow against the scan's,
@@ -128,12 +130,12 @@ class BrainSegmenter : public Segmenter {
     const Mask whole = enclosed(surface, working.grid);
     const VoxelGrid grid = gridAround(whole, kMargin_mm);
     const Mask first = volume::resample(whole, grid);
-    const Volume image = sharpAsOneMillimetre(volume::resample(working, grid), volume.grid);
+    const Mask core = erode(first, kCore_mm);
+    const Volume image = atCommonSharpness(volume::resample(working, grid), volume.grid, core, rough);
     monitor.report("measuring grey and white matter", 0.6);
     // Without the voxels' noise, which would spread the fluid's class down into air and with it the limit of
     // tissue.
     const Volume calm = smoothed(image);
-    const Mask core = erode(first, kCore_mm);
     const TissueModel tissue = fitTissue(calm, core, &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/smoothing.h"
 
 namespace facenav::segmentation {
@@ -14,19 +15,71 @@ using volume::Volume;
 
 constexpr double kSpread = 0.26;  // variance of MR's point spread (FWHM 1.21 voxels), per voxel edge squared
 constexpr double kCoarsest_mm = 1.5;  // whose point spread can be brought back
+constexpr double kCommon_mm2 = 0.35;  // of the point spread at which all scans are judged
+constexpr double kBrightest = 1.15;   // times white matter: vessels are brighter
+constexpr double kDeep_mm = 3.2;      // this deep in white matter there is nothing but noise
+constexpr double kPass_mm2 = 0.5;     // what one pass of `smoothed` adds on a grid of 1 mm
 constexpr double kQuiet = 0.09;       // noise per contrast: single voxels lie 5 deviations from the limit
 constexpr double kMostVariance = 0.5;
 
+float laplacian(const float* at, std::size_t row, std::size_t slab) {
+  return at[-1] + at[1] + at[row] + *(at - row) + at[slab] + *(at - slab) - 6 * *at;
+}
+
+/// Mean square of the Laplacian over `core`, less the noise's: the scaled median of that over `deep`.
+double edgeEnergy(const Volume& image, const Mask& core, const Mask& deep) {
+  constexpr double kPerMedian = 1.4826;  // of the normal law
+  const std::size_t row = image.grid.size[0], slab = row * image.grid.size[1];
+  double sum = 0, count = 0;
+  std::vector<float> noise;
+  for (std::size_t v = slab; v + slab < image.voxels.size(); ++v) {
+    if (!core.voxels[v]) continue;
+    const float value = laplacian(&image.voxels[v], row, slab);
+    sum += double(value) * value, ++count;
+    if (deep.voxels[v]) noise.push_back(std::abs(value));
+  }
+  if (count == 0) return 0;
+  if (noise.empty()) return sum / count;
+  const auto middle = noise.begin() + std::ptrdiff_t(noise.size() / 2);
+  std::nth_element(noise.begin(), middle, noise.end());
+  return sum / count - std::pow(kPerMedian * *middle, 2);
+}
+
+Mask deepWhiteMatter(const Volume& image, const Mask& core, const TissueModel& tissue) {
+  const Volume calm = volume::smoothed(volume::smoothed(image));
+  Mask white = core;
+  const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
+  for (std::size_t v = 0; v < white.voxels.size(); ++v) white.voxels[v] &= calm.voxels[v] > low;
+  return erode(white, kDeep_mm);
+}
+
 }  // namespace
 
-Volume sharpAsOneMillimetre(const Volume& image, const volume::VoxelGrid& scan) {
-  const Eigen::Matrix3d& steps = scan.mri_from_voxel.linear();
-  Eigen::Vector3d variance;
-  for (int a = 0; a < 3; ++a) {
-    const double edge_mm = std::clamp(steps.row(a).norm(), 1.0, kCoarsest_mm);
-    variance[a] = -kSpread * (edge_mm * edge_mm - 1);
-  }
-  return variance.isZero(1e-3) ? image : volume::spread(image, variance);
+double pointSpread_mm2(const Volume& image, const Mask& core, const TissueModel& tissue) {
+  Volume once = image;
+  const float most = float(kBrightest * tissue.white.mean);
+  for (float& value : once.voxels) value = std::clamp(value, 0.f, most);
+  const Mask deep = deepWhiteMatter(once, core, tissue);
+  once = volume::smoothed(std::move(once));  // a single pass first: against noise
+  const double fine = edgeEnergy(once, core, deep);
+  const double coarse = edgeEnergy(volume::smoothed(once), core, deep);
+  if (!(coarse > 0) || !(fine > coarse)) return 0;
+  // fine / coarse = ((own + 2 passes) / (own + 1 pass))^(3/2)
+  return std::max(0.0, kPass_mm2 / (std::pow(fine / coarse, 2.0 / 3) - 1) - kPass_mm2);
+}
+
+Volume atCommonSharpness(const Volume& image, const volume::VoxelGrid& scan, const Mask& core,
+                         const TissueModel& tissue) {
+  const double own = pointSpread_mm2(image, core, tissue);
+  if (own <= 0) return image;
+  Eigen::Vector3d edge2_mm2;
+  for (int a = 0; a < 3; ++a)
+    edge2_mm2[a] = std::pow(std::clamp(scan.mri_from_voxel.linear().row(a).norm(), 1.0, kCoarsest_mm), 2);
+  Eigen::Vector3d more;
+  for (int a = 0; a < 3; ++a)
+    more[a] = std::clamp(kCommon_mm2 - own - kSpread * (edge2_mm2[a] - edge2_mm2.mean()), -kMostVariance,
+                         kMostVariance);
+  return volume::spread(image, more);
 }
 
 double noiseOf(const Volume& flat, const Volume& calm, const Mask& core, const TissueModel& tissue) {

@@ -7,10 +7,19 @@
 
 namespace facenav::segmentation {
 
-/// `image` (cubes of 1 mm on RAS axes) as sharp as a scan of 1 mm: where `scan` is coarser, the second moment
-/// of its point spread is brought back to that of 1 mm, per axis, as far as 1.5 mm; beyond, the detail is
-/// lost.
-volume::Volume sharpAsOneMillimetre(const volume::Volume& image, const volume::VoxelGrid& scan);
+/// Variance (mm^2, per axis) of the point spread that the image itself shows, whatever the size of the voxels
+/// says of it (resampling, averaging, motion). Tissue is made of steps, and the energy of the Laplacian of
+/// steps falls with the point spread's sigma^-3 (power spectrum k^-4): what a smoothing by a known amount
+/// takes off tells how much was there. Two images of steps differ in it as they were blurred, within an
+/// eighth; all are stated some 0.1 mm^2 too high, which the voxels add. `image`: cubes of 1 mm, bias about
+/// even; `core`: nothing but brain; the noise is that of deep white matter. 0 where nothing can be told.
+double pointSpread_mm2(const volume::Volume& image, const volume::Mask& core, const TissueModel& tissue);
+
+/// `image` (cubes of 1 mm on RAS axes) brought from the point spread it shows to the one at which all scans
+/// are judged, 0.35 mm^2: scans of 1 mm are smoothed a little, those of 1.5 mm sharpened. How
+/// the axes differ is told by the voxels of `scan`.
+volume::Volume atCommonSharpness(const volume::Volume& image, const volume::VoxelGrid& scan,
+                                 const volume::Mask& core, const TissueModel& tissue);
 
 /// Standard deviation of the noise of single voxels, from white matter within `core` (`calm`: the image
 /// smoothed, same grid): the scaled median of what a voxel differs from the mean of its six neighbours.
