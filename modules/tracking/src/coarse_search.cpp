@@ -20,6 +20,7 @@ constexpr std::size_t kMostPoints = 160;           // of a view
 constexpr std::size_t kFewestPoints = 30;
 constexpr std::size_t kMostFitted = 2;  // places a frame
 constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
+constexpr int kViewLooks = 30, kTemplateLooks = 180;  // the time of a view, of a template's fit
 
 Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
@@ -203,12 +204,11 @@ std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const stereo::Stereo
 }
 
 std::vector<CoarseSearch::Candidate> CoarseSearch::likelyPlaces(const stereo::StereoRig& rig,
-                                                                const EvenedPair& now, int attempt) const {
+                                                                const EvenedPair& now, std::size_t first,
+                                                                std::size_t end, double scale) const {
   const std::array<SearchImage, 2> images = {SearchImage(now.image[0][0]), SearchImage(now.image[0][1])};
-  const std::size_t turns = (views_.size() + kAtOnce - 1) / kAtOnce, turn = std::size_t(attempt) % turns;
-  const double scale = kScales[(std::size_t(attempt) / turns) % std::size(kScales)];
   std::vector<Candidate> found;
-  for (std::size_t k = turn * kAtOnce; k < std::min((turn + 1) * kAtOnce, views_.size()); ++k)
+  for (std::size_t k = first; k < end; ++k)
     if (const auto there = locate(rig, images, views_[k], scale)) found.push_back(*there);
   std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.likeness > b.likeness; });
@@ -216,24 +216,28 @@ std::vector<CoarseSearch::Candidate> CoarseSearch::likelyPlaces(const stereo::St
   return found;
 }
 
-std::vector<Eigen::Isometry3d> CoarseSearch::find(const stereo::StereoRig& rig,
-                                                  const std::array<ImagePyramid, 2>& now,
-                                                  const std::optional<Eigen::Isometry3d>& expected,
-                                                  int attempt) const {
-  if (views_.empty()) return {};
-  const EvenedPair evened(now);
-  auto found = expected && attempt == 0 ? std::vector<Candidate>() : likelyPlaces(rig, evened, attempt);
-  if (expected) found.push_back({likeliest(*expected), *expected, 0.0});
+CoarseSearch::Places CoarseSearch::find(const stereo::StereoRig& rig, const EvenedPair& now,
+                                        const std::optional<Eigen::Isometry3d>& expected, int turn) const {
+  Places places;
+  std::vector<Candidate> found;
+  if (!views_.empty() && !(expected && turn == 0)) {
+    const std::size_t turns = (views_.size() + kAtOnce - 1) / kAtOnce,
+                      first = std::size_t(turn) % turns * kAtOnce,
+                      end = std::min(first + kAtOnce, views_.size());
+    found = likelyPlaces(rig, now, first, end, kScales[(std::size_t(turn) / turns) % std::size(kScales)]);
+    places.looks += kViewLooks * int(end - first);
+  }
+  if (!views_.empty() && expected) found.push_back({likeliest(*expected), *expected, 0.0});
   std::vector<FaceTemplate::Fit> fits;
   for (const auto& candidate : found) {
-    const auto fit = face_.fit(rig, looks_[candidate.looks], evened, candidate.motion);
+    const auto fit = face_.fit(rig, looks_[candidate.looks], now, candidate.motion);
     if (fit.likeness > kLeastFitted) fits.push_back(fit);
   }
+  places.looks += kTemplateLooks * int(found.size());
   std::stable_sort(fits.begin(), fits.end(),
                    [](const auto& a, const auto& b) { return a.likeness > b.likeness; });
-  std::vector<Eigen::Isometry3d> starts;
-  for (const auto& fit : fits) starts.push_back(fit.motion);
-  return starts;
+  for (const auto& fit : fits) places.starts.push_back(fit.motion);
+  return places;
 }
 
 }  // namespace facenav::tracking

@@ -18,12 +18,15 @@ class CoarseSearch {
   CoarseSearch() = default;
   CoarseSearch(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& key, FaceTemplate face);
 
-  /// Where the head may be, to some degrees, as motions since the reference, the likeliest first: from where
-  /// it was `expected`, and from where it looks like. `attempt` counts up from 0 while the face is lost: each
-  /// takes the next views (the first only what is expected, if anything is). Empty where nothing in both
-  /// images looks like the face.
-  std::vector<Eigen::Isometry3d> find(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
-                                      const std::optional<Eigen::Isometry3d>& expected, int attempt) const;
+  struct Places {
+    std::vector<Eigen::Isometry3d> starts;  // motions since the reference, the likeliest first
+    int looks = 0;  // what it took, in the time of so many looks at a patch (face_search.h)
+  };
+  /// Where the head may be, to some degrees: from where it was `expected`, and from where it looks like.
+  /// `turn` counts up from 0 while the face is lost: each takes the next views (the first only what is
+  /// expected, if anything is). Empty where nothing in both images looks like the face.
+  Places find(const stereo::StereoRig& rig, const EvenedPair& now,
+              const std::optional<Eigen::Isometry3d>& expected, int turn) const;
   /// The face as it is seen at `motion` (a key frame), to be looked for, too.
   void add(const stereo::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
            const Eigen::Isometry3d& motion);
@@ -50,8 +53,9 @@ class CoarseSearch {
   std::optional<Candidate> locate(const stereo::StereoRig& rig, const std::array<SearchImage, 2>& images,
                                   const View& view, double scale) const;
 
-  /// The likeliest over the views of this attempt.
-  std::vector<Candidate> likelyPlaces(const stereo::StereoRig& rig, const EvenedPair& now, int attempt) const;
+  /// The likeliest over these views, each as large as `scale` says.
+  std::vector<Candidate> likelyPlaces(const stereo::StereoRig& rig, const EvenedPair& now, std::size_t first,
+                                      std::size_t end, double scale) const;
   /// The looks of the view most like `motion`.
   std::size_t likeliest(const Eigen::Isometry3d& motion) const;
 

@@ -21,7 +21,7 @@ bool isBlank(const cv::Mat& image) {
     for (int x0 = 0; x0 + kBlock_px <= image.cols; x0 += kBlockStep_px) {
       int block = 0;
       for (int y = y0; y < y0 + kBlock_px; ++y)
-        for (int x = x0; x < x0 + kBlock_px; ++x) block += image.ptr(y)[x];
+        for (int x = 0; x < kBlock_px; ++x) block += image.ptr(y)[x0 + x];
       const double mean = double(block) / (kBlock_px * kBlock_px);
       sum += mean, squares += mean * mean, ++blocks;
     }

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "coarse_search.h"
+#include "face_search.h"
 #include "facenav/tracking/head_tracker.h"
+#include "fine_detail.h"
 #include "frame_guard.h"
 #include "key_frames.h"
 #include "patch_model.h"
@@ -22,14 +23,13 @@
 namespace facenav::tracking {
 namespace {
 
-constexpr double kLongestGap_s = 0.3;    // beyond it a prediction is worth nothing
-constexpr double kTrustMemory_s = 0.7;   // over which a patch shows whether it moves by itself
-constexpr double kLeastLikeness = 0.15;  // after it: less is no face
-constexpr double kLikely = 0.8;          // the head is there, about
-constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
+constexpr double kLongestGap_s = 0.3;   // beyond it a prediction is worth nothing
+constexpr double kTrustMemory_s = 0.7;  // over which a patch shows whether it moves by itself
+constexpr double kWalk_mm_s = 1500.0, kNearlyFar = 1.25;
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
-constexpr double kNoiseInDetail = 0.041;  // variance of level 1 less its 3 x 3 mean, by that of the sensor
-constexpr std::size_t kAskedParts = 8;    // of the patches, one a tracked frame: whose skin it is
+constexpr double kGettingThere = 0.8;    // likeness of a fit that had not settled: the next frame goes on
+constexpr int kLearnBelow_looks = 3400;  // at patches, in a frame
+constexpr std::size_t kAskedParts = 8;   // of the patches, one a tracked frame: whose skin it is
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
@@ -53,17 +53,15 @@ class ModelHeadTracker : public HeadTracker {
     if (model_.level[0].patches.size() < 30)
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
-    rough_level_ = model_.level[2].patches.size() < kFewestPatches ? 1 : 2;
     rig_ = rig;
     both_cameras_ = detailOfBothCameras(model_);
     keys_ = KeyFrames(model_);
-    coarse_ = reference_search_ =
-        CoarseSearch(rig, key, FaceTemplate(rig, region, surface, model_.centre_mm));
+    search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
     lost_frames_ = 0, asked_part_ = 0;
-    detail_at_start_ = detailIn(key[0]);
+    detail_at_start_ = fineDetail(key[0], left_box_, model_.noise_grey).value_or(0.0);
     guard_.start(reference.frame);
   }
 
@@ -71,6 +69,7 @@ class ModelHeadTracker : public HeadTracker {
     const auto fault =
         guard_.check(frame, last_ ? last_->velocity.tail<3>().norm() : 0.0, left_box_, right_box_);
     if (fault) return refused(*fault);
+    work_ = {}, first_loss_.reset();
     const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
     const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
     if (is_recent && lost_frames_ == 0) {
@@ -78,11 +77,13 @@ class ModelHeadTracker : public HeadTracker {
       const KeyFrame& key = keys_.nearest(predicted);
       const auto now = boxed(frame, predicted);
       const PoseFit fit = fitPose(rig_, model_, key.level, now, predicted, 0, trust());
+      work_.looks += fit.looks;
       const Verdict verdict = judge(model_, fit, key.covariance);
       if (verdict.isTracked() && !isAnothers(key, now, fit)) {
         learnSides(frame, fit, verdict);
         return accepted(frame, fit, verdict);
       }
+      first_loss_ = {verdict.lost.value_or(LostReason::no_face), fit.motion};
     }
     return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
   }
@@ -91,13 +92,17 @@ class ModelHeadTracker : public HeadTracker {
 
   void forgetLearnt() override {
     keys_ = KeyFrames(model_);
-    coarse_ = reference_search_;
+    search_.forgetLearnt();
     wander_.assign(model_.level[0].patches.size(), 0.0);
     last_.reset();
     lost_frames_ = 0;
   }
 
  private:
+  struct FirstLoss {
+    LostReason reason;
+    Eigen::Isometry3d motion;
+  };
   struct Last {
     Eigen::Isometry3d motion;
     Vector6d velocity;  // per s, Head, about the model's centre
@@ -150,48 +155,25 @@ class ModelHeadTracker : public HeadTracker {
     return whoseSkin(detailAgreement(rig_, model_, key.level[0], now, fit, share), both_cameras_);
   }
 
-  // The prediction failed. A coarse fit from there; where that leads nowhere, from wherever the face seems to
-  // be, some of the views a frame: the one after which the patches look most as they should is fitted to the
-  // end, and shown only if the skin is the patient's.
+  // The prediction failed: what the search finds is fitted to the end, and shown only if the skin is the
+  // patient's.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
+    if (!work_.leavesTimeToSearch()) return lost(first_loss_->reason, wordOfFirst(frame.captured));
     const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
                                              ImagePyramid::coarse(frame.right)};
-    PoseFit best;
-    if (last_) best = roughly(now, expected.value_or(last_->motion));
-    if (best.likeness > kLikely && lost_frames_ == 0) {  // lost to a quick move at most
-      const auto there = attempt(frame, now, best.motion);
-      if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
-      return lost(*there.verdict.lost, detailOf(there, now));
+    const auto found = search_.seek(keys_, now, last_ ? std::optional(last_->motion) : std::nullopt, expected,
+                                    lost_frames_ == 0, work_);
+    if (found.is_swapped) return lost(LostReason::camera, LossDetail::swapped);
+    if (!found.is_to_be_tried) {
+      const bool is_there = found.is_put_off || !last_;
+      const auto detail = circumstance(is_there ? found.best.motion : last_->motion, now, frame.captured);
+      return lost(LostReason::no_face, detail.value_or(wordWithoutFit(found)));
     }
-    bool is_anything_alike = false;
-    const auto lookFrom = [&](const std::optional<Eigen::Isometry3d>& from) {
-      for (const auto& start : coarse_.find(rig_, now, from, lost_frames_)) {
-        is_anything_alike = true;
-        if (best.likeness > kLikely) break;
-        const PoseFit rough = roughly(now, start, rough_level_);
-        if (rough.likeness > best.likeness) best = rough;
-      }
-    };
-    lookFrom(last_ ? std::optional(last_->motion) : std::nullopt);
-    if (last_ && lost_frames_ == 0 && best.likeness < kLikely)
-      lookFrom(std::nullopt);  // a leap, of a few frames a second
-    if (last_ && best.likeness < kLikely &&
-        roughly({now[1], now[0]}, last_->motion).likeness >
-            std::max(kSwappedLikeness, best.likeness + kSurelySwapped))
-      return lost(LostReason::camera, LossDetail::swapped);
-    if (best.likeness < kLeastLikeness)
-      return lost(LostReason::no_face,
-                  circumstance(last_ ? last_->motion : Eigen::Isometry3d::Identity(), now)
-                      .value_or(is_anything_alike ? LossDetail::doubtful : LossDetail::not_found));
-    const auto there = attempt(frame, now, best.motion);
+    const auto there = attempt(frame, now, found.best.motion);
     if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
-    return lost(*there.verdict.lost, detailOf(there, now));
-  }
-
-  PoseFit roughly(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start,
-                  int first_level = kLevels - 1) const {
-    return fitPose(rig_, model_, keys_.likeliest(start).level, now, start, first_level, {}, rough_level_);
+    if (!there.fit.is_settled && there.fit.likeness > kGettingThere) search_.goOnFrom(there.fit.motion);
+    return lost(*there.verdict.lost, detailOf(there, now, frame.captured));
   }
 
   struct Attempt {
@@ -202,19 +184,28 @@ class ModelHeadTracker : public HeadTracker {
   Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
                   const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
-    const Eigen::Isometry3d nearly =
-        fitPose(rig_, model_, key.level, now, start, rough_level_ - 1, {}, rough_level_ - 1).motion;
-    const auto finest = boxed(frame, nearly);
-    PoseFit fit = fitPose(rig_, model_, key.level, finest, nearly, 0, trust());
+    const int level = search_.roughLevel() - 1;
+    const PoseFit nearly = fitPose(rig_, model_, key.level, now, start, level, {}, level);
+    work_.looks += nearly.looks;
+    const auto finest = boxed(frame, nearly.motion);
+    PoseFit fit =
+        fitPose(rig_, model_, key.level, finest, nearly.motion, 0, trust(), 0, work_.stepsLeft(model_));
+    work_.looks += fit.looks;
     Verdict verdict = judge(model_, fit, key.covariance);
     if (verdict.isTracked() && whose(key, finest, fit) != Whose::patients) verdict.lost = LostReason::no_face;
     return {std::move(fit), std::move(verdict)};
   }
 
-  // In words only: where patches look as they should, but too few, the rest is covered.
-  LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now) const {
-    if (const auto detail = circumstance(there.fit.motion, now)) return *detail;
-    switch (*there.verdict.lost) {
+  // In words only.
+  LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now,
+                      Timestamp captured) const {
+    if (const auto detail = circumstance(there.fit.motion, now, captured)) return *detail;
+    return wordFor(*there.verdict.lost);
+  }
+
+  // Where patches look as they should, but too few, the rest is covered.
+  static LossDetail wordFor(LostReason reason) {
+    switch (reason) {
       case LostReason::camera:
         return LossDetail::one_camera;
       case LostReason::few_features:
@@ -224,28 +215,36 @@ class ModelHeadTracker : public HeadTracker {
     }
   }
 
+  // While a fit waits for the next frame: what this one has shown so far, or what was said before.
+  LossDetail wordWithoutFit(const FaceSearch::Found& found) const {
+    if (!found.is_put_off) return found.is_anything_alike ? LossDetail::doubtful : LossDetail::not_found;
+    if (first_loss_) return wordFor(first_loss_->reason);
+    return lost_frames_ > 0 ? detail_ : LossDetail::doubtful;
+  }
+
+  // What the fit from the prediction has shown.
+  LossDetail wordOfFirst(Timestamp captured) const {
+    return isFar(first_loss_->motion, captured) ? LossDetail::too_far : wordFor(first_loss_->reason);
+  }
+
   // What makes any face hard to see, wherever it is.
   std::optional<LossDetail> circumstance(const Eigen::Isometry3d& motion,
-                                         const std::array<ImagePyramid, 2>& now) const {
-    if ((motion * model_.centre_mm).z() > kFar * model_.centre_mm.z()) return LossDetail::too_far;
-    if (detailIn(now[0]) < kBlurred * detail_at_start_) return LossDetail::blurred;
+                                         const std::array<ImagePyramid, 2>& now, Timestamp captured) const {
+    if (isFar(motion, captured)) return LossDetail::too_far;
+    if (fineDetail(now[0], left_box_, model_.noise_grey).value_or(detail_at_start_) <
+        kBlurred * detail_at_start_)
+      return LossDetail::blurred;
     return std::nullopt;
   }
 
-  // How much of the face's contrast is fine detail: that between level 0 and 1, by that between 1 and 2.
-  double detailIn(const ImagePyramid& image) const {
-    const cv::Rect half(left_box_.x / 2, left_box_.y / 2, left_box_.width / 2, left_box_.height / 2);
-    const cv::Mat1w& coarse = image.level[1].pixels;
-    const cv::Rect box = half & cv::Rect({}, coarse.size());
-    if (box.area() < 100) return detail_at_start_;
-    cv::Mat1f grey, smooth, smoother;
-    coarse(box).convertTo(grey, CV_32F, 1.0 / kGreyScale);
-    cv::blur(grey, smooth, {3, 3});
-    cv::blur(grey, smoother, {9, 9});
-    const double fine = cv::norm(grey, smooth, cv::NORM_L2SQR) / box.area(),
-                 noise = kNoiseInDetail * model_.noise_grey * model_.noise_grey;
-    return std::sqrt(std::max(0.0, fine - noise) * box.area()) /
-           (1e-3 + cv::norm(smooth, smoother, cv::NORM_L2));
+  // Nobody is far off who was near a moment ago: a fit that says so has caught on something else, a hand.
+  bool isFar(const Eigen::Isometry3d& motion, Timestamp captured) const {
+    const auto distanceAt = [&](const Eigen::Isometry3d& at) { return (at * model_.centre_mm).z(); };
+    const double far_mm = kFar * model_.centre_mm.z();
+    const bool may_be_far = !last_ || kNearlyFar * distanceAt(last_->motion) +
+                                              kWalk_mm_s * std::max(0.0, captured - last_->captured) >
+                                          far_mm;
+    return may_be_far && distanceAt(motion) > far_mm;
   }
 
   // Pictures that are no news: the track goes on from before with the next good ones.
@@ -264,8 +263,9 @@ class ModelHeadTracker : public HeadTracker {
 
   // Not in a frame in which the head was looked for: that has cost enough.
   void learnSides(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
+    if (work_.looks > kLearnBelow_looks) return;
     if (keys_.learn(rig_, model_, frame, fit, verdict))
-      coarse_.add(rig_, {ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
+      search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
   }
 
   Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
@@ -320,16 +320,18 @@ class ModelHeadTracker : public HeadTracker {
     }
     last_ = Last{fit.motion, velocity, captured};
     lost_frames_ = 0;
+    search_.end();
   }
 
   std::shared_ptr<const FaceDetector> detector_;
   stereo::StereoRig rig_;
   PatchModel model_;
-  int rough_level_ = 2;           // where fits that only choose a start end
   DetailAgreement both_cameras_;  // in the reference
   std::size_t asked_part_ = 0;
   KeyFrames keys_;
-  CoarseSearch coarse_, reference_search_;  // the second: without what was learnt since start()
+  FaceSearch search_;
+  FrameWork work_;                       // in this frame so far
+  std::optional<FirstLoss> first_loss_;  // of the fit from the prediction
   LossDetail detail_ = LossDetail::unknown;
   double detail_at_start_ = 0.0;
   FrameGuard guard_;

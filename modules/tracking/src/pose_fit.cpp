@@ -32,8 +32,8 @@ constexpr int kFewestAlike = 10;       // patches in view, of both cameras, to s
 constexpr float kLeastScale = 0.5f;
 // Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
 constexpr float kSharedError = 1.6f;
-constexpr float kPairLooks = 0.4f;  // both cameras see the patch about equally well
-constexpr int kIterations[kLevels] = {8, 5, 5, 6};
+constexpr float kPairLooks = 0.4f;                  // both cameras see the patch about equally well
+constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // of the finest: as the caller says
 constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
 patch::Image imageOf(const BlurredImage& image) {
@@ -67,6 +67,8 @@ class LevelFit {
     placed_[1] = place(level_, rig_.right, 1, rig_.right_T_left.isometry() * motion);
     is_assessed_ = false;
   }
+
+  int placements() const { return int(placed_[0].placements.size() + placed_[1].placements.size()); }
 
   void look(const Eigen::Isometry3d& motion) {
     for (auto& sight : sights_) sight = {};
@@ -385,7 +387,7 @@ Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
 
 PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
-                const std::vector<float>& trust, int last_level) {
+                const std::vector<float>& trust, int last_level, int most_steps) {
   PoseFit fit;
   fit.motion = start;
   const std::vector<float> even;
@@ -395,9 +397,10 @@ PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const Pat
     LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
     double moved_px = std::numeric_limits<double>::max(), since_placed_px = 0;
     Vector6d xi = Vector6d::Zero();
-    for (int iteration = 0; iteration < kIterations[l]; ++iteration) {
+    for (int iteration = 0; iteration < (l == 0 ? most_steps : kIterations[l]); ++iteration) {
       if (iteration == 0 || since_placed_px > kPlacedFor_px) level.placeAt(fit.motion), since_placed_px = 0;
       level.look(fit.motion);
+      fit.looks += level.placements();
       xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
       fit.motion = fit.motion * about(model.centre_mm, xi);
       moved_px = level.motion_px(xi);

@@ -38,6 +38,7 @@ struct PoseFit {
   double scale = 1.0;                // spread of distances, in the information; 1 where the model holds
   bool is_settled = false;           // the last step moved no patch by more than a small part of a pixel
   PatchSights sights;                // of level 0; empty where the fit ended above
+  int looks = 0;                     // at patches, by all steps: the work
   double likeness = 0.0;  // share of the patches in view, of the last level, that look as they should
 };
 
@@ -46,9 +47,10 @@ constexpr std::size_t kFewestPatches = 15;
 
 /// Coarse to fine from `start`, beginning at `first_level`. `levels`: the model's, or the same patches as a
 /// later key frame shows them. Ends after `last_level`: above 0 a fit costs a fifth, to
-/// choose among starts by their likeness. `trust`: one factor per patch of level 0 (or empty).
+/// choose among starts by their likeness. `trust`: one factor per patch of level 0 (or empty); `most_steps`:
+/// on level 0.
 PoseFit fitPose(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
-                const std::vector<float>& trust, int last_level = 0);
+                const std::vector<float>& trust, int last_level = 0, int most_steps = 8);
 
 }  // namespace facenav::tracking

@@ -1,6 +1,7 @@
 #pragma once
-// The inner loops of the search for a lost face (coarse_search.h, face_template.h): light evened out, a
-// stencil laid over every place, one step of the template's fit. Compiled twice like patch_kernel.h and
+// The inner loops of the search for a lost face (coarse_search.h, face_template.h, skin_detail.h): light
+// evened out, a stencil laid over every place, one step of the template's fit, patches taken apart into
+// patterns. Compiled twice like patch_kernel.h and
 // chosen at run time; raw pointers only, for the same reason.
 
 #include <cstdint>
@@ -31,6 +32,26 @@ struct Correlation {
   float* sums = nullptr;                             // rows x columns
 };
 
+/// The greys of one placed patch, bilinear. `count`: a multiple of kLanes.
+struct Sampling {
+  const std::uint16_t* pixels = nullptr;  // BlurredImage
+  int stride = 0, left = 0, top = 0, width = 0, height = 0;
+  const float *x = nullptr, *y = nullptr, *z = nullptr;  // Head, mm
+  int count = 0;
+  float camera_T_head[12] = {0};      // rotation, row by row, then translation
+  float d[4] = {0}, offset[2] = {0};  // patch::Placement's
+  float* to = nullptr;
+};
+
+/// to[i][p] = sum over k of patterns[k][p] * values[i][k], for `count` rows of values.
+struct Expansion {
+  static constexpr int kPatterns = 5 * kLanes;
+  const float* patterns = nullptr;  // length x kPatterns
+  const float* values = nullptr;    // count x length
+  int length = 0, count = 0;
+  float* to = nullptr;  // count x kPatterns
+};
+
 /// The points of a template as one camera looks for them, kLanes side by side: blocks of kFields x kLanes.
 struct TemplateField {
   enum : int { x, y, z, normal_x, normal_y, normal_z, value, weight, d00, d01, d10, d11, u0, v0, count };
@@ -55,6 +76,8 @@ struct TemplateSums {
 struct Kernel {
   void (*even)(const Evening&);
   void (*correlate)(const Correlation&);
+  bool (*sample)(const Sampling&);  // false where a sample lies outside
+  void (*expand)(const Expansion&);
   TemplateSums (*sum)(const TemplateLook&);
 };
 

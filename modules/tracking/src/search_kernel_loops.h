@@ -9,6 +9,12 @@ namespace {
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using Places = std::int32_t __attribute__((vector_size(kLanes * sizeof(float))));
 
+inline Lanes eightOf(const float* values) {
+  Lanes lanes;
+  __builtin_memcpy(&lanes, values, sizeof lanes);
+  return lanes;
+}
+
 // Window sums of one row from the columns' sums: 2, 4, 8, then 8 + 2 + 1 values together.
 void sumAlong(const std::int32_t* __restrict columns, std::int32_t* __restrict two,
               std::int32_t* __restrict four, std::int32_t* __restrict sums, int count) {
@@ -62,9 +68,7 @@ inline void correlateBlocks(const Correlation& task, int y, int x) {
     const float* in = task.from[i] + at;
     const float value = task.value[i];
     for (int b = 0; b < kBlocks; ++b) {
-      Lanes grey;
-      __builtin_memcpy(&grey, in + b * kLanes, sizeof grey);
-      sums[b] += value * grey;
+      sums[b] += value * eightOf(in + b * kLanes);
     }
   }
   __builtin_memcpy(task.sums + std::int64_t(y) * task.columns + x, sums, sizeof sums);
@@ -76,6 +80,61 @@ void correlateLoop(const Correlation& task) {
     for (; x + 5 * kLanes <= task.columns; x += 5 * kLanes) correlateBlocks<5>(task, y, x);
     for (; x < task.columns; x += kLanes) correlateBlocks<1>(task, y, x);
   }
+}
+
+inline bool areAll(const Places& condition) {
+  std::int32_t all = -1;
+  for (int k = 0; k < kLanes; ++k) all &= condition[k];
+  return all != 0;
+}
+
+bool sampleLoop(const Sampling& task) {
+  const float* m = task.camera_T_head;
+  for (int i = 0; i < task.count; i += kLanes) {
+    const Lanes x = eightOf(task.x + i), y = eightOf(task.y + i), z = eightOf(task.z + i);
+    const Lanes w = 1.f / (m[6] * x + m[7] * y + m[8] * z + m[11]),
+                flat_x = w * (m[0] * x + m[1] * y + m[2] * z + m[9]),
+                flat_y = w * (m[3] * x + m[4] * y + m[5] * z + m[10]);
+    Lanes u = task.d[0] * flat_x + task.d[1] * flat_y + (task.offset[0] - float(task.left)),
+          v = task.d[2] * flat_x + task.d[3] * flat_y + (task.offset[1] - float(task.top));
+    if (!areAll((u >= 0.f) & (v >= 0.f) & (u < float(task.width - 1)) & (v < float(task.height - 1))))
+      return false;
+    const Places iu = __builtin_convertvector(u, Places), iv = __builtin_convertvector(v, Places);
+    u -= __builtin_convertvector(iu, Lanes), v -= __builtin_convertvector(iv, Lanes);
+    std::int32_t fetched[4][kLanes];
+    for (int k = 0; k < kLanes; ++k) {
+      const std::uint16_t* at = task.pixels + std::int64_t(iv[k]) * task.stride + iu[k];
+      fetched[0][k] = at[0], fetched[1][k] = at[1];
+      fetched[2][k] = at[task.stride], fetched[3][k] = at[task.stride + 1];
+    }
+    Places p[4];
+    __builtin_memcpy(p, fetched, sizeof fetched);
+    const Lanes a = __builtin_convertvector(p[0], Lanes), b = __builtin_convertvector(p[1], Lanes),
+                c = __builtin_convertvector(p[2], Lanes), d = __builtin_convertvector(p[3], Lanes);
+    const Lanes upper = a + u * (b - a), lower = c + u * (d - c);
+    const Lanes grey = (upper + v * (lower - upper)) * (1.f / 256.f);
+    __builtin_memcpy(task.to + i, &grey, sizeof grey);
+  }
+  return true;
+}
+
+template <int kRows>
+inline void expandRows(const Expansion& task, int i) {
+  constexpr int kBlocks = Expansion::kPatterns / kLanes;
+  Lanes sums[kRows][kBlocks] = {};
+  const float* values = task.values + std::int64_t(i) * task.length;
+  for (int k = 0; k < task.length; ++k)
+    for (int b = 0; b < kBlocks; ++b) {
+      const Lanes pattern = eightOf(task.patterns + k * Expansion::kPatterns + b * kLanes);
+      for (int r = 0; r < kRows; ++r) sums[r][b] += values[r * task.length + k] * pattern;
+    }
+  __builtin_memcpy(task.to + std::int64_t(i) * Expansion::kPatterns, sums, sizeof sums);
+}
+
+void expandLoop(const Expansion& task) {
+  int i = 0;
+  for (; i + 2 <= task.count; i += 2) expandRows<2>(task, i);
+  if (i < task.count) expandRows<1>(task, i);
 }
 
 inline float sumOf(const Lanes& lanes) {
@@ -168,7 +227,7 @@ TemplateSums sumLoop(const TemplateLook& look) {
   return sums;
 }
 
-constexpr Kernel kLoops = {evenLoop, correlateLoop, sumLoop};
+constexpr Kernel kLoops = {evenLoop, correlateLoop, sampleLoop, expandLoop, sumLoop};
 
 }  // namespace
 }  // namespace facenav::tracking::search

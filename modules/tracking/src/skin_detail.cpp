@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "patch_filters.h"
+#include "search_kernel.h"
 
 namespace facenav::tracking {
 namespace {
@@ -20,37 +21,45 @@ constexpr double kLeastAgreed = 0.73, kMostAgreed = 1.25;  // beyond: the noise 
 constexpr double kSure = 3.0;                              // standard errors
 
 using Patches = Eigen::Matrix<float, kSamples, Eigen::Dynamic>;
-using Coefficients = Eigen::Matrix<float, kBand, Eigen::Dynamic>;
+// One column a patch; below the kBand patterns that count, rows of nothing.
+using Coefficients = Eigen::Matrix<float, search::Expansion::kPatterns, Eigen::Dynamic>;
+static_assert(kBand <= search::Expansion::kPatterns);
 
-Coefficients coefficientsOf(const Patches& patches) {
-  return patternsByFineness().middleRows<kBand>(kFirst) * patches;
+const Eigen::Matrix<float, search::Expansion::kPatterns, kSamples>& detailPatterns() {
+  static const auto patterns = [] {
+    Eigen::Matrix<float, search::Expansion::kPatterns, kSamples> chosen;
+    chosen.setZero();
+    chosen.topRows<kBand>() = patternsByFineness().middleRows<kBand>(kFirst);
+    return chosen;
+  }();
+  return patterns;
 }
 
-// Bilinear at a placed patch's samples; false where one lies outside.
-bool sample(const BlurredImage& image, const PatchLevel& level, const float m[12], const patch::Placement& at,
-            float* grey) {
+Coefficients coefficientsOf(const Patches& patches, Eigen::Index count) {
+  Coefficients coefficients(search::Expansion::kPatterns, count);
+  search::Expansion task;
+  task.patterns = detailPatterns().data(), task.values = patches.data();
+  task.length = kSamples, task.count = int(count);
+  task.to = coefficients.data();
+  search::kernel().expand(task);
+  return coefficients;
+}
+
+// At a placed patch's samples; false where one lies outside.
+bool sample(const BlurredImage& image, const PatchLevel& level, const std::array<float, 12>& pose,
+            const patch::Placement& at, float* grey) {
   const std::size_t first = std::size_t(at.patch) * kSamples;
-  const float *x = &level.x[first], *y = &level.y[first], *z = &level.z[first];
-  const float left = at.offset[0] - float(image.origin.x), top = at.offset[1] - float(image.origin.y);
-  std::array<float, kSamples> u, v;
-  for (int k = 0; k < kSamples; ++k) {
-    const float w = 1.f / (m[6] * x[k] + m[7] * y[k] + m[8] * z[k] + m[11]);
-    const float nx = w * (m[0] * x[k] + m[1] * y[k] + m[2] * z[k] + m[9]),
-                ny = w * (m[3] * x[k] + m[4] * y[k] + m[5] * z[k] + m[10]);
-    u[std::size_t(k)] = at.d[0] * nx + at.d[1] * ny + left;
-    v[std::size_t(k)] = at.d[2] * nx + at.d[3] * ny + top;
-  }
-  const float right = float(image.pixels.cols - 1), bottom = float(image.pixels.rows - 1);
-  for (std::size_t k = 0; k < kSamples; ++k) {
-    if (!(u[k] >= 0 && v[k] >= 0 && u[k] < right && v[k] < bottom)) return false;
-    const int iu = int(u[k]), iv = int(v[k]);
-    const float fu = u[k] - float(iu), fv = v[k] - float(iv);
-    const std::uint16_t *a = image.pixels[iv] + iu, *b = image.pixels[iv + 1] + iu;
-    const float upper = float(a[0]) + fu * (float(a[1]) - float(a[0])),
-                lower = float(b[0]) + fu * (float(b[1]) - float(b[0]));
-    grey[k] = (upper + fv * (lower - upper)) / kGreyScale;
-  }
-  return true;
+  search::Sampling task;
+  task.pixels = image.pixels.ptr<std::uint16_t>(), task.stride = int(image.pixels.step1());
+  task.left = image.origin.x, task.top = image.origin.y;
+  task.width = image.pixels.cols, task.height = image.pixels.rows;
+  task.x = &level.x[first], task.y = &level.y[first], task.z = &level.z[first];
+  task.count = kSamples;
+  std::copy(pose.begin(), pose.end(), task.camera_T_head);
+  std::copy(std::begin(at.d), std::end(at.d), task.d);
+  std::copy(std::begin(at.offset), std::end(at.offset), task.offset);
+  task.to = grey;
+  return search::kernel().sample(task);
 }
 
 DetailAgreement compared(const Coefficients& then, const Coefficients& now, float noise_then,
@@ -80,20 +89,21 @@ DetailAgreement detailAgreement(const stereo::StereoRig& rig, const PatchModel& 
   Patches then_grey(kSamples, most), now_grey(kSamples, most);
   Eigen::Index count = 0;
   for (int c = 0; c < 2; ++c) {
+    if (now[c].level[0].pixels.empty()) continue;
     const Eigen::Isometry3d camera_T_head = c == 0 ? fit.motion : rig.right_T_left.isometry() * fit.motion;
     const auto in_float = floatsOf(camera_T_head);
     for (const auto& at : place(finest, c == 0 ? rig.left : rig.right, c, camera_T_head, share).placements) {
       const PatchSight& sight = fit.sights[std::size_t(at.patch)][c];
       if (!sight.is_visible || sight.ncc < kPlainlyElse * sight.expected_ncc) continue;
-      if (!sample(now[c].level[0], finest, in_float.data(), at, now_grey.col(count).data())) continue;
+      if (!sample(now[c].level[0], finest, in_float, at, now_grey.col(count).data())) continue;
       then_grey.col(count++) = Eigen::Map<const Eigen::Matrix<float, kSamples, 1>>(
           &finest.looks[c].grey[std::size_t(at.patch) * kSamples]);
     }
   }
   now_grey.leftCols(count).rowwise() -= now_grey.leftCols(count).colwise().mean().eval();
   const float noise = float(model.noise_grey * model.noise_grey);
-  return compared(coefficientsOf(then_grey.leftCols(count)), coefficientsOf(now_grey.leftCols(count)),
-                  kNoiseThen * noise, kNoiseNow * noise);
+  return compared(coefficientsOf(then_grey, count), coefficientsOf(now_grey, count), kNoiseThen * noise,
+                  kNoiseNow * noise);
 }
 
 DetailAgreement detailOfBothCameras(const PatchModel& model) {
@@ -109,8 +119,7 @@ DetailAgreement detailOfBothCameras(const PatchModel& model) {
     ++count;
   }
   const float noise = kNoiseThen * float(model.noise_grey * model.noise_grey);
-  return compared(coefficientsOf(grey[0].leftCols(count)), coefficientsOf(grey[1].leftCols(count)), noise,
-                  noise);
+  return compared(coefficientsOf(grey[0], count), coefficientsOf(grey[1], count), noise, noise);
 }
 
 Whose whoseSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {

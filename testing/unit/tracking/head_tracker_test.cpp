@@ -362,16 +362,23 @@ TEST_F(HeadTrackers, AFaceLostAtTheSideIsFoundAgainThere) {
   EXPECT_LT(frames, 6) << "0.2 s";
 }
 
-/// As between two axes of the paper's protractor, or with few frames a second.
-TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheVeryFrame) {
+/// As between two axes of the paper's protractor, or with few frames a second. What a frame may cost is
+/// bounded, so the fit may have to wait for the next one.
+TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheSameFrameOrTheNext) {
   const auto tracker = tracking::makeModelHeadTracker(detector());
   start(*tracker, true);
   int frame = 0;
   for (const double yaw_deg : {0.0, 10.0, -14.0, 12.0, -12.0, 14.0}) {
-    const SyntheticView view = turnedView(frame++, yaw_deg);
-    const auto pose = tracker->track(face_->render(rig_, view));
-    ASSERT_TRUE(pose.isTracked()) << yaw_deg << " deg";
-    EXPECT_LT(errorOf(*pose, view).at_point_mm, 0.5) << yaw_deg << " deg";
+    bool is_found = false;
+    for (int i = 0; i < 2 && !is_found; ++i) {
+      const SyntheticView view = turnedView(frame++, yaw_deg);
+      const auto pose = tracker->track(face_->render(rig_, view));
+      is_found = pose.isTracked();
+      if (is_found) {
+        EXPECT_LT(errorOf(*pose, view).at_point_mm, 0.5) << yaw_deg << " deg";
+      }
+    }
+    EXPECT_TRUE(is_found) << yaw_deg << " deg";
   }
 }
 
@@ -440,6 +447,20 @@ TEST_F(HeadTrackers, ALossOfAFaceThatIsBlurredOrTooFarSaysSo) {
   }
   EXPECT_FALSE(is_tracked);
   EXPECT_EQ(tracking::toString(tracker->lossDetail()), "too_far");
+}
+
+/// Whoever sat near is not far off a tenth of a second later, whatever looks like it: as where a hand over the
+/// face leads fits astray.
+TEST_F(HeadTrackers, NobodyIsTooFarAMomentAfterBeingNear) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  ASSERT_TRUE(tracker->track(face_->render(rig_, stillView(0))).isTracked());
+  for (int i = 1; i < 5; ++i) {
+    SyntheticView view = stillView(i);
+    view.motion = Eigen::Translation3d(0, 0, 700);
+    EXPECT_FALSE(tracker->track(face_->render(rig_, view)).isTracked());
+    EXPECT_NE(tracking::toString(tracker->lossDetail()), "too_far") << i;
+  }
 }
 
 TEST_F(HeadTrackers, AHeadThatStartsAtTheSideIsFoundThere) {
