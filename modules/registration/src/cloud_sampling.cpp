@@ -62,6 +62,13 @@ std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>
   }
 }
 
+std::vector<int> someOf(std::vector<int> points, std::size_t most) {
+  if (points.size() <= most) return points;
+  for (std::size_t c = 0; c < most; ++c) points[c] = points[c * points.size() / most];
+  points.resize(most);
+  return points;
+}
+
 std::vector<int> thinOut(const PointCloud<Camera>& cloud, double cell_mm, std::size_t most) {
   return thinOut(cloud, finitePoints(cloud), cell_mm, most);
 }

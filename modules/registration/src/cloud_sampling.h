@@ -15,6 +15,9 @@ std::vector<int> thinOut(const PointCloud<Camera>& cloud, double cell_mm, std::s
 std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>& of, double cell_mm,
                          std::size_t most);
 
+/// At most `most` of these, evenly chosen: what is dense stays denser.
+std::vector<int> someOf(std::vector<int> points, std::size_t most);
+
 /// Indices of the points whose coordinates are numbers within 100 m.
 std::vector<int> finitePoints(const PointCloud<Camera>& cloud);
 

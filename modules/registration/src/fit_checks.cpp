@@ -203,7 +203,7 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
                            const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
                            const std::vector<Candidate>& rivals) {
   FitEvidence evidence;
-  const std::vector<int> near = nearHead(scalp, face, mri_T_camera, 30.0);
+  const std::vector<int> near = nearHead(scalp, face, finitePoints(face), mri_T_camera, 30.0);
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
   compareMirrored(evidence, scalp, face, sparse, mri_T_camera);

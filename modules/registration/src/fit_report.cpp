@@ -64,14 +64,19 @@ Matrix6d bySize(const PoseBelief& belief, const Eigen::Vector3d& face_mri_mm, co
 
 }  // namespace
 
+Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& points,
+                               const Eigen::Isometry3d& pose, double limit_mm) {
+  const auto patches = coveredPatches(scalp, points, pose, limit_mm);
+  const Eigen::Vector3d middle = scalp.middle_mm();
+  return increment(-poseError(patches, FaceRegions(scalp.noseTip_mm()), middle), middle, pose);
+}
+
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                  const Eigen::Isometry3d& pose, double limit_mm) {
   const FieldFitter fitter(scalp, face, points);
   const FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
-  FinalFit fit{pose, limit_mm, {}};
-  fit.mri_T_camera =
-      increment(-poseError(coveredPatches(scalp, fitter, pose, limit_mm), regions, middle), middle, pose);
+  FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
   fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle, {});
   fit.mri_T_camera = increment(-fit.belief.error, middle, fit.mri_T_camera);
   return fit;

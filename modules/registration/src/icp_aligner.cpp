@@ -78,13 +78,13 @@ class IcpAligner : public Aligner {
     IcpFit best{starts.front().mri_T_camera};
     for (std::size_t s = 0; s < starts.size(); ++s) {
       monitor.report("iterating closest points", double(s) / double(starts.size()));
-      const auto head = nearHead(scalp, face, starts[s].mri_T_camera, 40.0);
+      const auto head = nearHead(scalp, face, finitePoints(face), starts[s].mri_T_camera, 40.0);
       const IcpFit fit =
           iterate(scalp, face, thinOut(face, head, 5.0, 1500), starts[s].mri_T_camera, kKept, 30);
       starts[s] = {fit.mri_T_camera, fit.mean_square_mm2};
       if (fit.mean_square_mm2 < best.mean_square_mm2) best = fit;
     }
-    const auto head = nearHead(scalp, face, best.mri_T_camera, 30.0);
+    const auto head = nearHead(scalp, face, finitePoints(face), best.mri_T_camera, 30.0);
     best = iterate(scalp, face, thinOut(face, head, 3.0, 5000), best.mri_T_camera, kKept,
                    400);  // it slides slowly
     const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);

@@ -22,26 +22,36 @@ constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
 constexpr double kMet = 0.2;       // of these: as far as fits settle
 constexpr double kRuledOut = 8.0;  // logarithm of odds
 
-float quantile(std::vector<float> values, double fraction) {
-  const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+float quantile(const std::vector<float>& sorted, double fraction) {
+  return sorted[std::size_t(fraction * double(sorted.size() - 1))];
 }
 
-std::vector<float> weightsOf(const Part& part, const std::vector<PointMatch>& matches) {
-  std::vector<float> x, z, weights;
-  for (const PointMatch& m : matches)
-    if (m.is_valid) x.push_back(m.at_mri_mm.x()), z.push_back(m.at_mri_mm.z());
-  if (x.empty()) return {};
-  const float left = quantile(x, part.left), right = quantile(x, part.right), below = quantile(z, part.below),
-              above = quantile(z, part.above);
-  for (const PointMatch& m : matches)
-    weights.push_back(m.at_mri_mm.x() >= left && m.at_mri_mm.x() <= right && m.at_mri_mm.z() >= below &&
-                              m.at_mri_mm.z() <= above
-                          ? 1.0f
-                          : 0.0f);
-  return weights;
-}
+/// Where the points lie, from left to right and from below to above.
+class Extent {
+ public:
+  explicit Extent(const std::vector<PointMatch>& matches) : matches_(matches) {
+    for (const PointMatch& m : matches)
+      if (m.is_valid) x_.push_back(m.at_mri_mm.x()), z_.push_back(m.at_mri_mm.z());
+    std::sort(x_.begin(), x_.end());
+    std::sort(z_.begin(), z_.end());
+  }
+  /// Those of `points`, in the order of the matches, that belong to the part.
+  std::vector<int> members(const Part& part, const std::vector<int>& points) const {
+    std::vector<int> out;
+    if (x_.empty()) return out;
+    const float left = quantile(x_, part.left), right = quantile(x_, part.right),
+                below = quantile(z_, part.below), above = quantile(z_, part.above);
+    for (std::size_t p = 0; p < matches_.size(); ++p) {
+      const Eigen::Vector3f& at = matches_[p].at_mri_mm;
+      if (at.x() >= left && at.x() <= right && at.z() >= below && at.z() <= above) out.push_back(points[p]);
+    }
+    return out;
+  }
+
+ private:
+  const std::vector<PointMatch>& matches_;
+  std::vector<float> x_, z_;
+};
 
 }  // namespace
 
@@ -50,6 +60,7 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
   const FieldFitter all(scalp, face, points);
   const SkinLikelihood logLikelihood(scalp, face, points);
   const auto matches = all.match(mri_T_camera);
+  const Extent extent(matches);
   // Where several lead to the same place, one of them is followed to its end; where ends meet, one is judged.
   std::vector<PartFit> poses;
   const auto isNew = [&](const std::vector<Eigen::Isometry3d>& met, const Eigen::Isometry3d& pose,
@@ -71,11 +82,7 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
     poses.push_back({pose, logLikelihood(all.match(pose))});
   };
   for (const Part& part : kParts) {
-    const std::vector<float> weights = weightsOf(part, matches);
-    std::vector<int> members;
-    for (std::size_t p = 0; p < weights.size(); ++p)
-      if (weights[p] > 0) members.push_back(points[p]);
-    const FieldFitter alone(scalp, face, members);
+    const FieldFitter alone(scalp, face, extent.members(part, points));
     Eigen::Isometry3d pose = mri_T_camera;
     for (const float reach_mm : {6.0f, 4.0f, 2.5f, 1.5f})
       pose = alone.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});

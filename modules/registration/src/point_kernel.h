@@ -8,7 +8,7 @@
 
 namespace facenav::registration::point {
 
-constexpr int kBlock = 64;                 // points measured side by side; a multiple of 8
+constexpr int kBlock = 128;                // points measured side by side; a multiple of 8
 constexpr float kGrazing_cos = 0.12f;      // skin seen flatter than this is no counterpart
 constexpr float kNormalsAgree_cos = 0.3f;  // cloud normals are noisy: only gross disagreement counts
 constexpr float kNoSkin_mm = 1e5f;         // distances beyond, and those that are no number: no counterpart

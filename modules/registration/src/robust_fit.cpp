@@ -11,8 +11,9 @@
 namespace facenav::registration {
 namespace {
 
-constexpr float kOutside = 0.67f;           // foreign things lie outside the skin: let go there first
-constexpr std::size_t kMostPoints = 10000;  // more add nothing: neighbours share their error
+constexpr float kOutside = 0.67f;  // foreign things lie outside the skin: let go there first
+// More add nothing: neighbours share their error.
+constexpr std::size_t kLooked = 12000, kMostPoints = 10000;
 constexpr double kHairPatch_mm = 10.0;
 // Patches are less independent than the likelihood takes them to be.
 constexpr double kTemper = 2.0;
@@ -103,9 +104,10 @@ RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
                   const Eigen::Isometry3d& mri_T_camera) {
   RobustFit fit;
   fit.mri_T_camera = mri_T_camera;
-  fit.points = thinOut(face, nearHead(scalp, face, mri_T_camera, 20.0), 1.0, kMostPoints);
-  const auto some = thinOut(face, fit.points, 3.0, 4000);
-  const auto parts = fitParts(scalp, face, thinOut(face, some, 6.0, 1000), mri_T_camera);
+  fit.points =
+      someOf(nearHead(scalp, face, someOf(finitePoints(face), kLooked), mri_T_camera, 20.0), kMostPoints);
+  const auto some = thinOut(face, fit.points, 3.0, 4000), few = thinOut(face, some, 6.0, 800);
+  const auto parts = fitParts(scalp, face, few, mri_T_camera);
   fit.mri_T_camera = parts.front().mri_T_camera;
   fit.covers = Covers(scalp, face, some, fit.mri_T_camera);
   fit.points = fit.covers.bare(face, fit.points);
@@ -116,6 +118,11 @@ RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
   closeIn(all, fit.mri_T_camera, limit_mm);
   fit.limit_mm = double(limit_mm);
   return fit;
+}
+
+std::vector<int> evenPoints(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& fit) {
+  const auto near = nearHead(scalp, face, finitePoints(face), fit.mri_T_camera, 20.0);
+  return fit.covers.bare(face, thinOut(face, near, 1.0, kMostPoints));
 }
 
 std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<Camera>& face,

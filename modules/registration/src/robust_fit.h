@@ -11,7 +11,7 @@ namespace facenav::registration {
 struct RobustFit {
   Eigen::Isometry3d mri_T_camera;
   double limit_mm = 1.5;         // residuals beyond are no skin
-  std::vector<int> points = {};  // of the cloud: what lies near the head, bare, at most 10 000
+  std::vector<int> points = {};  // of the cloud: some near the head and bare, as dense as measured
   Covers covers;
   // Mean square of (turn rad, shift mm) about the scalp's middle to other poses that parts of the face lead
   // to and that the face does not rule out; zero when all parts agree.
@@ -21,6 +21,10 @@ struct RobustFit {
 /// From within a few mm of the skin: parts first (hair, hands), then all points on the fine field.
 RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
                   const Eigen::Isometry3d& mri_T_camera);
+
+/// The cloud's points near the head and bare, spread evenly over the skin, at most 10 000: what the misfit is
+/// modelled from.
+std::vector<int> evenPoints(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& fit);
 
 /// From the guess or the hints, without a search; nothing where there are none or they lead nowhere.
 std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<Camera>& face,

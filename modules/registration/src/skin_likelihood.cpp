@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "cube_numbers.h"
 #include "skin_patches.h"
@@ -47,17 +48,23 @@ double logSum(const double* values, std::size_t count) {
   return most + std::log(sum);
 }
 
-// What is beyond doubt (1 in 3 million) is certain: it costs no exponential, and no entropy.
-constexpr double kCertain = 15.0;
+// What is beyond doubt (1 in 20 thousand) is certain: it costs no exponential, and no entropy.
+constexpr double kCertain = 10.0;
 
 double logistic(double log_odds) {
   if (std::abs(log_odds) > kCertain) return log_odds > 0 ? 1.0 : 0.0;
-  return 1 / (1 + std::exp(-log_odds));
+  return double(1.0f / (1.0f + std::exp(-float(log_odds))));
+}
+
+/// log(exp(a) + exp(b)) or a little more, quickly.
+double logEither(double a, double b) {
+  const double apart = std::abs(a - b);
+  return std::max(a, b) + (apart > 8.0 ? 4e-4 : double(std::exp(-float(apart))));
 }
 
 double entropy(double q) {
-  const auto part = [](double p) { return p > 1e-12 ? -p * std::log(p) : 0.0; };
-  return part(q) + part(1 - q);
+  const auto part = [](float p) { return p > 1e-12f ? -p * std::log(p) : 0.0f; };
+  return double(part(float(q)) + part(float(1 - q)));
 }
 
 /// Logarithm of how likely points are to lie so far from the middle of a patch with that much detail, against
@@ -188,23 +195,27 @@ double SkinLikelihood::energy(const std::vector<double>& covered, const std::vec
   return sum;
 }
 
-/// Mean field over labels and sizes, at one detail.
+/// Covered where the patch alone says so.
+std::vector<double> SkinLikelihood::coveredAlone(const std::vector<Patch>& patches, std::size_t detail) {
+  constexpr std::size_t kUsualSize = 1;
+  std::vector<double> covered(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    covered[i] = patches[i].covered > patches[i].bare[detail][kUsualSize] ? 1.0 : 0.0;
+  return covered;
+}
+
+/// Mean field over labels and sizes, at one detail, from `covered` on.
 SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, std::size_t detail,
-                                             bool is_first_bare) const {
+                                             std::vector<double> covered_at_first) const {
   constexpr int kMostSweeps = 15;
   constexpr double kSettled = 0.01;
-  constexpr std::size_t kFirstSize = 1;
-  Labels labels{0.0, std::vector<double>(patches.size(), 0.0)};
+  Labels labels{0.0, std::move(covered_at_first)};
   std::array<double, kSizes> share{}, logs{};
-  share[kFirstSize] = 1;
   const auto bareOf = [&](const Patch& patch) {
     double sum = 0;
     for (std::size_t s = 0; s < kSizes; ++s) sum += share[s] * patch.bare[detail][s];
     return sum;
   };
-  if (!is_first_bare)
-    for (std::size_t i = 0; i < patches.size(); ++i)
-      labels.covered[i] = patches[i].covered > bareOf(patches[i]) ? 1.0 : 0.0;
   static const std::array<double, kSizes> log_shares = [] {
     std::array<double, kSizes> out{};
     for (std::size_t s = 0; s < kSizes; ++s) out[s] = std::log(kSizeShare[s]);
@@ -241,21 +252,40 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
 SkinLikelihood::Labels SkinLikelihood::unlabelled(const std::vector<Patch>& patches) const {
   std::vector<Patch> blank(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) blank[i].prior = patches[i].prior;
-  return label(blank, 0, true);
+  return label(blank, 0, std::vector<double>(blank.size(), 0.0));
+}
+
+/// No labels and sizes have more evidence at this detail: each patch as it likes, all neighbours agreeing.
+double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size_t detail) const {
+  double most = -1e300, agreement = 0;
+  for (const auto& neighbours : neighbours_) agreement += 0.25 * kRim * double(neighbours.size());
+  for (std::size_t s = 0; s < kSizes; ++s) {
+    double sum = agreement;
+    for (const Patch& patch : patches) sum += logEither(patch.bare[detail][s], patch.covered + patch.prior);
+    most = std::max(most, sum);
+  }
+  return most;
 }
 
 template <class Visitor>
 double SkinLikelihood::sumOut(const std::vector<Patch>& patches, Visitor&& visit) const {
-  std::array<double, kDetails> logs{};
-  std::array<Labels, kDetails> all;
-  for (std::size_t d = 0; d < kDetails; ++d) {
-    all[d] = label(patches, d, false);
-    Labels other = label(patches, d, true);
-    if (other.log_evidence > all[d].log_evidence) all[d] = std::move(other);
-    logs[d] = std::log(kDetailShare[d]) + all[d].log_evidence;
+  constexpr double kNegligible = 10.0;  // logarithm of odds
+  std::array<std::pair<double, std::size_t>, kDetails> promising;
+  for (std::size_t d = 0; d < kDetails; ++d)
+    promising[d] = {std::log(kDetailShare[d]) + mostEvidence(patches, d), d};
+  std::sort(promising.begin(), promising.end(), std::greater<>());
+  std::vector<double> logs;
+  std::vector<Labels> all;
+  for (const auto& [most, d] : promising) {
+    if (!logs.empty() && most < *std::max_element(logs.begin(), logs.end()) - kNegligible) break;
+    Labels labels = label(patches, d, coveredAlone(patches, d));
+    Labels other = label(patches, d, std::vector<double>(patches.size(), 0.0));
+    if (other.log_evidence > labels.log_evidence) labels = std::move(other);
+    logs.push_back(std::log(kDetailShare[d]) + labels.log_evidence);
+    all.push_back(std::move(labels));
   }
-  const double sum = logSum(logs.data(), kDetails);
-  for (std::size_t d = 0; d < kDetails; ++d) visit(std::exp(logs[d] - sum), all[d].covered);
+  const double sum = logSum(logs.data(), logs.size());
+  for (std::size_t l = 0; l < logs.size(); ++l) visit(std::exp(logs[l] - sum), all[l].covered);
   return sum;
 }
 

@@ -33,8 +33,11 @@ class SkinLikelihood {
   struct Patch;
   struct Labels;
   std::vector<Patch> gather(const std::vector<PointMatch>& matches) const;
-  Labels label(const std::vector<Patch>& patches, std::size_t detail, bool is_first_bare) const;
+  static std::vector<double> coveredAlone(const std::vector<Patch>& patches, std::size_t detail);
+  Labels label(const std::vector<Patch>& patches, std::size_t detail,
+               std::vector<double> covered_at_first) const;
   Labels unlabelled(const std::vector<Patch>& patches) const;
+  double mostEvidence(const std::vector<Patch>& patches, std::size_t detail) const;
   template <class Visitor>
   double sumOut(const std::vector<Patch>& patches, Visitor&& visit) const;
   double energy(const std::vector<double>& covered, const std::vector<Patch>& patches) const;

@@ -117,7 +117,10 @@ void refine(std::vector<Candidate>& candidates, const FieldFitter& fitter,
   }
 }
 
-std::vector<int> sparsePoints(const PointCloud<Camera>& face) { return thinOut(face, 5.0, 4000); }
+std::vector<int> sparsePoints(const PointCloud<Camera>& face) {
+  constexpr std::size_t kLooked = 8000;
+  return thinOut(face, someOf(finitePoints(face), kLooked), 5.0, 4000);
+}
 
 /// Does most of the cloud lie on the skin, by a quick look?
 bool isExplained(const ScalpField& scalp, const FieldFitter& fitter, const Eigen::Isometry3d& mri_T_camera) {
@@ -170,10 +173,11 @@ Candidate fromAround(const ScalpField& scalp, const PointCloud<Camera>& face, co
 }  // namespace
 
 std::vector<int> nearHead(const ScalpField& scalp, const PointCloud<Camera>& face,
-                          const Eigen::Isometry3d& mri_T_camera, double reach_mm) {
-  std::vector<int> all(face.size());
-  std::iota(all.begin(), all.end(), 0);
-  return FieldFitter(scalp, face, all).within(mri_T_camera, reach_mm);
+                          const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
+                          double reach_mm) {
+  std::vector<int> near = FieldFitter(scalp, face, points).within(mri_T_camera, reach_mm);
+  for (int& p : near) p = points[std::size_t(p)];
+  return near;
 }
 
 std::vector<Candidate> findStarts(const ScalpField& scalp, const PointCloud<Camera>& face,

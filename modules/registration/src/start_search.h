@@ -34,8 +34,9 @@ std::vector<Candidate> findStarts(const ScalpField& scalp, const PointCloud<Came
 std::optional<Candidate> descend(const ScalpField& scalp, const PointCloud<Camera>& face,
                                  const AlignmentStart& start);
 
-/// Indices of the cloud's points within `reach_mm` of the skin at this pose, before any robust weighing.
+/// Those of the `points` within `reach_mm` of the skin at this pose, before any robust weighing.
 std::vector<int> nearHead(const ScalpField& scalp, const PointCloud<Camera>& face,
-                          const Eigen::Isometry3d& mri_T_camera, double reach_mm);
+                          const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
+                          double reach_mm);
 
 }  // namespace facenav::registration

@@ -16,7 +16,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
   });
   std::optional<FinalFit> fit;
   try {
-    fit = correct(scalp, face, robust.points, robust.mri_T_camera, robust.limit_mm);
+    fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm);
   } catch (const Error&) {
     requireLikeness(gathering.get());  // a stranger's skin has little that fits: then that is the reason
     throw;
