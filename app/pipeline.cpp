@@ -243,6 +243,7 @@ TrackOutcome trackRecording(Context& context, const TrackRequest& request,
     processing_ms.push_back(state.processing_ms);
     outcome.rig_fault_frames += !state.rig_fault.empty();
     if (!state.rig_fault.empty()) outcome.rig_fault = state.rig_fault;
+    outcome.right_late_ms = 1e3 * state.exposure_offset.right_late_s;
     if (on_frame) on_frame(state);
   }
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames > 0)

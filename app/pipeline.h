@@ -53,6 +53,7 @@ struct TrackOutcome {
   int head_tracked = 0, coil_tracked = 0, frames = 0;
   int rig_fault_frames = 0;  // in which every pose was refused, since the cameras have moved
   std::string rig_fault;     // in words; empty: none
+  double right_late_ms = 0;  // the right camera exposes after the left one, as known at the end
   double processing_ms_median = 0, processing_ms_p99 = 0;
 };
 /// `on_frame` (may be empty) sees every state as it is made. Throws Error; also when neither face nor marker

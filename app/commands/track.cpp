@@ -1,5 +1,6 @@
 // facenav track RECORDING [--case CASE] [--coil coil.json] -o poses.csv
 
+#include <cmath>
 #include <cstdio>
 
 #include "commands/commands.h"
@@ -34,6 +35,10 @@ void addTrack(CLI::App& app, Context& context) {
     std::printf("%d frames: head tracked in %d, coil in %d; %.1f ms a frame (median), %.1f ms (p99)\n",
                 outcome.frames, outcome.head_tracked, outcome.coil_tracked, outcome.processing_ms_median,
                 outcome.processing_ms_p99);
+    if (outcome.right_late_ms != 0)
+      std::printf(
+          "the right camera exposes %.1f ms %s the left one: allowed for; better a trigger for both\n",
+          std::abs(outcome.right_late_ms), outcome.right_late_ms > 0 ? "after" : "before");
   });
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "facenav/volume/nifti.h"
 #include "support/room_film.h"
 #include "support/test_data.h"
@@ -72,6 +74,32 @@ INSTANTIATE_TEST_SUITE_P(Room, HeadMotion,
                          ::testing::Values(Head{"Dark", virtualPatientMri(), 0.35, 43, 914, 124},
                                            Head{"Colin27", colin27(), 1.0, 21, 800, 120}),
                          [](const auto& head) { return std::string(head.param.name); });
+
+// Ordinary cameras are not triggered together. Left unallowed for, 12 ms are a millimetre and half a degree here.
+TEST(FreeRunningCameras, AreKnownByTheMovingHeadAndAllowedFor) {
+  FACENAV_NEEDS(virtualPatientMri());
+  TaskMonitor monitor;
+  room::ScenarioOptions options;
+  options.name = "free_motion";
+  options.frames = 32, options.seed = 3, options.motion = 1.5;
+  options.right_late_ms = 12.0;
+  const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
+  const RoomFilm film = filmed(options,
+                               std::make_shared<const room::VirtualPatient>(room::makePatient(
+                                   volume::readNifti(virtualPatientMri()).volume, {}, monitor)),
+                               *detector);
+  const auto tracker = tracking::makeModelHeadTracker(detector);
+  tracker->start(film.rig, film.reference);
+  double squares_mm2 = 0;
+  constexpr std::size_t kKnown = 20;
+  for (std::size_t i = 0; i < film.frames.size(); ++i) {
+    const auto pose = tracker->track(*film.frames[i]);
+    ASSERT_TRUE(pose) << i;
+    if (i >= kKnown) squares_mm2 += std::pow(film.errorAtTarget_mm(*pose, i), 2);
+  }
+  EXPECT_LT(std::sqrt(squares_mm2 / double(film.frames.size() - kKnown)), 0.35);
+  EXPECT_NEAR(1e3 * tracker->exposureOffset().right_late_s, 12.0, 2.0);
+}
 
 }  // namespace
 }  // namespace facenav::testing

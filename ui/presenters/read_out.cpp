@@ -6,6 +6,8 @@
 namespace facenav::ui {
 namespace {
 
+constexpr double kApart_ms = 3.0;  // worth a word: 0.3 mm of a head at 100 mm/s
+
 QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
 
 template <class T>
@@ -37,6 +39,12 @@ ReadOut makeReadOut(const session::NavigationState& state) {
       !state.head && (state.head.reason() == LostReason::stale || state.head.reason() == LostReason::camera);
   out.cameras = {has_images && !is_stale ? tr("CAMERAS on") : tr("CAMERAS no images"), QString(),
                  has_images && !is_stale ? Level::good : Level::lost};
+  const double apart_ms = 1e3 * std::abs(state.exposure_offset.right_late_s);
+  if (out.cameras.level == Level::good && apart_ms >= kApart_ms)
+    out.cameras = {tr("CAMERAS %1 ms apart").arg(apart_ms, 0, 'f', 0),
+                   tr("one camera exposes later than the other; the head's motion in between is allowed for, "
+                      "but a trigger for both is better"),
+                   Level::caution};
   out.face = chip(tr("FACE"), state.head, session::headLossInWords(state));
   out.coil = chip(tr("COIL"), state.coil, session::coilLossInWords(state));
   out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));

@@ -20,7 +20,7 @@ class FunctionScript : public Script {
   FunctionScript(int frames, Cast capture, MomentOf moment)
       : frames_(frames), capture_(std::move(capture)), moment_(std::move(moment)) {}
   int frameCount() const override { return frames_; }
-  Moment at(int frame) const override { return moment_(frame); }
+  Moment at(double frame) const override { return moment_(frame); }
   Cast capture() const override { return capture_; }
 
  private:

@@ -21,7 +21,8 @@ class Script {
  public:
   virtual ~Script() = default;
   virtual int frameCount() const = 0;
-  virtual Moment at(int frame) const = 0;
+  /// `frame` may lie between two, where a camera is late.
+  virtual Moment at(double frame) const = 0;
   /// The head during the capture pair (coil absent).
   virtual Cast capture() const = 0;
 };

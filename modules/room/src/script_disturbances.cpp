@@ -53,7 +53,7 @@ CameraFault faultOf(const std::string& label) {
 }  // namespace
 
 MomentOf occlusionScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double part = setting.part(frame);
     Moment moment;
     moment.cast = setting.headMovedBy(sway(setting.time_s(frame), setting.options.motion));
@@ -78,7 +78,7 @@ MomentOf occlusionScript(const Setting& setting) {
 }
 
 MomentOf talkingScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double t = setting.time_s(frame), on = ease(t / 0.3);
     Moment moment;
     moment.cast = setting.headMovedBy(sway(t, 0.6 * setting.options.motion));
@@ -93,7 +93,7 @@ MomentOf talkingScript(const Setting& setting) {
 }
 
 MomentOf lightingScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double t = setting.time_s(frame), part = setting.part(frame), on = ease(6.0 * part);
     Moment moment;
     moment.cast = setting.headMovedBy(sway(t, setting.options.motion));
@@ -107,7 +107,7 @@ MomentOf lightingScript(const Setting& setting) {
 }
 
 MomentOf lostScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double part = setting.part(frame);
     const auto [label, inside] = kLostParts.at(part);
     Moment moment;
@@ -122,7 +122,7 @@ MomentOf lostScript(const Setting& setting) {
 }
 
 MomentOf coilSweepScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double part = setting.part(frame);
     Moment moment;
     Vector6 by = sway(setting.time_s(frame), setting.options.motion);

@@ -74,7 +74,7 @@ HeadMotion Setting::motion(MotionSize size) const {
 }
 
 MomentOf stillScript(const Setting& setting) {
-  return [setting](int) {
+  return [setting](double) {
     Moment moment;
     moment.cast.room_T_mri = setting.seat;
     moment.label = "still";
@@ -83,8 +83,8 @@ MomentOf stillScript(const Setting& setting) {
 }
 
 MomentOf protractorScript(const Setting& setting) {
-  return [setting](int frame) {
-    const int axis = std::min(2, frame / 11), step = frame % 11 - 5;
+  return [setting](double frame) {
+    const int number = int(frame), axis = std::min(2, number / 11), step = number % 11 - 5;
     Eigen::Matrix<double, 6, 1> by = Eigen::Matrix<double, 6, 1>::Zero();
     by[axis] = 2.5 * step;
     Moment moment;
@@ -97,7 +97,7 @@ MomentOf protractorScript(const Setting& setting) {
 }
 
 MomentOf freeMotionScript(const Setting& setting) {
-  return [setting, all = swings(setting.options.seed)](int frame) {
+  return [setting, all = swings(setting.options.seed)](double frame) {
     // Time itself eases in, so that no speed exceeds that of the swing.
     constexpr double kStart_s = 0.3;
     const double t_s = setting.time_s(frame), swung_s = t_s - kStart_s * (1.0 - std::exp(-t_s / kStart_s));
@@ -119,7 +119,7 @@ MomentOf treatmentScript(Setting setting) {
   const HeadMotion motion = setting.motion({});
   // The coil stays on its target for the last second (half of a shorter recording).
   const double hold = std::min(0.5, setting.options.frames_per_s / std::max(1, setting.frames));
-  return [setting, motion, hold](int frame) {
+  return [setting, motion, hold](double frame) {
     Moment moment;
     moment.cast = setting.headMovedBy(motion.at(setting.time_s(frame)));
     const double progress = setting.part(frame) / (1.0 - hold);

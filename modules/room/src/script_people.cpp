@@ -22,7 +22,7 @@ constexpr double kAway_mm = 700.0;
 }  // namespace
 
 MomentOf glintScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double t = setting.time_s(frame), part = setting.part(frame);
     Moment moment;
     Vector6 by = sway(t, 2.5 * setting.options.motion);
@@ -35,7 +35,7 @@ MomentOf glintScript(const Setting& setting) {
 }
 
 MomentOf maskScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     Moment moment;
     Vector6 by = sway(setting.time_s(frame), setting.options.motion);
     by[1] += 8.0 * setting.options.motion * std::sin(2 * M_PI * setting.part(frame));
@@ -47,7 +47,7 @@ MomentOf maskScript(const Setting& setting) {
 }
 
 MomentOf otherFaceScript(const Setting& setting) {
-  return [setting](int frame) {
+  return [setting](double frame) {
     const double part = setting.part(frame);
     const auto [label, inside] = kOtherFaceParts.at(part);
     Moment moment;

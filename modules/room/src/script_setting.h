@@ -17,9 +17,9 @@ struct Setting {
   RigidTransform<Marker, Coil> marker_T_coil;
   int frames = 1;
 
-  double time_s(int frame) const { return frame / options.frames_per_s; }
+  double time_s(double frame) const { return frame / options.frames_per_s; }
   /// 0 at the first frame, 1 at the last.
-  double part(int frame) const { return frames > 1 ? double(frame) / (frames - 1) : 0.0; }
+  double part(double frame) const { return frames > 1 ? frame / (frames - 1) : 0.0; }
   /// The head turned by a rotation vector (deg, Room axes) about its pivot and shifted (mm).
   RigidTransform<Room, Mri> moved(const Eigen::Matrix<double, 6, 1>& by) const;
   Cast headMovedBy(const Eigen::Matrix<double, 6, 1>& by) const;
@@ -47,7 +47,7 @@ class Parts {
   std::vector<Part> parts_;
 };
 
-using MomentOf = std::function<Moment(int frame)>;
+using MomentOf = std::function<Moment(double frame)>;  // between two frames, too
 
 /// Smooth step 0..1 with zero speed and acceleration at both ends.
 double ease(double x);

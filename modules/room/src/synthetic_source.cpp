@@ -38,12 +38,19 @@ struct SyntheticSource::Implementation {
         stage(makeRig(o.rig), o.rig.roll_deg, patient, coilFor(o, *patient, t), filmOf(o)),
         script(makeScript(o, *patient, t, stage.coil().marker_T_coil)) {}
 
-  stereo::StereoFrame photograph(CameraFault fault) const {
+  stereo::StereoFrame photograph(CameraFault fault) {
     if (fault == CameraFault::frozen && !last.left.empty())
       return {last.left.clone(), last.right.clone(), number, {}};
-    auto frame = stage.photograph(number, 0.0, options.seed * kFramesPerSeed + std::uint64_t(number),
-                                  fault != CameraFault::black_left && fault != CameraFault::black_both,
-                                  fault != CameraFault::black_both);
+    const auto expose = [&] {
+      return stage.photograph(number, 0.0, options.seed * kFramesPerSeed + std::uint64_t(number),
+                              fault != CameraFault::black_left && fault != CameraFault::black_both,
+                              fault != CameraFault::black_both);
+    };
+    auto frame = expose();
+    if (options.right_late_ms != 0.0) {
+      stage.set(script->at(double(number) + 1e-3 * options.right_late_ms * options.frames_per_s).cast);
+      frame.right = expose().right;
+    }
     if (fault == CameraFault::swapped) std::swap(frame.left, frame.right);
     return frame;
   }
@@ -83,6 +90,7 @@ std::shared_ptr<const stereo::StereoFrame> SyntheticSource::next() {
   all.stage.set(moment.cast);
   all.truth = all.truthOf(moment);
   auto frame = all.photograph(moment.fault);
+  if (all.options.right_late_ms != 0.0) all.stage.set(moment.cast);  // depth() is of the left camera's moment
   frame.number = all.number;
   frame.captured = Timestamp{double(all.number) / all.options.frames_per_s};
   all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured};

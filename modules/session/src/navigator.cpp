@@ -3,6 +3,10 @@
 namespace facenav::session {
 namespace {
 
+// The watchdog's dense measurement knows nothing of the cameras' exposures; sideways motion between them
+// passes for some five times as much depth.
+constexpr double kMostBetweenExposures_mm = 0.2;
+
 bool isUsable(const stereo::StereoFrame& frame, const stereo::StereoRig& rig) {
   const auto fits = [&](const cv::Mat& image) {
     return image.type() == CV_8UC1 && image.cols == rig.width_px && image.rows == rig.height_px;
@@ -52,6 +56,8 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
   if (isUsable(*frame, rig_)) {
     state.head = head_->track(*frame);
     if (!state.head) state.head_detail = head_->lossDetail();
+    state.exposure_offset = head_->exposureOffset();
+    coil_->setRightLate(state.exposure_offset.right_late_s);
     state.coil = coil_->track(*frame);
     rig_check_.add(*frame, state.head, coil_->sighting());
     place(state);
@@ -87,7 +93,8 @@ void Navigator::place(NavigationState& state) const {
 void Navigator::watch(const std::shared_ptr<const stereo::StereoFrame>& frame, NavigationState& state) {
   if (!watchdog_) return;
   const bool was_alarmed = watchdog_->isAlarmed();
-  watchdog_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
+  if (!state.head || state.head->between_exposures_mm < kMostBetweenExposures_mm)
+    watchdog_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
   if (!watchdog_->isAlarmed()) return;
   if (!was_alarmed) head_->forgetLearnt();
   state.has_drifted = true;

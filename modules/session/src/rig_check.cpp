@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kFirstFrames = 30;  // in which the session's start is judged
 constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;
+constexpr double kMostBetweenExposures_mm = 0.1;  // else the head's motion passes for a turn of the camera
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
 
 stereo::SquareSighting square(const tracking::MarkerSighting& marker) {
@@ -45,7 +46,7 @@ void RigCheck::add(const stereo::StereoFrame& frame, const Tracked<tracking::Hea
                    const std::optional<tracking::MarkerSighting>& marker) {
   const bool is_first = frames_ < kFirstFrames;
   if (marker) monitor_.add(square(*marker));
-  if (head && !head->features.empty()) {
+  if (head && !head->features.empty() && head->between_exposures_mm < kMostBetweenExposures_mm) {
     std::vector<stereo::Correspondence> points;
     const std::size_t most = std::min(head->features.size(), is_first ? kFirstFeatures : kLaterFeatures);
     for (std::size_t i = 0; i < most; ++i) {

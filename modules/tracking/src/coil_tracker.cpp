@@ -25,6 +25,7 @@ constexpr double kScaleSigma = 1e-3;        // of lengths, left by a good calibr
 constexpr double kMostSizeSigma = 2.5e-3;   // a size less well seen says nothing of the depth
 constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
 constexpr double kLongestPrediction_s = 0.5;
+constexpr double kSteady_s = 0.03;  // over which the velocity between two exposures is taken
 
 bool isUsable(const cv::Mat& grey, const stereo::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
@@ -47,6 +48,7 @@ class MarkerCoilTracker final : public CoilTracker {
  public:
   void start(const stereo::StereoRig& rig, const CoilModel& coil) override;
   Tracked<CoilPose> track(const stereo::StereoFrame& frame) override;
+  void setRightLate(double late_s) override { right_late_s_ = late_s; }
   std::optional<MarkerSighting> sighting() const override { return sighting_; }
 
  private:
@@ -75,12 +77,18 @@ class MarkerCoilTracker final : public CoilTracker {
     return rightFromLeft(setup_.rig, fit.free_state, fit.centre_mm);
   }
   std::optional<CoilToCamera> predicted(double t_s) const;
+  /// The right camera as it sees the moving coil: where that is when this camera exposes.
+  RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
+  void learnVelocity();
   Tracked<CoilPose> accept(const Solution& solution, double t_s);
   MarkerSighting sightingOf(const Solution& solution) const;
   /// What the calibration's own uncertainty does to a pose seen at these corners.
   Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
 
-  CoilSetup setup_;
+  CoilSetup setup_;  // its rig as the frame sees the coil
+  RigidTransform<RightCamera, Camera> right_T_left_;
+  double right_late_s_ = 0.0;
+  Vector6d velocity_ = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin, over some frames
   struct Past {
     CoilToCamera camera_T_coil;
     double t_s;
@@ -97,6 +105,8 @@ class MarkerCoilTracker final : public CoilTracker {
 void MarkerCoilTracker::start(const stereo::StereoRig& rig, const CoilModel& coil) {
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
   setup_ = {rig, coil, {}};
+  right_T_left_ = rig.right_T_left;
+  right_late_s_ = 0.0;
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = stereo::uncertaintyOf(rig);
   calibration_at_.reset();
@@ -111,6 +121,7 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   sighting_.reset();
   const double t_s = frame.captured.s;
   const auto prediction = predicted(t_s);
+  setup_.rig.right_T_left = rightAsSeen(prediction);
   std::optional<Solution> found;
   bool is_seen = false;
   if (!isUsable(frame.left, setup_.rig) || !isUsable(frame.right, setup_.rig)) {
@@ -133,6 +144,29 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   if (found) return Lost{LostReason::camera};
   if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
   return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
+}
+
+RigidTransform<RightCamera, Camera> MarkerCoilTracker::rightAsSeen(
+    const std::optional<CoilToCamera>& prediction) const {
+  if (!prediction || !before_ || right_late_s_ == 0.0) return right_T_left_;
+  const Eigen::Vector3d origin_mm = prediction->translation_mm();
+  const Eigen::Vector3d by_mm = right_late_s_ * velocity_.tail<3>();
+  Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+  moved.linear() = expRotation(right_late_s_ * velocity_.head<3>());
+  moved.translation() = origin_mm + by_mm - moved.linear() * origin_mm;
+  return RigidTransform<RightCamera, Camera>::fromIsometry(right_T_left_.isometry() * moved);
+}
+
+void MarkerCoilTracker::learnVelocity() {
+  const double since_s = before_ ? last_->t_s - before_->t_s : 0.0;
+  if (since_s < 1e-4 || since_s > kLongestPrediction_s) {
+    velocity_.setZero();
+    return;
+  }
+  const Eigen::Isometry3d &now = last_->camera_T_coil.isometry(), &then = before_->camera_T_coil.isometry();
+  Vector6d velocity;
+  velocity << logRotation(now.linear() * then.linear().transpose()), now.translation() - then.translation();
+  velocity_ += (1.0 - std::exp(-since_s / kSteady_s)) * (velocity / since_s - velocity_);
 }
 
 std::optional<CoilToCamera> MarkerCoilTracker::predicted(double t_s) const {
@@ -273,7 +307,8 @@ MarkerSighting MarkerCoilTracker::sightingOf(const Solution& solution) const {
   const std::size_t marker = solution.markers.front();
   CoilSetup sized = setup_;
   sized.coil.markers[marker].size_mm *= fit.free_state.size_factor;
-  const Eigen::Isometry3d right_T_left = rightFromLeftAsSeen(fit);
+  sized.rig.right_T_left = right_T_left_;  // as if both cameras had exposed together
+  const Eigen::Isometry3d right_T_left = rightFromLeft(sized.rig, fit.free_state, fit.centre_mm);
   MarkerSighting sighting;
   const auto left = cornersInImage(sized, marker, fit.free_state.camera_T_coil, true, right_T_left);
   const auto right = cornersInImage(sized, marker, fit.free_state.camera_T_coil, false, right_T_left);
@@ -315,6 +350,7 @@ Tracked<CoilPose> MarkerCoilTracker::accept(const Solution& solution, double t_s
   lost_frames_ = 0;
   before_ = last_;
   last_ = Past{solution.fit.camera_T_coil, t_s};
+  learnVelocity();
   last_markers_ = solution.markers;
   CoilPose pose;
   pose.camera_T_marker = solution.fit.camera_T_coil * setup_.coil.markers.front().coil_T_marker;

@@ -108,6 +108,7 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
                       const PoseFit& fit, const Verdict& verdict) {
   Unfinished fresh;
   fresh.key.motion = fit.motion;
+  fresh.right_T_left = rig.right_T_left.isometry();
   fresh.key.covariance = verdict.covariance;
   fresh.key.generation = keys_[chosen_].generation + 1;
   fresh.key.level = keys_.front().level;
@@ -140,8 +141,7 @@ void KeyFrames::learnPatch(const stereo::StereoRig& rig, const PatchModel& model
   const PatchPoints points = pointsOfPatch(level, i);
   for (int c = 0; c < 2; ++c) {
     const auto& camera = c == 0 ? rig.left : rig.right;
-    const Eigen::Isometry3d camera_T_head =
-        c == 0 ? fresh.key.motion : rig.right_T_left.isometry() * fresh.key.motion;
+    const Eigen::Isometry3d camera_T_head = c == 0 ? fresh.key.motion : fresh.right_T_left * fresh.key.motion;
     const BlurredImage& image = fresh.pyramid[c].level[fresh.level];
     PatchLooks looked;
     if ((fresh.level > 0 || fresh.is_good[i][c]) && !image.pixels.empty())

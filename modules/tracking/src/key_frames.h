@@ -45,6 +45,7 @@ class KeyFrames {
     KeyFrame key;
     std::array<cv::Mat, 2> image;  // of the head's surroundings, as recorded
     std::array<cv::Point, 2> origin;
+    Eigen::Isometry3d right_T_left;            // as that frame was seen (OffsetFilter)
     std::array<ImagePyramid, 2> pyramid;       // of these; made in frames of their own
     std::vector<std::array<bool, 2>> is_good;  // of level 0
     int level = 0;

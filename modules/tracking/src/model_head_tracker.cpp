@@ -13,6 +13,7 @@
 #include "fine_detail.h"
 #include "frame_guard.h"
 #include "key_frames.h"
+#include "offset_filter.h"
 #include "patch_model.h"
 #include "patch_placement.h"
 #include "pose_fit.h"
@@ -24,6 +25,7 @@ namespace facenav::tracking {
 namespace {
 
 constexpr double kLongestGap_s = 0.3;   // beyond it a prediction is worth nothing
+constexpr double kSteady_s = 0.03;      // over which the velocity between two exposures is taken
 constexpr double kTrustMemory_s = 0.7;  // over which a patch shows whether it moves by itself
 constexpr double kWalk_mm_s = 1500.0, kNearlyFar = 1.25;
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
@@ -53,7 +55,8 @@ class ModelHeadTracker : public HeadTracker {
     if (model_.level[0].patches.size() < 30)
       throw Error("no face with enough texture and depth is found in the reference frame", {},
                   "look for blur, darkness or a covered face");
-    rig_ = rig;
+    rig_ = rig_now_ = rig;
+    offset_.reset();
     both_cameras_ = detailOfBothCameras(model_);
     keys_ = KeyFrames(model_);
     search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
@@ -72,16 +75,18 @@ class ModelHeadTracker : public HeadTracker {
     work_ = {}, first_loss_.reset();
     const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
     const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
+    allowFor(is_recent && lost_frames_ == 0 ? predict(dt_s) : Eigen::Isometry3d::Identity());
     if (is_recent && lost_frames_ == 0) {
       const Eigen::Isometry3d predicted = predict(dt_s);
       const KeyFrame& key = keys_.nearest(predicted);
       const auto now = boxed(frame, predicted);
-      const PoseFit fit = fitPose(rig_, model_, key.level, now, predicted, 0, trust());
+      const PoseFit fit = fitPose(rig_now_, model_, key.level, now, predicted, 0, trust());
       work_.looks += fit.looks;
       const Verdict verdict = judge(model_, fit, key.covariance);
       if (verdict.isTracked() && !isAnothers(key, now, fit)) {
-        learnSides(frame, fit, verdict);
-        return accepted(frame, fit, verdict);
+        const Verdict whole = withOffset(frame.captured, key, fit, verdict);
+        learnSides(frame, fit, whole);  // ends the life of `key`
+        return accepted(frame, fit, whole);
       }
       first_loss_ = {verdict.lost.value_or(LostReason::no_face), fit.motion};
     }
@@ -89,6 +94,8 @@ class ModelHeadTracker : public HeadTracker {
   }
 
   LossDetail lossDetail() const override { return detail_; }
+
+  ExposureOffset exposureOffset() const override { return {offset_.late_s(), offset_.sigma_s()}; }
 
   void forgetLearnt() override {
     keys_ = KeyFrames(model_);
@@ -106,6 +113,7 @@ class ModelHeadTracker : public HeadTracker {
   struct Last {
     Eigen::Isometry3d motion;
     Vector6d velocity;  // per s, Head, about the model's centre
+    Vector6d steady;    // the same over some frames
     Timestamp captured;
   };
 
@@ -125,6 +133,26 @@ class ModelHeadTracker : public HeadTracker {
   Eigen::Isometry3d predict(double dt_s) const {
     return last_->motion * Eigen::Translation3d(model_.centre_mm) * expRigid(last_->velocity * dt_s) *
            Eigen::Translation3d(-model_.centre_mm);
+  }
+
+  // The right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere.
+  void allowFor(const Eigen::Isometry3d& motion) {
+    allowed_ = offset_.late_s() * (last_ ? last_->steady : Vector6d(Vector6d::Zero()));
+    const Eigen::Isometry3d moved = motion * Eigen::Translation3d(model_.centre_mm) * expRigid(allowed_) *
+                                    Eigen::Translation3d(-model_.centre_mm) * motion.inverse();
+    rig_now_.right_T_left =
+        RigidTransform<RightCamera, Camera>::fromIsometry(rig_.right_T_left.isometry() * moved);
+  }
+
+  // Learns from the frame when the right camera exposes; what is left uncertain counts in the covariance.
+  Verdict withOffset(Timestamp captured, const KeyFrame& key, const PoseFit& fit, Verdict verdict) {
+    const double since_s = captured - last_->captured;
+    if (since_s < 1e-4) return verdict;
+    offset_.add(key.level[0], fit, steady(velocityTo(fit, since_s), since_s), allowed_, since_s);
+    Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
+    rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = fit.motion.linear();
+    verdict.covariance += rotate * offset_.poseCovariance() * rotate.transpose();
+    return verdict;
   }
 
   // Level 0 of the parts of both images where the face is expected.
@@ -152,7 +180,7 @@ class ModelHeadTracker : public HeadTracker {
 
   Whose whose(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit,
               const PatchShare& share = {}) const {
-    return whoseSkin(detailAgreement(rig_, model_, key.level[0], now, fit, share), both_cameras_);
+    return whoseSkin(detailAgreement(rig_now_, model_, key.level[0], now, fit, share), both_cameras_);
   }
 
   // The prediction failed: what the search finds is fitted to the end, and shown only if the skin is the
@@ -185,11 +213,11 @@ class ModelHeadTracker : public HeadTracker {
                   const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
     const int level = search_.roughLevel() - 1;
-    const PoseFit nearly = fitPose(rig_, model_, key.level, now, start, level, {}, level);
+    const PoseFit nearly = fitPose(rig_now_, model_, key.level, now, start, level, {}, level);
     work_.looks += nearly.looks;
     const auto finest = boxed(frame, nearly.motion);
     PoseFit fit =
-        fitPose(rig_, model_, key.level, finest, nearly.motion, 0, trust(), 0, work_.stepsLeft(model_));
+        fitPose(rig_now_, model_, key.level, finest, nearly.motion, 0, trust(), 0, work_.stepsLeft(model_));
     work_.looks += fit.looks;
     Verdict verdict = judge(model_, fit, key.covariance);
     if (verdict.isTracked() && whose(key, finest, fit) != Whose::patients) verdict.lost = LostReason::no_face;
@@ -256,7 +284,7 @@ class ModelHeadTracker : public HeadTracker {
   Tracked<HeadPose> lost(LostReason reason, LossDetail detail) {
     detail_ = detail;
     ++lost_frames_;
-    if (last_) last_->velocity.setZero();
+    if (last_) last_->velocity.setZero(), last_->steady.setZero();
     keys_.forgetUnfinished();
     return Lost{reason};
   }
@@ -264,7 +292,7 @@ class ModelHeadTracker : public HeadTracker {
   // Not in a frame in which the head was looked for: that has cost enough.
   void learnSides(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     if (work_.looks > kLearnBelow_looks) return;
-    if (keys_.learn(rig_, model_, frame, fit, verdict))
+    if (keys_.learn(rig_now_, model_, frame, fit, verdict))
       search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
   }
 
@@ -277,6 +305,8 @@ class ModelHeadTracker : public HeadTracker {
     pose.covariance = verdict.covariance;
     pose.face_centre = Point<Camera>(fit.motion * model_.centre_mm);
     pose.features = featuresOf(fit);
+    pose.between_exposures_mm =
+        last_->steady.tail<3>().norm() * (std::abs(offset_.late_s()) + offset_.sigma_s());
     left_box_ = boxOf(fit, 0), right_box_ = boxOf(fit, 1);
     pose.face_left = left_box_;
     return {pose, verdict.quality};
@@ -310,21 +340,32 @@ class ModelHeadTracker : public HeadTracker {
     }
   }
 
+  Vector6d velocityTo(const PoseFit& fit, double since_s) const {
+    const Eigen::Isometry3d step = last_->motion.inverse() * fit.motion;
+    Vector6d velocity;
+    velocity.head<3>() = logRotation(step.linear()) / since_s;
+    velocity.tail<3>() = (step * model_.centre_mm - model_.centre_mm) / since_s;
+    return velocity;
+  }
+
+  // The velocity of one frame carries the errors of two poses; fed back into the next they would grow.
+  Vector6d steady(const Vector6d& velocity, double since_s) const {
+    return last_->steady + (1.0 - std::exp(-since_s / kSteady_s)) * (velocity - last_->steady);
+  }
+
   void remember(Timestamp captured, const PoseFit& fit) {
     Vector6d velocity = Vector6d::Zero();
     const double dt_s = last_ ? captured - last_->captured : 0.0;
-    if (dt_s > 1e-4 && dt_s < kLongestGap_s) {
-      const Eigen::Isometry3d step = last_->motion.inverse() * fit.motion;
-      velocity.head<3>() = logRotation(step.linear()) / dt_s;
-      velocity.tail<3>() = (step * model_.centre_mm - model_.centre_mm) / dt_s;
-    }
-    last_ = Last{fit.motion, velocity, captured};
+    if (dt_s > 1e-4 && dt_s < kLongestGap_s) velocity = velocityTo(fit, dt_s);
+    last_ = Last{fit.motion, velocity, last_ ? steady(velocity, dt_s) : velocity, captured};
     lost_frames_ = 0;
     search_.end();
   }
 
   std::shared_ptr<const FaceDetector> detector_;
-  stereo::StereoRig rig_;
+  stereo::StereoRig rig_, rig_now_;  // now: as the moving head is seen (OffsetFilter)
+  OffsetFilter offset_;
+  Vector6d allowed_ = Vector6d::Zero();  // of the head's motion, from the left to the right exposure
   PatchModel model_;
   DetailAgreement both_cameras_;  // in the reference
   std::size_t asked_part_ = 0;

@@ -25,6 +25,7 @@ struct ScenarioOptions {
   double noise_grey = 1.5, blur_px = 0.6, exposure = 1.3, gamma = 1.0;
   double motion = 1.0;                              // scales the scenario's head motion
   double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // how far from straight the seed may seat the patient
+  double right_late_ms = 0.0;  // the right camera exposes later than the left; the truth is the left's
   RigOptions rig;
 
   template <class Self, class Visitor>
@@ -42,6 +43,10 @@ struct ScenarioOptions {
     visitor(Field{"seat_turn_deg", "the seed turns the seated patient by up to this, about any axis", 0, 60},
             self.seat_turn_deg);
     visitor(Field{"seat_shift_mm", "and shifts by up to this, in any direction", 0, 300}, self.seat_shift_mm);
+    visitor(
+        Field{"right_late_ms",
+              "by how much the right camera exposes after the left one (free-running cameras)", -100, 100},
+        self.right_late_ms);
     RigOptions::visit(self.rig, visitor);
   }
 };

@@ -21,7 +21,7 @@ struct MarkerModel {
   std::string dictionary = "4x4_50";  // ArUco dictionary; ignored where pattern is set
   int id = 7;
   std::optional<std::filesystem::path> pattern;  // ARToolKit .patt
-  double size_mm = 60.0;  // edge of the black square
+  double size_mm = 60.0;                         // edge of the black square
   // How well that is known (measured, or the page's ruler checked): what tells a camera that turned along the
   // epipolar lines from a print of another size. Larger: a wrong print is tolerated, and so is a wrong depth.
   double size_sigma_mm = 0.1;
@@ -63,6 +63,8 @@ class CoilTracker {
   virtual ~CoilTracker() = default;
   virtual void start(const stereo::StereoRig& rig, const CoilModel& coil) = 0;
   virtual Tracked<CoilPose> track(const stereo::StereoFrame& frame) = 0;
+  /// The right camera exposes so much later than the left one; of the frames to come.
+  virtual void setRightLate(double /*late_s*/) {}
   /// Of the frame tracked last; nothing where no marker was fitted.
   virtual std::optional<MarkerSighting> sighting() const { return std::nullopt; }
 };

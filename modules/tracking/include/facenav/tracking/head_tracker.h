@@ -31,6 +31,15 @@ struct HeadPose {
   Point<Camera> face_centre;  // of the tracked points, at this pose
   std::vector<FaceFeature> features;
   std::optional<cv::Rect> face_left;  // where the face was found in the left image
+  // How far the face may have moved from the left camera's exposure to the right one's. The pose allows for
+  // what is known of it; what else compares both images must not, beyond some tenths.
+  double between_exposures_mm = 0.0;
+};
+
+/// How much later than the left camera the right one exposes: ordinary cameras run free.
+struct ExposureOffset {
+  double right_late_s = 0.0;  // 0 while it is not known to differ from 0
+  double sigma_s = 0.0;       // 0: not measured
 };
 
 /// What the tracker learns the face from: a frame without dots, and, where the face was measured densely at
@@ -51,6 +60,8 @@ class HeadTracker {
   virtual Tracked<HeadPose> track(const stereo::StereoFrame& frame) = 0;
   /// Of the last frame, where it was lost.
   virtual LossDetail lossDetail() const { return LossDetail::unknown; }
+  /// As learnt from the moving head so far.
+  virtual ExposureOffset exposureOffset() const { return {}; }
   /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.
   virtual void forgetLearnt() {}
 };
