@@ -10,8 +10,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "disparity_search.h"
 #include "facenav/stereo/dense_matcher.h"
+#include "matchers/disparity_search.h"
 #include "support/dotted_surface.h"
 #include "support/stopwatch.h"
 #include "support/test_data.h"

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <map>
 
-#include "face_mask.h"
-#include "face_shape.h"
 #include "facenav/stereo/dot_pattern.h"
-#include "head_look.h"
-#include "marker_plate.h"
-#include "shapes.h"
-#include "stranger.h"
+#include "optics/shapes.h"
+#include "patient/face_mask.h"
+#include "patient/face_shape.h"
+#include "patient/head_look.h"
+#include "patient/stranger.h"
+#include "props/marker_plate.h"
 
 namespace facenav::room {
 namespace {

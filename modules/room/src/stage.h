@@ -12,8 +12,8 @@
 #include "facenav/room/room_rig.h"
 #include "facenav/room/virtual_patient.h"
 #include "facenav/stereo/stereo_frame.h"
-#include "film.h"
-#include "renderer.h"
+#include "optics/film.h"
+#include "optics/renderer.h"
 
 namespace facenav::room {
 

@@ -1,7 +1,7 @@
 #include "facenav/room/synthetic_source.h"
 
-#include "coil_mount.h"
-#include "script.h"
+#include "props/coil_mount.h"
+#include "script/script.h"
 #include "stage.h"
 
 namespace facenav::room {

@@ -3,7 +3,7 @@
 
 #include "facenav/room/room_rig.h"
 #include "facenav/room/virtual_patient.h"
-#include "shapes.h"
+#include "optics/shapes.h"
 
 namespace facenav::testing {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "facenav/room/room_rig.h"
-#include "film.h"
-#include "renderer.h"
-#include "shapes.h"
+#include "optics/film.h"
+#include "optics/renderer.h"
+#include "optics/shapes.h"
 
 namespace facenav::room {
 namespace {

@@ -8,7 +8,7 @@
 #include "facenav/core/error.h"
 #include "facenav/room/synthetic_source.h"
 #include "facenav/volume/nifti.h"
-#include "landmarks.h"
+#include "patient/landmarks.h"
 #include "support/test_data.h"
 
 namespace facenav::room {

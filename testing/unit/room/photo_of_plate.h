@@ -5,9 +5,9 @@
 #include <array>
 
 #include "facenav/geometry/rotation.h"
-#include "film.h"
-#include "marker_plate.h"
-#include "renderer.h"
+#include "optics/film.h"
+#include "optics/renderer.h"
+#include "props/marker_plate.h"
 
 namespace facenav::testing {
 

@@ -1,12 +1,12 @@
-#include "script.h"
+#include "script/script.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "coil_mount.h"
 #include "egg_patient.h"
 #include "facenav/core/error.h"
+#include "props/coil_mount.h"
 #include "support/matchers.h"
 
 namespace facenav::room {

@@ -8,10 +8,10 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "block_search.h"
-#include "disparity_field.h"
 #include "facenav/core/error.h"
-#include "plane_field.h"
+#include "matchers/block_search.h"
+#include "matchers/disparity_field.h"
+#include "matchers/plane_field.h"
 #include "support/dotted_surface.h"
 
 using namespace facenav;

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "feature_fit.h"
+#include "features7/feature_fit.h"
 #include "support/synthetic_face.h"
 
 namespace facenav::tracking {

@@ -2,7 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "ncc.h"
+#include "features7/ncc.h"
 #include "support/matchers.h"
 
 namespace facenav::tracking {

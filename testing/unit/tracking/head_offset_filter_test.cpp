@@ -1,4 +1,4 @@
-#include "offset_filter.h"
+#include "head/offset_filter.h"
 
 #include <gtest/gtest.h>
 

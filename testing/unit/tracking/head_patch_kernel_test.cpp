@@ -1,13 +1,13 @@
 // The head track's inner loop: both kernels give the same sums, and the blur is the binomial one, unrounded.
 
-#include "patch_kernel.h"
+#include "head/patch_kernel.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "image_pyramid.h"
+#include "head/image_pyramid.h"
 
 namespace facenav::tracking {
 namespace {

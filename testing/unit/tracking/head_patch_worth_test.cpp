@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "patch_filters.h"
-#include "patch_worth.h"
+#include "head/patch_filters.h"
+#include "head/patch_worth.h"
 
 namespace facenav::tracking {
 namespace {

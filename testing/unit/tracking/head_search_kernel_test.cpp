@@ -4,8 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "face_template.h"
-#include "search_kernel.h"
+#include "head/face_template.h"
+#include "head/search_kernel.h"
 
 namespace facenav::tracking {
 namespace {

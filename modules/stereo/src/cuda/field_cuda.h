@@ -2,8 +2,8 @@
 // The "field" matcher's kernels on an NVIDIA GPU (CMake option FACENAV_CUDA): stand-ins for those of
 // block_kernel.h and plane_kernel.h, on the same memory, which goes to the device and back at each call.
 
-#include "block_kernel.h"
-#include "plane_kernel.h"
+#include "kernels/block_kernel.h"
+#include "kernels/plane_kernel.h"
 
 namespace facenav::stereo::cuda {
 

@@ -1,0 +1,74 @@
+#include "head_look.h"
+
+#include <algorithm>
+
+#include "optics/noise_field.h"
+#include "skin_texture.h"
+
+namespace facenav::room {
+namespace {
+
+constexpr float kHairAlbedo = 0.07f;
+
+class HeadLook : public Look {
+ public:
+  HeadLook(const VirtualPatient& patient, const FaceShape& shape) : patient_(patient), shape_(shape) {}
+
+  Reflectance at(const SurfacePoint& seen) const override {
+    SurfacePoint point = seen;
+    if (!shape_.isAtRest()) point.p_object_mm -= shape_.shift_mm(point.triangle, point.u, point.v);
+    const float hair = interpolated(patient_.hair, point);
+    if (hair <= 0.02f) return skin(point);
+    const Reflectance strands = hairAt(point.p_object_mm);
+    if (hair >= 0.98f) return strands;
+    const Reflectance bare = skin(point);
+    return {bare.albedo + hair * (strands.albedo - bare.albedo), bare.gloss * (1.f - hair)};
+  }
+
+ private:
+  float interpolated(const std::vector<float>& values, const SurfacePoint& point) const {
+    const Eigen::Vector3i& t = patient_.visible.triangles[point.triangle];
+    return (1.f - point.u - point.v) * values[t[0]] + point.u * values[t[1]] + point.v * values[t[2]];
+  }
+
+  Reflectance skin(const SurfacePoint& point) const {
+    const float pores = 1.f + patient_.pore_contrast * sharedNoise().at(point.p_object_mm, 0.5);
+    const float albedo = patient_.texture->at(point.p_object_mm, shape_.lids()) *
+                         interpolated(patient_.tone, point) * pores * patient_.skin_brightness;
+    return {albedo, 0.03f};
+  }
+
+  Reflectance hairAt(const Eigen::Vector3d& p_mm) const {
+    // Strands run down and back: the noise is stretched along them.
+    const Eigen::Vector3d combed(p_mm.x(), 0.35 * p_mm.y(), 0.25 * p_mm.z());
+    const float strands = sharedNoise().at(combed, 0.7), locks = sharedNoise().at(combed, 3.0);
+    return {kHairAlbedo * std::max(0.2f, 1.f + 0.4f * strands + 0.3f * locks), 0.01f};
+  }
+
+  const VirtualPatient& patient_;
+  const FaceShape& shape_;
+};
+
+class PlainLook : public Look {
+ public:
+  PlainLook(float albedo, float gloss, float grain) : albedo_(albedo), gloss_(gloss), grain_(grain) {}
+  Reflectance at(const SurfacePoint& point) const override {
+    if (grain_ <= 0.f) return {albedo_, gloss_};
+    return {albedo_ * std::max(0.1f, 1.f + grain_ * sharedNoise().at(point.p_object_mm, 1.5)), gloss_};
+  }
+
+ private:
+  float albedo_, gloss_, grain_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Look> makeHeadLook(const VirtualPatient& patient, const FaceShape& shape) {
+  return std::make_shared<HeadLook>(patient, shape);
+}
+
+std::shared_ptr<const Look> makePlainLook(float albedo, float gloss, float grain) {
+  return std::make_shared<PlainLook>(albedo, gloss, grain);
+}
+
+}  // namespace facenav::room

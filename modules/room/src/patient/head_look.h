@@ -1,0 +1,16 @@
+#pragma once
+// The patient's look: complexion from the SkinTexture, pores and freckles from noise in space, hair where it
+// grows.
+
+#include <memory>
+
+#include "face_shape.h"
+#include "facenav/room/virtual_patient.h"
+#include "optics/look.h"
+
+namespace facenav::room {
+
+/// Keeps references to `patient` and `shape`, which must outlive the look.
+std::shared_ptr<const Look> makeHeadLook(const VirtualPatient& patient, const FaceShape& shape);
+
+}  // namespace facenav::room

@@ -1,0 +1,121 @@
+#include "facenav/stereo/face_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/core.hpp>
+
+#include "cloud_normals.h"
+#include "facenav/core/error.h"
+#include "facenav/stereo/dense_matcher.h"
+#include "matchers/block_search.h"
+#include "rig/epipolar_check.h"
+
+namespace facenav::stereo {
+namespace {
+
+constexpr std::size_t kFewestPoints = 500;
+constexpr double kSuspicious_px =
+    0.12;                          // row disagreement of a pair that fits its calibration: 0.02 .. 0.05 px
+constexpr double kMoved_px = 0.6;  // no calibration is that bad: the cameras have moved
+constexpr double kBlack_grey =
+    6.0;  // brightest percent of an image below this: no light, lens cap, dead camera
+
+double brightLevel(const cv::Mat& image) {
+  int histogram[256] = {};
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x) ++histogram[image.at<std::uint8_t>(y, x)];
+  int above = 0, level = 255;
+  for (; level > 0 && (above += histogram[level]) < int(image.total()) / 100; --level) {
+  }
+  return level;
+}
+
+void requireUsable(const StereoRig& rig, const StereoFrame& frame) {
+  for (const auto& [side, image] : {std::pair("left", &frame.left), std::pair("right", &frame.right)}) {
+    if (image->empty())
+      throw Error(std::string("there is no ") + side + " image", {}, "record the pair again");
+    if (image->type() != CV_8U) throw Error(std::string("the ") + side + " image is not 8-bit grey");
+    if (image->cols != rig.width_px || image->rows != rig.height_px)
+      throw Error(std::string("the ") + side + " image is " + std::to_string(image->cols) + " x " +
+                      std::to_string(image->rows) + ", but the rig's images are " +
+                      std::to_string(rig.width_px) + " x " + std::to_string(rig.height_px),
+                  {}, "use the stereo.yml of these cameras");
+    if (brightLevel(*image) < kBlack_grey)
+      throw Error(std::string("the ") + side + " image is black", {}, "check lens cap, exposure and cable");
+  }
+}
+
+FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, const cv::Mat& normals) {
+  FaceCloud face;
+  for (int y = 0; y < map.disparity_px.rows; ++y)
+    for (int x = 0; x < map.disparity_px.cols; ++x) {
+      const float d = map.disparity_px.at<float>(y, x);
+      const cv::Vec3f n = normals.at<cv::Vec3f>(y, x);
+      if (std::isnan(d) || std::isnan(n[0])) continue;
+      const Eigen::Vector3d p_mm = rectification.point_mm(x, y, d);
+      const double z_mm = (rectification.rectified_R_camera * p_mm).z();
+      const double per_px_mm = std::abs(rectification.depthPerDisparity_mm(d)) * p_mm.norm() / z_mm;
+      const cv::Vec2f pixel = rectification.left_map.at<cv::Vec2f>(y, x);
+      face.cloud.points_mm.push_back(p_mm);
+      face.cloud.normals.push_back(rectification.rectified_R_camera.transpose() *
+                                   Eigen::Vector3d(n[0], n[1], n[2]));
+      face.left_px.emplace_back(pixel[0], pixel[1]);
+      face.sigma_mm.push_back(float(per_px_mm * map.sigma_px.at<float>(y, x)));
+    }
+  return face;
+}
+
+FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
+                      TaskMonitor& monitor) {
+  const auto matcher = makeDenseMatcher(options.matcher);
+  monitor.report("rectify", 0.0);
+  const Rectification rectification =
+      rectify(rig, {options.nearest_mm, options.farthest_mm}, options.left_roi.value_or(cv::Rect()));
+  const RectifiedPair pair = applyRectification(rectification, frame);
+  monitor.report("match", 0.2);
+  MatchOptions match = options.match;
+  if (options.expected) match.predicted_px = blocksOf(rectification, pair.left.size(), *options.expected);
+  const DisparityMap map = matcher->match(rectification, pair, match);
+  monitor.report("triangulate", 0.9);
+  FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map));
+  face.epipolar_median_px = epipolarMedian(rectification, pair, map);
+  monitor.report("triangulate", 1.0);
+  return face;
+}
+
+// Swapped images of a converging pair match in places, at depths that look likely, and turn a face inside
+// out. Rows then disagree a little; the images put right match far better.
+void refuseSwapped(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
+                   const FaceCloud& face, TaskMonitor& monitor) {
+  StereoFrame swapped = frame;
+  std::swap(swapped.left, swapped.right);
+  const FaceCloud other = measureOnce(rig, swapped, options, monitor);
+  if (other.cloud.size() > kFewestPoints && other.cloud.size() > face.cloud.size() &&
+      other.epipolar_median_px < 0.5 * std::max(face.epipolar_median_px, kSuspicious_px))
+    throw Error("left and right images look swapped", {}, "exchange the cameras or the files");
+}
+
+}  // namespace
+
+FaceCloud measureFace(const StereoRig& rig, const StereoFrame& with_dots, const FaceCloudOptions& options,
+                      TaskMonitor& monitor) {
+  requireUsable(rig, with_dots);
+  FaceCloud face = measureOnce(rig, with_dots, options, monitor);
+  const bool is_too_few = face.cloud.size() < kFewestPoints;
+  if (is_too_few || face.epipolar_median_px > kSuspicious_px)
+    refuseSwapped(rig, with_dots, options, face, monitor);
+  const double row_shift_px = is_too_few ? bestRowShift(rig, with_dots, options) : face.epipolar_median_px;
+  if (std::abs(row_shift_px) > kMoved_px) {
+    char text[96];
+    std::snprintf(text, sizeof text, "the images disagree with the calibration by %.1f px across the rows",
+                  std::abs(row_shift_px));
+    throw Error(text, {}, "the cameras have moved: calibrate again");
+  }
+  if (is_too_few)
+    throw Error("no dots found: only " + std::to_string(face.cloud.size()) + " points match in both images",
+                {}, "check projector, exposure, depth range and calibration");
+  return face;
+}
+
+}  // namespace facenav::stereo

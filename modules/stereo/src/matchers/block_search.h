@@ -1,0 +1,25 @@
+#pragma once
+// Stage 1 of the "field" matcher: where the surface is, to about half a pixel, from windows of 12 x 12 pixels
+// round each 4 x 4 block.
+
+#include <opencv2/core.hpp>
+
+#include "facenav/stereo/rectification.h"
+#include "kernels/block_kernel.h"
+
+namespace facenav::stereo {
+
+/// 32-bit float, one disparity for each 4 x 4 pixels of the rectified left image; blocks without a clear
+/// match are filled from their neighbours. All NaN where nothing matches.
+cv::Mat searchBlocks(const Rectification& rectification, const RectifiedPair& pair,
+                     const block::Kernel& kernel = block::bestKernel());
+
+/// The same from points of a surface known beforehand (Camera): the nearest of those in each block; no
+/// search.
+cv::Mat blocksOf(const Rectification& rectification, const cv::Size& image,
+                 const PointCloud<Camera>& surface);
+
+/// How many blocks have a clear match that their neighbours agree with.
+int matchedBlocks(const Rectification& rectification, const RectifiedPair& pair);
+
+}  // namespace facenav::stereo

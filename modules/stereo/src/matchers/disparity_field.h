@@ -1,0 +1,38 @@
+#pragma once
+// Stage 2 of the "field" matcher: a smooth disparity field that grows better by Gauss-Newton steps over the
+// whole image (field_kernel.h says how).
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "facenav/stereo/dense_matcher.h"
+#include "kernels/field_kernel.h"
+#include "match_images.h"
+
+namespace facenav::stereo {
+
+class DisparityField {
+ public:
+  /// `images` must outlive it.
+  explicit DisparityField(const MatchImages& images);
+
+  /// `nodes`: 32-bit float, the disparity of each 2 x 2 pixels; no NaN.
+  void start(const cv::Mat& nodes);
+  /// One Gauss-Newton step with a Gaussian window.
+  void step(double window_sigma_px);
+  /// A step with a smaller window of which only that part is kept, place by place, that exceeds its noise:
+  /// creases and edges get sharper, smooth skin does not get noisier.
+  void addDetail(double window_sigma_px);
+  /// The field at each pixel where it is believed.
+  DisparityMap map(const MatchOptions& options) const;
+
+ private:
+  void estimate(double window_sigma_px, cv::Mat& change, cv::Mat& sigma, cv::Mat& correlation) const;
+
+  const ImageRows& images_;
+  field::Nodes nodes_;
+  field::Kernel kernel_;
+  cv::Mat disparity_, sigma_, correlation_;  // on nodes
+};
+
+}  // namespace facenav::stereo

@@ -1,0 +1,391 @@
+// "model": the default head tracker. Hundreds of skin patches, learnt from the reference frame and the dense
+// cloud, fitted jointly in both images (pose_fit.h) from a constant-velocity prediction, always against the
+// reference or a key frame made from it (key_frames.h), so nothing drifts. What is shown as tracked has
+// passed the tests of track_verdict.h. Face detection runs at start only: a cascade takes tens of
+// milliseconds, while the face's own pictures (coarse_search.h) find it again within a few frames of a few
+// milliseconds each.
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "face/stereo_face.h"
+#include "face_search.h"
+#include "facenav/tracking/head_tracker.h"
+#include "fine_detail.h"
+#include "frame_guard.h"
+#include "key_frames.h"
+#include "offset_filter.h"
+#include "patch_model.h"
+#include "patch_placement.h"
+#include "pose_fit.h"
+#include "skin_detail.h"
+#include "track_verdict.h"
+
+namespace facenav::tracking {
+namespace {
+
+constexpr double kLongestGap_s = 0.3;   // beyond it a prediction is worth nothing
+constexpr double kSteady_s = 0.03;      // over which the velocity between two exposures is taken
+constexpr double kTrustMemory_s = 0.7;  // over which a patch shows whether it moves by itself
+constexpr double kWalk_mm_s = 1500.0, kNearlyFar = 1.25;
+constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
+constexpr double kGettingThere = 0.8;    // likeness of a fit that had not settled: the next frame goes on
+constexpr int kLearnBelow_looks = 3400;  // at patches, in a frame
+constexpr std::size_t kAskedParts = 8;   // of the patches, one a tracked frame: whose skin it is
+constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
+
+class ModelHeadTracker : public HeadTracker {
+ public:
+  explicit ModelHeadTracker(std::shared_ptr<const FaceDetector> detector)
+      : detector_(detector ? std::move(detector) : makeFaceDetector()) {}
+
+  void start(const stereo::StereoRig& rig, const HeadReference& reference) override {
+    const auto face = findStereoFace(*detector_, rig, reference.frame);
+    if (!face && reference.surface.empty())
+      throw Error("no face is found in both images of the reference frame", {},
+                  "let the face look towards the cameras, lit evenly");
+    const cv::Size size = reference.frame.left.size();
+    const FaceRegion region =
+        face ? FaceRegion(face->left, size) : FaceRegion(reference.surface_left_px, size);
+    const FaceSurface surface = measureSurface(rig, reference, region, face ? depthOf(rig, *face) : 0.0);
+    const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
+                                             ImagePyramid(reference.frame.right)};
+    model_ = learnPatches(rig, reference.frame, key, region, surface);
+    model_.shape_doubt = reference.surface.empty() ? 4.0 : 1.0;
+    if (model_.level[0].patches.size() < 30)
+      throw Error("no face with enough texture and depth is found in the reference frame", {},
+                  "look for blur, darkness or a covered face");
+    rig_ = rig_now_ = rig;
+    offset_.reset();
+    both_cameras_ = detailOfBothCameras(model_);
+    keys_ = KeyFrames(model_);
+    search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
+    left_box_ = right_box_ = face ? face->left.face : region.box();
+    last_.reset();
+    wander_.assign(model_.level[0].patches.size(), 0.0);
+    lost_frames_ = 0, asked_part_ = 0;
+    detail_at_start_ = fineDetail(key[0], left_box_, model_.noise_grey).value_or(0.0);
+    guard_.start(reference.frame);
+  }
+
+  Tracked<HeadPose> track(const stereo::StereoFrame& frame) override {
+    const auto fault =
+        guard_.check(frame, last_ ? last_->velocity.tail<3>().norm() : 0.0, left_box_, right_box_);
+    if (fault) return refused(*fault);
+    work_ = {}, first_loss_.reset();
+    const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
+    const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
+    allowFor(is_recent && lost_frames_ == 0 ? predict(dt_s) : Eigen::Isometry3d::Identity());
+    if (is_recent && lost_frames_ == 0) {
+      const Eigen::Isometry3d predicted = predict(dt_s);
+      const KeyFrame& key = keys_.nearest(predicted);
+      const auto now = boxed(frame, predicted);
+      const PoseFit fit = fitPose(rig_now_, model_, key.level, now, predicted, 0, trust());
+      work_.looks += fit.looks;
+      const Verdict verdict = judge(model_, fit, key.covariance);
+      if (verdict.isTracked() && !isAnothers(key, now, fit)) {
+        const Verdict whole = withOffset(frame.captured, key, fit, verdict);
+        learnSides(frame, fit, whole);  // ends the life of `key`
+        return accepted(frame, fit, whole);
+      }
+      first_loss_ = {verdict.lost.value_or(LostReason::no_face), fit.motion};
+    }
+    return recover(frame, is_recent ? std::optional(predict(dt_s)) : std::nullopt);
+  }
+
+  LossDetail lossDetail() const override { return detail_; }
+
+  ExposureOffset exposureOffset() const override { return {offset_.late_s(), offset_.sigma_s()}; }
+
+  void forgetLearnt() override {
+    keys_ = KeyFrames(model_);
+    search_.forgetLearnt();
+    wander_.assign(model_.level[0].patches.size(), 0.0);
+    last_.reset();
+    lost_frames_ = 0;
+  }
+
+ private:
+  struct FirstLoss {
+    LostReason reason;
+    Eigen::Isometry3d motion;
+  };
+  struct Last {
+    Eigen::Isometry3d motion;
+    Vector6d velocity;  // per s, Head, about the model's centre
+    Vector6d steady;    // the same over some frames
+    Timestamp captured;
+  };
+
+  double depthOf(const stereo::StereoRig& rig, const StereoFace& face) const {
+    std::vector<double> depths_mm;
+    for (const auto& p_mm : face.points_mm) depths_mm.push_back(p_mm.z());
+    if (depths_mm.empty()) {
+      const auto centre = [](const cv::Rect& r) {
+        return Eigen::Vector2d(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
+      };
+      return stereo::triangulate(rig, centre(face.left.face), centre(face.right.face)).mm.z();
+    }
+    std::nth_element(depths_mm.begin(), depths_mm.begin() + depths_mm.size() / 2, depths_mm.end());
+    return depths_mm[depths_mm.size() / 2];
+  }
+
+  Eigen::Isometry3d predict(double dt_s) const {
+    return last_->motion * Eigen::Translation3d(model_.centre_mm) * expRigid(last_->velocity * dt_s) *
+           Eigen::Translation3d(-model_.centre_mm);
+  }
+
+  // The right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere.
+  void allowFor(const Eigen::Isometry3d& motion) {
+    allowed_ = offset_.late_s() * (last_ ? last_->steady : Vector6d(Vector6d::Zero()));
+    const Eigen::Isometry3d moved = motion * Eigen::Translation3d(model_.centre_mm) * expRigid(allowed_) *
+                                    Eigen::Translation3d(-model_.centre_mm) * motion.inverse();
+    rig_now_.right_T_left =
+        RigidTransform<RightCamera, Camera>::fromIsometry(rig_.right_T_left.isometry() * moved);
+  }
+
+  // Learns from the frame when the right camera exposes; what is left uncertain counts in the covariance.
+  Verdict withOffset(Timestamp captured, const KeyFrame& key, const PoseFit& fit, Verdict verdict) {
+    const double since_s = captured - last_->captured;
+    if (since_s < 1e-4) return verdict;
+    offset_.add(key.level[0], fit, steady(velocityTo(fit, since_s), since_s), allowed_, since_s);
+    Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
+    rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = fit.motion.linear();
+    verdict.covariance += rotate * offset_.poseCovariance() * rotate.transpose();
+    return verdict;
+  }
+
+  // Level 0 of the parts of both images where the face is expected.
+  std::array<ImagePyramid, 2> boxed(const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion) const {
+    const auto boxes = boxesAt(rig_, model_, motion, kMargin_px);
+    std::array<ImagePyramid, 2> now;
+    now[0].level[0] = blurredPart(frame.left, boxes[0]);
+    now[1].level[0] = blurredPart(frame.right, boxes[1]);
+    return now;
+  }
+
+  std::vector<float> trust() const {
+    std::vector<float> factors;
+    for (double wander : wander_) factors.push_back(float(1.0 / (1.0 + wander / 4.0)));
+    return factors;
+  }
+
+  // Somebody else, put in the patient's place between two frames. A part of the patches is asked in each, all
+  // of them where that part is in doubt.
+  bool isAnothers(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit) {
+    asked_part_ = (asked_part_ + 1) % kAskedParts;
+    return whose(key, now, fit, {kAskedParts, asked_part_}) != Whose::patients &&
+           whose(key, now, fit) == Whose::anothers;
+  }
+
+  Whose whose(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit,
+              const PatchShare& share = {}) const {
+    return whoseSkin(detailAgreement(rig_now_, model_, key.level[0], now, fit, share), both_cameras_);
+  }
+
+  // The prediction failed: what the search finds is fitted to the end, and shown only if the skin is the
+  // patient's.
+  Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
+                            const std::optional<Eigen::Isometry3d>& expected) {
+    if (!work_.leavesTimeToSearch()) return lost(first_loss_->reason, wordOfFirst(frame.captured));
+    const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
+                                             ImagePyramid::coarse(frame.right)};
+    const auto found = search_.seek(keys_, now, last_ ? std::optional(last_->motion) : std::nullopt, expected,
+                                    lost_frames_ == 0, work_);
+    if (found.is_swapped) return lost(LostReason::camera, LossDetail::swapped);
+    if (!found.is_to_be_tried) {
+      const bool is_there = found.is_put_off || !last_;
+      const auto detail = circumstance(is_there ? found.best.motion : last_->motion, now, frame.captured);
+      return lost(LostReason::no_face, detail.value_or(wordWithoutFit(found)));
+    }
+    const auto there = attempt(frame, now, found.best.motion);
+    if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
+    if (!there.fit.is_settled && there.fit.likeness > kGettingThere) search_.goOnFrom(there.fit.motion);
+    return lost(*there.verdict.lost, detailOf(there, now, frame.captured));
+  }
+
+  struct Attempt {
+    PoseFit fit;
+    Verdict verdict;
+  };
+
+  Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
+                  const Eigen::Isometry3d& start) {
+    const KeyFrame& key = keys_.nearest(start);
+    const int level = search_.roughLevel() - 1;
+    const PoseFit nearly = fitPose(rig_now_, model_, key.level, now, start, level, {}, level);
+    work_.looks += nearly.looks;
+    const auto finest = boxed(frame, nearly.motion);
+    PoseFit fit =
+        fitPose(rig_now_, model_, key.level, finest, nearly.motion, 0, trust(), 0, work_.stepsLeft(model_));
+    work_.looks += fit.looks;
+    Verdict verdict = judge(model_, fit, key.covariance);
+    if (verdict.isTracked() && whose(key, finest, fit) != Whose::patients) verdict.lost = LostReason::no_face;
+    return {std::move(fit), std::move(verdict)};
+  }
+
+  // In words only.
+  LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now,
+                      Timestamp captured) const {
+    if (const auto detail = circumstance(there.fit.motion, now, captured)) return *detail;
+    return wordFor(*there.verdict.lost);
+  }
+
+  // Where patches look as they should, but too few, the rest is covered.
+  static LossDetail wordFor(LostReason reason) {
+    switch (reason) {
+      case LostReason::camera:
+        return LossDetail::one_camera;
+      case LostReason::few_features:
+        return LossDetail::covered;
+      default:
+        return LossDetail::doubtful;
+    }
+  }
+
+  // While a fit waits for the next frame: what this one has shown so far, or what was said before.
+  LossDetail wordWithoutFit(const FaceSearch::Found& found) const {
+    if (!found.is_put_off) return found.is_anything_alike ? LossDetail::doubtful : LossDetail::not_found;
+    if (first_loss_) return wordFor(first_loss_->reason);
+    return lost_frames_ > 0 ? detail_ : LossDetail::doubtful;
+  }
+
+  // What the fit from the prediction has shown.
+  LossDetail wordOfFirst(Timestamp captured) const {
+    return isFar(first_loss_->motion, captured) ? LossDetail::too_far : wordFor(first_loss_->reason);
+  }
+
+  // What makes any face hard to see, wherever it is.
+  std::optional<LossDetail> circumstance(const Eigen::Isometry3d& motion,
+                                         const std::array<ImagePyramid, 2>& now, Timestamp captured) const {
+    if (isFar(motion, captured)) return LossDetail::too_far;
+    if (fineDetail(now[0], left_box_, model_.noise_grey).value_or(detail_at_start_) <
+        kBlurred * detail_at_start_)
+      return LossDetail::blurred;
+    return std::nullopt;
+  }
+
+  // Nobody is far off who was near a moment ago: a fit that says so has caught on something else, a hand.
+  bool isFar(const Eigen::Isometry3d& motion, Timestamp captured) const {
+    const auto distanceAt = [&](const Eigen::Isometry3d& at) { return (at * model_.centre_mm).z(); };
+    const double far_mm = kFar * model_.centre_mm.z();
+    const bool may_be_far = !last_ || kNearlyFar * distanceAt(last_->motion) +
+                                              kWalk_mm_s * std::max(0.0, captured - last_->captured) >
+                                          far_mm;
+    return may_be_far && distanceAt(motion) > far_mm;
+  }
+
+  // Pictures that are no news: the track goes on from before with the next good ones.
+  Tracked<HeadPose> refused(LostReason fault) {
+    detail_ = guard_.detail();
+    return Lost{fault};
+  }
+
+  Tracked<HeadPose> lost(LostReason reason, LossDetail detail) {
+    detail_ = detail;
+    ++lost_frames_;
+    if (last_) last_->velocity.setZero(), last_->steady.setZero();
+    keys_.forgetUnfinished();
+    return Lost{reason};
+  }
+
+  // Not in a frame in which the head was looked for: that has cost enough.
+  void learnSides(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
+    if (work_.looks > kLearnBelow_looks) return;
+    if (keys_.learn(rig_now_, model_, frame, fit, verdict))
+      search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
+  }
+
+  Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
+    learnTrust(frame.captured, fit);
+    detail_ = LossDetail::unknown;
+    remember(frame.captured, fit);
+    HeadPose pose;
+    pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
+    pose.covariance = verdict.covariance;
+    pose.face_centre = Point<Camera>(fit.motion * model_.centre_mm);
+    pose.features = featuresOf(fit);
+    pose.between_exposures_mm =
+        last_->steady.tail<3>().norm() * (std::abs(offset_.late_s()) + offset_.sigma_s());
+    left_box_ = boxOf(fit, 0), right_box_ = boxOf(fit, 1);
+    pose.face_left = left_box_;
+    return {pose, verdict.quality};
+  }
+
+  static std::vector<FaceFeature> featuresOf(const PoseFit& fit) {
+    std::vector<FaceFeature> features;
+    for (const auto& sight : fit.sights)
+      if (sight[0].is_visible && sight[1].is_visible)
+        features.push_back({sight[0].px.cast<double>(), sight[1].px.cast<double>(),
+                            double(std::min(sight[0].weight, sight[1].weight))});
+    return features;
+  }
+
+  static cv::Rect boxOf(const PoseFit& fit, int camera) {
+    std::vector<cv::Point> points;
+    for (const auto& sight : fit.sights)
+      if (sight[camera].is_visible) points.emplace_back(int(sight[camera].px.x()), int(sight[camera].px.y()));
+    return points.empty() ? cv::Rect() : cv::boundingRect(points);
+  }
+
+  // Skin that keeps wandering about the rigid fit (lips, jaw, lids) loses its say.
+  void learnTrust(Timestamp captured, const PoseFit& fit) {
+    const double dt_s = last_ ? std::clamp(captured - last_->captured, 0.0, 0.1) : 0.03;
+    const double share = 1.0 - std::exp(-dt_s / kTrustMemory_s);
+    for (std::size_t i = 0; i < wander_.size(); ++i) {
+      double seen = -1.0;
+      for (const auto& sight : fit.sights[i])
+        if (sight.is_visible) seen = std::max(seen, std::min(double(sight.distance * sight.distance), 50.0));
+      if (seen >= 0) wander_[i] += share * (std::max(0.0, seen - 4.0) - wander_[i]);
+    }
+  }
+
+  Vector6d velocityTo(const PoseFit& fit, double since_s) const {
+    const Eigen::Isometry3d step = last_->motion.inverse() * fit.motion;
+    Vector6d velocity;
+    velocity.head<3>() = logRotation(step.linear()) / since_s;
+    velocity.tail<3>() = (step * model_.centre_mm - model_.centre_mm) / since_s;
+    return velocity;
+  }
+
+  // The velocity of one frame carries the errors of two poses; fed back into the next they would grow.
+  Vector6d steady(const Vector6d& velocity, double since_s) const {
+    return last_->steady + (1.0 - std::exp(-since_s / kSteady_s)) * (velocity - last_->steady);
+  }
+
+  void remember(Timestamp captured, const PoseFit& fit) {
+    Vector6d velocity = Vector6d::Zero();
+    const double dt_s = last_ ? captured - last_->captured : 0.0;
+    if (dt_s > 1e-4 && dt_s < kLongestGap_s) velocity = velocityTo(fit, dt_s);
+    last_ = Last{fit.motion, velocity, last_ ? steady(velocity, dt_s) : velocity, captured};
+    lost_frames_ = 0;
+    search_.end();
+  }
+
+  std::shared_ptr<const FaceDetector> detector_;
+  stereo::StereoRig rig_, rig_now_;  // now: as the moving head is seen (OffsetFilter)
+  OffsetFilter offset_;
+  Vector6d allowed_ = Vector6d::Zero();  // of the head's motion, from the left to the right exposure
+  PatchModel model_;
+  DetailAgreement both_cameras_;  // in the reference
+  std::size_t asked_part_ = 0;
+  KeyFrames keys_;
+  FaceSearch search_;
+  FrameWork work_;                       // in this frame so far
+  std::optional<FirstLoss> first_loss_;  // of the fit from the prediction
+  LossDetail detail_ = LossDetail::unknown;
+  double detail_at_start_ = 0.0;
+  FrameGuard guard_;
+  std::optional<Last> last_;
+  std::vector<double> wander_;  // per patch of level 0: mean square distance beyond the expected
+  cv::Rect left_box_, right_box_;
+  int lost_frames_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<HeadTracker> makeModelHeadTracker(std::shared_ptr<const FaceDetector> detector) {
+  return std::make_unique<ModelHeadTracker>(std::move(detector));
+}
+
+}  // namespace facenav::tracking
