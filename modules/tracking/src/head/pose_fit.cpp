@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "light_field.h"
-#include "patch_looks.h"
-#include "patch_placement.h"
+#include "level_sight.h"
 #include "patch_worth.h"
 
 namespace facenav::tracking {
@@ -16,9 +14,7 @@ namespace {
 
 constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (Huber 1981)
 constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's linearisation means nothing
-constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
-constexpr double kUnsettled_px = 0.1;  // in the last step: the fit has not arrived
-constexpr float kAlikeShare = 0.6f;    // of the correlation expected
+constexpr double kUnsettled_px = 0.1;    // in the last step: the fit has not arrived
 // Steps on the finest level after which a fit without so much of a face is given up, or with more of it that
 // is not arriving. What is alike hardly changes over the steps; the patient's face, three tenths of it
 // covered, showed 0.7 at least in its first step, and arrived within 0.1 px in two; others' 0.1 to 0.74, and
@@ -27,8 +23,6 @@ constexpr int kHopelessAfter = 1, kAstrayAfter = 3;
 constexpr double kHopeless = 0.2, kHopelessMoving = 0.5, kHopelessMoving_px = 0.2;
 constexpr double kAstray = 0.8;
 constexpr double kPlacedFor_px = 2.0;  // of motion: the cameras' models made linear at a patch hold
-constexpr int kLightSteps = 2;         // of a fit, in which the light is looked at anew
-constexpr int kFewestAlike = 10;       // patches in view, of both cameras, to say anything
 constexpr float kLeastScale = 0.5f;
 // Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
 constexpr float kSharedError = 1.6f;
@@ -36,56 +30,35 @@ constexpr float kPairLooks = 0.4f;                  // both cameras see the patc
 constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // of the finest: as the caller says
 constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
-patch::Image imageOf(const BlurredImage& image) {
-  return {image.pixels.ptr<std::uint16_t>(0),
-          int(image.pixels.step1()),
-          image.origin.x,
-          image.origin.y,
-          image.pixels.cols,
-          image.pixels.rows};
-}
-
 // Of one level in both images, at poses near the one it was made for.
 class LevelFit {
  public:
   LevelFit(const stereo::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
            const std::array<ImagePyramid, 2>& now, const std::vector<float>& trust)
-      : rig_(rig), model_(model), level_(level), trust_(trust), sights_(level.patches.size()) {
-    for (int c = 0; c < 2; ++c) images_[c] = imageOf(now[c].level[level.level]);
-    noise_share_ = float(patch::kSamples * noiseShare(level.level) * model.noise_grey * model.noise_grey);
-  }
+      : rig_(rig), model_(model), level_(level), trust_(trust), seen_(rig, model, level, now) {}
 
   bool isHopeless(int step, double moved_px) const {
     if (step != kHopelessAfter && step != kAstrayAfter) return false;
-    const double alike = likeness();
+    const double alike = seen_.likeness();
     if (step == kAstrayAfter) return alike < kAstray && moved_px > kUnsettled_px;
     return alike < kHopeless || (alike < kHopelessMoving && moved_px > kHopelessMoving_px);
   }
 
   void placeAt(const Eigen::Isometry3d& motion) {
-    placed_[0] = place(level_, rig_.left, 0, motion);
-    placed_[1] = place(level_, rig_.right, 1, rig_.right_T_left.isometry() * motion);
+    seen_.placeAt(motion);
     is_assessed_ = false;
   }
 
-  int placements() const { return int(placed_[0].placements.size() + placed_[1].placements.size()); }
+  int placements() const {
+    return int(seen_.placed()[0].placements.size() + seen_.placed()[1].placements.size());
+  }
 
   void look(const Eigen::Isometry3d& motion) {
-    for (auto& sight : sights_) sight = {};
-    ++looks_;
-    const Eigen::Isometry3d camera_T_head[2] = {motion, rig_.right_T_left.isometry() * motion};
-    for (int c = 0; c < 2; ++c) {
-      const auto& placements = placed_[c].placements;
-      if (images_[c].width < 2 || images_[c].height < 2) continue;
-      sums_[c].resize(placements.size());
-      patch::kernel()(images_[c], level_.samples(c), floatsOf(camera_T_head[c]).data(), placements.data(),
-                      int(placements.size()), sums_[c].data());
-      for (std::size_t k = 0; k < placements.size(); ++k) see(c, k);
-    }
-    for (int c = 0; c < 2; ++c)
-      for (std::size_t k = 0; k < placed_[c].placements.size(); ++k) displace(c, k);
+    seen_.look(motion);
     if (!is_assessed_) assess(motion);
   }
+
+  double likeness() const { return seen_.likeness(); }
 
   // The increment xi (Head, about the model's centre) that explains the displacements.
   Vector6d solve(int rounds, bool is_first) {
@@ -101,19 +74,20 @@ class LevelFit {
   }
 
   void finish(PoseFit& fit, const Vector6d& last_step) {
-    markCentres(fit.motion);
+    seen_.markCentres(fit.motion);
+    PatchSights& all = seen_.sights();
     fit.scale = std::max(scale_[0], scale_[1]);
     for (float& scale : scale_) scale = std::max(1.f, scale);  // no surer than the errors that are known of
     fit.information = information();
     const Eigen::Matrix<float, 6, 1> step = last_step.cast<float>();
     std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
-    for (auto& sights : sights_)
+    for (auto& sights : all)
       for (auto& sight : sights) sight.weight = sight.is_visible ? 1.f : 0.f;
-    std::vector<std::array<bool, 2>> is_told(sights_.size());
+    std::vector<std::array<bool, 2>> is_told(all.size());
     for (const auto& row : rows_) {
       for (int c = 0; c < 2; ++c) {
         if ((c == 0 && row.told == Told::by_right) || (c == 1 && row.told == Told::by_left)) continue;
-        auto& sight = sights_[row.patch][c];
+        auto& sight = all[row.patch][c];
         is_told[row.patch][c] = row.prior > 0;
         sight.weight = std::min(sight.weight, row.weight);
         sight.distance = std::max(sight.distance, row.distance);
@@ -123,23 +97,14 @@ class LevelFit {
       pulls[level_.patches[row.patch].region] +=
           (sayOf(row) * (worth_[row.worth].weighted * row.e)).cast<double>();
     }
-    for (std::size_t i = 0; i < sights_.size(); ++i)
+    for (std::size_t i = 0; i < all.size(); ++i)
       for (int c = 0; c < 2; ++c)
-        if (!is_told[i][c]) sights_[i][c].weight = 0.f;
+        if (!is_told[i][c]) all[i][c].weight = 0.f;
     for (const auto& pull : pulls) {
       fit.regions += pull.squaredNorm() > 0;
       fit.pull += pull * pull.transpose();
     }
-    fit.sights = std::move(sights_);
-  }
-
-  double likeness() const {
-    int seen = 0, alike = 0;
-    for (const auto& sight : sights_)
-      for (const auto& one : sight)
-        if (one.is_visible && one.expected_ncc > 0.3f)
-          ++seen, alike += one.ncc > kAlikeShare * one.expected_ncc;
-    return seen < kFewestAlike ? 0.0 : double(alike) / seen;
+    fit.sights = std::move(all);
   }
 
   // How far the step moves the patches, pixels of the level.
@@ -170,45 +135,18 @@ class LevelFit {
     }
   };
 
-  // Where the patches' centres lie at the fit's end.
-  void markCentres(const Eigen::Isometry3d& motion) {
-    const Eigen::Isometry3d camera_T_head[2] = {motion, rig_.right_T_left.isometry() * motion};
-    for (int c = 0; c < 2; ++c)
-      for (const auto& at : placed_[c].placements) {
-        const Eigen::Vector2f flat =
-            (camera_T_head[c] * level_.patches[at.patch].centre_mm).hnormalized().cast<float>();
-        sights_[at.patch][c].px << at.d[0] * flat.x() + at.d[1] * flat.y() + at.offset[0],
-            at.d[2] * flat.x() + at.d[3] * flat.y() + at.offset[1];
-      }
-  }
-
-  // How unevenly the face's brightness has changed since the key frame: half the middle 68 %.
-  double lightChange() const {
-    std::vector<float> ratios;
-    for (const auto& sight : sights_)
-      for (const auto& one : sight)
-        if (one.is_visible && one.ncc > 0.5f * one.expected_ncc) ratios.push_back(one.brightness);
-    if (ratios.size() < 10) return kUsualLightChange;
-    const auto quantile = [&](double share) {
-      const auto at = ratios.begin() + std::ptrdiff_t(share * double(ratios.size()));
-      std::nth_element(ratios.begin(), at, ratios.end());
-      return double(*at);
-    };
-    const double low = quantile(0.16), middle = quantile(0.5), high = quantile(0.84);
-    return std::max(kLeastLightChange, 0.5 * (high - low) / std::max(0.1, middle));
-  }
-
   // What each patch can tell at this pose, from both cameras together where both look as they should.
   void assess(const Eigen::Isometry3d& motion) {
     const Eigen::Isometry3d left_T_right = rig_.right_T_left.isometry().inverse();
     const Eigen::Vector3d eyes_mm[2] = {motion.inverse().translation(),
                                         motion.inverse() * left_T_right.translation()};
     std::vector<PatchChange> changes(level_.patches.size());
-    const double light_change = lightChange();
+    const double light_change = seen_.lightChange();
+    const auto& placed = seen_.placed();
     for (int c = 0; c < 2; ++c)
-      for (std::size_t k = 0; k < placed_[c].placements.size(); ++k) {
-        const int index = placed_[c].placements[k].patch;
-        changes[index].key_from_now[c] = placed_[c].key_from_now[k];
+      for (std::size_t k = 0; k < placed[c].placements.size(); ++k) {
+        const int index = placed[c].placements[k].patch;
+        changes[index].key_from_now[c] = placed[c].key_from_now[k];
         changes[index].ray[c] = (level_.patches[index].centre_mm - eyes_mm[c]).normalized();
         changes[index].light_change = light_change;
       }
@@ -216,7 +154,7 @@ class LevelFit {
     rows_.clear(), rows_.reserve(2 * level_.patches.size());
     for (std::size_t i = 0; i < level_.patches.size(); ++i) {
       const Patch& patch = level_.patches[i];
-      const float looks[2] = {looksWeight(sights_[i][0]), looksWeight(sights_[i][1])};
+      const float looks[2] = {looksWeight(seen_.sights()[i][0]), looksWeight(seen_.sights()[i][1])};
       const bool is_pair =
           std::min(looks[0], looks[1]) > kPairLooks * std::max(looks[0], looks[1]) && canBePaired(patch);
       if (is_pair) {
@@ -252,36 +190,6 @@ class LevelFit {
     int kind() const { return told == Told::difference ? 1 : 0; }
   };
 
-  void see(int camera, std::size_t k) {
-    const auto& sums = sums_[camera][k];
-    const int index = placed_[camera].placements[k].patch;
-    const PatchView& view = level_.patches[index].view[camera];
-    PatchSight& sight = sights_[index][camera];
-    if (!sums.is_inside) return;
-    const float n = float(patch::kSamples), spread = sums.ii - sums.i * sums.i / n;
-    sight.is_visible = true;
-    sight.brightness = sums.i / (n * view.mean);
-    sight.ncc = spread > 1e-3f ? sums.ti / std::sqrt(spread * view.contrast) : 0.f;
-    sight.expected_ncc = std::max(0.f, 1.f - noise_share_ / view.contrast);
-  }
-
-  void displace(int camera, std::size_t k) {
-    const auto& sums = sums_[camera][k];
-    const int index = placed_[camera].placements[k].patch;
-    const PatchView& view = level_.patches[index].view[camera];
-    PatchSight& sight = sights_[index][camera];
-    const float gain = sums.ti / view.contrast;
-    if (!sight.is_visible || sight.ncc < 0.1f || gain < 0.05f) return;
-    Eigen::Vector2f pull(sums.ui, sums.vi);
-    if (level_.level == 0) {
-      auto& slopes = light_slopes_[camera];
-      slopes.resize(level_.patches.size(), Eigen::Vector2f::Zero());
-      if (looks_ <= kLightSteps) slopes[index] = lightSlope(model_.neighbours[index], sights_, index, camera);
-      pull -= sight.brightness * view.ramp.cast<float>() * slopes[index];
-    }
-    sight.displacement = view.structure_inverse.cast<float>() * pull / -gain;
-  }
-
   // Trust before geometry: looks as expected, and a displacement within reach.
   static float looksWeight(const PatchSight& sight) {
     if (!sight.is_visible || sight.expected_ncc <= 0.05f) return 0.f;
@@ -292,7 +200,7 @@ class LevelFit {
   // The displacements as they are now; a row whose patch no longer looks as it should has no say.
   void collect() {
     for (auto& row : rows_) {
-      const auto& sights = sights_[row.patch];
+      const auto& sights = seen_.sights()[row.patch];
       float looks = 0.f;
       switch (row.told) {
         case Told::by_left:
@@ -365,14 +273,8 @@ class LevelFit {
   const PatchModel& model_;
   const PatchLevel& level_;
   const std::vector<float>& trust_;
-  std::array<patch::Image, 2> images_;
-  float noise_share_ = 0.f;
-  std::array<Placed, 2> placed_;
-  std::array<std::vector<patch::Sums>, 2> sums_;
-  PatchSights sights_;
+  LevelSight seen_;
   bool is_assessed_ = false;
-  int looks_ = 0;
-  std::array<std::vector<Eigen::Vector2f>, 2> light_slopes_;
   std::vector<Worth> worth_;
   std::vector<Row> rows_;
   std::array<std::vector<float>, 2> distances_;  // by kind of row
