@@ -134,5 +134,17 @@ TEST_F(ArchiveTest, WhatWasFetchedForAJobThatIsNoMoreIsRemovedAtTheNextStart) {
   EXPECT_FALSE(QFileInfo::exists(left_over));
 }
 
+TEST_F(ArchiveTest, ASecondWindowLeavesAloneWhatTheFirstHasFetched) {
+  queue_.restore();
+  const QString first_ones = receivedFolder() + "/first_ones";
+  QDir().mkpath(first_ones);
+  {
+    PrepareQueue second(services_);
+    second.restore();
+  }
+  EXPECT_TRUE(QFileInfo::exists(first_ones));
+  QDir(first_ones).removeRecursively();
+}
+
 }  // namespace
 }  // namespace facenav::ui

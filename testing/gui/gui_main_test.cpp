@@ -4,7 +4,6 @@
 
 #include <QApplication>
 #include <QSettings>
-#include <QStandardPaths>
 
 #include "appearance.h"
 #include "facenav/scene/display.h"
@@ -12,17 +11,18 @@
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  QStandardPaths::setTestModeEnabled(true);
+  const facenav::testing::TemporaryFolder
+      own;  // a user's own files, and those of tests beside this one, stay untouched
+  for (const char* place : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+    qputenv(place, QByteArray::fromStdString(own.path().string()));
   if (!facenav::scene::hasDisplay())
     qputenv("QT_QPA_PLATFORM", "offscreen");  // presenters only; drawing tests skip
   facenav::ui::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName("FaceNav");
   QApplication::setApplicationName("FaceNav tests");
-  const facenav::testing::TemporaryFolder settings;  // a user's own are never read or written
   QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                     QString::fromStdString(settings.path().string()));
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QString::fromStdString(own.path().string()));
   facenav::ui::applyAppearance(application);
   return RUN_ALL_TESTS();
 }

@@ -132,7 +132,7 @@ TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {
   MainWindow window(fakeServices());
   window.show();
   window.openCase(QString::fromStdString(case_folder.string()));
-  window.play(QString::fromStdString(writeRecording(folder.path(), 100).string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 240).string()));
   window.setWorkspace(Workspace::treat);
   auto* figures = window.findChild<FiguresPanel*>();
   ASSERT_NE(figures, nullptr);

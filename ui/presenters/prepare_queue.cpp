@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTime>
@@ -222,6 +223,9 @@ void PrepareQueue::store() const {
 }
 
 void PrepareQueue::restore() {
+  only_window_ = std::make_unique<QLockFile>(receivedFolder() + "/../window.lock");
+  only_window_->setStaleLockTime(0);  // only the holder's death ends it
+  if (!only_window_->tryLock(0)) return;
   for (const QString& line : QSettings().value(kStored).toStringList()) {
     const QString input = line.section('\n', 0, 0);
     const std::string series = line.section('\n', 1, 1).toStdString();

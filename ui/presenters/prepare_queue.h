@@ -6,9 +6,12 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <deque>
+#include <memory>
 
 #include "presenters/services.h"
 #include "presenters/task_runner.h"
+
+class QLockFile;
 
 namespace facenav::ui {
 
@@ -44,6 +47,7 @@ class PrepareQueue : public QObject {
   /// True: nothing new is begun (a treatment runs); the running one goes on.
   void setHeld(bool is_held);
   /// Queues what was unfinished when the program ended; removes what was fetched for jobs that are no more.
+  /// Nothing of this beside another window of this user: it is that one's.
   void restore();
 
   const std::deque<PrepareJob>& jobs() const { return jobs_; }
@@ -75,6 +79,7 @@ class PrepareQueue : public QObject {
   std::deque<PrepareJob> jobs_;
   QString cases_folder_;
   QElapsedTimer elapsed_;
+  std::unique_ptr<QLockFile> only_window_;
   int last_id_ = 0, running_ = 0;
   bool is_held_ = false;
 };
