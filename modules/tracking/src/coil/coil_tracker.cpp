@@ -26,6 +26,8 @@ constexpr double kMostSizeSigma = 2.5e-3;   // a size less well seen says nothin
 constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
 constexpr double kLongestPrediction_s = 0.5;
 constexpr double kSteady_s = 0.03;  // over which the velocity between two exposures is taken
+// A coil that moves faster says nothing of how the cameras stand: they may expose some milliseconds apart.
+constexpr double kResting_mm_s = 15.0;
 
 bool isUsable(const cv::Mat& grey, const stereo::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
@@ -49,7 +51,9 @@ class MarkerCoilTracker final : public CoilTracker {
   void start(const stereo::StereoRig& rig, const CoilModel& coil) override;
   Tracked<CoilPose> track(const stereo::StereoFrame& frame) override;
   void setRightLate(double late_s) override { right_late_s_ = late_s; }
-  std::optional<MarkerSighting> sighting() const override { return sighting_; }
+  std::optional<MarkerSighting> sighting() const override {
+    return before_ && velocity_.tail<3>().norm() < kResting_mm_s ? sighting_ : std::nullopt;
+  }
 
  private:
   struct Search {
@@ -79,8 +83,8 @@ class MarkerCoilTracker final : public CoilTracker {
   std::optional<CoilToCamera> predicted(double t_s) const;
   /// The right camera as it sees the moving coil: where that is when this camera exposes.
   RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
-  void learnVelocity();
-  Tracked<CoilPose> accept(const Solution& solution, double t_s);
+  void remember(const Solution& solution, double t_s);
+  Tracked<CoilPose> accept(const Solution& solution);
   MarkerSighting sightingOf(const Solution& solution) const;
   /// What the calibration's own uncertainty does to a pose seen at these corners.
   Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
@@ -106,7 +110,7 @@ void MarkerCoilTracker::start(const stereo::StereoRig& rig, const CoilModel& coi
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
   setup_ = {rig, coil, {}};
   right_T_left_ = rig.right_T_left;
-  right_late_s_ = 0.0;
+  right_late_s_ = 0.0, velocity_.setZero();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = stereo::uncertaintyOf(rig);
   calibration_at_.reset();
@@ -136,12 +140,14 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   }
   if (found) {
     sighting_ = sightingOf(*found);
-    if (holdsCalibration(*found)) return accept(*found, t_s);
+    remember(*found, t_s);
+    if (holdsCalibration(*found)) return accept(*found);
+    return Lost{LostReason::camera};
   }
   last_.reset();
   before_.reset();
+  velocity_.setZero();
   ++lost_frames_;
-  if (found) return Lost{LostReason::camera};
   if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
   return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
 }
@@ -157,7 +163,11 @@ RigidTransform<RightCamera, Camera> MarkerCoilTracker::rightAsSeen(
   return RigidTransform<RightCamera, Camera>::fromIsometry(right_T_left_.isometry() * moved);
 }
 
-void MarkerCoilTracker::learnVelocity() {
+/// Also of a fit that is not shown: the motion between the exposures may be why.
+void MarkerCoilTracker::remember(const Solution& solution, double t_s) {
+  before_ = last_;
+  last_ = Past{solution.fit.camera_T_coil, t_s};
+  last_markers_ = solution.markers;
   const double since_s = before_ ? last_->t_s - before_->t_s : 0.0;
   if (since_s < 1e-4 || since_s > kLongestPrediction_s) {
     velocity_.setZero();
@@ -346,12 +356,8 @@ Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_c
   return calibration_covariance_;
 }
 
-Tracked<CoilPose> MarkerCoilTracker::accept(const Solution& solution, double t_s) {
+Tracked<CoilPose> MarkerCoilTracker::accept(const Solution& solution) {
   lost_frames_ = 0;
-  before_ = last_;
-  last_ = Past{solution.fit.camera_T_coil, t_s};
-  learnVelocity();
-  last_markers_ = solution.markers;
   CoilPose pose;
   pose.camera_T_marker = solution.fit.camera_T_coil * setup_.coil.markers.front().coil_T_marker;
   pose.covariance = solution.fit.covariance + calibrationCovariance(solution.fit.camera_T_coil);
