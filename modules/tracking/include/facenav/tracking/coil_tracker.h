@@ -65,7 +65,7 @@ class CoilTracker {
   virtual Tracked<CoilPose> track(const stereo::StereoFrame& frame) = 0;
   /// The right camera exposes so much later than the left one; of the frames to come.
   virtual void setRightLate(double /*late_s*/) {}
-  /// Of the frame tracked last; nothing where no marker was fitted.
+  /// Of the frame tracked last; nothing where no marker was fitted, or while the coil moves.
   virtual std::optional<MarkerSighting> sighting() const { return std::nullopt; }
 };
 
