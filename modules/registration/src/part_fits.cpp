@@ -1,7 +1,9 @@
 #include "part_fits.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 
 #include "skin_likelihood.h"
 
@@ -21,6 +23,19 @@ constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncert
 constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
 constexpr double kMet = 0.2;       // of these: as far as fits settle
 constexpr double kRuledOut = 8.0;  // logarithm of odds
+
+/// work(number) for 0 .. count - 1, in any order; what it gives must not depend on that.
+template <class Work>
+void forEachOnTwoCores(std::size_t count, Work&& work) {
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t number; (number = next++) < count;) work(number);
+  };
+  if (count < 2) return run();
+  auto other = std::async(std::launch::async, run);
+  run();
+  other.get();
+}
 
 float quantile(const std::vector<float>& sorted, double fraction) {
   return sorted[std::size_t(fraction * double(sorted.size() - 1))];
@@ -53,6 +68,65 @@ class Extent {
   std::vector<float> x_, z_;
 };
 
+/// Poses followed to where all points lead them. Where several lead to the same place, one of them is
+/// followed to its end; where ends meet, one is judged.
+class Followed {
+ public:
+  using Poses = std::vector<Eigen::Isometry3d>;
+
+  Followed(const ScalpField& scalp, const FieldFitter& all, const SkinLikelihood& log_likelihood)
+      : scalp_(scalp), all_(all), log_likelihood_(log_likelihood) {}
+
+  void add(Poses poses) {
+    keepNew(poses, begun_, 1);
+    fitAll(poses, 1.6f);
+    keepNew(poses, between_, 1);
+    fitAll(poses, 1.2f);
+    keepNew(poses, ended_, kMet);
+    std::vector<PartFit> judged(poses.size());
+    forEachOnTwoCores(poses.size(), [&](std::size_t p) {
+      judged[p] = {poses[p], log_likelihood_(all_.match(poses[p]))};
+    });
+    fits_.insert(fits_.end(), judged.begin(), judged.end());
+  }
+
+  const std::vector<PartFit>& likeliestFirst() {
+    std::sort(fits_.begin(), fits_.end(),
+              [](const PartFit& a, const PartFit& b) { return a.log_likelihood > b.log_likelihood; });
+    return fits_;
+  }
+
+  bool isNew(const Poses& met, const Eigen::Isometry3d& pose, double of_same) const {
+    return std::all_of(met.begin(), met.end(), [&](const Eigen::Isometry3d& m) {
+      return areDistinct(m, pose, scalp_.middle_mm(), of_same * kSame_rad, of_same * kSame_mm);
+    });
+  }
+
+ private:
+  void fitAll(Poses& poses, float reach_mm) const {
+    forEachOnTwoCores(poses.size(), [&](std::size_t p) {
+      poses[p] = all_.fit(poses[p], {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
+    });
+  }
+
+  /// Those of `poses` that lie apart from all met so far, and from each other; they are met then.
+  void keepNew(Poses& poses, Poses& met, double of_same) const {
+    Poses kept;
+    for (const auto& pose : poses) {
+      if (!isNew(met, pose, of_same)) continue;
+      met.push_back(pose);
+      kept.push_back(pose);
+    }
+    poses = std::move(kept);
+  }
+
+  const ScalpField& scalp_;
+  const FieldFitter& all_;
+  const SkinLikelihood& log_likelihood_;
+  Poses begun_, between_, ended_;
+  std::vector<PartFit> fits_;
+};
+
 }  // namespace
 
 std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>& face,
@@ -61,51 +135,30 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
   const SkinLikelihood logLikelihood(scalp, face, points);
   const auto matches = all.match(mri_T_camera);
   const Extent extent(matches);
-  // Where several lead to the same place, one of them is followed to its end; where ends meet, one is judged.
-  std::vector<PartFit> poses;
-  const auto isNew = [&](const std::vector<Eigen::Isometry3d>& met, const Eigen::Isometry3d& pose,
-                         double of_same) {
-    return std::all_of(met.begin(), met.end(), [&](const Eigen::Isometry3d& m) {
-      return areDistinct(m, pose, scalp.middle_mm(), of_same * kSame_rad, of_same * kSame_mm);
-    });
-  };
-  std::vector<Eigen::Isometry3d> begun, between, ended;
-  const auto closeIn = [&](Eigen::Isometry3d pose) {
-    if (!isNew(begun, pose, 1)) return;
-    begun.push_back(pose);
-    pose = all.fit(pose, {1.6f, 0.67f * 1.6f, 4, true, kSettled_mm});
-    if (!isNew(between, pose, 1)) return;
-    between.push_back(pose);
-    pose = all.fit(pose, {1.2f, 0.67f * 1.2f, 4, true, kSettled_mm});
-    if (!isNew(ended, pose, kMet)) return;
-    ended.push_back(pose);
-    poses.push_back({pose, logLikelihood(all.match(pose))});
-  };
-  for (const Part& part : kParts) {
-    const FieldFitter alone(scalp, face, extent.members(part, points));
-    Eigen::Isometry3d pose = mri_T_camera;
+  Followed followed(scalp, all, logLikelihood);
+  std::vector<Eigen::Isometry3d> starts(std::size(kParts), mri_T_camera);
+  forEachOnTwoCores(starts.size(), [&](std::size_t part) {
+    const FieldFitter alone(scalp, face, extent.members(kParts[part], points));
     for (const float reach_mm : {6.0f, 4.0f, 2.5f, 1.5f})
-      pose = alone.fit(pose, {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
-    closeIn(pose);
-  }
-  const auto likeliest_first = [](const PartFit& a, const PartFit& b) {
-    return a.log_likelihood > b.log_likelihood;
-  };
-  std::sort(poses.begin(), poses.end(), likeliest_first);
+      starts[part] = alone.fit(starts[part], {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
+  });
+  followed.add(std::move(starts));
   // On a forehead alone every part may lead to a neighbour of the best pose.
-  const Eigen::Isometry3d centre = poses.front().mri_T_camera;
-  for (int axis = 0; axis < 6; ++axis)
-    for (const double side : {-1.0, 1.0}) {
-      Vector6d off = Vector6d::Zero();
-      off[axis] = side * (axis < 3 ? kNearby_rad : kNearby_mm);
-      closeIn(all.fit(increment(off, scalp.noseTip_mm(), centre), {2.5f, 1.7f, 3, true, kSettled_mm}));
-    }
-  std::sort(poses.begin(), poses.end(), likeliest_first);
+  starts.assign(12, followed.likeliestFirst().front().mri_T_camera);
+  forEachOnTwoCores(starts.size(), [&](std::size_t side) {
+    Vector6d off = Vector6d::Zero();
+    const std::size_t axis = side / 2;
+    off[Eigen::Index(axis)] = (side % 2 ? 1.0 : -1.0) * (axis < 3 ? kNearby_rad : kNearby_mm);
+    starts[side] =
+        all.fit(increment(off, scalp.noseTip_mm(), starts[side]), {2.5f, 1.7f, 3, true, kSettled_mm});
+  });
+  followed.add(std::move(starts));
+  const std::vector<PartFit>& poses = followed.likeliestFirst();
   std::vector<PartFit> left;
   std::vector<Eigen::Isometry3d> places;
   for (const PartFit& pose : poses) {
     if (pose.log_likelihood < poses.front().log_likelihood - kRuledOut) break;
-    if (!isNew(places, pose.mri_T_camera, 1)) continue;
+    if (!followed.isNew(places, pose.mri_T_camera, 1)) continue;
     places.push_back(pose.mri_T_camera);
     left.push_back(pose);
   }
