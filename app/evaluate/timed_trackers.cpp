@@ -38,6 +38,11 @@ class TimedHeadTracker : public tracking::HeadTracker {
     const OneThreadClock clock(last_);
     return tracker_->track(frame);
   }
+  tracking::LossDetail lossDetail() const override { return tracker_->lossDetail(); }
+  tracking::ExposureOffset exposureOffset() const override { return tracker_->exposureOffset(); }
+  tracking::FrameWork work() const override { return tracker_->work(); }
+  void leave(const tracking::FrameWork& work) override { tracker_->leave(work); }
+  void forgetLearnt() override { tracker_->forgetLearnt(); }
 
  private:
   std::unique_ptr<tracking::HeadTracker> tracker_;
@@ -55,6 +60,10 @@ class TimedCoilTracker : public tracking::CoilTracker {
     const OneThreadClock clock(last_);
     return tracker_->track(frame);
   }
+  void setRightLate(double late_s) override { tracker_->setRightLate(late_s); }
+  void setWorkBefore(const tracking::FrameWork& work) override { tracker_->setWorkBefore(work); }
+  tracking::FrameWork work() const override { return tracker_->work(); }
+  tracking::FrameWork putOff() const override { return tracker_->putOff(); }
   std::optional<tracking::MarkerSighting> sighting() const override { return tracker_->sighting(); }
 
  private:

@@ -54,10 +54,12 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
   state.is_aligned = head_T_mri_.has_value();
   state.target = target_ ? target_->target.name : "";
   if (isUsable(*frame, rig_)) {
+    head_->leave(coil_->putOff());
     state.head = head_->track(*frame);
     if (!state.head) state.head_detail = head_->lossDetail();
     state.exposure_offset = head_->exposureOffset();
     coil_->setRightLate(state.exposure_offset.right_late_s);
+    coil_->setWorkBefore(head_->work());
     state.coil = coil_->track(*frame);
     rig_check_.add(*frame, state.head, coil_->sighting());
     place(state);

@@ -134,6 +134,39 @@ TEST(NavigationState, NamesAllThatIsLostInWordsAndNotInCodes) {
   EXPECT_EQ(lossTitles(blanked(state, LostReason::stale)), std::vector<std::string>{"NO NEW IMAGES"});
 }
 
+struct NotedWork {
+  int before_coil = -1, left_by_head = -1;
+};
+
+class WorkingHead : public fakes::Head {
+ public:
+  explicit WorkingHead(NotedWork& noted) : fakes::Head([](auto) { return kMoved; }), noted_(noted) {}
+  tracking::FrameWork work() const override { return {1234}; }
+  void leave(const tracking::FrameWork& work) override { noted_.left_by_head = work.looks; }
+
+ private:
+  NotedWork& noted_;
+};
+
+class WaitingCoil : public fakes::Coil {
+ public:
+  explicit WaitingCoil(NotedWork& noted) : fakes::Coil(std::nullopt), noted_(noted) {}
+  void setWorkBefore(const tracking::FrameWork& work) override { noted_.before_coil = work.looks; }
+  tracking::FrameWork putOff() const override { return {567}; }
+
+ private:
+  NotedWork& noted_;
+};
+
+TEST(Navigator, HeadAndCoilShareTheWorkOfAFrame) {
+  NotedWork noted;
+  Navigator navigator(fakes::setup(), std::make_unique<WorkingHead>(noted),
+                      std::make_unique<WaitingCoil>(noted));
+  navigator.process(fakes::frame(0, 0));
+  EXPECT_EQ(noted.before_coil, 1234);
+  EXPECT_EQ(noted.left_by_head, 567);
+}
+
 TEST(Navigator, AppliesTheMarkersPlaceOnTheCoil) {
   auto setup = fakes::setup();
   const RigidTransform<Coil, Marker> coil_T_marker(Eigen::Quaterniond::Identity(), {0, 80, -30});

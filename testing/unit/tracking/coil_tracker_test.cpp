@@ -261,6 +261,54 @@ TEST(CoilTracker, FollowsMotionAndComesBackAfterALoss) {
   }
 }
 
+stereo::StereoFrame movedFrame(const stereo::StereoRig& rig, int i) {
+  auto frame = renderMarkers(rig, {{id7(), 60, markerPose(600 - 3 * i, 20, 70, 2 * i, {5.0 * i, 0})}});
+  frame.captured.s = i / 60.0;
+  return frame;
+}
+
+// The head has had the frame: the coil is found in the next, where it is then.
+TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
+  const auto rig = roomRig();
+  for (const int before : {FrameWork::kMost - 100, FrameWork::kMost - 1500}) {  // to look, or only to fit
+    const auto tracker = makeMarkerCoilTracker();
+    tracker->start(rig, defaultCoil());
+    tracker->setWorkBefore({before});
+    EXPECT_FALSE(tracker->track(movedFrame(rig, 0)).isTracked());
+    EXPECT_LE(tracker->work().looks, FrameWork::kMost);
+    ASSERT_GT(tracker->putOff().looks, 0);
+    tracker->setWorkBefore({FrameWork::kMost - tracker->putOff().looks});
+    const auto pose = tracker->track(movedFrame(rig, 1));
+    ASSERT_TRUE(pose) << before;
+    EXPECT_THAT(pose->camera_T_marker, PoseNear(markerPose(597, 20, 70, 2, {5.0, 0}), 0.3, 0.3));
+    EXPECT_EQ(tracker->putOff().looks, 0);
+    EXPECT_LE(tracker->work().looks, FrameWork::kMost);
+  }
+}
+
+TEST(CoilTracker, TheFramesWorkKeepsItsLimitWhateverIsShown) {
+  const auto rig = roomRig();
+  constexpr int kTrackedHead = 1500;
+  for (const int prints : {0, 1, 2, 4})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SceneOptions options;
+      options.seed = seed;
+      std::vector<PlacedPrint> placed;
+      for (int i = 0; i < prints; ++i)
+        placed.push_back({id7(), 60, markerPose(500, 10.0 * seed, 70, 10, {-105.0 + 70 * i, 0})});
+      const auto tracker = makeMarkerCoilTracker();
+      tracker->start(rig, defaultCoil());
+      for (int i = 0; i < 4; ++i) {
+        auto frame = renderMarkers(rig, placed, options);
+        frame.captured.s = i / 60.0;
+        tracker->setWorkBefore({kTrackedHead});
+        const auto pose = tracker->track(frame);
+        EXPECT_EQ(pose.isTracked(), prints == 1);
+        EXPECT_LE(tracker->work().looks, FrameWork::kMost) << prints << " prints";
+      }
+    }
+}
+
 CoilModel twoMarkers() {
   CoilModel coil = defaultCoil();
   coil.markers[0].coil_T_marker = {Eigen::Quaterniond::Identity(), {-40, 0, 0}};

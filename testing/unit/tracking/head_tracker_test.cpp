@@ -382,6 +382,30 @@ TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheSameFrameOrTheNext) {
   }
 }
 
+/// The coil has waited: the head has the frame's first part only, but not in two frames running.
+TEST_F(HeadTrackers, ALostFaceLeavesRoomForTheCoilAndIsFoundAllTheSame) {
+  const auto tracker = tracking::makeModelHeadTracker(detector());
+  start(*tracker, true);
+  constexpr int kWanted = 3000;
+  int frame = 0;
+  for (const double yaw_deg : {0.0, 12.0, -14.0, 10.0}) {
+    bool is_found = false;
+    for (int i = 0; i < 4 && !is_found; ++i) {
+      const SyntheticView view = turnedView(frame, yaw_deg);
+      const auto image = face_->render(rig_, view);
+      tracker->leave({kWanted});
+      const auto pose = tracker->track(image);
+      const int most = tracking::FrameWork::kMost - (frame++ % 2 == 0 ? kWanted : 0);
+      EXPECT_LE(tracker->work().looks, most) << frame;
+      is_found = pose.isTracked();
+      if (is_found) {
+        EXPECT_LT(errorOf(*pose, view).at_point_mm, 0.5) << yaw_deg << " deg";
+      }
+    }
+    EXPECT_TRUE(is_found) << yaw_deg << " deg";
+  }
+}
+
 TEST_F(HeadTrackers, AFrozenCameraIsNoticedInItsFirstRepeatedFrame) {
   const auto tracker = tracking::makeModelHeadTracker(detector());
   start(*tracker, true);
@@ -449,8 +473,8 @@ TEST_F(HeadTrackers, ALossOfAFaceThatIsBlurredOrTooFarSaysSo) {
   EXPECT_EQ(tracking::toString(tracker->lossDetail()), "too_far");
 }
 
-/// Whoever sat near is not far off a tenth of a second later, whatever looks like it: as where a hand over the
-/// face leads fits astray.
+/// Whoever sat near is not far off a tenth of a second later, whatever looks like it: as where a hand over
+/// the face leads fits astray.
 TEST_F(HeadTrackers, NobodyIsTooFarAMomentAfterBeingNear) {
   const auto tracker = tracking::makeModelHeadTracker(detector());
   start(*tracker, true);

@@ -2,27 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "coil_fit.h"
+#include "coil_search.h"
+#include "edge_filter.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/stereo/rig_monitor.h"
-#include "marker_fit.h"
-#include "marker_search.h"
 
 namespace facenav::tracking {
 namespace {
 
-// When a fit counts as the coil. The misfit of an edge's mean (bias) is what a wrong pair, another object or
-// a half-hidden marker make.
-constexpr double kMostBias_px = 0.35, kMostRms_px = 0.6, kLeastInlierFraction = 0.6;
-constexpr double kMostShrink_px = 1.5;
-constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
-constexpr double kMostDepth_mm = 5000.0;
 // When the cameras still stand as calibrated: pitch moves the image across the epipolar lines, roll turns it;
 // calibrations leave 0.1-0.3 px and 0.02 deg. Yaw shows in nothing but the print's size: a size that is off
 // means a depth that is off.
 constexpr double kMostPitch_px = 0.6, kMostRoll_rad = 2.6e-3;
 constexpr double kScaleSigma = 1e-3;        // of lengths, left by a good calibration
-constexpr double kMostSizeSigma = 2.5e-3;   // a size less well seen says nothing of the depth
 constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
 constexpr double kLongestPrediction_s = 0.5;
 constexpr double kSteady_s = 0.03;  // over which the velocity between two exposures is taken
@@ -40,52 +35,30 @@ bool isBlank(const cv::Mat& grey) {
   return high - low < 10.0;
 }
 
-/// A fit that is the coil's marker; whether the cameras still stand as calibrated is asked apart.
-struct Solution {
-  MarkerFit fit;
-  std::vector<std::size_t> markers;  // that were fitted, the most certain first
-};
-
 class MarkerCoilTracker final : public CoilTracker {
  public:
   void start(const stereo::StereoRig& rig, const CoilModel& coil) override;
   Tracked<CoilPose> track(const stereo::StereoFrame& frame) override;
   void setRightLate(double late_s) override { right_late_s_ = late_s; }
+  void setWorkBefore(const FrameWork& work) override { work_before_ = work; }
+  FrameWork work() const override { return work_; }
+  FrameWork putOff() const override { return search_.putOff(); }
   std::optional<MarkerSighting> sighting() const override {
     return before_ && velocity_.tail<3>().norm() < kResting_mm_s ? sighting_ : std::nullopt;
   }
 
  private:
-  struct Search {
-    std::vector<Solution> good;
-    bool is_seen_in_left = false, is_seen_in_right = false;
-  };
-
-  /// The whole frame. A coil that stays lost is looked for in one image at a time, by turns, and in the other
-  /// only when that one shows a marker: half the time, and found one frame later at most. Every third of
-  /// these frames is for dim light, so that each image has had its turn within six.
-  Search searchAll(const stereo::StereoFrame& frame) const;
-  void fitDetections(const stereo::StereoFrame& frame, const std::vector<MarkerDetection>& seen, bool is_left,
-                     Search& search) const;
-  std::optional<Solution> fitPredicted(const stereo::StereoFrame& frame,
-                                       const CoilToCamera& prediction) const;
-  std::optional<Solution> fitKnown(const stereo::StereoFrame& frame, std::vector<std::size_t> markers,
-                                   const CoilToCamera& start, int search_px) const;
-  /// With the other markers that both images show where the fit puts them.
-  Solution withOtherMarkers(const stereo::StereoFrame& frame, Solution solution) const;
-  std::optional<Solution> fitOnce(const stereo::StereoFrame& frame, const std::vector<std::size_t>& markers,
-                                  const FitStart& start) const;
-  bool isPlausible(const MarkerFit& fit, const std::vector<std::size_t>& markers) const;
-  bool holdsCalibration(const Solution& solution) const;
+  std::optional<CoilFit> fitPredicted(const stereo::StereoFrame& frame, const CoilToCamera& prediction);
+  bool holdsCalibration(const CoilFit& solution) const;
   Eigen::Isometry3d rightFromLeftAsSeen(const MarkerFit& fit) const {
     return rightFromLeft(setup_.rig, fit.free_state, fit.centre_mm);
   }
   std::optional<CoilToCamera> predicted(double t_s) const;
   /// The right camera as it sees the moving coil: where that is when this camera exposes.
   RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
-  void remember(const Solution& solution, double t_s);
-  Tracked<CoilPose> accept(const Solution& solution);
-  MarkerSighting sightingOf(const Solution& solution) const;
+  void remember(const CoilFit& solution, double t_s);
+  Tracked<CoilPose> accept(const CoilFit& solution);
+  MarkerSighting sightingOf(const CoilFit& solution) const;
   /// What the calibration's own uncertainty does to a pose seen at these corners.
   Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
 
@@ -99,7 +72,8 @@ class MarkerCoilTracker final : public CoilTracker {
   };
   std::optional<Past> last_, before_;
   std::vector<std::size_t> last_markers_;
-  int lost_frames_ = 0;  // in a row
+  CoilSearch search_;
+  FrameWork work_before_, work_;  // of the frame: before the coil's turn, in all
   std::optional<MarkerSighting> sighting_;
   stereo::RigUncertainty uncertainty_;
   std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
@@ -113,11 +87,13 @@ void MarkerCoilTracker::start(const stereo::StereoRig& rig, const CoilModel& coi
   right_late_s_ = 0.0, velocity_.setZero();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = stereo::uncertaintyOf(rig);
+  edgeWeights(kMostTaps, 0.8);  // the table is made now, not in a frame
   calibration_at_.reset();
   last_.reset();
   before_.reset();
   sighting_.reset();
-  lost_frames_ = 0;
+  search_.end();
+  work_before_ = work_ = {};
 }
 
 Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
@@ -126,19 +102,22 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   const double t_s = frame.captured.s;
   const auto prediction = predicted(t_s);
   setup_.rig.right_T_left = rightAsSeen(prediction);
-  std::optional<Solution> found;
+  std::optional<CoilFit> found;
   bool is_seen = false;
+  work_ = std::exchange(work_before_, {});
   if (!isUsable(frame.left, setup_.rig) || !isUsable(frame.right, setup_.rig)) {
     last_.reset();
+    search_.end();
     return Lost{LostReason::camera};
   }
   if (prediction) found = fitPredicted(frame, *prediction);
   if (!found) {
-    const Search search = searchAll(frame);
-    is_seen = (search.is_seen_in_left && search.is_seen_in_right) || !search.good.empty();
-    if (search.good.size() == 1) found = search.good.front();
+    const CoilSearch::Found places = search_.seek(setup_, frame, work_);
+    is_seen = places.isSeen();
+    if (places.good.size() == 1) found = places.good.front();
   }
   if (found) {
+    search_.end();
     sighting_ = sightingOf(*found);
     remember(*found, t_s);
     if (holdsCalibration(*found)) return accept(*found);
@@ -147,7 +126,6 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   last_.reset();
   before_.reset();
   velocity_.setZero();
-  ++lost_frames_;
   if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
   return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
 }
@@ -164,7 +142,7 @@ RigidTransform<RightCamera, Camera> MarkerCoilTracker::rightAsSeen(
 }
 
 /// Also of a fit that is not shown: the motion between the exposures may be why.
-void MarkerCoilTracker::remember(const Solution& solution, double t_s) {
+void MarkerCoilTracker::remember(const CoilFit& solution, double t_s) {
   before_ = last_;
   last_ = Past{solution.fit.camera_T_coil, t_s};
   last_markers_ = solution.markers;
@@ -193,8 +171,8 @@ std::optional<CoilToCamera> MarkerCoilTracker::predicted(double t_s) const {
   return CoilToCamera::fromIsometry(next);
 }
 
-std::optional<Solution> MarkerCoilTracker::fitPredicted(const stereo::StereoFrame& frame,
-                                                        const CoilToCamera& prediction) const {
+std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const stereo::StereoFrame& frame,
+                                                       const CoilToCamera& prediction) {
   const auto in_view = markersInView(setup_, prediction);
   if (in_view.empty()) return std::nullopt;
   std::vector<std::size_t> expected;  // those of the last frame, else any
@@ -202,102 +180,16 @@ std::optional<Solution> MarkerCoilTracker::fitPredicted(const stereo::StereoFram
     if (std::find(last_markers_.begin(), last_markers_.end(), marker) != last_markers_.end())
       expected.push_back(marker);
   if (!expected.empty())
-    if (auto solution = fitKnown(frame, expected, prediction, searchReach_px(setup_, expected, prediction)))
-      return solution;
+    if (auto fit = fitCoil(setup_, frame, expected, prediction, work_)) return fit;
   if (in_view.size() == 1 && !expected.empty()) return std::nullopt;
-  for (const std::size_t marker : in_view)
-    if (auto solution = fitKnown(frame, {marker}, prediction, searchReach_px(setup_, {marker}, prediction)))
-      return solution;
+  for (const std::size_t marker : in_view) {
+    if (work_.left() < kFitLooks) break;
+    if (auto fit = fitCoil(setup_, frame, {marker}, prediction, work_)) return fit;
+  }
   return std::nullopt;
 }
 
-MarkerCoilTracker::Search MarkerCoilTracker::searchAll(const stereo::StereoFrame& frame) const {
-  Search search;
-  const bool is_left_first = lost_frames_ % 2 == 0, is_fresh = lost_frames_ == 0;
-  for (const bool is_left : {is_left_first, !is_left_first}) {
-    const bool is_other = is_left != is_left_first;
-    MarkerLight light = lost_frames_ % 3 == 2 ? MarkerLight::dim : MarkerLight::bright;
-    if ((is_fresh && !is_other) || search.is_seen_in_left || search.is_seen_in_right)
-      light = MarkerLight::bright_else_dim;
-    const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup_.patterns, light);
-    (is_left ? search.is_seen_in_left : search.is_seen_in_right) = !seen.empty();
-    fitDetections(frame, seen, is_left, search);
-    if (!search.good.empty() || (seen.empty() && !is_fresh)) break;
-  }
-  return search;
-}
-
-void MarkerCoilTracker::fitDetections(const stereo::StereoFrame& frame,
-                                      const std::vector<MarkerDetection>& seen, bool is_left,
-                                      Search& search) const {
-  for (const MarkerDetection& detection : seen)
-    for (const CoilToCamera& start : posesFromOneImage(setup_, detection, is_left)) {
-      // Its size alone places the marker to 2 %: some pixels along the other image's epipolar line.
-      const auto solution =
-          fitKnown(frame, {detection.marker}, start, searchReach_px(setup_, {detection.marker}, start));
-      if (!solution) continue;
-      const auto same = std::find_if(search.good.begin(), search.good.end(), [&](const Solution& other) {
-        return (other.fit.camera_T_coil.translation_mm() - solution->fit.camera_T_coil.translation_mm())
-                       .norm() < 5.0 ||
-               (other.fit.centre_mm - solution->fit.centre_mm).norm() <
-                   0.5 * setup_.coil.markers[detection.marker].size_mm;
-      });
-      if (same == search.good.end())
-        search.good.push_back(*solution);
-      else if (solution->fit.bias_px < same->fit.bias_px)
-        *same = *solution;
-    }
-}
-
-std::optional<Solution> MarkerCoilTracker::fitKnown(const stereo::StereoFrame& frame,
-                                                    std::vector<std::size_t> markers,
-                                                    const CoilToCamera& start, int search_px) const {
-  auto solution = fitOnce(frame, markers, {start, search_px});
-  if (!solution) return std::nullopt;
-  return setup_.patterns.size() == 1 ? *solution : withOtherMarkers(frame, *solution);
-}
-
-std::optional<Solution> MarkerCoilTracker::fitOnce(const stereo::StereoFrame& frame,
-                                                   const std::vector<std::size_t>& markers,
-                                                   const FitStart& start) const {
-  std::vector<SeenMarker> seen;
-  for (const std::size_t marker : markers) seen.push_back(setup_.seen(marker));
-  const auto fit = fitMarkers(setup_.rig, frame, seen, start);
-  if (!fit || !isPlausible(*fit, markers)) return std::nullopt;
-  const Eigen::Isometry3d right_T_left = rightFromLeftAsSeen(*fit);
-  for (const std::size_t marker : markers)
-    if (!isReadInBoth(setup_, frame, marker, fit->free_state.camera_T_coil, right_T_left))
-      return std::nullopt;
-  return Solution{*fit, markers};
-}
-
-Solution MarkerCoilTracker::withOtherMarkers(const stereo::StereoFrame& frame, Solution solution) const {
-  std::vector<std::size_t> all = solution.markers;
-  const Eigen::Isometry3d right_T_left = rightFromLeftAsSeen(solution.fit);
-  for (const std::size_t marker : markersInView(setup_, solution.fit.camera_T_coil))
-    if (std::find(all.begin(), all.end(), marker) == all.end() &&
-        isReadInBoth(setup_, frame, marker, solution.fit.free_state.camera_T_coil, right_T_left))
-      all.push_back(marker);
-  if (all.size() == solution.markers.size()) return solution;
-  const auto together = fitOnce(frame, all, {solution.fit.camera_T_coil, 3});
-  return together ? *together : solution;
-}
-
-bool MarkerCoilTracker::isPlausible(const MarkerFit& fit, const std::vector<std::size_t>& markers) const {
-  // Of an ARToolKit picture only the outline is known: blur and size look alike, yaw stays invisible.
-  const bool has_inner_edges = std::any_of(
-      markers.begin(), markers.end(), [&](std::size_t marker) { return setup_.patterns[marker].isBinary(); });
-  if (has_inner_edges && fit.size_sigma > kMostSizeSigma) return false;
-  const double rotation_variance = fit.covariance.diagonal().head<3>().maxCoeff();
-  const double translation_variance = fit.covariance.diagonal().tail<3>().maxCoeff();
-  return fit.bias_px <= kMostBias_px && fit.rms_px <= kMostRms_px &&
-         fit.inlier_fraction >= kLeastInlierFraction && std::abs(fit.shrink_px[0]) <= kMostShrink_px &&
-         std::abs(fit.shrink_px[1]) <= kMostShrink_px && fit.centre_mm.z() >= kLeastDepth_mm &&
-         fit.centre_mm.z() <= kMostDepth_mm && std::sqrt(rotation_variance) <= kMostRotationSigma_rad &&
-         std::sqrt(translation_variance) <= kMostTranslationSigma_mm * fit.centre_mm.z() / 600.0;
-}
-
-bool MarkerCoilTracker::holdsCalibration(const Solution& solution) const {
+bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {
   const MarkerFit& fit = solution.fit;
   const double pitch_px = std::abs(fit.pitch_rad) * setup_.rig.right.k(1, 1);
   if (pitch_px > kMostPitch_px || std::abs(fit.roll_rad) > kMostRoll_rad + 3 * fit.roll_sigma_rad)
@@ -312,7 +204,7 @@ bool MarkerCoilTracker::holdsCalibration(const Solution& solution) const {
   return std::abs(fit.size_factor - 1.0) <= std::min(3 * sigma, std::max(2 * sigma, harmful));
 }
 
-MarkerSighting MarkerCoilTracker::sightingOf(const Solution& solution) const {
+MarkerSighting MarkerCoilTracker::sightingOf(const CoilFit& solution) const {
   const MarkerFit& fit = solution.fit;
   const std::size_t marker = solution.markers.front();
   CoilSetup sized = setup_;
@@ -356,8 +248,7 @@ Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_c
   return calibration_covariance_;
 }
 
-Tracked<CoilPose> MarkerCoilTracker::accept(const Solution& solution) {
-  lost_frames_ = 0;
+Tracked<CoilPose> MarkerCoilTracker::accept(const CoilFit& solution) {
   CoilPose pose;
   pose.camera_T_marker = solution.fit.camera_T_coil * setup_.coil.markers.front().coil_T_marker;
   pose.covariance = solution.fit.covariance + calibrationCovariance(solution.fit.camera_T_coil);

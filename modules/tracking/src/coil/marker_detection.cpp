@@ -9,6 +9,9 @@
 namespace facenav::tracking {
 namespace {
 
+// The work, in the time of so many looks at a patch (frame_work.h).
+constexpr int kShrunkPixelsPerLook = 4000, kPixelsPerLook = 900, kOutlinePointsPerLook = 8, kMatchLooks = 20;
+
 Quad inOrderOfPrint(const Quad& quad, int turns) {
   return {quad[turns % 4], quad[(turns + 1) % 4], quad[(turns + 2) % 4], quad[(turns + 3) % 4]};
 }
@@ -35,39 +38,41 @@ struct SmallImage {
   cv::Mat small;
 };
 
-std::vector<MarkerDetection> detect(const cv::Mat& grey, const SmallImage& small,
-                                    const std::vector<MarkerPattern>& patterns, const QuadOptions& options) {
-  std::vector<MarkerDetection> found;
-  for (const Quad& quad_of_small : findDarkQuads(small.small, options)) {
+void note(const MarkerDetection& detection, std::vector<MarkerDetection>& markers) {
+  const auto same = std::find_if(markers.begin(), markers.end(),
+                                 [&](const MarkerDetection& other) { return isSamePlace(other, detection); });
+  if (same == markers.end())
+    markers.push_back(detection);
+  else if (same->match.likeness < detection.match.likeness)
+    *same = detection;
+}
+
+void detect(const cv::Mat& grey, const SmallImage& small, const std::vector<MarkerPattern>& patterns,
+            const Darkness& darkness, DetectedMarkers& found) {
+  const FoundQuads quads = findDarkQuads(small.small, darkness);
+  found.looks += int(small.small.total()) / kPixelsPerLook + quads.points / kOutlinePointsPerLook +
+                 kMatchLooks * int(quads.quads.size() * patterns.size());
+  for (const Quad& quad_of_small : quads.quads) {
     const Quad quad = small.inFull(quad_of_small);
-    for (std::size_t i = 0; i < patterns.size(); ++i) {
-      const auto match = patterns[i].match(grey, quad);
-      if (!match) continue;
-      const MarkerDetection detection{i, inOrderOfPrint(quad, match->turns), *match};
-      const auto same = std::find_if(found.begin(), found.end(), [&](const MarkerDetection& other) {
-        return isSamePlace(other, detection);
-      });
-      if (same == found.end())
-        found.push_back(detection);
-      else if (same->match.likeness < match->likeness)
-        *same = detection;
-    }
+    for (std::size_t i = 0; i < patterns.size(); ++i)
+      if (const auto match = patterns[i].match(grey, quad))
+        note({i, inOrderOfPrint(quad, match->turns), *match}, found.markers);
   }
-  return found;
 }
 
 }  // namespace
 
-std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
-                                           MarkerLight light) {
+DetectedMarkers detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
+                              MarkerLight light) {
   const SmallImage small(grey);
-  const QuadOptions bright;
-  QuadOptions dim;
+  const Darkness bright;
+  Darkness dim;
   dim.least_contrast_grey = 10;
-  dim.dark_share = 0.33;  // paper darker than the bright wall behind it must still count as light
-  std::vector<MarkerDetection> found;
-  if (light != MarkerLight::dim) found = detect(grey, small, patterns, bright);
-  if (found.empty() && light != MarkerLight::bright) found = detect(grey, small, patterns, dim);
+  dim.share = 0.33;  // paper darker than the bright wall behind it must still count as light
+  DetectedMarkers found;
+  found.looks = int(grey.total()) / kShrunkPixelsPerLook;
+  if (light != MarkerLight::dim) detect(grey, small, patterns, bright, found);
+  if (found.markers.empty() && light != MarkerLight::bright) detect(grey, small, patterns, dim, found);
   return found;
 }
 

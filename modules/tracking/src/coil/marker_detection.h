@@ -19,9 +19,14 @@ struct MarkerDetection {
 /// The light that a print is looked for in: dim, where its contrast is low. Either costs about the same.
 enum class MarkerLight { bright, dim, bright_else_dim };
 
+struct DetectedMarkers {
+  std::vector<MarkerDetection> markers;
+  int looks = 0;  // the work (frame_work.h)
+};
+
 /// All quadrangles of the image that show one of the patterns; the same place is given once.
-std::vector<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
-                                           MarkerLight light = MarkerLight::bright_else_dim);
+DetectedMarkers detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
+                              MarkerLight light = MarkerLight::bright_else_dim);
 /// Whether the quadrangle shows this pattern this way up: for a place that was predicted.
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern);
 

@@ -15,6 +15,8 @@ constexpr double kCalibratedPitch_rad = 5e-4, kCalibratedRoll_rad = 3.5e-4;
 constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in units of an edge point's sigma
 constexpr int kFewestPoints = 12, kFewestSearched = 8;
 constexpr double kTukey = 4.685;
+constexpr int kFirstStride_px = 4, kFinestStride_px = 2, kMostPoints = 2400;
+constexpr int kPointsPerLook = 6, kLinesPerLook = 2;
 
 double tukey(double u) { return std::abs(u) < 1 ? (1 - u * u) * (1 - u * u) : 0.0; }
 
@@ -194,21 +196,47 @@ std::optional<FitVector> improve(const std::vector<SeenMarker>& markers, const M
   return step;
 }
 
+/// In the time of so many looks at a patch (frame_work.h).
+int looksOf(const MarkerEdges& edges) {
+  return (edges.tried[0] + edges.tried[1]) / kPointsPerLook + int(edges.lines.size()) / kLinesPerLook;
+}
+
+/// Large or many prints: more points would make the pose no better that a frame has time for.
+int strideFor(const MarkerEdges& edges_of_first) {
+  const int points_at_1_px = kFirstStride_px * (edges_of_first.tried[0] + edges_of_first.tried[1]);
+  return std::max(kFinestStride_px, (points_at_1_px + kMostPoints - 1) / kMostPoints);
+}
+
 }  // namespace
 
-std::optional<MarkerFit> fitMarkers(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
-                                    const std::vector<SeenMarker>& markers, const FitStart& start) {
+std::optional<OutlineFit> fitOutlines(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
+                                      const std::vector<SeenMarker>& markers, const FitStart& start,
+                                      FrameWork& work) {
   const EdgeView view{rig, frame};
-  FitState state;
-  state.camera_T_coil = start.camera_T_coil.isometry();
+  OutlineFit fit;
+  fit.state.camera_T_coil = start.camera_T_coil.isometry();
   MarkerEdges edges;
   for (int search_px = start.search_px; search_px >= 2; search_px = search_px > 4 ? 4 : search_px - 2) {
-    measureEdges(view, markers, state, {6, true, search_px, {}}, edges);
-    if (!improve(markers, edges, kFewestSearched, kFirstScale, state)) return std::nullopt;
+    measureEdges(view, markers, fit.state, {6, true, search_px, {}}, edges);
+    work.looks += looksOf(edges);
+    if (!improve(markers, edges, kFewestSearched, kFirstScale, fit.state)) return std::nullopt;
   }
+  fit.spread = spread(edges.samples);
+  return fit;
+}
+
+std::optional<MarkerFit> fitMarkers(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
+                                    const std::vector<SeenMarker>& markers, const FitState& start,
+                                    FrameWork& work) {
+  const EdgeView view{rig, frame};
+  FitState state = start;
+  MarkerEdges edges;
+  int stride_px = kFirstStride_px;
   for (int round = 0; round < 8; ++round) {
     const bool is_first = round < 1;
-    measureEdges(view, markers, state, {is_first ? 4 : 2, false, 0, {0.8, 0.8}}, edges);
+    measureEdges(view, markers, state, {stride_px, false, 0, {0.8, 0.8}}, edges);
+    work.looks += looksOf(edges);
+    if (is_first) stride_px = strideFor(edges);
     const auto step = improve(markers, edges, kFewestPoints, is_first ? kFirstScale : kLeastScale, state);
     if (!step) return std::nullopt;
     if (!is_first && step->head<3>().norm() < 2e-4 && step->segment<3>(3).norm() < 0.02) break;

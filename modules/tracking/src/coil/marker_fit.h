@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "facenav/tracking/frame_work.h"
 #include "marker_edges.h"
 
 namespace facenav::tracking {
@@ -35,8 +36,19 @@ struct FitStart {
   int search_px = 3;  // how far off its edges may lie
 };
 
-/// Nothing where too few edges are found in either image.
+/// After the outlines alone.
+struct OutlineFit {
+  FitState state;
+  double spread = 0;  // of the outlines' points about the fit before, in units of their sigma
+};
+
+/// The outlines, sought round `start`; nothing where too little of them is found in either image.
+std::optional<OutlineFit> fitOutlines(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
+                                      const std::vector<SeenMarker>& markers, const FitStart& start,
+                                      FrameWork& work);
+/// All edges, from within about 1 px. Nothing where too few are found in either image.
 std::optional<MarkerFit> fitMarkers(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
-                                    const std::vector<SeenMarker>& markers, const FitStart& start);
+                                    const std::vector<SeenMarker>& markers, const FitState& start,
+                                    FrameWork& work);
 
 }  // namespace facenav::tracking

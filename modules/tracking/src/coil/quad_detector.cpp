@@ -10,43 +10,6 @@
 namespace facenav::tracking {
 namespace {
 
-constexpr int kTile_px = 2;
-
-/// Darkest and brightest grey of each tile of 2 x 2 pixels and its neighbours: larger surroundings would let
-/// a bright thing beside the marker's white rim make the rim count as dark.
-struct TileRange {
-  cv::Mat low, high;
-};
-
-/// The smaller (or larger) of each two neighbouring columns.
-template <class Choose>
-cv::Mat overColumnPairs(const cv::Mat& rows, Choose choose) {
-  cv::Mat out(rows.rows, rows.cols / kTile_px, CV_8U);
-  for (int y = 0; y < out.rows; ++y) {
-    const uchar* in = rows.ptr<uchar>(y);
-    uchar* to = out.ptr<uchar>(y);
-    for (int x = 0; x < out.cols; ++x) to[x] = choose(in[2 * x], in[2 * x + 1]);
-  }
-  return out;
-}
-
-TileRange tileRange(const cv::Mat& grey) {
-  const int rows = grey.rows / kTile_px;
-  const std::size_t step = kTile_px * grey.step[0];
-  auto* const first = const_cast<uchar*>(grey.data);  // a view of every second row; only read
-  const cv::Mat even(rows, grey.cols, CV_8U, first, step),
-      odd(rows, grey.cols, CV_8U, first + grey.step[0], step);
-  cv::Mat low, high;
-  cv::min(even, odd, low);
-  cv::max(even, odd, high);
-  TileRange range;
-  cv::erode(overColumnPairs(low, [](uchar a, uchar b) { return std::min(a, b); }), range.low, cv::Mat());
-  cv::dilate(overColumnPairs(high, [](uchar a, uchar b) { return std::max(a, b); }), range.high, cv::Mat());
-  return range;
-}
-
-using Contour = std::vector<cv::Point>;
-
 /// A line as a point on it and its unit direction.
 struct Line {
   Eigen::Vector2d point, direction;
@@ -54,7 +17,7 @@ struct Line {
 
 /// Least-squares line through contour[begin..end) (indices wrap), its ends left out, where corners are
 /// rounded.
-std::optional<Line> fitSide(const Contour& contour, int begin, int end) {
+std::optional<Line> fitSide(const Outline& contour, int begin, int end) {
   const int size = int(contour.size()), length = (end - begin + size) % size;
   const int skip = std::max(1, length / 8);
   if (length - 2 * skip < 4) return std::nullopt;
@@ -99,8 +62,8 @@ bool isPlausible(const Quad& quad, double least_side_px) {
 }
 
 /// Indices in the contour of its four corners, clockwise; nothing where it has no four.
-std::optional<std::array<int, 4>> fourCorners(const Contour& contour, double least_side_px) {
-  Contour corners;
+std::optional<std::array<int, 4>> fourCorners(const Outline& contour, double least_side_px) {
+  Outline corners;
   cv::approxPolyDP(contour, corners, std::max(1.5, 0.025 * double(contour.size())), true);
   if (corners.size() != 4 || !cv::isContourConvex(corners)) return std::nullopt;
   std::array<int, 4> indices{};
@@ -113,9 +76,7 @@ std::optional<std::array<int, 4>> fourCorners(const Contour& contour, double lea
   return indices;
 }
 
-std::optional<Quad> toQuad(Contour contour, double least_side_px) {
-  if (cv::contourArea(contour, true) < 0)
-    std::reverse(contour.begin(), contour.end());  // clockwise with y down
+std::optional<Quad> toQuad(const Outline& contour, double least_side_px) {
   const auto corners = fourCorners(contour, least_side_px);
   if (!corners) return std::nullopt;
   std::array<Line, 4> sides;
@@ -139,36 +100,14 @@ std::optional<Quad> toQuad(Contour contour, double least_side_px) {
 
 }  // namespace
 
-cv::Mat binariseDark(const cv::Mat& image, const QuadOptions& options) {
-  const cv::Mat grey =
-      image(cv::Rect(0, 0, image.cols / kTile_px * kTile_px, image.rows / kTile_px * kTile_px));
-  const TileRange range = tileRange(grey);
-  cv::Mat tiles(range.low.size(), CV_8U), threshold, dark;
-  const int share = int(256 * options.dark_share);
-  for (int row = 0; row < tiles.rows; ++row) {
-    const uchar *lows = range.low.ptr<uchar>(row), *highs = range.high.ptr<uchar>(row);
-    uchar* out = tiles.ptr<uchar>(row);
-    for (int column = 0; column < tiles.cols; ++column) {
-      const int low = lows[column], contrast = highs[column] - low;
-      out[column] = contrast < options.least_contrast_grey ? 0 : uchar(low + (share * contrast + 128) / 256);
-    }
-  }
-  cv::resize(tiles, threshold, grey.size(), 0, 0, cv::INTER_NEAREST);
-  cv::compare(grey, threshold, dark, cv::CMP_LT);
-  return dark;
-}
-
-std::vector<Quad> findDarkQuads(const cv::Mat& grey, const QuadOptions& options) {
-  std::vector<Contour> contours;
-  std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(binariseDark(grey, options), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
-  std::vector<Quad> quads;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (hierarchy[i][3] >= 0) continue;  // a hole, seen from inside
-    if (double(contours[i].size()) < 3.2 * options.least_side_px) continue;
-    if (const auto quad = toQuad(std::move(contours[i]), options.least_side_px)) quads.push_back(*quad);
-  }
-  return quads;
+FoundQuads findDarkQuads(const cv::Mat& grey, const Darkness& darkness, double least_side_px) {
+  const Outlines outlines =
+      outlinesOf(darkAreas(grey, darkness), std::size_t(std::ceil(3.2 * least_side_px)));
+  FoundQuads found;
+  found.points = outlines.points;
+  for (const Outline& outline : outlines.areas)
+    if (const auto quad = toQuad(outline, least_side_px)) found.quads.push_back(*quad);
+  return found;
 }
 
 }  // namespace facenav::tracking

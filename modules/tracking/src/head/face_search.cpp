@@ -10,17 +10,18 @@ constexpr double kLikely = 0.8;                                 // the head is t
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
 // What else a frame does, in the time of so many looks at a patch.
 constexpr int kPyramidLooks = 450, kEvenedLooks = 250;
-constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kInAll = 6300, kWhoseLooks = 500;
+constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kWhoseLooks = 500;
+constexpr int kInAll = FrameWork::kMost - 700;  // a tracked coil has its turn, too
 constexpr int kFewestSteps = 4, kMostSteps = 8;
 
 }  // namespace
 
-bool FrameWork::leavesTimeToSearch() const { return looks <= kBeforeSearch; }
-bool FrameWork::leavesTimeToFit() const { return looks <= kBeforeFit; }
+bool HeadWork::leavesTimeToSearch() const { return looks <= std::max(0, kBeforeSearch - left_out); }
+bool HeadWork::leavesTimeToFit() const { return looks <= kBeforeFit - left_out; }
 
-int FrameWork::stepsLeft(const PatchModel& model) const {
+int HeadWork::stepsLeft(const PatchModel& model) const {
   const int a_step = std::max(1, 2 * int(model.level[0].patches.size()));
-  return std::clamp((kInAll - kWhoseLooks - looks) / a_step, kFewestSteps, kMostSteps);
+  return std::clamp((kInAll - left_out - kWhoseLooks - looks) / a_step, kFewestSteps, kMostSteps);
 }
 
 FaceSearch::FaceSearch(const stereo::StereoRig& rig, const PatchModel& model,
@@ -39,7 +40,7 @@ void FaceSearch::forgetLearnt() {
 }
 
 PoseFit FaceSearch::roughly(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
-                            const Eigen::Isometry3d& start, FrameWork& work, int first_level) const {
+                            const Eigen::Isometry3d& start, HeadWork& work, int first_level) const {
   PoseFit fit =
       fitPose(rig_, *model_, keys.likeliest(start).level, now, start, first_level, {}, rough_level_);
   work.looks += fit.looks;
@@ -48,7 +49,7 @@ PoseFit FaceSearch::roughly(const KeyFrames& keys, const std::array<ImagePyramid
 
 void FaceSearch::lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
                           const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
-                          Found& found, FrameWork& work) const {
+                          Found& found, HeadWork& work) const {
   const CoarseSearch::Places places = coarse_.find(rig_, evened, from, turn_);
   work.looks += places.looks;
   for (const auto& start : places.starts) {
@@ -62,7 +63,7 @@ void FaceSearch::lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 
 FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
                                    const std::optional<Eigen::Isometry3d>& last,
                                    const std::optional<Eigen::Isometry3d>& expected, bool is_first,
-                                   FrameWork& work) {
+                                   HeadWork& work) {
   Found found;
   work.looks += kPyramidLooks;
   const bool was_put_off = put_off_.has_value();

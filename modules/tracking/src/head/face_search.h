@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "coarse_search.h"
+#include "facenav/tracking/frame_work.h"
 #include "key_frames.h"
 #include "pose_fit.h"
 
 namespace facenav::tracking {
 
-/// Of one frame, in looks at a patch (0.6-0.8 us on the processor that the limits were chosen on).
-struct FrameWork {
-  int looks = 0;
+/// The head's part of a frame's work; `left_out`: looks that are kept for another tracker.
+struct HeadWork : FrameWork {
+  int left_out = 0;
   bool leavesTimeToSearch() const;
   bool leavesTimeToFit() const;
   /// Of a fit's last level, so that the frame's limit is kept.
@@ -40,7 +41,7 @@ class FaceSearch {
   /// `is_first`: of the frames since it was seen. Adds to `work`.
   Found seek(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
              const std::optional<Eigen::Isometry3d>& last, const std::optional<Eigen::Isometry3d>& expected,
-             bool is_first, FrameWork& work);
+             bool is_first, HeadWork& work);
   /// Where the next frame's search begins: a fit that was getting there.
   void goOnFrom(const Eigen::Isometry3d& motion) { put_off_ = motion; }
   /// The head was found.
@@ -53,9 +54,9 @@ class FaceSearch {
 
  private:
   PoseFit roughly(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
-                  const Eigen::Isometry3d& start, FrameWork& work, int first_level = kLevels - 1) const;
+                  const Eigen::Isometry3d& start, HeadWork& work, int first_level = kLevels - 1) const;
   void lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now, const EvenedPair& evened,
-                const std::optional<Eigen::Isometry3d>& from, Found& found, FrameWork& work) const;
+                const std::optional<Eigen::Isometry3d>& from, Found& found, HeadWork& work) const;
 
   stereo::StereoRig rig_;
   const PatchModel* model_ = nullptr;  // the tracker's

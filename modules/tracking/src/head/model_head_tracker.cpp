@@ -63,7 +63,7 @@ class ModelHeadTracker : public HeadTracker {
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
-    lost_frames_ = 0, asked_part_ = 0;
+    lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
     detail_at_start_ = fineDetail(key[0], left_box_, model_.noise_grey).value_or(0.0);
     guard_.start(reference.frame);
   }
@@ -71,8 +71,10 @@ class ModelHeadTracker : public HeadTracker {
   Tracked<HeadPose> track(const stereo::StereoFrame& frame) override {
     const auto fault =
         guard_.check(frame, last_ ? last_->velocity.tail<3>().norm() : 0.0, left_box_, right_box_);
+    const bool has_just_left = work_.left_out > 0;  // not twice running: a lost head has its turn, too
+    work_ = {}, work_.left_out = has_just_left ? 0 : left_out_;
     if (fault) return refused(*fault);
-    work_ = {}, first_loss_.reset();
+    first_loss_.reset();
     const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
     const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
     allowFor(is_recent && lost_frames_ == 0 ? predict(dt_s) : Eigen::Isometry3d::Identity());
@@ -96,6 +98,10 @@ class ModelHeadTracker : public HeadTracker {
   LossDetail lossDetail() const override { return detail_; }
 
   ExposureOffset exposureOffset() const override { return {offset_.late_s(), offset_.sigma_s()}; }
+
+  FrameWork work() const override { return work_; }
+
+  void leave(const FrameWork& work) override { left_out_ = work.looks; }
 
   void forgetLearnt() override {
     keys_ = KeyFrames(model_);
@@ -371,7 +377,8 @@ class ModelHeadTracker : public HeadTracker {
   std::size_t asked_part_ = 0;
   KeyFrames keys_;
   FaceSearch search_;
-  FrameWork work_;                       // in this frame so far
+  HeadWork work_;                        // in this frame so far
+  int left_out_ = 0;                     // wanted of the next frame's
   std::optional<FirstLoss> first_loss_;  // of the fit from the prediction
   LossDetail detail_ = LossDetail::unknown;
   double detail_at_start_ = 0.0;

@@ -14,6 +14,7 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
+#include "facenav/tracking/frame_work.h"
 
 namespace facenav::tracking {
 
@@ -65,6 +66,12 @@ class CoilTracker {
   virtual Tracked<CoilPose> track(const stereo::StereoFrame& frame) = 0;
   /// The right camera exposes so much later than the left one; of the frames to come.
   virtual void setRightLate(double /*late_s*/) {}
+  /// What the frame to come has cost already, before the coil's turn.
+  virtual void setWorkBefore(const FrameWork& /*work*/) {}
+  /// Of the last frame, with what came before; 0 where the method does not count.
+  virtual FrameWork work() const { return {}; }
+  /// What the last frame's work would not allow any more: to be left room for in the next.
+  virtual FrameWork putOff() const { return {}; }
   /// Of the frame tracked last; nothing where no marker was fitted, or while the coil moves.
   virtual std::optional<MarkerSighting> sighting() const { return std::nullopt; }
 };

@@ -13,6 +13,7 @@
 #include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
 #include "facenav/tracking/face_landmarks.h"
+#include "facenav/tracking/frame_work.h"
 #include "facenav/tracking/loss_detail.h"
 
 namespace facenav::tracking {
@@ -62,6 +63,10 @@ class HeadTracker {
   virtual LossDetail lossDetail() const { return LossDetail::unknown; }
   /// As learnt from the moving head so far.
   virtual ExposureOffset exposureOffset() const { return {}; }
+  /// Of the last frame; 0 where the method does not count.
+  virtual FrameWork work() const { return {}; }
+  /// So much of the frame to come is to be left for another tracker.
+  virtual void leave(const FrameWork& /*work*/) {}
   /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.
   virtual void forgetLearnt() {}
 };
