@@ -120,12 +120,14 @@ class BrainSegmenter : public Segmenter {
     requireBrainScan(volume);
     monitor.report("looking for the brain", 0);
     const Volume working = withoutRoughBias(workingVolume(volume, 1.0)), coarse = halved(working);
-    const BrainStart start = findBrainStart(coarse);
-    requireTissueSpread(coarse, start.sphere);
-    const TissueModel rough =
-        fitTissue(coarse, ballOf(coarse.grid, start.sphere.centre_mm, kSafeShare * start.sphere.radius_mm));
+    const BrainStart by_head = findBrainStart(coarse);
+    requireTissueSpread(coarse, by_head.sphere);
+    // The classes from the first ball: it reaches into the fluid, which the brain's own may hold none of.
+    const TissueModel rough = fitTissue(
+        coarse, ballOf(coarse.grid, by_head.sphere.centre_mm, kSafeShare * by_head.sphere.radius_mm));
     BetOptions bet;
-    bet.fractional_threshold = fractionalThreshold(rough, start.intensities.t2);
+    bet.fractional_threshold = fractionalThreshold(rough, by_head.intensities.t2);
+    const BrainStart start = centredOnBrain(coarse, by_head, bet.fractional_threshold, monitor);
     const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, bet, monitor);
     const Mask whole = enclosed(surface, working.grid);
     const VoxelGrid grid = gridAround(whole, kMargin_mm);

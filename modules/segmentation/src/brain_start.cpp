@@ -27,6 +27,8 @@ constexpr double kRoundness = 0.98,
 constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same where a head fills 0.4 of its scan
 constexpr float kHeadShare = 0.1f;                      // of the robust maximum: brighter than air
 constexpr double kSkull_mm = 6;                         // closes the skull where the scalp over it is missed
+constexpr int kRoughIterations = 400, kRoughSubdivisions = 3;  // of the surface that only places the ball
+constexpr double kBallInBrain_mm = 20;                         // wider than leaks, narrower than the brain
 constexpr double kSkullShare = 1.2,
                  kDarkest = 0.03;  // where the darkest share of values is sought, per brain radius
 
@@ -96,6 +98,24 @@ float darkest(const Volume& working, const Mask& head, const BetSphere& sphere) 
   return std::max(0.f, *low);
 }
 
+/// Brain and skull within the ball, whose place is known.
+BetIntensities intensitiesIn(const Volume& working, const Mask& head, const BetSphere& sphere, float t98) {
+  const BetIntensities found = betIntensities(working, sphere, darkest(working, head, sphere), t98);
+  if (!(found.median > 0)) noBrain("there is nothing where the brain should be");
+  return found;
+}
+
+Eigen::Vector3d centreOf_mm(const Mask& mask) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  const auto& n = mask.grid.size;
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+        if (mask.at(i, j, k)) sum += Eigen::Vector3d(i, j, k), ++count;
+  return mask.grid.toMri(sum / count).mm;
+}
+
 }  // namespace
 
 Volume workingVolume(const Volume& volume, double spacing_mm) {
@@ -134,6 +154,25 @@ Volume halved(const Volume& volume) {
   return out;
 }
 
+BrainStart centredOnBrain(const Volume& working, const BrainStart& start, double fractional_threshold,
+                          TaskMonitor& monitor) {
+  BetOptions rough;
+  rough.fractional_threshold = fractional_threshold;
+  rough.iterations = kRoughIterations;
+  rough.subdivisions = kRoughSubdivisions;
+  const Mask brain =
+      enclosed(evolveBet(working, start.sphere, start.intensities, rough, monitor), working.grid);
+  // What a ball this large fits into is brain; what leaked into the neck or an orbit is not.
+  const Mask core = largestPart(erode(brain, kBallInBrain_mm));
+  if (core.volume_ml() == 0) return start;
+  BrainStart out;
+  const double radius_mm = std::cbrt(dilate(core, kBallInBrain_mm).volume_ml() * 1e3 * 3 / (4 * M_PI));
+  out.sphere = {centreOf_mm(core), radius_mm};
+  const float t98 = start.intensities.t98;
+  out.intensities = intensitiesIn(working, headOf(working, kHeadShare * t98), out.sphere, t98);
+  return out;
+}
+
 BrainStart findBrainStart(const Volume& working) {
   const float t98 = robustMaximum(working);
   if (!(t98 > 0)) noBrain("the volume has no contrast");
@@ -167,8 +206,7 @@ BrainStart findBrainStart(const Volume& working) {
   centre.z() = top - below_top_mm / spacing_mm;
   BrainStart start;
   start.sphere = {working.grid.toMri(centre).mm, kBrainShare * girth_mm};
-  start.intensities = betIntensities(working, start.sphere, darkest(working, head, start.sphere), t98);
-  if (!(start.intensities.median > 0)) noBrain("there is nothing where the brain should be");
+  start.intensities = intensitiesIn(working, head, start.sphere, t98);
   return start;
 }
 

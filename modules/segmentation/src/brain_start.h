@@ -21,5 +21,9 @@ volume::Volume halved(const volume::Volume& volume);
 
 /// Throws Error "no brain can be modelled: ..." where no head-sized object is there.
 BrainStart findBrainStart(const volume::Volume& working);
+/// `start` on the ball of the brain itself, as a rough surface grown from it shows: top and girth depend on
+/// how the head lies in the scanner, this does not. Throws Error likewise, and Cancelled.
+BrainStart centredOnBrain(const volume::Volume& working, const BrainStart& start, double fractional_threshold,
+                          TaskMonitor& monitor);
 
 }  // namespace facenav::segmentation
