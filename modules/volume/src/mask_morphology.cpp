@@ -84,6 +84,11 @@ float squaredRadius(double radius_mm) { return float(radius_mm * radius_mm * (1 
 
 /// Steps of a line to its nearest voxel of the wanted kind, as squared mm; kFar beyond `reach` steps.
 void squaredAlong(const std::uint8_t* row, float* out, int n, bool is_set, float w, int reach) {
+  const int set = int(std::count_if(row, row + n, [](std::uint8_t v) { return v != 0; }));
+  if (set == 0 || set == n) {  // most rows are of one kind
+    std::fill_n(out, n, (set != 0) == is_set ? 0.f : kFar);
+    return;
+  }
   int since = reach + 1;
   for (int i = 0; i < n; ++i) {
     since = (row[i] != 0) == is_set ? 0 : std::min(since + 1, reach + 1);
@@ -98,16 +103,20 @@ void squaredAlong(const std::uint8_t* row, float* out, int n, bool is_set, float
 }
 
 /// out[row] = the least of in[row + t] + w t^2 over |t| <= reach, rows `stride` apart: whole rows at a time,
-/// rows without anything near are skipped.
+/// rows without anything near are skipped, and
+/// such as hold nothing but the wanted kind.
 void leastAcross(const float* in, float* out, int rows, std::size_t stride, int width, float w, int reach) {
-  std::vector<std::uint8_t> is_near(rows);
+  std::vector<std::uint8_t> is_near(rows), is_there(rows);
   for (int r = 0; r < rows; ++r) {
     const float* from = in + r * stride;
-    is_near[r] = std::any_of(from, from + width, [](float d) { return d < kFar; });
+    float least = kFar, most = 0;
+    for (int i = 0; i < width; ++i) least = std::min(least, from[i]), most = std::max(most, from[i]);
+    is_near[r] = least < kFar, is_there[r] = most == 0;
   }
   for (int r = 0; r < rows; ++r) {
     float* to = out + r * stride;
     std::copy_n(in + r * stride, width, to);
+    if (is_there[r]) continue;  // nothing can lie nearer
     for (int t = std::max(-reach, -r); t <= std::min(reach, rows - 1 - r); ++t) {
       if (t == 0 || !is_near[r + t]) continue;
       const float* from = in + (r + t) * stride;

@@ -46,16 +46,24 @@ Reorder rasReorder(const VoxelGrid& from) {
 template <class Value>
 std::vector<Value> reorder(const std::vector<Value>& voxels, const VoxelGrid& from, const Reorder& order) {
   std::vector<Value> out(voxels.size());
-  std::size_t o = 0;
-  for (int k = 0; k < order.grid.size[2]; ++k)
-    for (int j = 0; j < order.grid.size[1]; ++j)
-      for (int i = 0; i < order.grid.size[0]; ++i, ++o) {
-        const std::array<int, 3> to{i, j, k};
-        std::array<int, 3> source;
-        for (int a = 0; a < 3; ++a)
-          source[order.source_axis[a]] = order.is_flipped[a] ? order.grid.size[a] - 1 - to[a] : to[a];
-        out[o] = voxels[from.index(source[0], source[1], source[2])];
-      }
+  const std::array<std::ptrdiff_t, 3> stride{1, from.size[0], std::ptrdiff_t(from.size[0]) * from.size[1]};
+  std::array<std::ptrdiff_t, 3> step;
+  std::ptrdiff_t first = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    step[a] = stride[std::size_t(order.source_axis[a])] * (order.is_flipped[a] ? -1 : 1);
+    if (order.is_flipped[a]) first -= step[a] * (order.grid.size[a] - 1);
+  }
+  const auto& n = order.grid.size;
+  forSlices(n[2], [&](int k) {
+    for (int j = 0; j < n[1]; ++j) {
+      const Value* source = voxels.data() + first + j * step[1] + k * step[2];
+      Value* to = out.data() + order.grid.index(0, j, k);
+      if (step[0] == 1)
+        std::copy_n(source, n[0], to);
+      else
+        for (int i = 0; i < n[0]; ++i) to[i] = source[i * step[0]];
+    }
+  });
   return out;
 }
 
