@@ -60,7 +60,7 @@ class TimedCoilTracker : public tracking::CoilTracker {
     const OneThreadClock clock(last_);
     return tracker_->track(frame);
   }
-  void setRightLate(double late_s) override { tracker_->setRightLate(late_s); }
+  void setRightLate(double late_s, double sigma_s) override { tracker_->setRightLate(late_s, sigma_s); }
   void setWorkBefore(const tracking::FrameWork& work) override { tracker_->setWorkBefore(work); }
   tracking::FrameWork work() const override { return tracker_->work(); }
   tracking::FrameWork putOff() const override { return tracker_->putOff(); }

@@ -98,7 +98,7 @@ TEST(FreeRunningCameras, AreKnownByTheMovingHeadAndAllowedFor) {
     if (i >= kKnown) squares_mm2 += std::pow(film.errorAtTarget_mm(*pose, i), 2);
   }
   EXPECT_LT(std::sqrt(squares_mm2 / double(film.frames.size() - kKnown)), 0.35);
-  EXPECT_NEAR(1e3 * tracker->exposureOffset().right_late_s, 12.0, 2.0);
+  EXPECT_NEAR(1e3 * tracker->exposureOffset().right_late_s, 12.0, 1.0);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     state.head = head_->track(*frame);
     if (!state.head) state.head_detail = head_->lossDetail();
     state.exposure_offset = head_->exposureOffset();
-    coil_->setRightLate(state.exposure_offset.right_late_s);
+    coil_->setRightLate(state.exposure_offset.right_late_s, state.exposure_offset.sigma_s);
     coil_->setWorkBefore(head_->work());
     state.coil = coil_->track(*frame);
     rig_check_.add(*frame, state.head, coil_->sighting());

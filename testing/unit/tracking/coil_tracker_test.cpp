@@ -261,6 +261,35 @@ TEST(CoilTracker, FollowsMotionAndComesBackAfterALoss) {
   }
 }
 
+/// Comes in at 300 mm/s and stops, as a coil does that is brought to the head.
+RigidTransform<Camera, Marker> broughtIn(double t_s) {
+  const double left_s = std::max(0.0, 0.4 - t_s), away_mm = 300 * left_s * left_s / 0.8;
+  return markerPose(600 + 0.3 * away_mm, 20, 70, 10, {0.8 * away_mm, -0.6 * away_mm});
+}
+
+// Unallowed for, 12 ms at 300 mm/s put it 15 mm off in depth; a velocity that lags a frame behind, 2 mm.
+TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExposesLater) {
+  const auto rig = roomRig();
+  constexpr double kLate_s = 0.012;
+  const auto tracker = makeMarkerCoilTracker();
+  tracker->start(rig, defaultCoil());
+  tracker->setRightLate(kLate_s, 5e-4);
+  for (int i = 0; i < 36; ++i) {
+    const double t_s = i / 60.0;
+    SceneOptions options;
+    options.seed = unsigned(i + 1);
+    auto frame = renderMarkers(rig, {{id7(), 60, broughtIn(t_s)}}, options);
+    frame.right = renderMarkers(rig, {{id7(), 60, broughtIn(t_s + kLate_s)}}, options).right;
+    frame.captured.s = t_s;
+    const auto pose = tracker->track(frame);
+    ASSERT_EQ(pose.isTracked(), i > 0) << i;  // one frame tells no velocity
+    if (pose) {
+      const bool has_stopped = i > 26;  // at 0.4 s; the velocity is taken over three frames
+      EXPECT_THAT(pose->camera_T_marker, PoseNear(broughtIn(t_s), 0.8, has_stopped ? 0.3 : 0.6)) << i;
+    }
+  }
+}
+
 stereo::StereoFrame movedFrame(const stereo::StereoRig& rig, int i) {
   auto frame = renderMarkers(rig, {{id7(), 60, markerPose(600 - 3 * i, 20, 70, 2 * i, {5.0 * i, 0})}});
   frame.captured.s = i / 60.0;

@@ -19,8 +19,10 @@ namespace {
 constexpr double kMostPitch_px = 0.6, kMostRoll_rad = 2.6e-3;
 constexpr double kScaleSigma = 1e-3;        // of lengths, left by a good calibration
 constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
+constexpr double kCertain = 2.0;            // standard deviations
 constexpr double kLongestPrediction_s = 0.5;
-constexpr double kSteady_s = 0.03;  // over which the velocity between two exposures is taken
+constexpr double kNoDifference_mm = 0.03;  // of motion between two exposures: not worth another fit
+constexpr double kSteady_s = 0.03;         // over which turning and receding are taken
 // A coil that moves faster says nothing of how the cameras stand: they may expose some milliseconds apart.
 constexpr double kResting_mm_s = 15.0;
 
@@ -39,7 +41,9 @@ class MarkerCoilTracker final : public CoilTracker {
  public:
   void start(const stereo::StereoRig& rig, const CoilModel& coil) override;
   Tracked<CoilPose> track(const stereo::StereoFrame& frame) override;
-  void setRightLate(double late_s) override { right_late_s_ = late_s; }
+  void setRightLate(double late_s, double sigma_s) override {
+    right_late_s_ = late_s, right_late_sigma_s_ = sigma_s;
+  }
   void setWorkBefore(const FrameWork& work) override { work_before_ = work; }
   FrameWork work() const override { return work_; }
   FrameWork putOff() const override { return search_.putOff(); }
@@ -49,6 +53,8 @@ class MarkerCoilTracker final : public CoilTracker {
 
  private:
   std::optional<CoilFit> fitPredicted(const stereo::StereoFrame& frame, const CoilToCamera& prediction);
+  /// Well enough, of a coil that moves before cameras that expose apart; a coil just found has no velocity.
+  bool isMotionKnown() const;
   bool holdsCalibration(const CoilFit& solution) const;
   Eigen::Isometry3d rightFromLeftAsSeen(const MarkerFit& fit) const {
     return rightFromLeft(setup_.rig, fit.free_state, fit.centre_mm);
@@ -57,6 +63,9 @@ class MarkerCoilTracker final : public CoilTracker {
   /// The right camera as it sees the moving coil: where that is when this camera exposes.
   RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
   void remember(const CoilFit& solution, double t_s);
+  /// With what this frame says of the velocity, where that is more than was `allowed` for.
+  CoilFit asItMoves(const stereo::StereoFrame& frame, const CoilFit& found, const Vector6d& allowed);
+  void forgetMotion() { velocity_.setZero(), turning_.setZero(), receding_mm_s_ = 0.0, across_.reset(); }
   Tracked<CoilPose> accept(const CoilFit& solution);
   MarkerSighting sightingOf(const CoilFit& solution) const;
   /// What the calibration's own uncertainty does to a pose seen at these corners.
@@ -64,8 +73,13 @@ class MarkerCoilTracker final : public CoilTracker {
 
   CoilSetup setup_;  // its rig as the frame sees the coil
   RigidTransform<RightCamera, Camera> right_T_left_;
-  double right_late_s_ = 0.0;
-  Vector6d velocity_ = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin, over some frames
+  double right_late_s_ = 0.0, right_late_sigma_s_ = 0.0;
+  Vector6d velocity_ = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin
+  // Its parts: what is told by the left image alone is taken as it comes; what an error of the allowance
+  // itself would change is smoothed, or the two would feed each other.
+  std::optional<Eigen::Vector3d> across_;  // mm/s, of the left camera's ray, between the last two frames
+  Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();  // rad/s
+  double receding_mm_s_ = 0.0;                         // along that ray's z
   struct Past {
     CoilToCamera camera_T_coil;
     double t_s;
@@ -84,7 +98,7 @@ void MarkerCoilTracker::start(const stereo::StereoRig& rig, const CoilModel& coi
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
   setup_ = {rig, coil, {}};
   right_T_left_ = rig.right_T_left;
-  right_late_s_ = 0.0, velocity_.setZero();
+  right_late_s_ = 0.0, forgetMotion();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = stereo::uncertaintyOf(rig);
   edgeWeights(kMostTaps, 0.8);  // the table is made now, not in a frame
@@ -118,14 +132,16 @@ Tracked<CoilPose> MarkerCoilTracker::track(const stereo::StereoFrame& frame) {
   }
   if (found) {
     search_.end();
-    sighting_ = sightingOf(*found);
+    const Vector6d allowed = right_late_s_ * velocity_;
     remember(*found, t_s);
-    if (holdsCalibration(*found)) return accept(*found);
+    found = asItMoves(frame, *found, allowed);
+    sighting_ = sightingOf(*found);
+    if (isMotionKnown() && holdsCalibration(*found)) return accept(*found);
     return Lost{LostReason::camera};
   }
   last_.reset();
   before_.reset();
-  velocity_.setZero();
+  forgetMotion();
   if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
   return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
 }
@@ -148,13 +164,31 @@ void MarkerCoilTracker::remember(const CoilFit& solution, double t_s) {
   last_markers_ = solution.markers;
   const double since_s = before_ ? last_->t_s - before_->t_s : 0.0;
   if (since_s < 1e-4 || since_s > kLongestPrediction_s) {
-    velocity_.setZero();
+    forgetMotion();
     return;
   }
   const Eigen::Isometry3d &now = last_->camera_T_coil.isometry(), &then = before_->camera_T_coil.isometry();
-  Vector6d velocity;
-  velocity << logRotation(now.linear() * then.linear().transpose()), now.translation() - then.translation();
-  velocity_ += (1.0 - std::exp(-since_s / kSteady_s)) * (velocity / since_s - velocity_);
+  const double smooth = 1.0 - std::exp(-since_s / kSteady_s);
+  turning_ += smooth * (logRotation(now.linear() * then.linear().transpose()) / since_s - turning_);
+  receding_mm_s_ += smooth * ((now.translation().z() - then.translation().z()) / since_s - receding_mm_s_);
+  const Eigen::Vector3d ray = now.translation() / now.translation().z();
+  const Eigen::Vector3d across =
+      now.translation().z() * (ray - then.translation() / then.translation().z()) / since_s;
+  // Between the two frames; a coil that slows down is at another by the next.
+  const Eigen::Vector3d present = across_ ? Eigen::Vector3d(across + 0.5 * (across - *across_)) : across;
+  across_ = across;
+  velocity_ << turning_, present + receding_mm_s_ * ray;
+}
+
+CoilFit MarkerCoilTracker::asItMoves(const stereo::StereoFrame& frame, const CoilFit& found,
+                                     const Vector6d& allowed) {
+  const Vector6d more = right_late_s_ * velocity_ - allowed;
+  if (more.tail<3>().norm() < kNoDifference_mm) return found;
+  setup_.rig.right_T_left = rightAsSeen(found.fit.camera_T_coil);
+  const auto again = fitCoil(setup_, frame, found.markers, found.fit.camera_T_coil, work_);
+  if (!again) return found;
+  last_->camera_T_coil = again->fit.camera_T_coil;
+  return *again;
 }
 
 std::optional<CoilToCamera> MarkerCoilTracker::predicted(double t_s) const {
@@ -187,6 +221,17 @@ std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const stereo::StereoFrame
     if (auto fit = fitCoil(setup_, frame, {marker}, prediction, work_)) return fit;
   }
   return std::nullopt;
+}
+
+/// Motion along the baseline between the exposures passes for depth.
+bool MarkerCoilTracker::isMotionKnown() const {
+  if (right_late_s_ == 0.0) return true;
+  if (!before_) return false;
+  const Eigen::Vector3d baseline_mm =
+      right_T_left_.isometry().linear().transpose() * right_T_left_.isometry().translation();
+  const double along_mm_s = std::abs(velocity_.tail<3>().dot(baseline_mm.normalized()));
+  const double depth_by_motion = last_->camera_T_coil.translation_mm().z() / baseline_mm.norm();
+  return along_mm_s * kCertain * right_late_sigma_s_ * depth_by_motion < kMostDepthError_mm;
 }
 
 bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {

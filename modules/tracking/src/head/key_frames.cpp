@@ -94,10 +94,10 @@ bool KeyFrames::isNewSide(const PoseFit& fit, const Verdict& verdict) const {
 
 // A new side does not wait for the coarse looks of the one before: a head that turns on would be past it.
 bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
-                      const PoseFit& fit, const Verdict& verdict) {
+                      const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving) {
   const bool is_free = unfinished_.empty() || unfinished_.front().level > 0;
   if (is_free && isNewSide(fit, verdict)) {
-    begin(rig, model, frame, fit, verdict);
+    begin(rig, model, frame, fit, verdict, moving);
     return true;
   }
   if (!unfinished_.empty()) goOn(rig, model);
@@ -105,11 +105,12 @@ bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, con
 }
 
 void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
-                      const PoseFit& fit, const Verdict& verdict) {
+                      const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving) {
   Unfinished fresh;
   fresh.key.motion = fit.motion;
   fresh.right_T_left = rig.right_T_left.isometry();
   fresh.key.covariance = verdict.covariance;
+  fresh.key.moving = moving;
   fresh.key.generation = keys_[chosen_].generation + 1;
   fresh.key.level = keys_.front().level;
   const auto boxes = boxesAt(rig, model, fit.motion, kMargin_px);

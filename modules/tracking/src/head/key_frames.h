@@ -14,10 +14,18 @@
 
 namespace facenav::tracking {
 
+/// Of the head when a key frame's pictures were taken, by a right camera that exposes later (OffsetFilter):
+/// its looks in the right image lie where that delay put them.
+struct KeyMotion {
+  Vector6d velocity = Vector6d::Zero();  // per s, Head, about the model's centre
+  Vector6d allowed = Vector6d::Zero();   // how far it was taken to move from one exposure to the other
+};
+
 struct KeyFrame {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head there
   Matrix6d covariance = Matrix6d::Zero();                    // of that, HeadPose's
   int generation = 0;                                        // 0: the reference
+  KeyMotion moving;                                          // the reference: at rest
   PatchLevels level;  // what is not finest serves to find the head again at this side
 };
 
@@ -33,8 +41,9 @@ class KeyFrames {
   const KeyFrame& likeliest(const Eigen::Isometry3d& motion) const;
 
   /// After each tracked frame: goes on learning, or begins to where the frame shows a new side well (true).
+  /// `rig`: its right camera as it sees the head moving so.
   bool learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
-             const PoseFit& fit, const Verdict& verdict);
+             const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving);
   /// The track was lost: what is being learnt may be wrong.
   void forgetUnfinished() { unfinished_.clear(); }
 
@@ -56,7 +65,7 @@ class KeyFrames {
 
   bool isNewSide(const PoseFit& fit, const Verdict& verdict) const;
   void begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
-             const PoseFit& fit, const Verdict& verdict);
+             const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving);
   /// Makes what is to be learnt from ready, one image a call; true while there was something to do.
   bool prepare();
   void goOn(const stereo::StereoRig& rig, const PatchModel& model);

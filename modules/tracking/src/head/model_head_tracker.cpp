@@ -77,10 +77,11 @@ class ModelHeadTracker : public HeadTracker {
     first_loss_.reset();
     const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
     const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
-    allowFor(is_recent && lost_frames_ == 0 ? predict(dt_s) : Eigen::Isometry3d::Identity());
+    if (last_ && !is_recent) last_->steady.setZero();
     if (is_recent && lost_frames_ == 0) {
       const Eigen::Isometry3d predicted = predict(dt_s);
       const KeyFrame& key = keys_.nearest(predicted);
+      allowFor(key, predicted);
       const auto now = boxed(frame, predicted);
       const PoseFit fit = fitPose(rig_now_, model_, key.level, now, predicted, 0, trust());
       work_.looks += fit.looks;
@@ -142,19 +143,30 @@ class ModelHeadTracker : public HeadTracker {
   }
 
   // The right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere.
-  void allowFor(const Eigen::Isometry3d& motion) {
-    allowed_ = offset_.late_s() * (last_ ? last_->steady : Vector6d(Vector6d::Zero()));
-    const Eigen::Isometry3d moved = motion * Eigen::Translation3d(model_.centre_mm) * expRigid(allowed_) *
+  RigidTransform<RightCamera, Camera> rightThatSees(const Eigen::Isometry3d& motion,
+                                                    const Vector6d& later) const {
+    const Eigen::Isometry3d moved = motion * Eigen::Translation3d(model_.centre_mm) * expRigid(later) *
                                     Eigen::Translation3d(-model_.centre_mm) * motion.inverse();
-    rig_now_.right_T_left =
-        RigidTransform<RightCamera, Camera>::fromIsometry(rig_.right_T_left.isometry() * moved);
+    return RigidTransform<RightCamera, Camera>::fromIsometry(rig_.right_T_left.isometry() * moved);
+  }
+
+  // Beyond what it did when the key frame's pictures were taken.
+  void allowFor(const KeyFrame& key, const Eigen::Isometry3d& motion) {
+    const Vector6d velocity = last_ ? last_->steady : Vector6d(Vector6d::Zero());
+    allowed_ = offset_.late_s() * (velocity - key.moving.velocity);
+    rig_now_.right_T_left = rightThatSees(motion, allowed_ + key.moving.allowed);
+  }
+
+  Vector6d velocityNow(Timestamp captured, const PoseFit& fit) const {
+    const double since_s = captured - last_->captured;
+    return since_s < 1e-4 ? last_->steady : steady(velocityTo(fit, since_s), since_s);
   }
 
   // Learns from the frame when the right camera exposes; what is left uncertain counts in the covariance.
   Verdict withOffset(Timestamp captured, const KeyFrame& key, const PoseFit& fit, Verdict verdict) {
     const double since_s = captured - last_->captured;
     if (since_s < 1e-4) return verdict;
-    offset_.add(key.level[0], fit, steady(velocityTo(fit, since_s), since_s), allowed_, since_s);
+    offset_.add(key.level[0], fit, velocityNow(captured, fit) - key.moving.velocity, allowed_, since_s);
     Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
     rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = fit.motion.linear();
     verdict.covariance += rotate * offset_.poseCovariance() * rotate.transpose();
@@ -218,6 +230,7 @@ class ModelHeadTracker : public HeadTracker {
   Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
                   const Eigen::Isometry3d& start) {
     const KeyFrame& key = keys_.nearest(start);
+    allowFor(key, start);
     const int level = search_.roughLevel() - 1;
     const PoseFit nearly = fitPose(rig_now_, model_, key.level, now, start, level, {}, level);
     work_.looks += nearly.looks;
@@ -298,7 +311,12 @@ class ModelHeadTracker : public HeadTracker {
   // Not in a frame in which the head was looked for: that has cost enough.
   void learnSides(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     if (work_.looks > kLearnBelow_looks) return;
-    if (keys_.learn(rig_now_, model_, frame, fit, verdict))
+    KeyMotion moving;
+    moving.velocity = velocityNow(frame.captured, fit);
+    moving.allowed = offset_.late_s() * moving.velocity;
+    stereo::StereoRig rig = rig_;
+    rig.right_T_left = rightThatSees(fit.motion, moving.allowed);
+    if (keys_.learn(rig, model_, frame, fit, verdict, moving))
       search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
   }
 
@@ -371,7 +389,7 @@ class ModelHeadTracker : public HeadTracker {
   std::shared_ptr<const FaceDetector> detector_;
   stereo::StereoRig rig_, rig_now_;  // now: as the moving head is seen (OffsetFilter)
   OffsetFilter offset_;
-  Vector6d allowed_ = Vector6d::Zero();  // of the head's motion, from the left to the right exposure
+  Vector6d allowed_ = Vector6d::Zero();  // of the head's motion between the exposures, beyond the key frame's
   PatchModel model_;
   DetailAgreement both_cameras_;  // in the reference
   std::size_t asked_part_ = 0;

@@ -65,8 +65,9 @@ std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, 
 double OffsetFilter::sigma_s() const { return std::sqrt(variance_s2_); }
 
 double OffsetFilter::late_s() const {
-  const double certain2 = kCertain * kCertain * variance_s2_;
-  return offset_s_ * offset_s_ > certain2 ? offset_s_ * (1.0 - certain2 / (offset_s_ * offset_s_)) : 0.0;
+  const double doubt = kCertain * kCertain * variance_s2_;
+  const double share = doubt / (offset_s_ * offset_s_);
+  return offset_s_ * offset_s_ > doubt ? offset_s_ * (1.0 - share * share) : 0.0;
 }
 
 void OffsetFilter::add(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity,

@@ -27,9 +27,9 @@ class OffsetFilter {
   /// What the uncertain offset does to the pose of the last frame added: covariance of xi, Head, about the
   /// model's centre.
   Matrix6d poseCovariance() const { return variance_s2_ * by_offset_ * by_offset_.transpose(); }
-  /// A tracked frame. `level`: the patches the fit was made with; `velocity`: the head's now, per s, in Head
-  /// about the model's centre; `allowed`: what the fit allowed for already, velocity times offset then;
-  /// `since_s`: since the frame before.
+  /// A tracked frame. `level`: the patches the fit was made with; `velocity`: the head's now, less what it
+  /// was when those patches were learnt, per s, in Head about the model's centre; `allowed`: what the fit
+  /// allowed for already, that velocity times offset then; `since_s`: since the frame before.
   void add(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity, const Vector6d& allowed,
            double since_s);
 

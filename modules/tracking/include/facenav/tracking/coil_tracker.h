@@ -64,8 +64,8 @@ class CoilTracker {
   virtual ~CoilTracker() = default;
   virtual void start(const stereo::StereoRig& rig, const CoilModel& coil) = 0;
   virtual Tracked<CoilPose> track(const stereo::StereoFrame& frame) = 0;
-  /// The right camera exposes so much later than the left one; of the frames to come.
-  virtual void setRightLate(double /*late_s*/) {}
+  /// The right camera exposes so much later than the left one, known to `sigma_s`; of the frames to come.
+  virtual void setRightLate(double /*late_s*/, double /*sigma_s*/) {}
   /// What the frame to come has cost already, before the coil's turn.
   virtual void setWorkBefore(const FrameWork& /*work*/) {}
   /// Of the last frame, with what came before; 0 where the method does not count.
