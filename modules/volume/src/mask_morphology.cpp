@@ -102,9 +102,8 @@ void squaredAlong(const std::uint8_t* row, float* out, int n, bool is_set, float
   }
 }
 
-/// out[row] = the least of in[row + t] + w t^2 over |t| <= reach, rows `stride` apart: whole rows at a time,
-/// rows without anything near are skipped, and
-/// such as hold nothing but the wanted kind.
+/// out[row] = the least of in[row + t] + w t^2 over |t| <= reach, rows `stride` apart: whole rows at a time.
+/// Rows without anything near, and rows that hold nothing but the wanted kind, are skipped.
 void leastAcross(const float* in, float* out, int rows, std::size_t stride, int width, float w, int reach) {
   std::vector<std::uint8_t> is_near(rows), is_there(rows);
   for (int r = 0; r < rows; ++r) {
