@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
+#include "ball_dilation.h"
 #include "facenav/volume/for_slices.h"
 
 namespace facenav::volume {
@@ -82,81 +84,7 @@ std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
 /// A hair more, so that a voxel at exactly the radius counts whatever the rounding.
 float squaredRadius(double radius_mm) { return float(radius_mm * radius_mm * (1 + 1e-5)); }
 
-/// Steps of a line to its nearest voxel of the wanted kind, as squared mm; kFar beyond `reach` steps.
-void squaredAlong(const std::uint8_t* row, float* out, int n, bool is_set, float w, int reach) {
-  const int set = int(std::count_if(row, row + n, [](std::uint8_t v) { return v != 0; }));
-  if (set == 0 || set == n) {  // most rows are of one kind
-    std::fill_n(out, n, (set != 0) == is_set ? 0.f : kFar);
-    return;
-  }
-  int since = reach + 1;
-  for (int i = 0; i < n; ++i) {
-    since = (row[i] != 0) == is_set ? 0 : std::min(since + 1, reach + 1);
-    out[i] = float(since);
-  }
-  since = reach + 1;
-  for (int i = n - 1; i >= 0; --i) {
-    since = out[i] == 0 ? 0 : std::min(since + 1, reach + 1);
-    const float steps = std::min(out[i], float(since));
-    out[i] = steps > float(reach) ? kFar : w * steps * steps;
-  }
-}
-
-/// out[row] = the least of in[row + t] + w t^2 over |t| <= reach, rows `stride` apart: whole rows at a time.
-/// Rows without anything near, and rows that hold nothing but the wanted kind, are skipped.
-void leastAcross(const float* in, float* out, int rows, std::size_t stride, int width, float w, int reach) {
-  std::vector<std::uint8_t> is_near(rows), is_there(rows);
-  for (int r = 0; r < rows; ++r) {
-    const float* from = in + r * stride;
-    float least = kFar, most = 0;
-    for (int i = 0; i < width; ++i) least = std::min(least, from[i]), most = std::max(most, from[i]);
-    is_near[r] = least < kFar, is_there[r] = most == 0;
-  }
-  for (int r = 0; r < rows; ++r) {
-    float* to = out + r * stride;
-    std::copy_n(in + r * stride, width, to);
-    if (is_there[r]) continue;  // nothing can lie nearer
-    for (int t = std::max(-reach, -r); t <= std::min(reach, rows - 1 - r); ++t) {
-      if (t == 0 || !is_near[r + t]) continue;
-      const float* from = in + (r + t) * stride;
-      const float add = w * float(t) * float(t);
-      for (int i = 0; i < width; ++i) {
-        const float d = from[i] + add;
-        to[i] = d < to[i] ? d : to[i];
-      }
-    }
-  }
-}
-
-/// Squared distances up to `radius_mm` (kFar or any greater value beyond): windows instead of envelopes,
-/// which neighbours share in vector registers. For small radii.
-std::vector<float> squaredDistanceWithin(const Mask& mask, bool is_set, double radius_mm) {
-  const auto& n = mask.grid.size;
-  const Eigen::Vector3d h = mask.grid.spacing_mm();
-  std::array<int, 3> reach;
-  for (int a = 0; a < 3; ++a) reach[a] = int(radius_mm / h[a] * (1 + 1e-5));
-  const std::size_t row = n[0], slab = row * n[1];
-  std::vector<float> d(mask.voxels.size());
-  forSlices(n[2], [&](int k) {
-    std::vector<float> lines(slab);
-    for (int j = 0; j < n[1]; ++j)
-      squaredAlong(&mask.voxels[mask.grid.index(0, j, k)], &lines[j * row], n[0], is_set, float(h[0] * h[0]),
-                   reach[0]);
-    leastAcross(lines.data(), &d[k * slab], n[1], row, n[0], float(h[1] * h[1]), reach[1]);
-  });
-  std::vector<float> out(d.size());
-  forSlices(n[1], [&](int j) {
-    leastAcross(&d[j * row], &out[j * row], n[2], slab, n[0], float(h[2] * h[2]), reach[2]);
-  });
-  return out;
-}
-
 constexpr int kWindow = 24;  // voxels: beyond, an envelope is faster
-
-std::vector<float> squaredDistanceUpTo(const Mask& mask, bool is_set, double radius_mm) {
-  if (radius_mm / mask.grid.spacing_mm().minCoeff() > kWindow) return squaredDistance(mask, is_set);
-  return squaredDistanceWithin(mask, is_set, radius_mm);
-}
 
 Mask keep(const Mask& mask, const std::vector<float>& value, bool (*rule)(float, float), float limit) {
   Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
@@ -244,6 +172,53 @@ class Parts {
   std::vector<std::size_t> first_of_row_, size_;
 };
 
+/// Runs of background along i, reached whole; each then looks at the four rows beside.
+class BackgroundFlood {
+ public:
+  explicit BackgroundFlood(const Mask& mask)
+      : mask_(mask),
+        row_(std::size_t(mask.grid.size[0])),
+        out_{mask.grid, std::vector<std::uint8_t>(mask.voxels.size(), 1)} {}
+
+  /// Starts from the background among the voxels `from` .. `to` of one row.
+  void reach(std::size_t from, std::size_t to) {
+    for (std::size_t v = from; v <= to; ++v)
+      if (isOpen(v)) reachRun(v);
+  }
+  /// All but what the background reached leads to; the flood is spent.
+  Mask unreached() {
+    const auto& n = mask_.grid.size;
+    const std::size_t slab = row_ * std::size_t(n[1]);
+    while (!front_.empty()) {
+      const auto [from, to] = front_.back();
+      front_.pop_back();
+      const int j = int(from / row_ % std::size_t(n[1])), k = int(from / slab);
+      if (j > 0) reach(from - row_, to - row_);
+      if (j + 1 < n[1]) reach(from + row_, to + row_);
+      if (k > 0) reach(from - slab, to - slab);
+      if (k + 1 < n[2]) reach(from + slab, to + slab);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  bool isOpen(std::size_t v) const { return !mask_.voxels[v] && out_.voxels[v]; }
+  void reachRun(std::size_t v) {
+    const std::size_t first = v / row_ * row_, last = first + row_ - 1;
+    std::size_t from = v, to = v;
+    while (from > first && isOpen(from - 1)) --from;
+    while (to < last && isOpen(to + 1)) ++to;
+    std::fill(out_.voxels.begin() + std::ptrdiff_t(from), out_.voxels.begin() + std::ptrdiff_t(to) + 1,
+              std::uint8_t(0));
+    front_.emplace_back(std::uint32_t(from), std::uint32_t(to));
+  }
+
+  const Mask& mask_;
+  std::size_t row_;
+  Mask out_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> front_;
+};
+
 }  // namespace
 
 std::vector<float> distanceTo(const Mask& mask) {
@@ -259,15 +234,21 @@ std::vector<float> depthWithin(const Mask& mask) {
 }
 
 Mask dilate(const Mask& mask, double radius_mm) {
+  const float limit = squaredRadius(radius_mm);
+  if (radius_mm / mask.grid.spacing_mm().minCoeff() <= kWindow)
+    return {mask.grid, withinBall(mask, true, limit)};
   return keep(
-      mask, squaredDistanceUpTo(mask, true, radius_mm), [](float d, float r) { return d <= r; },
-      squaredRadius(radius_mm));
+      mask, squaredDistance(mask, 1), [](float d, float r) { return d <= r; }, limit);
 }
 
 Mask erode(const Mask& mask, double radius_mm) {
-  return keep(
-      mask, squaredDistanceUpTo(mask, false, radius_mm), [](float d, float r) { return d > r; },
-      squaredRadius(radius_mm));
+  const float limit = squaredRadius(radius_mm);
+  if (radius_mm / mask.grid.spacing_mm().minCoeff() > kWindow)
+    return keep(
+        mask, squaredDistance(mask, 0), [](float d, float r) { return d > r; }, limit);
+  Mask out{mask.grid, withinBall(mask, false, limit)};
+  for (auto& voxel : out.voxels) voxel ^= 1;
+  return out;
 }
 
 Mask close(const Mask& mask, double radius_mm) { return erode(dilate(mask, radius_mm), radius_mm); }
@@ -284,46 +265,24 @@ Mask withoutSpecks(const Mask& mask, std::size_t voxels) {
   return parts.chosen(mask.grid, [&](std::size_t, std::size_t size) { return size >= voxels; });
 }
 
+Mask fillHolesFrom(const Mask& mask, const std::vector<std::size_t>& outside) {
+  BackgroundFlood flood(mask);
+  for (const std::size_t v : outside) flood.reach(v, v);
+  return flood.unreached();
+}
+
 Mask fillHoles(const Mask& mask) {
-  // Runs of background along i, from the border inwards: a run is reached whole, then looks at the four rows
-  // beside.
+  BackgroundFlood flood(mask);
   const auto& n = mask.grid.size;
-  const std::size_t row = n[0], slab = row * n[1];
-  Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size(), 1)};
-  std::vector<std::uint32_t> front;
-  const auto isOpen = [&](std::size_t v) { return !mask.voxels[v] && out.voxels[v]; };
-  const auto reachRun = [&](std::size_t v) {
-    const std::size_t first = v / row * row, last = first + row - 1;
-    std::size_t from = v, to = v;
-    while (from > first && isOpen(from - 1)) --from;
-    while (to < last && isOpen(to + 1)) ++to;
-    std::fill(out.voxels.begin() + std::ptrdiff_t(from), out.voxels.begin() + std::ptrdiff_t(to) + 1,
-              std::uint8_t(0));
-    front.push_back(std::uint32_t(from));
-    front.push_back(std::uint32_t(to));
-  };
-  const auto reachBeside = [&](std::size_t from, std::size_t to) {
-    for (std::size_t v = from; v <= to; ++v)
-      if (isOpen(v)) reachRun(v);
-  };
   for (int k = 0; k < n[2]; ++k)
     for (int j = 0; j < n[1]; ++j) {
-      const std::size_t first = mask.grid.index(0, j, k), last = first + row - 1;
+      const std::size_t first = mask.grid.index(0, j, k), last = first + std::size_t(n[0]) - 1;
       if (j == 0 || k == 0 || j == n[1] - 1 || k == n[2] - 1)
-        reachBeside(first, last);
+        flood.reach(first, last);
       else
-        reachBeside(first, first), reachBeside(last, last);
+        flood.reach(first, first), flood.reach(last, last);
     }
-  while (!front.empty()) {
-    const std::size_t to = front.back(), from = front[front.size() - 2];
-    front.resize(front.size() - 2);
-    const int j = int(from / row % n[1]), k = int(from / slab);
-    if (j > 0) reachBeside(from - row, to - row);
-    if (j + 1 < n[1]) reachBeside(from + row, to + row);
-    if (k > 0) reachBeside(from - slab, to - slab);
-    if (k + 1 < n[2]) reachBeside(from + slab, to + slab);
-  }
-  return out;
+  return flood.unreached();
 }
 
 Mask surfaceVoxels(const Mask& mask) {

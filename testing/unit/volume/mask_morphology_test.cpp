@@ -75,6 +75,46 @@ TEST(MaskMorphology, DilationAndErosionEqualTheirDefinitionAtAnyRadius) {
   }
 }
 
+TEST(MaskMorphology, DilationAndErosionHoldInRowsOfAnyLength) {
+  std::mt19937 random(17);
+  for (const int length : {1, 63, 64, 65, 131}) {
+    Mask mask;
+    mask.grid.size = {length, 6, 5};
+    mask.grid.mri_from_voxel.linear() = Eigen::Vector3d(0.9, 1.3, 0.7).asDiagonal();
+    for (std::size_t v = 0; v < mask.grid.count(); ++v) mask.voxels.push_back(random() % 40 == 0 ? 255 : 0);
+    Mask rest = mask;
+    for (auto& voxel : rest.voxels) voxel = !voxel;
+    const auto distance = distanceTo(mask);
+    for (double radius_mm : {0.8, 1.9, 3.1, 7.0, 20.0}) {
+      const Mask wide = dilate(mask, radius_mm), narrow = erode(rest, radius_mm);
+      for (std::size_t v = 0; v < distance.size(); ++v) {
+        ASSERT_EQ(wide.voxels[v], distance[v] <= radius_mm) << length << " " << radius_mm;
+        ASSERT_EQ(narrow.voxels[v], distance[v] > radius_mm) << length << " " << radius_mm;
+      }
+    }
+  }
+}
+
+TEST(MaskMorphology, NothingAndAllStayWhatTheyAre) {
+  Mask none = emptyMask(9), all = none;
+  all.voxels.assign(all.voxels.size(), 1);
+  EXPECT_EQ(countOf(dilate(none, 3)), 0u);
+  EXPECT_EQ(countOf(erode(none, 3)), 0u);
+  EXPECT_EQ(countOf(dilate(all, 3)), all.voxels.size());
+  EXPECT_EQ(countOf(erode(all, 3)), all.voxels.size()) << "beyond the grid lies nothing that erodes";
+}
+
+TEST(MaskMorphology, HolesAreFilledFromTheOutsideThatIsNamed) {
+  Mask wall = emptyMask(8);
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 8; ++j) wall.voxels[wall.grid.index(4, j, k)] = 1;
+  const Mask left = fillHolesFrom(wall, {wall.grid.index(0, 3, 3), wall.grid.index(4, 0, 0)});
+  EXPECT_EQ(left.at(3, 7, 0), 0);
+  EXPECT_EQ(left.at(5, 0, 0), 1) << "a voxel of the mask is no way in";
+  EXPECT_EQ(countOf(left), 4u * 8 * 8);
+  EXPECT_EQ(countOf(fillHoles(wall)), 8u * 8) << "both sides are open to the border";
+}
+
 TEST(MaskMorphology, ErosionUndoesDilationOfABall) {
   const auto small = ball(41, 8), large = ball(41, 12);
   EXPECT_GE(overlap(dilate(small, 4), large).dice, 0.95);

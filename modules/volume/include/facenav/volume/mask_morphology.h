@@ -26,6 +26,9 @@ Mask largestPart(const Mask& mask);
 Mask withoutSpecks(const Mask& mask, std::size_t voxels);
 /// Background that cannot be reached from the grid's border becomes mask.
 Mask fillHoles(const Mask& mask);
+/// The same with background that cannot be reached from the voxels `outside` (by index; those of the mask are
+/// no way in).
+Mask fillHolesFrom(const Mask& mask, const std::vector<std::size_t>& outside);
 
 /// The voxels of the mask of which one of the 6 neighbours is not in it or lies beyond the grid.
 Mask surfaceVoxels(const Mask& mask);
