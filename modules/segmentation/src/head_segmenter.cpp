@@ -7,6 +7,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/mask_morphology.h"
 #include "head_morphology.h"
 #include "head_threshold.h"
 
@@ -57,54 +58,52 @@ Coarse blockMeans(const Volume& volume) {
   return out;
 }
 
-BitGrid above(const Coarse& coarse, double threshold) {
-  BitGrid out{coarse.size, coarse.spacing_mm, std::vector<std::uint8_t>(coarse.mean.size())};
+Mask above(const Coarse& coarse, double threshold) {
+  Mask out;
+  out.grid.size = coarse.size;
+  out.grid.mri_from_voxel.linear() = coarse.spacing_mm.asDiagonal();
+  out.voxels.resize(coarse.mean.size());
   for (std::size_t c = 0; c < coarse.mean.size(); ++c) out.voxels[c] = coarse.mean[c] > threshold;
   return out;
 }
 
-BitGrid unite(BitGrid a, const BitGrid& b) {
-  for (std::size_t v = 0; v < a.voxels.size(); ++v) a.voxels[v] |= b.voxels[v];
-  return a;
-}
-
 /// Tissue plus the cavities within it; what only fills creases of the outer surface (between ear and head,
 /// beside the nose) is left out again.
-BitGrid withoutCavities(const BitGrid& tissue) {
-  const BitGrid closed = close(fillOccluded(tissue, kMostOpenDirections), kNarrowOpening_mm);
-  const BitGrid filled = fillCavities(closed);
-  BitGrid cavities = filled;
+Mask withoutCavities(const Mask& tissue) {
+  const Mask closed = close(fillOccluded(tissue, kMostOpenDirections), kNarrowOpening_mm);
+  const Mask filled = fillCavities(closed);
+  Mask cavities = filled;
   for (std::size_t v = 0; v < cavities.voxels.size(); ++v)
     cavities.voxels[v] = filled.voxels[v] && !closed.voxels[v];
-  BitGrid plugs = dilate(cavities, kNarrowOpening_mm + tissue.spacing_mm.maxCoeff());
+  Mask plugs = dilate(cavities, kNarrowOpening_mm + tissue.grid.spacing_mm().maxCoeff());
   for (std::size_t v = 0; v < plugs.voxels.size(); ++v) plugs.voxels[v] = plugs.voxels[v] && filled.voxels[v];
-  return fillCavities(fillOccluded(unite(plugs, tissue), kMostOpenDirections));
+  return fillCavities(fillOccluded(unionOf(plugs, tissue), kMostOpenDirections));
 }
 
-BitGrid coarseHead(const Coarse& coarse, const HeadThreshold& threshold) {
-  const BitGrid tissue = above(coarse, threshold.value);
-  const BitGrid solid = withoutCavities(tissue);
-  const BitGrid core = largestComponent(open(solid, kThinAttachment_mm));
+Mask coarseHead(const Coarse& coarse, const HeadThreshold& threshold) {
+  const Mask tissue = above(coarse, threshold.value);
+  const Mask solid = withoutCavities(tissue);
+  const Mask core = largestPart(open(solid, kThinAttachment_mm));
   const int steps = int(kEarsAndNose_mm / coarse.spacing_mm.minCoeff());
   return fillCavities(growInside(core, threshold.is_ct ? open(solid, 1.5) : solid, steps));
 }
 
 /// Is this a head and not noise or a phantom bottle? Sizes are generous: from a child's to a scan with
 /// shoulders.
-void requireHead(const BitGrid& head) {
-  std::array<int, 3> low = head.size, high{-1, -1, -1};
+void requireHead(const Mask& head) {
+  std::array<int, 3> low = head.grid.size, high{-1, -1, -1};
   std::size_t count = 0, v = 0;
-  for (int k = 0; k < head.size[2]; ++k)
-    for (int j = 0; j < head.size[1]; ++j)
-      for (int i = 0; i < head.size[0]; ++i, ++v)
+  for (int k = 0; k < head.grid.size[2]; ++k)
+    for (int j = 0; j < head.grid.size[1]; ++j)
+      for (int i = 0; i < head.grid.size[0]; ++i, ++v)
         if (head.voxels[v]) {
           ++count;
           const std::array<int, 3> at{i, j, k};
           for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], at[a]), high[a] = std::max(high[a], at[a]);
         }
-  const double volume_ml = double(count) * head.spacing_mm.prod() / 1000.0;
+  const double volume_ml = double(count) * head.grid.spacing_mm().prod() / 1000.0;
   std::array<double, 3> extent_mm;
-  for (int a = 0; a < 3; ++a) extent_mm[a] = (high[a] - low[a] + 1) * head.spacing_mm[a];
+  for (int a = 0; a < 3; ++a) extent_mm[a] = (high[a] - low[a] + 1) * head.grid.spacing_mm()[a];
   std::sort(extent_mm.begin(), extent_mm.end());
   const char* remedy = "choose a T1 or CT series that shows the whole head";
   if (count == 0 || volume_ml < 300 || extent_mm[1] < 80 || extent_mm[0] < 25)
@@ -129,15 +128,15 @@ float crossMean(const Volume& volume, int i, int j, int k) {
 }
 
 /// Each voxel of the shell takes the value that most of its 27-neighbourhood has: no frayed outline.
-BitGrid majority(const BitGrid& fine, const BitGrid& outer, const BitGrid& inner, const Coarse& coarse) {
-  BitGrid out = fine;
-  const std::size_t nx = fine.size[0], nxy = nx * fine.size[1];
-  for (int k = 1; k + 1 < fine.size[2]; ++k)
-    for (int j = 1; j + 1 < fine.size[1]; ++j)
-      for (int i = 1; i + 1 < fine.size[0]; ++i) {
-        const std::size_t c = outer.index(i / coarse.block[0], j / coarse.block[1], k / coarse.block[2]);
+Mask majority(const Mask& fine, const Mask& outer, const Mask& inner, const Coarse& coarse) {
+  Mask out = fine;
+  const std::size_t nx = fine.grid.size[0], nxy = nx * fine.grid.size[1];
+  for (int k = 1; k + 1 < fine.grid.size[2]; ++k)
+    for (int j = 1; j + 1 < fine.grid.size[1]; ++j)
+      for (int i = 1; i + 1 < fine.grid.size[0]; ++i) {
+        const std::size_t c = outer.grid.index(i / coarse.block[0], j / coarse.block[1], k / coarse.block[2]);
         if (!outer.voxels[c] || inner.voxels[c]) continue;
-        const std::size_t v = fine.index(i, j, k);
+        const std::size_t v = fine.grid.index(i, j, k);
         int set = 0;
         for (const std::size_t slice : {v - nxy, v, v + nxy})
           for (const std::size_t row : {slice - nx, slice, slice + nx})
@@ -147,21 +146,21 @@ BitGrid majority(const BitGrid& fine, const BitGrid& outer, const BitGrid& inner
   return out;
 }
 
-Mask refined(const Volume& volume, const Coarse& coarse, const BitGrid& head, double threshold) {
+Mask refined(const Volume& volume, const Coarse& coarse, const Mask& head, double threshold) {
   const double shell_mm = 1.01 * coarse.spacing_mm.maxCoeff();
-  const BitGrid inner = erode(head, shell_mm), outer = dilate(head, shell_mm);
-  BitGrid fine{volume.grid.size, volume.grid.spacing_mm(), std::vector<std::uint8_t>(volume.voxels.size())};
+  const Mask inner = erode(head, shell_mm), outer = dilate(head, shell_mm);
+  Mask fine{volume.grid, std::vector<std::uint8_t>(volume.voxels.size())};
   std::size_t v = 0;
   for (int k = 0; k < volume.grid.size[2]; ++k)
     for (int j = 0; j < volume.grid.size[1]; ++j)
       for (int i = 0; i < volume.grid.size[0]; ++i, ++v) {
-        const std::size_t c = head.index(i / coarse.block[0], j / coarse.block[1], k / coarse.block[2]);
+        const std::size_t c = head.grid.index(i / coarse.block[0], j / coarse.block[1], k / coarse.block[2]);
         if (inner.voxels[c])
           fine.voxels[v] = 1;
         else if (outer.voxels[c])
           fine.voxels[v] = crossMean(volume, i, j, k) > threshold;
       }
-  return {volume.grid, fillCavities(largestComponent(majority(fine, outer, inner, coarse))).voxels};
+  return fillCavities(largestPart(majority(fine, outer, inner, coarse)));
 }
 
 class HeadSegmenter : public Segmenter {
@@ -172,7 +171,7 @@ class HeadSegmenter : public Segmenter {
       throw Error("no head in this volume: it is empty", {}, "choose another series");
     const Coarse coarse = blockMeans(volume);
     const HeadThreshold threshold = findHeadThreshold(coarse.mean, volume.modality);
-    const BitGrid head = coarseHead(coarse, threshold);
+    const Mask head = coarseHead(coarse, threshold);
     requireHead(head);
     monitor.report("head mask", 0.5);
     SegmentationResult result{refined(volume, coarse, head, threshold.value), {}};
