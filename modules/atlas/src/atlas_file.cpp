@@ -17,6 +17,7 @@
 #include "facenav/atlas/atlas_map.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/volume/fast_compressor.h"
 
 namespace facenav::atlas {
 namespace {
@@ -74,6 +75,8 @@ void writeAtlasMap(const AtlasMap& map, const std::filesystem::path& path) {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(file.temporaryPath().c_str());
+  writer->SetCompressor(volume::fastCompressor());
+  writer->EncodeAppendedDataOff();
   if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw Error("the atlas registration could not be written", path.string(),
                 "check free disk space and permissions");

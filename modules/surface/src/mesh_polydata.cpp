@@ -16,6 +16,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/volume/fast_compressor.h"
 
 namespace facenav::surface {
 namespace {
@@ -114,7 +115,7 @@ void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path) {
   writer->SetInputData(&poly_data);
   writer->SetFileName(file.temporaryPath().c_str());
   writer->EncodeAppendedDataOff();
-  writer->SetCompressionLevel(1);  // the higher ones take three times as long for a tenth less
+  writer->SetCompressor(volume::fastCompressor());
   if (writer->Write() != 1 || listener->has_error)
     throw Error("the surface could not be written", path.string(), "is the disk full?");
   file.commit();
