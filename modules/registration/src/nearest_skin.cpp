@@ -31,17 +31,6 @@ Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3
   return {va / sum, vb / sum, vc / sum};
 }
 
-/// Groups `items` (owner, item) by owner into first/list arrays.
-void group(std::vector<std::pair<int, int>>& items, std::size_t owners, std::vector<int>& first,
-           std::vector<int>& list) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  first.assign(owners + 1, 0);
-  list.clear();
-  for (const auto& [owner, item] : items) ++first[owner + 1], list.push_back(item);
-  for (std::size_t o = 0; o < owners; ++o) first[o + 1] += first[o];
-}
-
 }  // namespace
 
 NearestSkin::NearestSkin(const SkinModel& skin) : skin_(&skin) {
@@ -55,23 +44,26 @@ NearestSkin::NearestSkin(const SkinModel& skin) : skin_(&skin) {
 
 void NearestSkin::linkVertices() {
   std::vector<std::pair<int, int>> directed, corner;
+  directed.reserve(3 * skin_->triangles.size());
+  corner.reserve(3 * skin_->triangles.size());
   for (std::size_t t = 0; t < skin_->triangles.size(); ++t)
     for (int c = 0; c < 3; ++c) {
       directed.emplace_back(skin_->triangles[t][c], skin_->triangles[t][(c + 1) % 3]);
       corner.emplace_back(skin_->triangles[t][c], int(t));
     }
-  group(corner, vertices().size(), first_triangle_, triangles_of_);
+  corner_triangles_ = withoutRepetitions(groupedByOwner(corner, vertices().size()));
   // An edge without its opposite is the surface's end.
-  std::sort(directed.begin(), directed.end());
+  const Grouped ahead = groupedByOwner(directed, vertices().size());
   on_border_.assign(vertices().size(), false);
   std::vector<std::pair<int, int>> both;
+  both.reserve(2 * directed.size());
   for (const auto& [a, b] : directed) {
-    if (!std::binary_search(directed.begin(), directed.end(), std::make_pair(b, a)))
+    if (!std::binary_search(ahead.all.begin() + ahead.first[b], ahead.all.begin() + ahead.first[b + 1], a))
       on_border_[a] = on_border_[b] = true;
     both.emplace_back(a, b);
     both.emplace_back(b, a);
   }
-  group(both, vertices().size(), first_neighbour_, neighbours_);
+  neighbours_ = withoutRepetitions(groupedByOwner(both, vertices().size()));
 }
 
 void NearestSkin::fillNodes() {
@@ -80,7 +72,8 @@ void NearestSkin::fillNodes() {
   node_.assign(std::size_t(size_[0]) * size_[1] * size_[2], -1);
   std::vector<float> nearest(node_.size(), std::numeric_limits<float>::max());
   for (std::size_t v = 0; v < vertices().size(); ++v) {
-    if (first_triangle_[v] == first_triangle_[v + 1]) continue;  // in no triangle: no part of the surface
+    if (corner_triangles_.first[v] == corner_triangles_.first[v + 1])
+      continue;  // in no triangle: no part of the surface
     const Eigen::Vector3d at = (vertices()[v] - origin_) / kNode_mm;
     const Eigen::Vector3i low = at.array().floor().cast<int>();
     for (int corner = 0; corner < 8; ++corner) {
@@ -138,9 +131,9 @@ int NearestSkin::nearestVertex(const Eigen::Vector3d& p) const {
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
     const int at = vertex;
-    for (int e = first_neighbour_[at]; e < first_neighbour_[at + 1]; ++e) {
-      const double d = (vertices()[neighbours_[e]] - p).squaredNorm();
-      if (d < nearest) nearest = d, vertex = neighbours_[e], has_moved = true;
+    for (int e = neighbours_.first[at]; e < neighbours_.first[at + 1]; ++e) {
+      const double d = (vertices()[neighbours_.all[e]] - p).squaredNorm();
+      if (d < nearest) nearest = d, vertex = neighbours_.all[e], has_moved = true;
     }
   }
   return vertex;
@@ -158,8 +151,9 @@ SkinContact NearestSkin::nearest(const Eigen::Vector3d& p) const {
   contact.is_on_border = on_border_[contact.vertex];
   contact.is_beyond_scan = isBeyondScan(p);
   double nearest = std::numeric_limits<double>::max();
-  for (int e = first_triangle_[contact.vertex]; e < first_triangle_[contact.vertex + 1]; ++e) {
-    const Eigen::Vector3i& t = skin_->triangles[triangles_of_[e]];
+  for (int e = corner_triangles_.first[contact.vertex]; e < corner_triangles_.first[contact.vertex + 1];
+       ++e) {
+    const Eigen::Vector3i& t = skin_->triangles[corner_triangles_.all[e]];
     const Eigen::Vector3d w = nearestOnTriangle(p, vertices()[t[0]], vertices()[t[1]], vertices()[t[2]]);
     const Eigen::Vector3d q = w[0] * vertices()[t[0]] + w[1] * vertices()[t[1]] + w[2] * vertices()[t[2]];
     const double d = (p - q).squaredNorm();

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "facenav/core/grouped.h"
 #include "facenav/registration/skin_model.h"
 
 namespace facenav::registration {
@@ -44,8 +45,8 @@ class NearestSkin {
   void propagate(const std::vector<std::array<int, 3>>& offsets, bool is_backward);
 
   const SkinModel* skin_;
-  std::vector<int> first_neighbour_, neighbours_;
-  std::vector<int> first_triangle_, triangles_of_;
+  Grouped neighbours_;        // of a vertex
+  Grouped corner_triangles_;  // those that a vertex is a corner of
   std::vector<bool> on_border_;
   Eigen::Vector3d low_, high_, origin_;
   std::array<int, 3> size_{};

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "facenav/core/grouped.h"
 #include "facenav/volume/vtk_image.h"
 #include "mesh_polydata.h"
 
@@ -93,19 +94,21 @@ MeshNeighbours neighboursOf(const TriangleMesh& mesh) {
       edges.emplace_back(t[c], t[(c + 1) % 3]);
       edges.emplace_back(t[(c + 1) % 3], t[c]);
     }
-  std::sort(edges.begin(), edges.end());
+  const Grouped all = groupedByOwner(edges, n);
   MeshNeighbours out;
   out.first.assign(n + 1, 0);
   out.on_border.assign(n, false);
-  for (std::size_t e = 0; e < edges.size();) {
-    std::size_t same = e;
-    while (same < edges.size() && edges[same] == edges[e]) ++same;
-    out.all.push_back(edges[e].second);
-    ++out.first[edges[e].first + 1];
-    if (same - e == 1) out.on_border[edges[e].first] = out.on_border[edges[e].second] = true;
-    e = same;
+  for (std::size_t v = 0; v < n; ++v) {
+    for (int e = all.first[v]; e < all.first[v + 1];) {
+      int same = e;
+      while (same < all.first[v + 1] && all.all[std::size_t(same)] == all.all[std::size_t(e)]) ++same;
+      const int other = all.all[std::size_t(e)];
+      out.all.push_back(other);
+      if (same - e == 1) out.on_border[v] = out.on_border[std::size_t(other)] = true;
+      e = same;
+    }
+    out.first[v + 1] = int(out.all.size());
   }
-  for (std::size_t v = 0; v < n; ++v) out.first[v + 1] += out.first[v];
   return out;
 }
 
