@@ -8,6 +8,7 @@
 namespace facenav::surface {
 namespace {
 
+using Eigen::Array4f;
 using Eigen::Vector3f;
 
 constexpr int kLeaf = 6;        // triangles
@@ -35,9 +36,13 @@ Vector3f closestOn(const Vector3f& a, const Vector3f& b, const Vector3f& c, cons
   return a + vb / sum * ab + vc / sum * ac;
 }
 
-float squaredToBox(const Vector3f& low, const Vector3f& high, const Vector3f& p) {
-  return (low - p).cwiseMax(p - high).cwiseMax(Vector3f::Zero()).squaredNorm();
+float squaredToBox(const Array4f& low, const Array4f& high, const Array4f& p) {
+  return (low - p).max(p - high).max(Array4f::Zero()).square().sum();
 }
+
+Array4f padded(const Vector3f& v) { return {v.x(), v.y(), v.z(), 0.f}; }
+
+constexpr float kUnknown = -1;  // facing
 
 }  // namespace
 
@@ -53,7 +58,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangle_(mesh.triangles.
     middle[t] = (corners_[t].a + corners_[t].b + corners_[t].c) / 3;
   }
   nodes_.reserve(n);
-  nodes_.push_back({Vector3f::Zero(), Vector3f::Zero(), 0, int(n)});
+  nodes_.push_back({Array4f::Zero(), Array4f::Zero(), 0, int(n)});
   if (n > 0) split(0, middle);
   std::vector<Corners> ordered(n);
   slot_.resize(n);
@@ -72,7 +77,7 @@ void TriangleTree::split(int node, std::vector<Vector3f>& middle) {
     low_middle = low_middle.cwiseMin(middle[triangle_[s]]);
     high_middle = high_middle.cwiseMax(middle[triangle_[s]]);
   }
-  nodes_[node].low = low, nodes_[node].high = high;
+  nodes_[node].low = padded(low), nodes_[node].high = padded(high);
   if (count <= kLeaf) return;
   int axis = 0;
   (high_middle - low_middle).maxCoeff(&axis);
@@ -80,44 +85,55 @@ void TriangleTree::split(int node, std::vector<Vector3f>& middle) {
   std::nth_element(begin, half, begin + count,
                    [&](int a, int b) { return middle[a][axis] < middle[b][axis]; });
   const int child = int(nodes_.size());
-  nodes_.push_back({low, high, first, count / 2});
-  nodes_.push_back({low, high, first + count / 2, count - count / 2});
+  const Array4f zero = Array4f::Zero();
+  nodes_.push_back({zero, zero, first, count / 2});
+  nodes_.push_back({zero, zero, first + count / 2, count - count / 2});
   nodes_[node].first = child, nodes_[node].count = 0;
   split(child, middle);
   split(child + 1, middle);
 }
 
-void TriangleTree::consider(int slot, const Vector3f& p, NearestPlace& best, float& facing) const {
+float TriangleTree::facing(int slot, const Vector3f& p, const Vector3f& at) const {
+  const Corners& t = corners_[slot];
+  return std::abs((t.b - t.a).cross(t.c - t.a).normalized().dot(p - at));
+}
+
+void TriangleTree::consider(int slot, const Vector3f& p, NearestPlace& best, float& best_facing) const {
   const Corners& t = corners_[slot];
   const Vector3f at = closestOn(t.a, t.b, t.c, p);
   const float squared = (p - at).squaredNorm();
   if (squared > best.squared_mm2 * (1 + kSame)) return;
-  const float faces = std::abs((t.b - t.a).cross(t.c - t.a).normalized().dot(p - at));
-  if (squared >= best.squared_mm2 * (1 - kSame) && faces <= facing) return;
+  if (squared >= best.squared_mm2 * (1 - kSame)) {
+    if (best_facing == kUnknown) best_facing = facing(slot_[std::size_t(best.triangle)], p, best.point_mm);
+    const float faces = facing(slot, p, at);
+    if (faces <= best_facing) return;
+    best_facing = faces;
+  } else {
+    best_facing = kUnknown;  // asked for when another comes as near
+  }
   best = {at, std::min(squared, best.squared_mm2), triangle_[slot]};
-  facing = faces;
 }
 
-void TriangleTree::visit(int node, const Vector3f& p, NearestPlace& best, float& facing) const {
+void TriangleTree::visit(int node, const Array4f& p, NearestPlace& best, float& best_facing) const {
   const Node& n = nodes_[node];
   if (n.count > 0) {
-    for (int s = n.first; s < n.first + n.count; ++s) consider(s, p, best, facing);
+    for (int s = n.first; s < n.first + n.count; ++s) consider(s, p.head<3>().matrix(), best, best_facing);
     return;
   }
   int nearer = n.first, farther = n.first + 1;
   float to_nearer = squaredToBox(nodes_[nearer].low, nodes_[nearer].high, p),
         to_farther = squaredToBox(nodes_[farther].low, nodes_[farther].high, p);
   if (to_farther < to_nearer) std::swap(nearer, farther), std::swap(to_nearer, to_farther);
-  if (to_nearer <= best.squared_mm2 * (1 + kSame)) visit(nearer, p, best, facing);
-  if (to_farther <= best.squared_mm2 * (1 + kSame)) visit(farther, p, best, facing);
+  if (to_nearer <= best.squared_mm2 * (1 + kSame)) visit(nearer, p, best, best_facing);
+  if (to_farther <= best.squared_mm2 * (1 + kSame)) visit(farther, p, best, best_facing);
 }
 
 NearestPlace TriangleTree::nearest(const Vector3f& p_mm, int near) const {
   NearestPlace best;
   best.squared_mm2 = std::numeric_limits<float>::max() / 2;
-  float facing = -1;
-  if (near >= 0) consider(slot_[std::size_t(near)], p_mm, best, facing);
-  visit(0, p_mm, best, facing);
+  float best_facing = kUnknown;
+  if (near >= 0) consider(slot_[std::size_t(near)], p_mm, best, best_facing);
+  visit(0, padded(p_mm), best, best_facing);
   return best;
 }
 

@@ -26,15 +26,17 @@ class TriangleTree {
 
  private:
   struct Node {
-    Eigen::Vector3f low, high;
+    Eigen::Array4f low, high;  // the fourth is 0: four numbers are one register
     int first = 0, count = 0;  // triangles of a leaf; count 0: children at first and first + 1
   };
   struct Corners {
     Eigen::Vector3f a, b, c;
   };
   void split(int node, std::vector<Eigen::Vector3f>& middle);
-  void visit(int node, const Eigen::Vector3f& p, NearestPlace& best, float& facing) const;
-  void consider(int slot, const Eigen::Vector3f& p, NearestPlace& best, float& facing) const;
+  /// How squarely the slot's triangle faces p, seen from its place `at`.
+  float facing(int slot, const Eigen::Vector3f& p, const Eigen::Vector3f& at) const;
+  void visit(int node, const Eigen::Array4f& p, NearestPlace& best, float& best_facing) const;
+  void consider(int slot, const Eigen::Vector3f& p, NearestPlace& best, float& best_facing) const;
 
   std::vector<Corners> corners_;  // in the order of the leaves
   std::vector<int> triangle_;     // of each slot
