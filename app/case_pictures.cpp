@@ -13,12 +13,16 @@ void writePrivatePng(const RgbImage& image, const fs::path& path) {
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
 }
 
-void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
-                          const fs::path& case_folder) {
+RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex,
+                                const surface::ModelDistance& figures) {
   const double full_mm = scene::distanceScale_mm(figures.cortex_to_model);
   const auto colour = [full_mm](double mm) { return scene::distanceColour(mm, full_mm); };
-  writePrivatePng(session::drawSurfaceDistance(cortex, figures, full_mm, colour),
-                  case_folder / "surface_distance.png");
+  return session::drawSurfaceDistance(cortex, figures, full_mm, colour);
+}
+
+void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
+                          const fs::path& case_folder) {
+  writePrivatePng(surfaceDistancePicture(cortex, figures), case_folder / "surface_distance.png");
 }
 
 }  // namespace facenav::app

@@ -10,7 +10,9 @@ namespace facenav::app {
 
 void writePrivatePng(const RgbImage& image, const std::filesystem::path& path);
 
-/// How far the phi-theta surface lies from the cortex, as surface_distance.png in the case.
+/// How far the phi-theta surface lies from the cortex.
+RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures);
+/// The same as surface_distance.png in the case.
 void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
                           const std::filesystem::path& case_folder);
 

@@ -142,6 +142,21 @@ std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& war
   }
 }
 
+/// Empty where the face was not measured.
+RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
+  const auto& check = prepared.navigation_check;
+  if (!check || check->landmarks.points.empty()) return {};
+  return session::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
+}
+
+/// Empty where there is no cortex.
+RgbImage distancePicture(const casefile::PreparedCase& prepared) {
+  if (!prepared.cortex || !prepared.brain_quality) return {};
+  const auto& q = *prepared.brain_quality;
+  return surfaceDistancePicture(
+      *prepared.cortex, {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}});
+}
+
 double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
@@ -179,31 +194,17 @@ PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
                              {"brain", request.brain_segmenter},
                              {"nifti_transform", request.nifti_transform}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
+  // Drawn beside the writing.
+  auto face_picture = std::async(std::launch::async, [&prepared] { return faceMeasuresPicture(prepared); });
+  auto distance_picture = std::async(std::launch::async, [&prepared] { return distancePicture(prepared); });
   auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,
                                            request.discard_edits);
-  std::future<void> field;  // what aligning would wait for
-  if (prepared.scalp.has_face)
-    field = std::async(std::launch::async, [&store] {
-      try {
-        registration::keptScalpField(session::skinModel(store.scalp()), store.scalpField());
-      } catch (const Error& error) {  // the model is whole without it; aligning says the same
-        logWarning(std::string("no face could be aligned to this scalp: ") + error.what());
-      }
-    });
-  if (prepared.navigation_check && !prepared.navigation_check->landmarks.points.empty()) {
-    const auto& check = *prepared.navigation_check;
-    writePrivatePng(session::drawFaceMeasures(prepared.scalp, check.landmarks, check.measures),
-                    store.folder() / "face_measures.png");
-  }
-  if (prepared.cortex && prepared.brain_quality) {
-    const auto& q = *prepared.brain_quality;
-    writeSurfaceDistance(*prepared.cortex,
-                         {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}},
-                         store.folder());
-  }
+  if (const RgbImage picture = distance_picture.get(); !picture.empty())
+    writePrivatePng(picture, store.folder() / "surface_distance.png");
+  if (const RgbImage picture = face_picture.get(); !picture.empty())
+    writePrivatePng(picture, store.folder() / "face_measures.png");
   std::optional<double> brain_ml;
   if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
-  if (field.valid()) field.get();
   return {std::move(store), imported.description, prepared.findings, brain_ml,
           std::move(prepared.navigation_check)};
 }

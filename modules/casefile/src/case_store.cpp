@@ -20,6 +20,8 @@ fs::path cleaned(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+constexpr char kScalpField[] = "scalp_field.bin";
+
 bool isCase(const fs::path& folder) { return fs::is_regular_file(folder / "case.json"); }
 
 bool has(const CaseJson& content, const std::string& file) {
@@ -43,6 +45,7 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
   });
   volume::writeMask(prepared.head_mask, folder / "head_mask.nii.gz");
   surface::writeScalp(prepared.scalp, folder / "scalp.vtp");
+  if (prepared.scalp_field) prepared.scalp_field->write(folder / kScalpField);
   if (prepared.brain_mask) {
     volume::writeMask(*prepared.brain_mask, folder / "brain_mask.nii.gz");
     files.push_back("brain_mask.nii.gz");
@@ -187,6 +190,8 @@ std::optional<volume::Mask> CaseStore::brainMask() const {
 }
 
 surface::ScalpSurface CaseStore::scalp() const { return surface::readScalp(folder_ / "scalp.vtp"); }
+
+fs::path CaseStore::scalpField() const { return folder_ / kScalpField; }
 
 std::optional<surface::BrainModel> CaseStore::brain() const {
   if (!has(readCaseJson(folder_ / "case.json"), "brain.vtp")) return std::nullopt;

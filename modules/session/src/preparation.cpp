@@ -6,6 +6,8 @@
 #include <mutex>
 
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "facenav/session/align_from_capture.h"
 #include "facenav/session/brain_confidence.h"
 #include "facenav/session/brain_surfaces.h"
 
@@ -20,6 +22,17 @@ struct HeadPart {
   surface::NavigationCheck check;
   std::vector<std::string> warnings;
 };
+/// Nothing where no face could be aligned to the scalp: the model is whole without it.
+std::shared_ptr<const registration::ScalpField> fieldOf(const surface::ScalpSurface& scalp) {
+  if (!scalp.has_face) return {};
+  try {
+    return std::make_shared<const registration::ScalpField>(skinModel(asStored(scalp)));
+  } catch (const Error& error) {  // aligning says the same
+    logWarning(std::string("no face could be aligned to this scalp: ") + error.what());
+    return {};
+  }
+}
+
 struct BrainPart {
   std::optional<volume::Mask> mask;
   std::optional<surface::BrainModel> model;
@@ -134,6 +147,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
     prepared.scalp = std::move(part.scalp);
     prepared.findings = std::move(part.warnings);
     prepared.navigation_check = std::move(part.check);
+    prepared.scalp_field = fieldOf(prepared.scalp);  // beside the brain
   } catch (...) {
     brain_monitor.cancel();  // then the other thread ends at its next report
     brain_task.wait();

@@ -67,4 +67,12 @@ ScalpSurface readScalp(const std::filesystem::path& path) {
   return scalp;
 }
 
+ScalpSurface asStored(ScalpSurface scalp) {
+  // The very way through the file's arrays: GCC 12 vectorises a loop of casts to float and back so that the
+  // last normals keep their double precision.
+  scalp.mesh.normals = toTriangleMesh(*toPolyData(scalp.mesh)).normals;
+  for (auto& [point, normal] : scalp.field_of_view) normal = Direction<Mri>(Eigen::Vector3d(normal.v));
+  return scalp;
+}
+
 }  // namespace facenav::surface

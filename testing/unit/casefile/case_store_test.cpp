@@ -87,6 +87,23 @@ TEST(CaseStore, KeepsAHeadWithoutABrain) {
   EXPECT_FALSE(fs::exists(folder.path() / "case/brain.vtp"));
 }
 
+registration::SkinModel skinOf(const surface::ScalpSurface& scalp) {
+  return {{scalp.mesh.vertices_mm, scalp.mesh.normals},
+          scalp.mesh.triangles,
+          scalp.field_of_view,
+          scalp.has_face};
+}
+
+TEST(CaseStore, KeepsTheScalpsFieldSoThatAligningNeedNotBuildIt) {
+  const TemporaryFolder folder;
+  PreparedCase prepared = preparedCase();
+  prepared.scalp_field =
+      std::make_shared<const registration::ScalpField>(skinOf(surface::asStored(prepared.scalp)));
+  const CaseStore store = CaseStore::create(folder.path() / "case", prepared, provenance(), false);
+  EXPECT_TRUE(registration::ScalpField::read(skinOf(store.scalp()), store.scalpField()));
+  EXPECT_EQ(mode(store.scalpField()), 0600);
+}
+
 TEST(CaseStore, IsPrivateToTheUser) {
   const TemporaryFolder folder;
   const CaseStore store = CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);

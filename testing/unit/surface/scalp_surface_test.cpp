@@ -158,6 +158,28 @@ TEST(ScalpSurface, IsOpenWhereTheScanEnds) {
   EXPECT_EQ(on_an_end, 0) << "no cap over the cut";
 }
 
+TEST(ScalpSurface, IsKnownBitForBitAsItsFileGivesItBack) {
+  SkinPhantom phantom;
+  TaskMonitor monitor;
+  auto scan = phantom.scan({2, 2, 2}, kFrontLow, kFrontHigh);
+  auto head = maskOf(phantom, scan.grid);
+  scan.grid.mri_from_voxel.prerotate(
+      Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 0.7).normalized()));  // planes of odd normals
+  head.grid = scan.grid;
+  const auto scalp = extractScalp(scan, head, monitor);
+  TemporaryFolder folder;
+  writeScalp(scalp, folder.path() / "scalp.vtp");
+  const auto read = readScalp(folder.path() / "scalp.vtp"), stored = asStored(scalp);
+  EXPECT_TRUE(read.mesh.vertices_mm == stored.mesh.vertices_mm);
+  EXPECT_TRUE(read.mesh.normals == stored.mesh.normals);
+  EXPECT_FALSE(read.mesh.normals == scalp.mesh.normals) << "then nothing is tested";
+  ASSERT_EQ(read.field_of_view.size(), stored.field_of_view.size());
+  for (std::size_t p = 0; p < read.field_of_view.size(); ++p) {
+    EXPECT_TRUE(read.field_of_view[p].first.mm == stored.field_of_view[p].first.mm);
+    EXPECT_TRUE(read.field_of_view[p].second.v == stored.field_of_view[p].second.v);
+  }
+}
+
 TEST(ScalpSurface, SurvivesTheFile) {
   SkinPhantom phantom;
   TaskMonitor monitor;

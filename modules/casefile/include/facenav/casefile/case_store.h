@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,8 @@ struct PreparedCase {
   volume::Mask head_mask;
   std::optional<volume::Mask> brain_mask;
   surface::ScalpSurface scalp;
+  /// Of the scalp as scalp.vtp gives it back; kept for alignments, which build it where it is absent.
+  std::shared_ptr<const registration::ScalpField> scalp_field;
   std::optional<surface::BrainModel> brain;
   std::optional<surface::DetailedCortex> cortex;
   std::optional<atlas::AtlasMap> atlas;
@@ -90,7 +93,7 @@ class CaseStore {
   std::optional<volume::Mask> brainMask() const;
   surface::ScalpSurface scalp() const;
   /// Where the scalp's distance field is kept for alignments: derived, built again when missing or stale.
-  std::filesystem::path scalpField() const { return folder_ / "scalp_field.bin"; }
+  std::filesystem::path scalpField() const;
   std::optional<surface::BrainModel> brain() const;
   /// cortex.vtp; nothing in cases of before this was kept, or after an edit that did not model it anew.
   std::optional<surface::DetailedCortex> cortex() const;

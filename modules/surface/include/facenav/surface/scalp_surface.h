@@ -25,5 +25,7 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
 /// scalp.vtp: points + normals + mesh (Mri); has_face, findings and field of view as field data. Whole file.
 void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path);
 ScalpSurface readScalp(const std::filesystem::path& path);
+/// What readScalp gives back of it, bit for bit: normals in single precision, the planes' made unit ones again.
+ScalpSurface asStored(ScalpSurface scalp);
 
 }  // namespace facenav::surface
