@@ -1,6 +1,7 @@
 # Third-party packages, each component by name (a bare OpenCV_LIBS or
 # PCL_LIBRARIES would pull Qt and the VTK GUI into the command line).
 find_package(Threads REQUIRED)
+find_package(TBB REQUIRED CONFIG COMPONENTS tbb)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -145,7 +145,7 @@ class Loader {
     for (std::size_t h = 0; h < headers_.size(); ++h)
       if (usesForeignCodec(headers_[h]))
         slices.insert(slices.end(), slices_of_[h].begin(), slices_of_[h].end());
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t cores = coreCount();
     std::deque<std::unique_ptr<Batch>> running;
     for (std::size_t next = 0; next < slices.size() || !running.empty();) {
       monitor_.report(kStep, double(next) / double(slices.size()));

@@ -1,10 +1,9 @@
 #include "part_fits.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 
+#include "facenav/core/parallel_for.h"
 #include "skin_likelihood.h"
 
 namespace facenav::registration {
@@ -23,19 +22,7 @@ constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncert
 constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
 constexpr double kMet = 0.2;       // of these: as far as fits settle
 constexpr double kRuledOut = 8.0;  // logarithm of odds
-
-/// work(number) for 0 .. count - 1, in any order; what it gives must not depend on that.
-template <class Work>
-void forEachOnTwoCores(std::size_t count, Work&& work) {
-  std::atomic<std::size_t> next{0};
-  const auto run = [&] {
-    for (std::size_t number; (number = next++) < count;) work(number);
-  };
-  if (count < 2) return run();
-  auto other = std::async(std::launch::async, run);
-  run();
-  other.get();
-}
+constexpr std::size_t kCores = 2;
 
 float quantile(const std::vector<float>& sorted, double fraction) {
   return sorted[std::size_t(fraction * double(sorted.size() - 1))];
@@ -84,7 +71,7 @@ class Followed {
     fitAll(poses, 1.2f);
     keepNew(poses, ended_, kMet);
     std::vector<PartFit> judged(poses.size());
-    forEachOnTwoCores(poses.size(), [&](std::size_t p) {
+    parallelFor(poses.size(), kCores, [&](std::size_t p, std::size_t) {
       judged[p] = {poses[p], log_likelihood_(all_.match(poses[p]))};
     });
     fits_.insert(fits_.end(), judged.begin(), judged.end());
@@ -104,7 +91,7 @@ class Followed {
 
  private:
   void fitAll(Poses& poses, float reach_mm) const {
-    forEachOnTwoCores(poses.size(), [&](std::size_t p) {
+    parallelFor(poses.size(), kCores, [&](std::size_t p, std::size_t) {
       poses[p] = all_.fit(poses[p], {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
     });
   }
@@ -137,7 +124,7 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
   const Extent extent(matches);
   Followed followed(scalp, all, logLikelihood);
   std::vector<Eigen::Isometry3d> starts(std::size(kParts), mri_T_camera);
-  forEachOnTwoCores(starts.size(), [&](std::size_t part) {
+  parallelFor(starts.size(), kCores, [&](std::size_t part, std::size_t) {
     const FieldFitter alone(scalp, face, extent.members(kParts[part], points));
     for (const float reach_mm : {6.0f, 4.0f, 2.5f, 1.5f})
       starts[part] = alone.fit(starts[part], {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
@@ -145,7 +132,7 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
   followed.add(std::move(starts));
   // On a forehead alone every part may lead to a neighbour of the best pose.
   starts.assign(12, followed.likeliestFirst().front().mri_T_camera);
-  forEachOnTwoCores(starts.size(), [&](std::size_t side) {
+  parallelFor(starts.size(), kCores, [&](std::size_t side, std::size_t) {
     Vector6d off = Vector6d::Zero();
     const std::size_t axis = side / 2;
     off[Eigen::Index(axis)] = (side % 2 ? 1.0 : -1.0) * (axis < 3 ? kNearby_rad : kNearby_mm);

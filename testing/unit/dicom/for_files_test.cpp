@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <numeric>
+#include <thread>
 
 #include "facenav/core/error.h"
 #include "file_prefix.h"
