@@ -45,21 +45,32 @@ Block blurAndSample(const Block& in, int axis, int count, double sigma_voxels) {
   for (int a = 0; a < axis; ++a) inner *= in.size[a];
   for (int a = axis + 1; a < 3; ++a) outer *= in.size[a];
   const double step = count > 1 ? double(n - 1) / (count - 1) : 0.0;
+  struct Tap {
+    float weight;
+    std::size_t source;
+  };
+  std::vector<Tap> taps;
   for (int c = 0; c < count; ++c) {
     const double at = c * step;
     const int low = std::min(int(at), std::max(0, n - 2));
     const float fraction = float(at - low);
-    for (int r = -radius; r <= radius + 1; ++r) {
-      const float weight = (r <= radius ? kernel[r + radius] * (1 - fraction) : 0.f) +
-                           (r > -radius ? kernel[r - 1 + radius] * fraction : 0.f);
-      const std::size_t source = std::clamp(low + r, 0, n - 1);
-      for (std::size_t o = 0; o < outer; ++o) {
-        const float* from = &in.values[(o * n + source) * inner];
-        float* to = &out.values[(o * count + c) * inner];
-        for (std::size_t i = 0; i < inner; ++i) to[i] += weight * from[i];
+    for (int r = -radius; r <= radius + 1; ++r)
+      taps.push_back({(r <= radius ? kernel[r + radius] * (1 - fraction) : 0.f) +
+                          (r > -radius ? kernel[r - 1 + radius] * fraction : 0.f),
+                      std::size_t(std::clamp(low + r, 0, n - 1))});
+  }
+  const std::size_t taps_a_place = taps.size() / std::size_t(count);
+  for (std::size_t o = 0; o < outer; ++o)
+    for (std::size_t c = 0; c < std::size_t(count); ++c) {
+      float* to = &out.values[(o * count + c) * inner];
+      for (std::size_t t = c * taps_a_place; t < (c + 1) * taps_a_place; ++t) {
+        const float* from = &in.values[(o * n + taps[t].source) * inner];
+        if (inner == 1)
+          *to += taps[t].weight * *from;
+        else
+          for (std::size_t i = 0; i < inner; ++i) to[i] += taps[t].weight * from[i];
       }
     }
-  }
   return out;
 }
 
