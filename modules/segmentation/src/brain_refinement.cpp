@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "downhill_growth.h"
 #include "facenav/volume/mask_morphology.h"
 
 namespace facenav::segmentation {
@@ -26,25 +27,38 @@ Mask whiteMatter(const Volume& calm, const Mask& first, const TissueModel& tissu
 
 Refinement::Refinement(const Volume& flat, const Volume& calm, const Mask& first, const TissueModel& tissue,
                        float open_fluid)
-    : flat_(flat), tissue_(tissue), open_fluid_(open_fluid) {
+    : flat_(flat), calm_(calm), tissue_(tissue), open_fluid_(open_fluid) {
   const RefinementOptions reach;
   const Mask white = whiteMatter(calm, first, tissue);
   // The connected body of white matter: what the neck's muscles, which look like grey matter, do not have.
   region_ = intersection(dilate(first, reach.search_mm),
                          dilate(largestPart(erode(white, reach.white_tear_mm)), reach.white_reach_mm));
-  near_white_ = dilate(largestPart(white), reach.cortex_mm);
+  white_ = largestPart(white);
+  near_white_ = dilate(white_, reach.cortex_mm);
 }
 
-Mask Refinement::brain(double tissue_share, bool is_near_white) const {
+Mask Refinement::tissueAbove(double share) const {
+  const float low = open_fluid_ + float(share) * (float(tissue_.grey.mean) - open_fluid_);
+  const float high = float(tissue_.white.mean * RefinementOptions().brightest);
+  Mask tissue = region_;
+  for (std::size_t v = 0; v < tissue.voxels.size(); ++v)
+    tissue.voxels[v] &= flat_.voxels[v] > low && flat_.voxels[v] < high;
+  return tissue;
+}
+
+Mask Refinement::brain(double stricter, bool is_grown) const {
   const RefinementOptions options;
-  const float low = open_fluid_ + float(tissue_share) * (float(tissue_.grey.mean) - open_fluid_);
-  const float high = float(tissue_.white.mean * options.brightest);
-  Mask near = region_;
-  for (std::size_t v = 0; v < near.voxels.size(); ++v)
-    near.voxels[v] &= flat_.voxels[v] > low && flat_.voxels[v] < high;
-  const Mask torn = erode(near, options.tear_mm);
-  const Mask core = largestPart(is_near_white ? intersection(torn, near_white_) : torn);
-  Mask brain = intersection(dilate(core, options.regrow_mm), near);
+  const Mask bright = tissueAbove(options.core_share + stricter);
+  Mask tissue = bright, torn;
+  if (is_grown) {
+    // Through the smoothed image: in single voxels noise rises everywhere.
+    tissue = growDownhill(calm_, white_, tissueAbove(options.tissue_share + stricter),
+                          {open_fluid_, float(tissue_.grey.mean), options.rise});
+    torn = intersection(erode(intersection(tissue, bright), options.tear_mm), near_white_);
+  } else {
+    torn = erode(bright, options.tear_mm);
+  }
+  Mask brain = intersection(dilate(largestPart(torn), options.regrow_mm), tissue);
   const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);
   brain = unionOf(close(brain, options.sulcus_mm), deep);
   return largestPart(open(fillHoles(close(brain, options.smooth_mm)), options.smooth_mm));

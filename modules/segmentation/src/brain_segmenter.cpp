@@ -20,6 +20,8 @@ using volume::VoxelGrid;
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
 constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
 
+constexpr double kSoftening_mm2 = 0.15;  // on a grid of 1 mm, beyond the common sharpness
+
 constexpr float kMostDoubt_mm = 30;  // where another limit finds no brain at all
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
 constexpr double kSafeShare = 0.8;  // of the first guess's ball: nothing but brain, its fluid and ventricles
@@ -61,12 +63,12 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
 /// The value of fluid where it is wide open (ventricles): the darkest fiftieth of the core. The fluid's
 /// class, most of which lies in narrow sulci, turns brighter with the size of the voxels and darker with
 /// noise. Only where the core holds next to no fluid (the darkest fiftieth comes near the class' mean) it is
-/// told from the class, by the limit of tissue that both rules give on 1 mm scans of adults.
+/// told from the class: as far below it as on 1 mm scans of adults, yet fluid is brighter than air.
 float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue) {
-  constexpr double kDarkest = 0.02, kOfClass = 0.2;  // share of the way from the class' mean to grey matter's
-  const double share = RefinementOptions().tissue_share;
-  const double limit = tissue.fluid.mean + kOfClass * (tissue.grey.mean - tissue.fluid.mean);
-  const double by_class = (limit - share * tissue.grey.mean) / (1 - share);
+  constexpr double kDarkest = 0.02;
+  constexpr double kBelowClass = 0.54, kLeastOfClass = 0.4;  // per distance to grey matter, per mean
+  const double by_class = std::max(tissue.fluid.mean - kBelowClass * (tissue.grey.mean - tissue.fluid.mean),
+                                   kLeastOfClass * tissue.fluid.mean);
   std::vector<float> values;
   for (std::size_t v = 0; v < core.voxels.size(); ++v)
     if (core.voxels[v]) values.push_back(flat.voxels[v]);
@@ -76,6 +78,12 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
   // From halfway between both on, the class counts more and more.
   const double away = (*at - by_class) / std::max(1e-6, tissue.fluid.mean - by_class);
   return float(*at + (by_class - *at) * std::clamp(2 * away - 1, 0.0, 1.0));
+}
+
+/// What the surface is sought in: coarse voxels show crowns and thin films of fluid as little as this does.
+/// The classes are told apart better without: where sulci are few, theirs of fluid would be lost.
+Volume softened(const Volume& image) {
+  return volume::spread(image, Eigen::Vector3d::Constant(kSoftening_mm2));
 }
 
 /// By the level of the smoothed mask: the steps of the working grid, which lies anyhow against the scan's,
@@ -88,18 +96,17 @@ Mask onGrid(const Mask& brain, const VoxelGrid& grid) {
   return out;
 }
 
-constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about the one that is taken
+constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about those that are taken
 constexpr int kDoubtStep = 2;                         // voxels between the places where doubt is stated
 
 /// Where a stricter and a more generous limit of tissue would put the surface: from the mean of the fluid in
 /// sulci to where grey matter's class begins; the generous one also takes sinuses and dura for cortex.
 std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement) {
-  const double taken = RefinementOptions().tissue_share;
-  const auto awayOf = [&](double share, bool is_near_white) {
-    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(share, is_near_white)));
+  const auto awayOf = [&](double stricter, bool is_grown) {
+    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(stricter, is_grown)));
   };
-  auto strict = std::async(std::launch::async, [&] { return awayOf(taken + kStrict, true); });
-  std::vector<float> furthest = awayOf(taken - kGenerous, false);
+  auto strict = std::async(std::launch::async, [&] { return awayOf(kStrict, true); });
+  std::vector<float> furthest = awayOf(-kGenerous, false);
   const std::vector<float> other = strict.get();
   for (std::size_t v = 0; v < furthest.size(); ++v) furthest[v] = std::max(furthest[v], other[v]);
   const Mask surface = volume::surfaceVoxels(brain);
@@ -141,7 +148,7 @@ class BrainSegmenter : public Segmenter {
     const TissueModel tissue = fitTissue(calm, core, &rough);
     requireTissueContrast(tissue);
     monitor.report("separating the brain", 0.75);
-    const Volume rough_flat = corrected(image, tissue), calm_flat = corrected(calm, tissue);
+    const Volume rough_flat = corrected(softened(image), tissue), calm_flat = corrected(calm, tissue);
     const float open_fluid = openFluid(calm_flat, core, tissue);
     const Volume flat =
         calmed(rough_flat, noiseOf(rough_flat, calm_flat, core, tissue), tissue.grey.mean - open_fluid);

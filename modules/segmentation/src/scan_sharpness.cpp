@@ -15,7 +15,7 @@ using volume::Volume;
 
 constexpr double kSpread = 0.26;  // variance of MR's point spread (FWHM 1.21 voxels), per voxel edge squared
 constexpr double kCoarsest_mm = 1.5;  // whose point spread can be brought back
-constexpr double kCommon_mm2 = 0.35;  // of the point spread at which all scans are judged
+constexpr double kCommon_mm2 = 0.40;  // of the point spread at which all scans are judged
 constexpr double kBrightest = 1.15;   // times white matter: vessels are brighter
 constexpr double kDeep_mm = 3.2;      // this deep in white matter there is nothing but noise
 constexpr double kPass_mm2 = 0.5;     // what one pass of `smoothed` adds on a grid of 1 mm

@@ -16,7 +16,7 @@ namespace facenav::segmentation {
 double pointSpread_mm2(const volume::Volume& image, const volume::Mask& core, const TissueModel& tissue);
 
 /// `image` (cubes of 1 mm on RAS axes) brought from the point spread it shows to the one at which all scans
-/// are judged, 0.35 mm^2: scans of 1 mm are smoothed a little, those of 1.5 mm sharpened. How
+/// are judged, 0.40 mm^2: scans of 1 mm are smoothed a little, those of 1.5 mm sharpened. How
 /// the axes differ is told by the voxels of `scan`.
 volume::Volume atCommonSharpness(const volume::Volume& image, const volume::VoxelGrid& scan,
                                  const volume::Mask& core, const TissueModel& tissue);

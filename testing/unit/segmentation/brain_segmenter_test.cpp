@@ -9,14 +9,10 @@
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/segmentation/tissue_share.h"
 #include "facenav/volume/mask_morphology.h"
-#include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
-#include "facenav/volume/smoothing.h"
 #include "head_phantom.h"
-#include "support/test_data.h"
 
-// The brain's mask against known answers: the phantom's ellipsoids, Colin27's brain, masks of an independent
-// network.
+// The brain's mask against known answers: the phantom's ellipsoids. Real heads: brain_real_heads_test.cpp.
 
 namespace facenav {
 namespace {
@@ -186,52 +182,19 @@ TEST(BrainSegmenter, StopsWhenCancelled) {
   EXPECT_THROW(makeBrainSegmenter()->segment(plainHead().volume, monitor), Cancelled);
 }
 
-/// Found once for all tests.
-const volume::Mask& brainOfColin27() {
-  static const volume::Mask brain = brainOf(volume::readNifti(testing::colin27()).volume);
-  return brain;
+/// Share of the phantom's dura that the mask holds.
+double duraWithin(const volume::Mask& brain, const HeadPhantom& head) {
+  return volume::overlap(head.dura, brain).inside;
 }
 
-TEST(BrainSegmenter, AgreesWithColin27sBrain) {
-  FACENAV_NEEDS(testing::colin27());
-  const auto truth = volume::readMask(testing::colin27Brain());
-  // ch2bet leaves the sulci open: half the brain's surface. Bare overlap is enough here: all of it lies
-  // inside.
-  const auto& found = brainOfColin27();
-  EXPECT_GE(volume::overlap(truth, found).inside, 0.975);
-  EXPECT_NEAR(found.volume_ml(), 1768, 50);  // ch2bet closed by 2 voxels and filled
-}
-
-TEST(BrainSegmenter, HoldsStillUnderNoise) {
-  FACENAV_NEEDS(testing::colin27());
-  auto noisy = volume::readNifti(testing::colin27()).volume;
-  const float sigma = 0.06f * volume::percentile(noisy, 0.98);
-  std::mt19937 random(3);
-  std::normal_distribution<float> normal;
-  for (float& v : noisy.voxels) v = std::hypot(v + sigma * normal(random), sigma * normal(random));
-  EXPECT_GE(volume::overlap(brainOf(noisy), brainOfColin27()).dice, 0.99);
-}
-
-const volume::Mask& brainOfPatient() {
-  static const volume::Mask brain = brainOf(volume::readNifti(testing::virtualPatientMri()).volume);
-  return brain;
-}
-
-TEST(BrainSegmenter, LiesInsideTheMaskWithFluidOfAWholeHead) {
-  FACENAV_NEEDS(testing::virtualPatientMri());
-  const auto reference = testing::sharedData() / "masks/brainbrowser_structural1_with_csf.nii.gz";
-  FACENAV_NEEDS(reference);
-  const auto& found = brainOfPatient();
-  const auto overlap = volume::overlap(found, volume::resample(volume::readMask(reference), found.grid));
-  EXPECT_GE(overlap.inside, 0.985);
-  EXPECT_GE(overlap.dice, 0.92);
-}
-
-TEST(BrainSegmenter, HoldsStillUnderABlurThatTheVoxelsSizeDoesNotSay) {
-  FACENAV_NEEDS(testing::virtualPatientMri());
-  const auto head = volume::readNifti(testing::virtualPatientMri()).volume;
-  const auto blurred = volume::spread(head, Eigen::Vector3d::Constant(0.3));  // as two interpolations do
-  EXPECT_GE(volume::overlap(brainOf(blurred), brainOfPatient()).dice, 0.99);
+TEST(BrainSegmenter, LeavesOutDuraBeyondAFilmOfFluid) {
+  PhantomOptions options;
+  options.has_dura = true;
+  const HeadPhantom head = makeHeadPhantom(options);
+  ASSERT_GT(head.dura.volume_ml(), 5);
+  const auto found = brainOf(head.volume);
+  EXPECT_LT(duraWithin(found, head), 0.1);
+  EXPECT_GE(volume::overlap(found, head.brain).dice, 0.98);  // and the crown below it is kept
 }
 
 TEST(BetSegmenter, FindsThePhantomsBrainAboveALongNeck) {

@@ -16,12 +16,14 @@ struct PhantomOptions {
   double noise = 0.03;  // of white matter's value
   double gain = 1.0, offset = 0.0;
   double bias = 0.0;       // log gain from back to front
+  bool has_dura = false;   // a lump of it at the vertex, as bright as cortex, beyond a film of fluid
   bool has_tissue = true;  // else one value throughout the brain, as CT shows it
 };
 
 struct HeadPhantom {
   volume::Volume volume;
   volume::Mask brain;  // with its sulci closed: the pial ellipsoid, cerebellum included
+  volume::Mask dura;   // empty unless asked for
 };
 
 inline HeadPhantom makeHeadPhantom(const PhantomOptions& options = {}) {
@@ -33,6 +35,7 @@ inline HeadPhantom makeHeadPhantom(const PhantomOptions& options = {}) {
   grid.mri_from_voxel = Eigen::Translation3d(-90, -108, -150) * Eigen::Scaling(h);
   phantom.brain.grid = grid;
   phantom.brain.voxels.assign(grid.count(), 0);
+  phantom.dura = phantom.brain;
   phantom.volume.voxels.resize(grid.count());
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0, options.noise * 100);
@@ -58,6 +61,11 @@ inline HeadPhantom makeHeadPhantom(const PhantomOptions& options = {}) {
         if (head < -5 && brain < 9) value = 8;                       // skull
         if (brain < 3) value = 25;                                   // fluid
         if (eyes < 0) value = 30;
+        if (options.has_dura && brain >= 0 && brain < 7 && p.z() > 0 && std::hypot(p.x(), p.y()) < 25) {
+          const bool is_film = brain < 2;  // too thin for the voxels: half of what they hold is tissue
+          value = is_film ? 48 : 70;
+          phantom.dura.voxels[at] = !is_film;
+        }
         if (brain < 0) {
           const double folds = std::sin(p.x() / 4.2) * std::sin(p.y() / 4.6) * std::sin(p.z() / 4.4);
           const bool is_sulcus = folds > 0.75 && brain > -12;
