@@ -17,7 +17,7 @@ class BetSegmenter : public Segmenter {
     const BetSurface surface = evolveBet(coarse, start.sphere, start.intensities, BetOptions(), monitor);
     SegmentationResult result;
     result.mask = volume::resample(enclosed(surface, working.grid), volume.grid);
-    result.warnings = checkBrain(result.mask);
+    result.warnings = checkBrain(result.mask, start.sphere);
     return result;
   }
 };

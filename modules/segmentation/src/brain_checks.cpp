@@ -13,6 +13,8 @@ namespace {
 using volume::Mask;
 
 constexpr double kLeast_ml = 600, kMost_ml = 2200;  // no brain that rTMS treats lies outside
+// Per ball by the head, of which brains measure 0.9 to 1.2; beyond it none, whatever the head.
+constexpr double kMostOfBall = 1.1, kMostEver_ml = 2600;
 constexpr double kNormalLeast_ml = 1100, kNormalMost_ml = 1700;
 constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
 constexpr double kLeastExtent_mm = 100;
@@ -26,6 +28,11 @@ constexpr double kLeastSpread = 0.06;  // 20th to 80th percentile, per median
 }
 
 std::string millilitres(double ml) { return std::to_string(int(std::lround(ml))) + " ml"; }
+
+double mostVolume_ml(const BetSphere& by_head) {
+  const double ball_ml = 4.0 / 3 * M_PI * std::pow(by_head.radius_mm, 3) * 1e-3;
+  return std::clamp(kMostOfBall * ball_ml, kMost_ml, kMostEver_ml);
+}
 
 /// Area of the mask in the outermost slice of each side of the grid (RAS order): left, right, back, front,
 /// bottom, top.
@@ -78,10 +85,11 @@ void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere) 
     noBrain("the tissues within the head all look alike, as on a CT");
 }
 
-std::vector<std::string> checkBrain(const Mask& brain) {
-  const double ml = brain.volume_ml();
-  if (ml < kLeast_ml || ml > kMost_ml)
-    noBrain("what looks like a brain measures " + millilitres(ml) + " (600 to 2200 is possible)");
+std::vector<std::string> checkBrain(const Mask& brain, const BetSphere& by_head) {
+  const double ml = brain.volume_ml(), most_ml = mostVolume_ml(by_head);
+  if (ml < kLeast_ml || ml > most_ml)
+    noBrain("what looks like a brain measures " + millilitres(ml) + " (600 to " +
+            std::to_string(int(std::lround(most_ml))) + " is possible in this head)");
   std::vector<std::string> warnings;
   if (ml < kNormalLeast_ml || ml > kNormalMost_ml)
     warnings.push_back("the brain measures " + millilitres(ml) +

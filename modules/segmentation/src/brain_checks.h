@@ -18,7 +18,8 @@ void requireTissueContrast(const TissueModel& tissue);
 /// from air.
 void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere);
 /// Throws Error "no brain can be modelled: ..." for volumes that no brain has; else warnings in plain words.
-/// `brain` lies on the scan's own grid.
-std::vector<std::string> checkBrain(const volume::Mask& brain);
+/// `brain` lies on the scan's own grid; `by_head`: the ball that the head's top and girth let expect, which
+/// grants more to a head that is itself larger than any other (MNI's template is).
+std::vector<std::string> checkBrain(const volume::Mask& brain, const BetSphere& by_head);
 
 }  // namespace facenav::segmentation

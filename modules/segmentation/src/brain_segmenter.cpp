@@ -158,7 +158,7 @@ class BrainSegmenter : public Segmenter {
     SegmentationResult result;
     result.mask = onGrid(brain, volume.grid);
     result.doubts = doubtsOf(brain, refinement);
-    result.warnings = checkBrain(result.mask);
+    result.warnings = checkBrain(result.mask, by_head.sphere);
     return result;
   }
 };

@@ -1,0 +1,41 @@
+#include "brain_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "facenav/core/error.h"
+
+// Balls of known volume as brains.
+
+namespace facenav::segmentation {
+namespace {
+
+/// Well within a grid of voxels of 3 mm.
+volume::Mask ballOf_ml(double ml) {
+  volume::VoxelGrid grid;
+  grid.size = {80, 80, 80};
+  grid.mri_from_voxel = Eigen::Scaling(3.0);
+  return ballOf(grid, Eigen::Vector3d::Constant(120), std::cbrt(ml * 1e3 * 3 / (4 * M_PI)));
+}
+
+BetSphere headOf_ml(double ml) { return {Eigen::Vector3d::Zero(), std::cbrt(ml * 1e3 * 3 / (4 * M_PI))}; }
+
+TEST(BrainChecks, RefusesVolumesThatNoBrainHas) {
+  EXPECT_THROW(checkBrain(ballOf_ml(500), headOf_ml(1400)), Error);
+  EXPECT_THROW(checkBrain(ballOf_ml(2300), headOf_ml(1400)), Error);
+  EXPECT_THROW(checkBrain(ballOf_ml(2700), headOf_ml(4000)), Error);
+}
+
+TEST(BrainChecks, GrantsMoreToAHeadThatIsItselfLarge) {
+  const auto warnings = checkBrain(ballOf_ml(2300), headOf_ml(2350));
+  ASSERT_EQ(warnings.size(), 1u);  // still far from what adults have
+  EXPECT_NE(warnings[0].find("adults have 1100 to 1700 ml"), std::string::npos) << warnings[0];
+}
+
+TEST(BrainChecks, HasNothingToSayOfAnAdultsBrain) {
+  EXPECT_TRUE(checkBrain(ballOf_ml(1400), headOf_ml(1400)).empty());
+}
+
+}  // namespace
+}  // namespace facenav::segmentation
