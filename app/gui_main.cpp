@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "appearance.h"
+#include "facenav/core/parallel_for.h"
 #include "facenav/scene/display.h"
 #include "main_window.h"
 #include "presenters/worklist_presenter.h"
@@ -68,6 +69,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setApplicationName("FaceNav");
   keepFilesPrivate();
   ui::applyAppearance(application);
+  runOnWorkers(coreCount(), [](std::size_t) {});  // shared threads begin at the window's own priority
   ui::MainWindow window(app::windowServices());
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
     window.restoreLast();

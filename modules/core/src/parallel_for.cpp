@@ -1,19 +1,40 @@
 #include "facenav/core/parallel_for.h"
 
+#include <sys/resource.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <thread>
+#include <vector>
 
 namespace facenav {
 inline namespace core {
+
+namespace {
+
+/// Its nice value is above the process' own: a shared thread would do its work at everybody's priority.
+bool isBackgroundThread() {
+  return ::getpriority(PRIO_PROCESS, 0) > ::getpriority(PRIO_PROCESS, id_t(::getpid()));
+}
+
+/// On threads of its own, which inherit the caller's nice value.
+void runOnOwnThreads(std::size_t workers, const std::function<void(std::size_t)>& run) {
+  std::vector<std::thread> others;
+  for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+  run(0);
+  for (std::thread& other : others) other.join();
+}
+
+}  // namespace
 
 std::size_t coreCount() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 void runOnWorkers(std::size_t workers, const std::function<void(std::size_t)>& run) {
   if (workers == 0) return;
   if (workers == 1) return run(0);
+  if (isBackgroundThread()) return runOnOwnThreads(workers, run);
   tbb::this_task_arena::isolate([&] {  // while it waits, a loop within a loop takes no item of the outer one
     tbb::task_group others;
     for (std::size_t worker = 1; worker < workers; ++worker) others.run([&run, worker] { run(worker); });

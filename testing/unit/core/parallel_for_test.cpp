@@ -1,11 +1,15 @@
 #include "facenav/core/parallel_for.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace facenav {
@@ -67,6 +71,31 @@ TEST(ParallelFor, LoopsWithinLoopsAndBesideEachOtherEnd) {
   loops();
   beside.join();
   EXPECT_EQ(inner, 2 * 8 * 50);
+}
+
+TEST(ParallelFor, BackgroundWorkStaysInTheBackground) {
+  constexpr int kNicer = 5;
+  const int own = ::getpriority(PRIO_PROCESS, 0);
+  if (own + kNicer > 19) GTEST_SKIP() << "runs at the lowest priority already";
+  const auto niceValues = [](std::size_t workers) {  // nice values met, lowest and highest
+    std::pair<int, int> met{100, -100};
+    std::mutex mutex;
+    parallelFor(workers * 20, workers, [&](std::size_t, std::size_t) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      const int nice = ::getpriority(PRIO_PROCESS, 0);
+      const std::lock_guard<std::mutex> lock(mutex);
+      met = {std::min(met.first, nice), std::max(met.second, nice)};
+    });
+    return met;
+  };
+  std::pair<int, int> background;
+  std::thread nicer([&] {
+    ASSERT_EQ(::setpriority(PRIO_PROCESS, 0, own + kNicer), 0);
+    background = niceValues(4);
+  });
+  nicer.join();
+  EXPECT_EQ(background, std::make_pair(own + kNicer, own + kNicer));
+  EXPECT_EQ(niceValues(4), std::make_pair(own, own)) << "nor do the shared threads keep it";
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #pragma once
 // parallelFor: independent items on several cores; the one parallel loop of FaceNav. Items are begun in
 // order, a core that is done takes the next one. The threads are the process' own (oneTBB's, which VTK uses
-// too): loops that run at the same time share them, and one that gets none does all its items itself.
+// too): loops that run at the same time share them, and one that gets none does all its items itself. Work in
+// the background (a thread with a nice value above the process') stays there: its loops run on threads of
+// their own at its priority.
 
 #include <atomic>
 #include <cstddef>
