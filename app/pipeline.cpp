@@ -1,19 +1,13 @@
 #include "pipeline.h"
 
 #include <algorithm>
-#include <future>
 #include <map>
 
 #include "case_pictures.h"
-#include "facenav/casefile/edited_brain.h"
-#include "facenav/casefile/sha256.h"
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/dicom/import_volume.h"
-#include "facenav/session/face_measures_picture.h"
 #include "facenav/session/navigator.h"
-#include "facenav/session/preparation.h"
 #include "facenav/session/skin_fit_picture.h"
 #include "facenav/tracking/face_landmarks.h"
 #include "stored_capture.h"
@@ -132,31 +126,6 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
     logWarning("the coil's poses are the marker's (no --coil was given): the marker is guided, not the coil");
 }
 
-/// The atlas, or a warning that there is none: a case without MNI coordinates is still a case.
-std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
-  try {
-    return atlas::readColin27();
-  } catch (const Error& error) {
-    warnings.push_back(std::string("no MNI coordinates: ") + error.what());
-    return std::nullopt;
-  }
-}
-
-/// Empty where the face was not measured.
-RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
-  const auto& check = prepared.navigation_check;
-  if (!check || check->landmarks.points.empty()) return {};
-  return session::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
-}
-
-/// Empty where there is no cortex.
-RgbImage distancePicture(const casefile::PreparedCase& prepared) {
-  if (!prepared.cortex || !prepared.brain_quality) return {};
-  const auto& q = *prepared.brain_quality;
-  return surfaceDistancePicture(
-      *prepared.cortex, {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}});
-}
-
 double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
@@ -164,50 +133,6 @@ double quantile(std::vector<double> values, double fraction) {
 }
 
 }  // namespace
-
-PrepareOutcome prepareCase(Context& context, const PrepareRequest& request) {
-  if (fs::exists(request.case_folder) && !request.replace)
-    throw Error(
-        "exists already", request.case_folder.string(),
-        "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
-  if (!request.discard_edits) casefile::requireNoEditsIn(request.case_folder);  // said before the work
-  const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
-  if (!fs::is_directory(parent))  // said before the work, not after it
-    throw Error("no such folder to make the case in", parent.string(), "create it first");
-  const auto head = context.registrations.head_segmenters.create(request.head_segmenter);
-  const auto brain = context.registrations.brain_segmenters.create(request.brain_segmenter);
-  std::vector<std::string> atlas_warnings;
-  const std::shared_future<std::optional<atlas::BrainTemplate>> colin =
-      std::async(std::launch::async, [&atlas_warnings] { return installedAtlas(atlas_warnings); });
-  auto imported = dicom::importVolume(request.input, request.series_uid, context.monitor,
-                                      volume::niftiTransformNamed(request.nifti_transform));
-  casefile::requireTargetsStay(request.case_folder, imported.volume);  // said before the work
-  auto prepared = session::prepare(imported.volume, *head, *brain, context.monitor,
-                                   [&colin] { return colin.get() ? &*colin.get() : nullptr; });
-  colin.wait();  // asked for or not
-  imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
-  prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
-  context.monitor.report("writing the case", 0.0);
-  casefile::Provenance step{"prepare",
-                            softwareVersion(),
-                            {{"head", request.head_segmenter},
-                             {"brain", request.brain_segmenter},
-                             {"nifti_transform", request.nifti_transform}},
-                            {{"input", casefile::sha256OfInput(request.input)}}};
-  // Drawn beside the writing.
-  auto face_picture = std::async(std::launch::async, [&prepared] { return faceMeasuresPicture(prepared); });
-  auto distance_picture = std::async(std::launch::async, [&prepared] { return distancePicture(prepared); });
-  auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,
-                                           request.discard_edits);
-  if (const RgbImage picture = distance_picture.get(); !picture.empty())
-    writePrivatePng(picture, store.folder() / "surface_distance.png");
-  if (const RgbImage picture = face_picture.get(); !picture.empty())
-    writePrivatePng(picture, store.folder() / "face_measures.png");
-  std::optional<double> brain_ml;
-  if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
-  return {std::move(store), imported.description, prepared.findings, brain_ml,
-          std::move(prepared.navigation_check)};
-}
 
 session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore& store,
                                     const stereo::StereoRig& rig, const capture::CapturePair& capture,

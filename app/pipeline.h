@@ -1,6 +1,7 @@
 #pragma once
-// The steps of the data flow as the verbs and the demo run them: PREPARE, ALIGN, TRACK, GUIDE. Composition of
-// module calls with the registered implementations; the same code for a real patient and for the demo.
+// The steps of the data flow as the verbs and the demo run them: ALIGN, TRACK, GUIDE (PREPARE:
+// prepare_case.h). Composition of module calls with the registered implementations; the same code for a real
+// patient and for the demo.
 
 #include <filesystem>
 #include <functional>
@@ -17,23 +18,6 @@
 #include "facenav/session/navigation_state.h"
 
 namespace facenav::app {
-
-struct PrepareRequest {
-  std::filesystem::path input, case_folder;
-  std::optional<std::string> series_uid;
-  std::string head_segmenter, brain_segmenter;  // registered names
-  std::string nifti_transform = "automatic";    // or "sform", "qform"
-  bool replace = false;
-  bool discard_edits = false;  // with replace: also a case whose brain mask was corrected by hand
-};
-struct PrepareOutcome {
-  casefile::CaseStore store;
-  std::vector<std::string> description, findings;  // plain words for the radiographer
-  std::optional<double> brain_ml;
-  std::optional<surface::NavigationCheck> navigation_check;
-};
-/// INPUT -> case folder, whole or not at all. Throws Error.
-PrepareOutcome prepareCase(Context& context, const PrepareRequest& request);
 
 /// Aligns and writes alignment.json and the capture pair it rests on into the case. Throws Error ("not
 /// aligned: ..").

@@ -4,7 +4,9 @@
 #include "context.h"
 #include "facenav/capture/camera_pair_source.h"
 #include "facenav/core/error.h"
+#include "facenav/dicom/patient.h"
 #include "pipeline.h"
+#include "prepare_case.h"
 #include "stored_capture.h"
 
 namespace facenav::app {
@@ -29,6 +31,9 @@ ui::Services windowServices() {
     return dicom::listSeries(folder, monitor);
   };
   services.makeThumbnail = [](const dicom::SeriesInfo& series) { return dicom::makeThumbnail(series); };
+  services.whoseSeries = [](const dicom::SeriesInfo& series) {
+    return dicom::inWords(dicom::patientOf(series));
+  };
   services.callArchive = [](const pacs::PacsNode& node) { pacs::echo(node); };
   services.findInArchive = [](const pacs::PacsNode& node, const pacs::PacsQuery& query,
                               TaskMonitor& monitor) { return pacs::findSeries(node, query, monitor); };
@@ -46,6 +51,7 @@ ui::Services windowServices() {
     request.input = order.input;
     request.case_folder = order.case_folder;
     request.series_uid = order.series_uid;
+    request.is_labelled_by_patient = order.is_labelled_by_patient;
     request.head_segmenter = context.registrations.head_segmenters.defaultName();
     request.brain_segmenter = context.registrations.brain_segmenters.defaultName();
     request.replace = std::filesystem::exists(order.case_folder / "case.json");

@@ -79,13 +79,23 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::alignmentChanged, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
+  connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
+  connect(&worklist_, &WorklistPresenter::refused, this,
+          [this](const QString& why) { task_bar_->showMessage(why, true); });
+  connect(
+      &worklist_, &WorklistPresenter::labelled, this, [this](const QString& folder, const QString& label) {
+        if (model_.isOpen() &&
+            QFileInfo(folder) == QFileInfo(QString::fromStdString(model_.current().store.folder().string())))
+          model_.setLabel(label);
+      });
   connect(prepare_workspace_, &PrepareWorkspace::caseChosen, this, &MainWindow::openCase);
   connect(&queue_, &PrepareQueue::prepared, this, [this](const QString&, const QString& case_id) {
     if (!tasks_.isRunning()) task_bar_->showMessage(tr("case %1 is prepared: check it").arg(case_id), false);
   });
   connect(&queue_, &PrepareQueue::choiceNeeded, this, [this](int id) {
     if (!tasks_.isRunning())
-      task_bar_->showNotice(tr("%1: no series is recommended, choose one").arg(queue_.job(id)->title));
+      task_bar_->showNotice(
+          tr("%1: %2, choose one").arg(queue_.job(id)->title, choiceWords(*queue_.job(id))));
   });
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::remember);
@@ -300,7 +310,8 @@ void MainWindow::showCaseWords() {
     return;
   }
   const auto& c = model_.current();
-  QString words = tr("case %1").arg(c.id) + "  \u00b7  " + signOffWords(c.sign_off);
+  QString words = (c.label.isEmpty() ? tr("case %1").arg(c.id) : tr("%1 (case %2)").arg(c.label, c.id)) +
+                  "  \u00b7  " + signOffWords(c.sign_off);
   if (model_.override() && !c.sign_off.holds()) words += tr(" (override by %1)").arg(model_.override()->by);
   if (c.alignment) words += tr("  \u00b7  aligned %1 mm rms").arg(c.alignment->rms_mm, 0, 'f', 2);
   for (const auto& [name, error_mm] :

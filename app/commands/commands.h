@@ -18,6 +18,7 @@ void addTrack(CLI::App& app, Context& context);
 void addGuide(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addWorklist(CLI::App& app, Context& context);
+void addLabel(CLI::App& app, Context& context);
 void addCheck(CLI::App& app, Context& context);
 void addLocate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);

@@ -66,10 +66,12 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
   for (const auto& entry : context.registrations.brain_segmenters.entries())
     request->evaluation.methods.push_back(entry.name);
   verb->add_option("--tissue", request->tissue,
-                   "VOLUME MASK: mask or labels of the brain's tissue (sulci open), closed and filled here");
-  verb->add_option("--with-fluid", request->with_fluid,
-                   "VOLUME MASK: mask that holds the fluid around the brain");
-  verb->add_option("--volume", request->volumes, "a volume without a mask: time, memory, perturbations");
+                   "mask or labels of the brain's tissue (sulci open), closed and filled here")
+      ->type_name("VOLUME MASK");
+  verb->add_option("--with-fluid", request->with_fluid, "mask that holds the fluid around the brain")
+      ->type_name("VOLUME MASK");
+  verb->add_option("--volume", request->volumes, "a volume without a mask: time, memory, perturbations")
+      ->type_name("VOLUME");
   verb->add_option("--close-voxels", request->closing_voxels, "radius of the tissue masks' closing")
       ->check(CLI::Range(0.0, 20.0))
       ->capture_default_str();

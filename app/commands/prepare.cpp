@@ -4,7 +4,7 @@
 
 #include "commands/commands.h"
 #include "navigation_sheet.h"
-#include "pipeline.h"
+#include "prepare_case.h"
 
 namespace facenav::app {
 
@@ -30,6 +30,12 @@ void addPrepare(CLI::App& app, Context& context) {
                  "replace the case's model; its targets and sessions are kept");
   verb->add_flag("--discard-edits", request->discard_edits,
                  "with --replace: also where the brain mask was corrected by hand");
+  auto* label =
+      verb->add_option("--label", request->label, "what you call the case in lists (private to you)");
+  verb->add_flag(
+          "--patient-label", request->is_labelled_by_patient,
+          "label the case with the patient's name from the DICOM files, which no case holds unless asked")
+      ->excludes(label);
   verb->callback([&context, request] {
     const auto outcome = prepareCase(context, *request);
     if (context.is_quiet) return;

@@ -1,5 +1,5 @@
-// facenav series DIR [--json] [--thumbnails OUT]: the DICOM series under DIR, one a line, the recommended one
-// first, with a small picture of each where asked for. No patient name.
+// facenav series DIR [--json] [--thumbnails OUT] [--patients]: the DICOM series under DIR, one a line, the
+// recommended one first, with a small picture of each and whose it is where asked for.
 
 #include <algorithm>
 #include <cstdio>
@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "facenav/core/error.h"
+#include "facenav/dicom/patient.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
 #include "facenav/scene/png.h"
@@ -40,7 +41,18 @@ std::string stateOf(const dicom::SeriesInfo& info) {
 
 using Row = std::vector<std::string>;
 
-Row rowOf(const dicom::SeriesInfo& info) {
+/// Whose each series is: "patient 2" where they are of several, the name where asked for.
+std::vector<std::string> owners(const std::vector<dicom::SeriesInfo>& series, bool are_named) {
+  std::vector<std::string> words(series.size());
+  if (!are_named && dicom::patientCount(series) < 2) return words;
+  for (std::size_t s = 0; s < series.size(); ++s)
+    if (series[s].patient > 0)
+      words[s] = are_named ? dicom::inWords(dicom::patientOf(series[s]))
+                           : "patient " + std::to_string(series[s].patient);
+  return words;
+}
+
+Row rowOf(const dicom::SeriesInfo& info, const std::string& owner) {
   const std::string name = (info.description.empty() ? "(no description)" : info.description) +
                            (info.part.empty() ? "" : ", " + info.part);
   std::string shape =
@@ -56,11 +68,12 @@ Row rowOf(const dicom::SeriesInfo& info) {
           info.contrast,
           shape,
           info.plane,
+          owner,
           stateOf(info),
           info.id};
 }
 
-/// Columns as wide as their widest entry.
+/// Columns as wide as their widest entry; empty ones take no room.
 void printTable(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows[0].size());
   for (const Row& row : rows)
@@ -68,7 +81,7 @@ void printTable(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c)
-      line += row[c] + std::string(widths[c] - row[c].size() + 2, ' ');
+      if (widths[c] > 0) line += row[c] + std::string(widths[c] - row[c].size() + 2, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     std::printf("%s\n", line.c_str());
   }
@@ -83,6 +96,7 @@ nlohmann::json toJson(const dicom::SeriesInfo& info) {
           {"study_uid", info.study_uid},
           {"description", info.description},
           {"part", info.part},
+          {"patient", info.patient},
           {"date", info.date},
           {"modality", info.modality},
           {"contrast", info.contrast},
@@ -134,13 +148,14 @@ std::vector<std::string> writeThumbnails(const std::vector<dicom::SeriesInfo>& s
 void addSeries(CLI::App& app, Context& context) {
   struct Options {
     std::string folder, thumbnails;
-    bool is_json = false;
+    bool is_json = false, are_patients_named = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("series", "list the DICOM series found under a folder");
   verb->add_option("DIR", options->folder, "a folder (with all below it), a DICOMDIR, or one DICOM file")
       ->required();
   verb->add_flag("--json", options->is_json, "everything known about each series, as JSON");
+  verb->add_flag("--patients", options->are_patients_named, "show whose they are: name, birth date, sex, ID");
   verb->add_option("--thumbnails", options->thumbnails,
                    "folder for a PNG of each series' middle image: 01.png is the first of the list, ..");
   verb->callback([options, &context] {
@@ -148,17 +163,19 @@ void addSeries(CLI::App& app, Context& context) {
     std::vector<std::string> pictures(series.size());
     if (!options->thumbnails.empty())
       pictures = writeThumbnails(series, options->thumbnails, context.monitor);
+    const auto patients = owners(series, options->are_patients_named);
     if (options->is_json) {
       nlohmann::json list = nlohmann::json::array();
       for (std::size_t s = 0; s < series.size(); ++s) {
         list.push_back(toJson(series[s]));
+        if (options->are_patients_named) list.back()["patient_in_words"] = patients[s];
         if (!pictures[s].empty()) list.back()["thumbnail"] = pictures[s];
       }
       const auto replace = nlohmann::json::error_handler_t::replace;  // file names need not be UTF-8
       std::printf("%s\n", list.dump(2, ' ', false, replace).c_str());
     } else {
       std::vector<Row> rows;
-      for (const auto& info : series) rows.push_back(rowOf(info));
+      for (std::size_t s = 0; s < series.size(); ++s) rows.push_back(rowOf(series[s], patients[s]));
       printTable(rows);
     }
   });

@@ -1,5 +1,5 @@
-// facenav worklist DIR and facenav check CASE: the radiographer's list of cases, a case's import check, and
-// the sign-off.
+// facenav worklist DIR, facenav label CASE and facenav check CASE: the radiographer's list of cases, what
+// they are called there, a case's import check, and the sign-off.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -15,18 +15,23 @@ namespace {
 
 nlohmann::ordered_json toJson(const casefile::WorklistEntry& entry) {
   if (!entry.problem.empty()) return {{"folder", entry.folder.string()}, {"problem", entry.problem}};
-  return {{"folder", entry.folder.string()}, {"case_id", entry.case_id},
-          {"state", toString(entry.state)},  {"created_utc", entry.created_utc},
-          {"checked_by", entry.checked_by},  {"findings", entry.findings}};
+  return {{"folder", entry.folder.string()},
+          {"case_id", entry.case_id},
+          {"state", toString(entry.state)},
+          {"created_utc", entry.created_utc},
+          {"checked_by", entry.checked_by},
+          {"findings", entry.findings},
+          {"label", entry.label}};
 }
 
 void print(const casefile::WorklistEntry& entry) {
   const std::string name = entry.folder.filename().string();
   if (!entry.problem.empty())
     return void(std::printf("%-24s unreadable: %s\n", name.c_str(), entry.problem.c_str()));
-  std::printf("%-24s %-9s %s  %zu finding(s)%s%s\n", name.c_str(), toString(entry.state).c_str(),
+  std::printf("%-24s %-9s %s  %zu finding(s)%s%s%s%s\n", name.c_str(), toString(entry.state).c_str(),
               entry.created_utc.c_str(), entry.findings.size(),
-              entry.checked_by.empty() ? "" : "  checked by ", entry.checked_by.c_str());
+              entry.checked_by.empty() ? "" : "  checked by ", entry.checked_by.c_str(),
+              entry.label.empty() ? "" : "  ", entry.label.c_str());
 }
 
 }  // namespace
@@ -51,6 +56,22 @@ void addWorklist(CLI::App& app, Context& context) {
     std::printf("%s\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   });
   (void)context;
+}
+
+void addLabel(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand("label", "show or set what a case is called in lists");
+  struct Request {
+    std::filesystem::path case_folder;
+    std::optional<std::string> label;
+  };
+  auto request = std::make_shared<Request>();
+  verb->add_option("CASE", request->case_folder, "case folder")->required();
+  verb->add_option("LABEL", request->label, "its new label; '' takes it away");
+  verb->callback([&context, request] {
+    const auto store = casefile::CaseStore::open(request->case_folder);
+    if (request->label) store.setLabel(*request->label);
+    if (!context.is_quiet) std::printf("%s\n", store.label().c_str());
+  });
 }
 
 void addCheck(CLI::App& app, Context& context) {

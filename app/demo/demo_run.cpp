@@ -13,6 +13,7 @@
 #include "facenav/scene/display.h"
 #include "pipeline.h"
 #include "place_on_brain.h"
+#include "prepare_case.h"
 #include "result_folder.h"
 #include "virtual_display.h"
 

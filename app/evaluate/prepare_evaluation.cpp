@@ -9,7 +9,7 @@
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
-#include "pipeline.h"
+#include "prepare_case.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;

@@ -32,6 +32,7 @@ class PrepareQueueTest : public ::testing::Test {
     services_.prepareCase = [this](const PrepareOrder& order, TaskMonitor& monitor) {
       at_once_ = std::max<int>(at_once_, ++running_);
       chosen_.push_back(order.series_uid.value_or(""));
+      labelled_.push_back(order.is_labelled_by_patient);
       const bool fails = fails_ > 0 && fails_-- > 0;
       for (int i = 0; i < 10 || blocks_; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -69,6 +70,7 @@ class PrepareQueueTest : public ::testing::Test {
   std::atomic<int> running_{0}, at_once_{0}, fails_{0};
   std::atomic<bool> blocks_{false};
   std::vector<std::string> chosen_;
+  std::vector<bool> labelled_;
   std::unique_ptr<PrepareQueue> queue_;
 };
 
@@ -114,6 +116,25 @@ TEST_F(PrepareQueueTest, WithoutARecommendedSeriesItAsksAndTakesTheOneChosen) {
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_EQ(chosen_, std::vector<std::string>{"two"});
   EXPECT_TRUE(queue_->jobs().empty());
+}
+
+TEST_F(PrepareQueueTest, OfSeveralPatientsItAsksWhose) {
+  series_ = {series("one", false), series("two", false)};
+  for (int i = 0; i < 2; ++i) series_[std::size_t(i)].patient = i + 1, series_[std::size_t(i)].rows = 256;
+  const int id = add("a");
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_EQ(queue_->job(id)->state, JobState::needs_choice);
+  EXPECT_EQ(choiceWords(*queue_->job(id)), "images of 2 patients");
+  EXPECT_TRUE(chosen_.empty());
+}
+
+TEST_F(PrepareQueueTest, CasesAreLabelledByPatientOnlyWhenAsked) {
+  add("a");
+  ASSERT_TRUE(waitUntilIdle());
+  queue_->setLabelsByPatient(true);
+  add("b");
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_EQ(labelled_, (std::vector<bool>{false, true}));
 }
 
 TEST_F(PrepareQueueTest, CancelLeavesNothingBehindAndTheNextBegins) {

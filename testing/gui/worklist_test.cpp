@@ -75,6 +75,25 @@ TEST_F(WorklistTest, TypingFiltersByEveryWord) {
   EXPECT_EQ(filter_.rowCount(), 0);
 }
 
+TEST_F(WorklistTest, ACaseIsLabelledInPlaceAndFoundByItsLabel) {
+  const auto store = makeCase("one");
+  ASSERT_TRUE(show(1));
+  const auto name = table_.index(0, WorklistTable::name);
+  EXPECT_EQ(name.data().toString().toStdString(), store.caseId());
+  EXPECT_TRUE(name.flags() & Qt::ItemIsEditable);
+  EXPECT_FALSE(table_.index(0, WorklistTable::state).flags() & Qt::ItemIsEditable);
+  QString refusal;
+  QObject::connect(&worklist_, &WorklistPresenter::refused, [&](const QString& words) { refusal = words; });
+  table_.setData(name, "Doe, Jane", Qt::EditRole);
+  ASSERT_TRUE(fixtures::waitFor([&] { return worklist_.rows()[0].name == "Doe, Jane"; }));
+  EXPECT_EQ(store.label(), "Doe, Jane");
+  filter_.setWords("jane");
+  EXPECT_EQ(filter_.rowCount(), 1);
+  table_.setData(name, QString(200, 'x'), Qt::EditRole);
+  EXPECT_TRUE(refusal.contains("longer than 120")) << refusal.toStdString();
+  EXPECT_EQ(store.label(), "Doe, Jane");
+}
+
 TEST_F(WorklistTest, AFolderThatCannotBeReadIsSaid) {
   worklist_.setFolder("/proc/nowhere");
   ASSERT_TRUE(fixtures::waitFor([&] { return !worklist_.problem().isEmpty(); }));

@@ -47,8 +47,8 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb : {"series", "pacs", "prepare", "check", "worklist", "locate", "target", "export",
-                           "calibrate", "align", "track", "guide", "simulate", "marker", "demo"}) {
+  for (const char* verb : {"series", "pacs", "prepare", "check", "worklist", "label", "locate", "target",
+                           "export", "calibrate", "align", "track", "guide", "simulate", "marker", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
@@ -66,9 +66,10 @@ TEST_F(CommandLine, SeriesOfAFolderWithoutDicom) {
 
 TEST_F(CommandLine, PacsThatDoesNotAnswer) {
   expectRefused(runFacenav("pacs echo --host 127.0.0.1 --port 1 --title NOBODY"), "does not answer");
-  expectRefused(runFacenav("pacs get --host 127.0.0.1 --port 1 --title NOBODY --study 1.2 --series 1.2.3 -o " +
-                           at("in").string()),
-                "127.0.0.1:1", at("in"));
+  expectRefused(
+      runFacenav("pacs get --host 127.0.0.1 --port 1 --title NOBODY --study 1.2 --series 1.2.3 -o " +
+                 at("in").string()),
+      "127.0.0.1:1", at("in"));
   EXPECT_TRUE(isClean());
 }
 
@@ -103,6 +104,7 @@ TEST_F(CommandLine, CheckExportAndWorklistOfWhatIsNotThere) {
   expectRefused(runFacenav("export " + at("none").string() + " --as stl -o " + at("out").string()), "none",
                 at("out"));
   expectRefused(runFacenav("worklist " + at("none").string()), "none");
+  expectRefused(runFacenav("label " + at("none").string() + " words"), "none");
   expectRefused(runFacenav("locate " + at("none").string() + " --mni 0 0 0"), "none");
   expectRefused(runFacenav("target " + at("none").string() + " --name M1 --ras 0 0 0"), "none");
 }

@@ -8,8 +8,9 @@ namespace facenav::ui {
 std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMonitor& monitor) {
   auto store = casefile::CaseStore::open(folder);
   auto loaded =
-      std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
+      std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
   loaded->id = QString::fromStdString(store.caseId());
+  loaded->label = QString::fromStdString(store.label());
   loaded->shown_sha256 = casefile::seenFiles(store);  // before reading: a later change cannot be missed
   monitor.report("opening the MRI", 0.1);
   loaded->mri = std::make_shared<volume::Volume>(store.mri());
@@ -42,6 +43,11 @@ void CaseModel::setPlan(const guidance::TreatmentPlan& plan) {
 void CaseModel::setAlignment(const casefile::StoredAlignment& alignment) {
   case_->alignment = alignment;
   emit alignmentChanged();
+}
+
+void CaseModel::setLabel(const QString& label) {
+  case_->label = label;
+  emit labelChanged();
 }
 
 void CaseModel::setSignOff(const casefile::SignOffStatus& status) {

@@ -14,7 +14,7 @@ namespace facenav::ui {
 
 struct LoadedCase {
   casefile::CaseStore store;
-  QString id;
+  QString id, label;  // label: what people call it, or empty
   std::shared_ptr<const volume::Volume> mri;
   std::shared_ptr<const volume::Mask> head_mask, brain_mask;  // brain may be null
   std::shared_ptr<const surface::ScalpSurface> scalp;
@@ -54,6 +54,7 @@ class CaseModel : public QObject {
   /// Already stored by the alignment step.
   void setAlignment(const casefile::StoredAlignment& alignment);
   /// Already stored.
+  void setLabel(const QString& label);
   void setSignOff(const casefile::SignOffStatus& status);
   /// A corrected brain, already stored; `shown`: hashes of the case's files now.
   void setBrain(std::shared_ptr<const volume::Mask> mask, std::shared_ptr<const surface::BrainModel> brain,
@@ -67,6 +68,7 @@ class CaseModel : public QObject {
  signals:
   void opened();
   void planChanged();
+  void labelChanged();
   void brainChanged();
   void alignmentChanged();
   /// Sign-off or override.

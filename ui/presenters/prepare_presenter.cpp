@@ -2,6 +2,8 @@
 
 #include <QFileInfo>
 
+#include "facenav/dicom/patient.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -17,8 +19,10 @@ void PreparePresenter::openInput(const QString& path) {
   if (isNifti(path)) {
     input_ = path;
     series_.clear();
+    has_several_patients_ = false;
     lines_ = {{tr("NIfTI volume"),
                tr("as chosen; a file's own name may be a patient's and is not shown"),
+               {},
                true,
                true,
                {}}};
@@ -26,27 +30,42 @@ void PreparePresenter::openInput(const QString& path) {
     return;
   }
   tasks_.start(tr("Looking for series"), [this, path](TaskMonitor& monitor) -> TaskRunner::Delivery {
-    auto series = services_.listSeries(toPath(path), monitor);
-    std::vector<std::optional<dicom::Thumbnail>> thumbnails(series.size());
-    for (std::size_t i = 0; i < series.size() && services_.makeThumbnail; ++i) {
-      monitor.report("thumbnails", double(i) / double(series.size()));
-      thumbnails[i] = services_.makeThumbnail(series[i]);
+    std::vector<Listed> listed;
+    for (auto& info : services_.listSeries(toPath(path), monitor))
+      listed.push_back({std::move(info), {}, {}});
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+      monitor.report("thumbnails", double(i) / double(listed.size()));
+      const auto& info = listed[i].info;
+      if (services_.makeThumbnail) listed[i].thumbnail = services_.makeThumbnail(info);
+      if (services_.whoseSeries && info.patient > 0)
+        listed[i].patient = QString::fromStdString(services_.whoseSeries(info));
     }
-    return [this, path, series = std::move(series), thumbnails = std::move(thumbnails)] {
-      setSeries(path, series, thumbnails);
+    return [this, path, listed = std::move(listed)] {
+      input_ = path;
+      series_ = listed;
+      makeLines();
     };
   });
 }
 
-void PreparePresenter::setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series,
-                                 const std::vector<std::optional<dicom::Thumbnail>>& thumbnails) {
-  input_ = input;
-  series_ = series;
+void PreparePresenter::setPatientsShown(bool are_shown) {
+  are_patients_shown_ = are_shown;
+  if (!series_.empty()) makeLines();
+}
+
+void PreparePresenter::makeLines() {
+  std::vector<dicom::SeriesInfo> infos;
+  for (const auto& listed : series_) infos.push_back(listed.info);
+  has_several_patients_ = dicom::patientCount(infos) > 1;
   lines_.clear();
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    const auto& s = series[i];
+  for (const auto& listed : series_) {
+    const auto& s = listed.info;
     SeriesLine line;
-    line.thumbnail = thumbnails[i];
+    line.thumbnail = listed.thumbnail;
+    if (are_patients_shown_)
+      line.patient = listed.patient;
+    else if (s.patient > 0 && has_several_patients_)
+      line.patient = tr("patient %1").arg(s.patient);
     line.title = s.description.empty() ? tr("(no description)") : QString::fromStdString(s.description);
     line.detail = tr("%1  %2  %3 x %4 x %5  %6 mm  %7")
                       .arg(QString::fromStdString(s.modality), QString::fromStdString(s.plane))
@@ -69,6 +88,7 @@ void PreparePresenter::setSeries(const QString& input, const std::vector<dicom::
 int PreparePresenter::recommendedLine() const {
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_recommended) return int(i);
+  if (has_several_patients_) return -1;  // whose head, only a person can say
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_usable) return int(i);
   return -1;
@@ -77,7 +97,7 @@ int PreparePresenter::recommendedLine() const {
 void PreparePresenter::prepare(int line) {
   if (line < 0 || std::size_t(line) >= lines_.size() || !lines_[std::size_t(line)].is_usable) return;
   if (series_.empty()) return void(queue_.add(input_));
-  const auto& chosen = series_[std::size_t(line)];
+  const auto& chosen = series_[std::size_t(line)].info;
   queue_.add(input_, chosen.id.empty() ? chosen.series_uid : chosen.id);
 }
 

@@ -11,6 +11,7 @@ namespace facenav::ui {
 /// One line of the series list, in words.
 struct SeriesLine {
   QString title, detail;
+  QString patient;  // "patient 2" where they are of several, the name where it is asked for; else empty
   bool is_usable = false, is_recommended = false;
   std::optional<dicom::Thumbnail> thumbnail;
 };
@@ -34,8 +35,10 @@ class PreparePresenter : public QObject {
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
-  /// The line to choose first; -1: none can be used.
+  /// The line to choose first; -1: none can be used, or which patient is meant must be said.
   int recommendedLine() const;
+  /// Names are hidden until somebody asks for them.
+  void setPatientsShown(bool are_shown);
   QString input() const { return input_; }
   std::vector<FindingLine> findings() const;
 
@@ -43,15 +46,21 @@ class PreparePresenter : public QObject {
   void linesChanged();
 
  private:
-  void setSeries(const QString& input, const std::vector<dicom::SeriesInfo>& series,
-                 const std::vector<std::optional<dicom::Thumbnail>>& thumbnails);
+  /// A series as it is listed.
+  struct Listed {
+    dicom::SeriesInfo info;
+    std::optional<dicom::Thumbnail> thumbnail;
+    QString patient;  // in words
+  };
+  void makeLines();
 
   const Services& services_;
   CaseModel& model_;
   TaskRunner& tasks_;
   PrepareQueue& queue_;
   QString input_;
-  std::vector<dicom::SeriesInfo> series_;
+  std::vector<Listed> series_;
+  bool are_patients_shown_ = false, has_several_patients_ = false;
   std::vector<SeriesLine> lines_;
 };
 

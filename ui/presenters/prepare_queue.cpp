@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "facenav/dicom/patient.h"
 
 namespace facenav::ui {
 namespace fs = std::filesystem;
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int kBackground = 10;  // niceness; threads made by the work inherit it
 const char* const kStored = "queue/inputs";
+const char* const kPatientLabel = "queue/patient_label";
 const char* const kLastDuration = "queue/last_duration_ms";
 
 struct ChoiceNeeded : Error {
@@ -58,6 +60,11 @@ bool isNifti(const QString& path) {
 QString inputOf(const QString& dropped_path) {
   const QFileInfo info(dropped_path);
   return info.isFile() && !isNifti(dropped_path) ? info.absolutePath() : info.absoluteFilePath();
+}
+
+QString choiceWords(const PrepareJob& job) {
+  return job.patients > 1 ? PrepareQueue::tr("images of %1 patients").arg(job.patients)
+                          : PrepareQueue::tr("no series is recommended");
 }
 
 const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& series) {
@@ -153,6 +160,10 @@ void PrepareQueue::forgetReceived(const QString& input) {
   if (QFileInfo(input).absolutePath() == receivedFolder()) QDir(input).removeRecursively();
 }
 
+bool PrepareQueue::labelsByPatient() const { return QSettings().value(kPatientLabel, false).toBool(); }
+
+void PrepareQueue::setLabelsByPatient(bool is_labelled) { QSettings().setValue(kPatientLabel, is_labelled); }
+
 void PrepareQueue::setHeld(bool is_held) {
   is_held_ = is_held;
   begin();
@@ -168,7 +179,7 @@ void PrepareQueue::begin() {
   next->fraction = 0.0;
   running_ = next->id;
   elapsed_.start();
-  const PrepareOrder order{fs::path(next->input.toStdString()), {}, next->series_uid};
+  const PrepareOrder order{fs::path(next->input.toStdString()), {}, next->series_uid, labelsByPatient()};
   const fs::path cases(cases_folder_.toStdString());
   const bool is_volume = isNifti(next->input);
   tasks_.start(tr("Preparing"),
@@ -178,7 +189,11 @@ void PrepareQueue::begin() {
                  if (!is_volume && !chosen.series_uid) {
                    const auto series = services_.listSeries(order.input, monitor);
                    const auto* recommended = recommendedOf(series);
-                   if (!recommended) return [this] { end(JobState::needs_choice, {}); };
+                   if (!recommended)
+                     return [this, id, patients = dicom::patientCount(series)] {
+                       if (auto* job = find(id)) job->patients = patients;
+                       end(JobState::needs_choice, {});
+                     };
                    chosen.series_uid = recommended->id.empty() ? recommended->series_uid : recommended->id;
                    QMetaObject::invokeMethod(
                        this,

@@ -26,6 +26,7 @@ struct PrepareJob {
   QString step;   // what is done now, in words
   double fraction = 0.0;
   QString failure;
+  int patients = 0;  // whose images were found, where a choice is needed
 };
 
 class PrepareQueue : public QObject {
@@ -44,6 +45,9 @@ class PrepareQueue : public QObject {
   void retry(int id);
   /// Takes a job that does not run out of the list.
   void remove(int id);
+  /// New cases are labelled with the patient's name (remembered; off at first).
+  bool labelsByPatient() const;
+  void setLabelsByPatient(bool is_labelled);
   /// True: nothing new is begun (a treatment runs); the running one goes on.
   void setHeld(bool is_held);
   /// Queues what was unfinished when the program ended; removes what was fetched for jobs that are no more.
@@ -64,7 +68,7 @@ class PrepareQueue : public QObject {
   /// Step, fraction or time of the running job.
   void progressed();
   void prepared(const QString& case_folder, const QString& case_id);
-  /// No series of this input is recommended: one must be chosen by hand.
+  /// No series of this input is recommended, or it is of several patients: one must be chosen by hand.
   void choiceNeeded(int id);
 
  private:
@@ -90,6 +94,8 @@ QString receivedFolder();
 bool isNifti(const QString& path);
 /// The folder of a DICOM file; a folder or a NIfTI file as it is.
 QString inputOf(const QString& dropped_path);
+/// Why somebody must choose: "images of 2 patients", "no series is recommended".
+QString choiceWords(const PrepareJob& job);
 /// The series that an unattended preparation takes, or null: one must be chosen.
 const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& series);
 

@@ -27,12 +27,15 @@ namespace facenav::ui {
 struct PrepareOrder {
   std::filesystem::path input, case_folder;
   std::optional<std::string> series_uid;
+  bool is_labelled_by_patient = false;
 };
 
 struct Services {
   std::function<std::vector<dicom::SeriesInfo>(const std::filesystem::path&, TaskMonitor&)> listSeries;
   /// A small picture of a series; nothing where it holds none.
   std::function<std::optional<dicom::Thumbnail>(const dicom::SeriesInfo&)> makeThumbnail;
+  /// Whose a series is, in words: "Family, Given, born 1970-01-31, F, ID 4711".
+  std::function<std::string(const dicom::SeriesInfo&)> whoseSeries;
   // The hospital's archive: is it there, which series, fetch one into an empty folder.
   std::function<void(const pacs::PacsNode&)> callArchive;
   std::function<std::vector<pacs::PacsSeries>(const pacs::PacsNode&, const pacs::PacsQuery&, TaskMonitor&)>

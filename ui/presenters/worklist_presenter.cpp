@@ -5,6 +5,8 @@
 #include <QSettings>
 #include <QTimeZone>
 
+#include "facenav/core/error.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -30,6 +32,9 @@ WorklistRow rowOf(const casefile::WorklistEntry& entry) {
     row.detail = QString::fromStdString(entry.problem);
     return row;
   }
+  row.label = QString::fromStdString(entry.label);
+  if (!row.label.isEmpty()) row.name = row.label;
+  row.can_be_labelled = true;
   row.created = fromUtc(entry.created_utc);
   row.findings = int(entry.findings.size());
   row.checked_by = QString::fromStdString(entry.checked_by);
@@ -72,7 +77,7 @@ WorklistRow rowOf(const PrepareJob& job, const PrepareQueue& queue) {
     case JobState::needs_choice:
       row.state = WorklistPresenter::tr("new");
       row.state_order = 1;
-      row.detail = WorklistPresenter::tr("no series is recommended: choose one (double click)");
+      row.detail = WorklistPresenter::tr("%1: choose one (double click)").arg(choiceWords(job));
       break;
     case JobState::failed:
       row.state = WorklistPresenter::tr("failed");
@@ -158,6 +163,17 @@ void WorklistPresenter::refresh() {
                     makeRows();
                   };
                 });
+}
+
+void WorklistPresenter::setLabel(const QString& case_folder, const QString& words) {
+  try {
+    const auto store = casefile::CaseStore::open(case_folder.toStdString());
+    store.setLabel(words.toStdString());
+    emit labelled(case_folder, QString::fromStdString(store.label()));
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+  refresh();
 }
 
 /// The folder and each case in it: a sign-off or a target changes only the case's own folder.

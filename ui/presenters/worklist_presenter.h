@@ -17,11 +17,13 @@ enum class Mark { done, look, waiting, fault };
 
 /// One line of the list.
 struct WorklistRow {
-  int job_id = 0;       // of the queue; 0: a case
-  QString case_folder;  // empty for a job
-  QString name;         // the case's id, the job's title
-  QString state;        // "checked"
-  int state_order = 0;  // to sort by: what asks for something first
+  int job_id = 0;                // of the queue; 0: a case
+  QString case_folder;           // empty for a job
+  QString name;                  // the case's label or else its id, the job's title
+  QString label;                 // empty: none
+  bool can_be_labelled = false;  // a case that can be read
+  QString state;                 // "checked"
+  int state_order = 0;           // to sort by: what asks for something first
   Mark mark = Mark::done;
   QDateTime created;
   QString age;
@@ -47,6 +49,8 @@ class WorklistPresenter : public QObject {
   /// The remembered folder, else ~/FaceNav/cases.
   static QString rememberedFolder();
   void refresh();
+  /// What people call the case; empty takes it away. refused() says why it could not be done.
+  void setLabel(const QString& case_folder, const QString& words);
   bool isReading() const { return reader_.isRunning(); }
 
   const std::vector<WorklistRow>& rows() const { return rows_; }
@@ -55,6 +59,8 @@ class WorklistPresenter : public QObject {
 
  signals:
   void changed();
+  void labelled(const QString& case_folder, const QString& label);
+  void refused(const QString& words);
 
  private:
   void makeRows();

@@ -67,12 +67,28 @@ int WorklistTable::columnCount(const QModelIndex& parent) const { return parent.
 QVariant WorklistTable::data(const QModelIndex& index, int role) const {
   const auto& row = rows_[std::size_t(index.row())];
   if (role == Qt::DisplayRole) return textOf(row, index.column());
+  if (role == Qt::EditRole) return index.column() == name ? row.label : QVariant();
   if (role == Qt::ToolTipRole) return index.column() == detail ? row.detail : row.case_folder;
   if (role == kSortRole) return sortKey(row, index.column());
   if (role == kMarkRole) return int(row.mark);
   if (role == kFractionRole) return row.fraction;
   if (role == Qt::TextAlignmentRole && index.column() == findings) return int(Qt::AlignCenter);
   return {};
+}
+
+Qt::ItemFlags WorklistTable::flags(const QModelIndex& index) const {
+  const auto flags = QAbstractTableModel::flags(index);
+  return index.column() == name && rows_[std::size_t(index.row())].can_be_labelled
+             ? flags | Qt::ItemIsEditable
+             : flags;
+}
+
+bool WorklistTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const auto& row = rows_[std::size_t(index.row())];
+  if (role != Qt::EditRole || index.column() != name || !row.can_be_labelled) return false;
+  const QString words = value.toString();
+  if (words != row.label) presenter_.setLabel(QString(row.case_folder), words);
+  return true;
 }
 
 QVariant WorklistTable::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -104,7 +120,9 @@ const WorklistRow& WorklistFilter::row(const QModelIndex& index) const {
 bool WorklistFilter::filterAcceptsRow(int line, const QModelIndex&) const {
   const auto& row = table_.row(line);
   const QString text =
-      QStringList{row.state, row.name, row.age, row.checked_by, row.detail}.join(' ').toLower();
+      QStringList{row.state, row.name, row.case_folder.section('/', -1), row.age, row.checked_by, row.detail}
+          .join(' ')
+          .toLower();
   return std::all_of(words_.begin(), words_.end(), [&](const QString& word) { return text.contains(word); });
 }
 

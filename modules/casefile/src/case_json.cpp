@@ -87,6 +87,7 @@ CaseJson readCaseJson(const std::filesystem::path& path) {
   requireVersion(json);
   CaseJson content;
   content.case_id = json.at("case_id").text();
+  if (json.has("label")) content.label = json.at("label").text();
   if (json.has("created_utc")) content.created_utc = json.at("created_utc").text();
   if (json.has("mri")) {
     if (json.at("mri").has("modality")) content.modality = json.at("mri").at("modality").text();
@@ -110,6 +111,7 @@ void writeCaseJson(const CaseJson& content, const std::filesystem::path& path) {
   Json json;
   json["schema_version"] = kSchemaVersion;
   json["case_id"] = content.case_id;
+  if (!content.label.empty()) json["label"] = content.label;
   json["created_utc"] = content.created_utc;
   json["mri"] = {{"modality", content.modality}, {"orientation_source", content.orientation_source}};
   json["files"] = content.files;

@@ -13,6 +13,7 @@ constexpr int kSchemaVersion = 1;
 
 struct CaseJson {
   std::string case_id, created_utc;
+  std::string label;                         // empty: none, and no key in the file
   std::string modality, orientation_source;  // of the MRI; NIfTI has no place for them
   std::vector<std::string> files;            // that must be there, relative to the case
   std::vector<std::string> findings;

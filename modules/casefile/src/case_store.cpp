@@ -109,6 +109,22 @@ void keepFromOld(const fs::path& old_case, const fs::path& fresh) {
 
 }  // namespace
 
+std::string asLabel(const std::string& words) {
+  std::string label;
+  for (const char c : words) {
+    const bool is_blank = static_cast<unsigned char>(c) <= 0x20 || c == 0x7F;
+    if (!is_blank)
+      label += c;
+    else if (!label.empty() && label.back() != ' ')
+      label += ' ';
+  }
+  if (!label.empty() && label.back() == ' ') label.pop_back();
+  if (label.size() > std::size_t(kLongestLabel))
+    throw Error("the label is longer than " + std::to_string(kLongestLabel) + " bytes", {},
+                "choose a shorter one");
+  return label;
+}
+
 void requireTargetsStay(const fs::path& folder, const volume::Volume& mri) {
   if (!isCase(folder) || !fs::exists(folder / "targets.json")) return;
   if (guidance::readTargets(folder / "targets.json").targets.empty()) return;
@@ -139,7 +155,9 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
     requireTargetsStay(place, prepared.mri);
     const TemporarySibling fresh(place);
     CaseJson content;
-    content.case_id = isCase(place) ? readCaseJson(place / "case.json").case_id : makeCaseId();
+    const auto old = isCase(place) ? std::optional(readCaseJson(place / "case.json")) : std::nullopt;
+    content.case_id = old ? old->case_id : makeCaseId();
+    content.label = prepared.label.empty() && old ? old->label : asLabel(prepared.label);
     content.created_utc = utcNow();
     content.modality = prepared.mri.modality;
     content.orientation_source = prepared.mri.orientation_source;
@@ -159,6 +177,7 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
 }
 
 std::string CaseStore::caseId() const { return readCaseJson(folder_ / "case.json").case_id; }
+std::string CaseStore::label() const { return readCaseJson(folder_ / "case.json").label; }
 std::string CaseStore::createdUtc() const { return readCaseJson(folder_ / "case.json").created_utc; }
 std::vector<std::string> CaseStore::findings() const { return readCaseJson(folder_ / "case.json").findings; }
 std::optional<BrainQuality> CaseStore::brainQuality() const {
@@ -166,6 +185,12 @@ std::optional<BrainQuality> CaseStore::brainQuality() const {
 }
 std::vector<Provenance> CaseStore::provenance() const {
   return readCaseJson(folder_ / "case.json").provenance;
+}
+
+void CaseStore::setLabel(const std::string& words) const {
+  CaseJson content = readCaseJson(folder_ / "case.json");
+  content.label = asLabel(words);
+  writeCaseJson(content, folder_ / "case.json");
 }
 
 void CaseStore::addProvenance(const Provenance& step) const {

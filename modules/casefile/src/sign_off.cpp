@@ -91,6 +91,7 @@ WorklistEntry entryOf(const fs::path& folder, const std::vector<WorklistEntry>& 
   try {
     const auto store = CaseStore::open(folder);
     entry.case_id = store.caseId();
+    entry.label = store.label();
     entry.created_utc = store.createdUtc();
     entry.findings = store.findings();
     const auto status = signOffStatus(store);

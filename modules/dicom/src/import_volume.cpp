@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "facenav/core/error.h"
+#include "facenav/dicom/patient.h"
+#include "patient_identity.h"
 #include "series_scan.h"
 
 namespace facenav::dicom {
@@ -55,7 +57,15 @@ const SeriesInfo& chooseById(const std::vector<SeriesInfo>& series, const std::s
   throw Error("holds no series '" + id + "'", input.string(), "'facenav series' lists them");
 }
 
+/// Whose head is meant cannot be told from the images.
+void requireOnePatient(const std::vector<SeriesInfo>& series, const fs::path& input) {
+  if (const int count = patientCount(series); count > 1)
+    throw Error("holds images of " + std::to_string(count) + " patients", input.string(),
+                "choose one with --series ('facenav series --patients' shows whose they are)");
+}
+
 const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& input) {
+  requireOnePatient(series, input);
   // A small readable series must not stand in silently for a larger one that is damaged.
   const auto largest =
       std::max_element(series.begin(), series.end(), [](const SeriesInfo& a, const SeriesInfo& b) {
@@ -82,9 +92,12 @@ std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor)
     return alone;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   auto around = scanFiles(filesUnder(folder, false), folder.string(), monitor);
-  around.erase(std::remove_if(around.begin(), around.end(),
-                              [&](const SeriesInfo& s) { return s.series_uid != alone[0].series_uid; }),
-               around.end());
+  // Of the file's own patient: another's images may carry the same UID.
+  const Patient whose = patientOf(alone[0]);
+  const auto is_other = [&](const SeriesInfo& s) {
+    return s.series_uid != alone[0].series_uid || !isSamePatient(patientOf(s), whose);
+  };
+  around.erase(std::remove_if(around.begin(), around.end(), is_other), around.end());
   return around.empty() ? alone : around;
 }
 

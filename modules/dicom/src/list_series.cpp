@@ -2,7 +2,9 @@
 #include <map>
 
 #include "facenav/core/error.h"
+#include "facenav/dicom/patient.h"
 #include "for_files.h"
+#include "patient_identity.h"
 #include "series_groups.h"
 #include "series_scan.h"
 #include "series_verdict.h"
@@ -98,6 +100,7 @@ void recommend(std::vector<SeriesInfo>& series) {
     if (a.is_loadable != b.is_loadable) return a.is_loadable;
     return a.series_number < b.series_number;
   });
+  if (patientCount(series) > 1) return;  // whose head is meant only a person knows
   if (!series.empty() && navigationScore(series.front()) > 0) series.front().is_recommended = true;
 }
 
@@ -155,6 +158,7 @@ std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std:
     throw Error(damaged[0].problem, damaged[0].file.string(), "copy it again");
   if (headers.empty() && damaged.empty())
     throw Error("holds no DICOM images", where, "give a folder of DICOM files or a .nii.gz");
+  numberPatients(headers);
   std::vector<SeriesInfo> series;
   for (const SeriesGroup& group : groupImages(headers)) series.push_back(describeGroup(headers, group));
   numberParts(series);

@@ -124,13 +124,13 @@ class Grouper {
 }  // namespace
 
 std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers) {
-  std::map<std::string, std::vector<ImageRef>> by_uid;
+  std::map<std::pair<std::string, int>, std::vector<ImageRef>> by_uid;  // and by patient
   for (std::size_t h = 0; h < headers.size(); ++h)
     for (std::size_t f = 0; f < headers[h].images.size(); ++f)
-      by_uid[headers[h].series_uid].push_back({int(h), int(f)});
+      by_uid[{headers[h].series_uid, headers[h].patient_number}].push_back({int(h), int(f)});
   std::vector<SeriesGroup> groups;
   const Grouper grouper(headers);
-  for (const auto& [uid, images] : by_uid)
+  for (const auto& [key, images] : by_uid)
     for (auto& group : grouper.group(images)) groups.push_back(std::move(group));
   return groups;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Images sorted into the volumes they belong to: by Series Instance UID, and within one UID by what tells
-// volumes apart (orientation, matrix, spacing, echo, magnitude or phase, stack).
+// Images sorted into the volumes they belong to: by Series Instance UID and patient, and within these by what
+// tells volumes apart (orientation, matrix, spacing, echo, magnitude or phase, stack).
 
 #include <vector>
 
@@ -14,7 +14,8 @@ struct SeriesGroup {
   bool is_scattered = false;  // single images in different directions: a localizer, projections
 };
 
-/// Groups of one UID are neighbours in the result. A few images that differ from a large group in geometry
+/// Groups of one UID are neighbours in the result; a UID that two patients share (copied or badly
+/// pseudonymised files) gives groups of either. A few images that differ from a large group in geometry
 /// alone stay in it (it is damaged, not two volumes): stackSlices then names them.
 std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers);
 

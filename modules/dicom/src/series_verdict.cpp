@@ -186,6 +186,7 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   SeriesInfo info;
   info.series_uid = info.id = first.series_uid;
   info.study_uid = first.study_uid;
+  info.patient = first.patient_number;
   info.description = first.description;
   info.modality = first.modality;
   info.date = first.date;

@@ -68,6 +68,11 @@ VoxelFormat readFormat(const gdcm::DataSet& data) {
   return format;
 }
 
+Patient readPatient(const gdcm::DataSet& data) {
+  return {text(data, {0x0010, 0x0010}), text(data, {0x0010, 0x0020}), isoDate(text(data, {0x0010, 0x0030})),
+          text(data, {0x0010, 0x0040})};
+}
+
 void readDescription(const gdcm::DataSet& data, SliceHeader& header) {
   header.sop_class = text(data, {0x0008, 0x0016});
   header.sop_instance = text(data, {0x0008, 0x0018});
@@ -144,6 +149,7 @@ std::optional<SliceHeader> readSliceHeader(FilePrefix& file) {
   header.layout = walkHeader(file);
   const gdcm::DataSet data = parse(file, header.layout);
   readDescription(data, header);
+  header.patient = readPatient(data);
   if (header.sop_class.empty() && header.series_uid.empty() && header.modality.empty()) return std::nullopt;
   header.voxels = readFormat(data);
   const ImagePlace classic = classicPlace(data, header);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/dicom/patient.h"
 #include "file_layout.h"
 
 namespace gdcm {
@@ -47,6 +48,8 @@ struct SliceHeader {
       acquisition_kind;
   double slice_thickness_mm = 0, repetition_time_ms = 0, inversion_time_ms = 0, gantry_tilt_deg = 0;
   int series_number = 0, instance_number = 0;
+  Patient patient;         // the name whole, with all its groups
+  int patient_number = 0;  // among the files scanned together; patient_identity.h
   bool is_mosaic = false;
 };
 

@@ -104,6 +104,27 @@ TEST(CaseStore, KeepsTheScalpsFieldSoThatAligningNeedNotBuildIt) {
   EXPECT_EQ(mode(store.scalpField()), 0600);
 }
 
+TEST(CaseStore, CarriesALabelOnlyWhenGivenOneAndKeepsItWhenReplaced) {
+  const TemporaryFolder folder;
+  const CaseStore store = CaseStore::create(folder.path() / "case", preparedCase(), {}, false);
+  EXPECT_EQ(store.label(), "");
+  EXPECT_EQ(readWholeFile(folder.path() / "case/case.json").find("label"), std::string::npos);
+  store.setLabel("  Doe,\tJane\n");
+  EXPECT_EQ(store.label(), "Doe, Jane");
+  EXPECT_EQ(mode(folder.path() / "case/case.json"), 0600);
+  CaseStore::create(folder.path() / "case", preparedCase(), {}, true);
+  EXPECT_EQ(store.label(), "Doe, Jane");
+  PreparedCase labelled = preparedCase();
+  labelled.label = "Roe";
+  CaseStore::create(folder.path() / "case", labelled, {}, true);
+  EXPECT_EQ(store.label(), "Roe");
+  EXPECT_NE(faultOf([&] { store.setLabel(std::string(kLongestLabel + 1, 'x')); }).find("longer than 120"),
+            std::string::npos);
+  EXPECT_EQ(store.label(), "Roe");
+  store.setLabel("");
+  EXPECT_EQ(store.label(), "");
+}
+
 TEST(CaseStore, IsPrivateToTheUser) {
   const TemporaryFolder folder;
   const CaseStore store = CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);

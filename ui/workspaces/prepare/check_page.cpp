@@ -9,6 +9,7 @@
 
 #include "views/linked_views.h"
 #include "widgets/edit_panel.h"
+#include "widgets/wrapped_list.h"
 
 namespace facenav::ui {
 
@@ -54,8 +55,7 @@ QWidget* CheckPage::makeFindingsPanel() {
   auto* column = new QVBoxLayout(panel);
   auto* heading = new QLabel(tr("Findings"), panel);
   heading->setObjectName("heading");
-  findings_ = new QListWidget(panel);
-  findings_->setWordWrap(true);
+  findings_ = new WrappedList(panel);
   findings_->setFocusPolicy(Qt::NoFocus);
   findings_->setSelectionMode(QAbstractItemView::NoSelection);
   auto* masks = new QCheckBox(tr("mask contours"), panel);

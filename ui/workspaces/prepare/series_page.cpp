@@ -1,5 +1,6 @@
 #include "workspaces/prepare/series_page.h"
 
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -42,7 +43,11 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   head->addWidget(folder);
   head->addWidget(file);
   head->addWidget(archive);
+  auto* patients = new QCheckBox(tr("show patients"), this);
+  patients->setToolTip(tr("name, birth date and ID from the files (Ctrl+P)"));
+  patients->setShortcut(Qt::CTRL + Qt::Key_P);
   head->addWidget(input_, 1);
+  head->addWidget(patients);
   series_ = new QListWidget(this);
   series_->setWordWrap(true);
   series_->setIconSize({kThumbnail_px, kThumbnail_px});
@@ -66,6 +71,7 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   connect(series_, &QListWidget::currentRowChanged, this, [this](int line) {
     prepare_->setEnabled(line >= 0 && presenter_.lines()[std::size_t(line)].is_usable);
   });
+  connect(patients, &QCheckBox::toggled, &presenter_, &PreparePresenter::setPatientsShown);
   connect(&presenter_, &PreparePresenter::linesChanged, this, &SeriesPage::showLines);
 }
 
@@ -87,7 +93,9 @@ void SeriesPage::showLines() {
     const QString mark = line.is_recommended ? tr("\u2605 recommended: ")
                          : line.is_usable    ? QString()
                                              : tr("\u2715 ");
-    auto* item = new QListWidgetItem(iconOf(line.thumbnail), mark + line.title + "\n" + line.detail, series_);
+    const QString whose = line.patient.isEmpty() ? QString() : "  \u00b7  " + line.patient;
+    auto* item =
+        new QListWidgetItem(iconOf(line.thumbnail), mark + line.title + whose + "\n" + line.detail, series_);
     if (!line.is_usable) item->setForeground(QColor(140, 148, 158));
   }
   series_->setCurrentRow(presenter_.recommendedLine());

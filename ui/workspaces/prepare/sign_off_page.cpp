@@ -11,6 +11,7 @@
 #include <QVariant>
 
 #include "views/montage_view.h"
+#include "widgets/wrapped_list.h"
 
 namespace facenav::ui {
 namespace {
@@ -51,8 +52,7 @@ QWidget* SignOffPage::makePanel() {
   volumes_ = wrapped(panel, "plain");
   auto* heading = new QLabel(tr("Seen, each by itself"), panel);
   heading->setObjectName("heading");
-  items_ = new QListWidget(panel);
-  items_->setWordWrap(true);
+  items_ = new WrappedList(panel);
   items_->setToolTip(tr("tick each when you have looked at it (arrows, Space)"));
   items_->setAccessibleName(tr("what must be seen"));
   name_ = new QLineEdit(presenter_.name(), panel);

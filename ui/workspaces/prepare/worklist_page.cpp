@@ -1,5 +1,6 @@
 #include "workspaces/prepare/worklist_page.h"
 
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -67,6 +68,7 @@ void WorklistPage::makeTable() {
   view_->setItemDelegate(new WorklistDelegate(view_));
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setEditTriggers(QAbstractItemView::EditKeyPressed);  // F2 on the name; letters go to the filter
   view_->setSortingEnabled(true);
   view_->sortByColumn(WorklistTable::age, Qt::AscendingOrder);
   view_->setShowGrid(false);
@@ -96,6 +98,8 @@ QWidget* WorklistPage::makeActions() {
   open_ =
       button(tr("Open"), tr("open the case to check it (Return, double click)"), [this] { openChosen(); });
   open_->setObjectName("primary");
+  label_ = button(tr("Label\u2026"), tr("what you call the case here; kept with it, private to you (F2)"),
+                  [this] { labelChosen(); });
   cancel_ = button(tr("Cancel"), tr("stop preparing; nothing half-done is kept (Del)"), [this] {
     if (const auto* row_ = chosen()) queue_.cancel(row_->job_id);
   });
@@ -107,7 +111,13 @@ QWidget* WorklistPage::makeActions() {
   });
   summary_ = new QLabel(box);
   summary_->setObjectName("muted");
-  for (auto* each : {open_, cancel_, retry_, remove_}) row->addWidget(each);
+  for (auto* each : {open_, label_, cancel_, retry_, remove_}) row->addWidget(each);
+  auto* by_patient = new QCheckBox(tr("label new cases with the patient's name"), box);
+  by_patient->setToolTip(tr("from the DICOM files; a case holds no name unless this is on (remembered)"));
+  by_patient->setChecked(queue_.labelsByPatient());
+  connect(by_patient, &QCheckBox::toggled, &queue_, &PrepareQueue::setLabelsByPatient);
+  row->addSpacing(12);
+  row->addWidget(by_patient);
   row->addStretch(1);
   row->addWidget(summary_);
   return box;
@@ -128,12 +138,22 @@ void WorklistPage::openChosen() {
   }
 }
 
+void WorklistPage::labelChosen() {
+  const auto index = view_->currentIndex();
+  if (!index.isValid()) return;
+  const auto name = index.siblingAtColumn(WorklistTable::name);
+  view_->setFocus();
+  view_->setCurrentIndex(name);
+  view_->edit(name);
+}
+
 void WorklistPage::showState() {
   const auto* row = chosen();
   const auto* job = row && row->job_id ? queue_.job(row->job_id) : nullptr;
   const bool is_pending = job && (job->state == JobState::queued || job->state == JobState::preparing);
   open_->setEnabled(row != nullptr);
   open_->setText(job ? tr("Show series") : tr("Open"));
+  label_->setVisible(row && row->can_be_labelled);
   cancel_->setVisible(is_pending);
   retry_->setVisible(job && !is_pending);
   remove_->setVisible(job && !is_pending);
@@ -165,6 +185,7 @@ bool WorklistPage::eventFilter(QObject* watched, QEvent* event) {
     view_->setFocus();
     return true;
   }
+  if (row && row->can_be_labelled && key->key() == Qt::Key_F2) return labelChosen(), true;
   if (row && row->job_id && key->key() == Qt::Key_F5) return queue_.retry(row->job_id), true;
   if (row && row->job_id && key->key() == Qt::Key_Delete) {
     cancel_->isVisible() ? queue_.cancel(row->job_id) : queue_.remove(row->job_id);

@@ -31,6 +31,7 @@ class WorklistPage : public QWidget {
   QWidget* makeActions();
   void makeTable();
   void openChosen();
+  void labelChosen();
   void showState();
   void chooseFolder();
   /// The selected line, or null.
@@ -43,7 +44,7 @@ class WorklistPage : public QWidget {
   QTableView* view_;
   QLineEdit* search_;
   QLabel *folder_, *summary_, *empty_;
-  QPushButton *open_, *cancel_, *retry_, *remove_;
+  QPushButton *open_, *label_, *cancel_, *retry_, *remove_;
 };
 
 }  // namespace facenav::ui

@@ -1,7 +1,7 @@
 #pragma once
 // Case: one folder, one patient (FORMATS.md). CaseStore opens, creates and updates it; every file is written
 // whole. Privacy: the case id is random, files are 0600 and folders 0700; nothing here writes a patient's
-// name.
+// name but the label that a user asked for.
 
 #include <filesystem>
 #include <map>
@@ -54,6 +54,7 @@ struct PreparedCase {
   std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
   std::optional<BrainQuality> brain_quality;
+  std::string label;  // asLabel; empty: none, or the replaced case's
 };
 
 /// A step's record in case.json.
@@ -62,6 +63,11 @@ struct Provenance {
   std::map<std::string, std::string> options;
   std::map<std::string, std::string> input_sha256;
 };
+
+constexpr int kLongestLabel = 120;  // bytes
+/// What people call a case, as it is kept: one line, no blanks around it. Throws Error when it is longer than
+/// kLongestLabel.
+std::string asLabel(const std::string& words);
 
 /// Throws Error where `folder` is a case with targets whose MRI is not `mri` at the same place (another scan,
 /// or the same one by the other map of a NIfTI): its targets would point elsewhere.
@@ -72,15 +78,19 @@ class CaseStore {
   /// Opens an existing case. Throws Error: no case.json, wrong schema version, missing file.
   static CaseStore open(const std::filesystem::path& folder);
   /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a
-  /// case that exists is replaced only with `replace`, and then its id, targets (requireTargetsStay) and
-  /// sessions are kept; its alignment is not, since it belongs to the old scalp. A brain mask corrected by
-  /// hand is lost only with `discard_edits`.
+  /// case that exists is replaced only with `replace`, and then its id, label (unless `prepared` has one),
+  /// targets (requireTargetsStay) and sessions are kept; its alignment is not, since it belongs to the old
+  /// scalp. A brain mask corrected by hand is lost only with `discard_edits`.
   static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
                           const std::vector<Provenance>& provenance, bool replace,
                           bool discard_edits = false);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::string caseId() const;
+  /// What people call the case; empty unless somebody asked for it. It may be a patient's name.
+  std::string label() const;
+  /// Throws Error as asLabel does; an empty one takes the label away.
+  void setLabel(const std::string& words) const;
   /// When the model was made, as 20100412T134501Z; empty in cases of before this was kept.
   std::string createdUtc() const;
   std::vector<std::string> findings() const;

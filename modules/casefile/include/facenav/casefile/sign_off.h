@@ -59,7 +59,7 @@ void recordOverride(const CaseStore& store, const std::string& by, const std::st
 /// One line of the worklist. `problem` says why a case cannot be read; then the rest is empty.
 struct WorklistEntry {
   std::filesystem::path folder;
-  std::string case_id, created_utc;
+  std::string case_id, label, created_utc;
   CaseState state = CaseState::prepared;
   std::vector<std::string> findings;
   std::string checked_by, problem;

@@ -22,6 +22,7 @@ struct SeriesInfo {
   std::string part;      // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
   std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty where unknown
   int series_number = 0;
+  int patient = 0;  // 1, 2, .. among the series listed together; 0: not known. Whose they are: patient.h
   int rows = 0, columns = 0, slices = 0;
   Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();  // column, row, slice
   Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();   // along right, anterior, superior
@@ -35,7 +36,8 @@ struct SeriesInfo {
   std::vector<std::string> notes;        // duplicates dropped, lossy compression, CT gives the scalp only, ..
   bool is_fit_for_navigation = false;    // a T1 of the whole head with voxels of at most 1.2 mm
   std::string fitness;                   // "fit for navigation", or what stands against it, in words
-  bool is_recommended = false;           // the best T1 for navigation among those listed
+  bool is_recommended = false;           // the best T1 for navigation among those listed; none where
+                                         // these are of several patients
   std::filesystem::path thumbnail_file;  // its middle image, for thumbnail.h; empty where it holds none
   int thumbnail_frame = 0;
 };

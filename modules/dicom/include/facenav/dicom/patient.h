@@ -1,0 +1,31 @@
+#pragma once
+// Whose images a series holds. Lists carry a number per patient only (SeriesInfo::patient), so that nothing
+// shows or keeps a name that nobody asked for; the name is read from the file when somebody asks.
+
+#include <string>
+#include <vector>
+
+#include "facenav/dicom/series.h"
+
+namespace facenav::dicom {
+
+/// As the files say (PS3.3 C.7.1.1); any of them may be empty.
+struct Patient {
+  std::string name;  // "Family^Given^Middle^Prefix^Suffix", the alphabetic group where there are several
+  std::string id;    // Patient ID
+  std::string birth_date;  // YYYY-MM-DD or empty
+  std::string sex;         // "M", "F", "O" or empty
+};
+
+/// Read from the series' first file. Throws Error naming it when it cannot be read.
+Patient patientOf(const SeriesInfo& series);
+/// "Family, Given Middle"; the ID where there is no name; empty where there is neither.
+std::string nameInWords(const Patient& patient);
+/// "Family, Given, born 1970-01-31, F, ID 4711"; "no patient named" where the files name none.
+std::string inWords(const Patient& patient);
+
+/// How many patients the images among `series` are of. Images that name nobody count as one more: nothing
+/// says that they are of anyone else's head.
+int patientCount(const std::vector<SeriesInfo>& series);
+
+}  // namespace facenav::dicom

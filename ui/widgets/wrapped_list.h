@@ -1,0 +1,19 @@
+#pragma once
+// WrappedList: a list whose items are sentences, each shown whole over as many lines as it needs.
+
+#include <QListWidget>
+
+namespace facenav::ui {
+
+class WrappedList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit WrappedList(QWidget* parent = nullptr);
+
+ protected:
+  /// A narrower list needs taller items.
+  void resizeEvent(QResizeEvent* event) override;
+};
+
+}  // namespace facenav::ui
