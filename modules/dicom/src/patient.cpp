@@ -26,16 +26,9 @@ std::string withoutBlanksAround(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// The first of the name's groups (alphabetic, ideographic, phonetic: PS3.5 6.2.1) that holds anything.
-std::string firstGroup(const std::string& name) {
-  for (const std::string& group : split(name, '='))
-    if (group.find_first_not_of("^ ") != std::string::npos) return withoutBlanksAround(group);
-  return {};
-}
-
 /// Capitals and trailing separators differ between the systems of one hospital.
 std::string comparableName(const std::string& name) {
-  std::string text = firstGroup(name);
+  std::string text = name;
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
     return c == '^' || c == ',' ? ' ' : c < 0x80 ? char(std::tolower(c)) : char(c);
   });
@@ -65,15 +58,13 @@ Patient patientOf(const SeriesInfo& series) {
   const auto header = readHeaderOf(series.files.front());
   if (!header)
     throw Error("is no DICOM file any more", series.files.front().string(), "read the folder again");
-  Patient patient = header->patient;
-  patient.name = firstGroup(patient.name);
-  return patient;
+  return header->patient;
 }
 
 std::string nameInWords(const Patient& patient) {
   std::string words;
   int count = 0;
-  for (const std::string& part : split(firstGroup(patient.name), '^')) {
+  for (const std::string& part : split(patient.name, '^')) {
     const std::string name = withoutBlanksAround(part);
     if (name.empty()) continue;
     words += (count == 0 ? "" : count == 1 ? ", " : " ") + name;

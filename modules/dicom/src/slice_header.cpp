@@ -69,8 +69,8 @@ VoxelFormat readFormat(const gdcm::DataSet& data) {
 }
 
 Patient readPatient(const gdcm::DataSet& data) {
-  return {text(data, {0x0010, 0x0010}), text(data, {0x0010, 0x0020}), isoDate(text(data, {0x0010, 0x0030})),
-          text(data, {0x0010, 0x0040})};
+  return {personName(data, {0x0010, 0x0010}), text(data, {0x0010, 0x0020}),
+          isoDate(text(data, {0x0010, 0x0030})), text(data, {0x0010, 0x0040})};
 }
 
 void readDescription(const gdcm::DataSet& data, SliceHeader& header) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "character_set.h"
+
 namespace facenav::dicom {
 namespace {
 
@@ -14,18 +16,6 @@ std::string_view rawValue(const gdcm::DataSet& data, gdcm::Tag tag) {
   const gdcm::ByteValue* value = data.GetDataElement(tag).GetByteValue();
   if (!value || !value->GetPointer()) return {};
   return {value->GetPointer(), std::size_t(value->GetLength())};
-}
-
-bool isUtf8(std::string_view s) {
-  for (std::size_t i = 0; i < s.size();) {
-    const unsigned char c = s[i];
-    const int more = c < 0x80 ? 0 : c >> 5 == 6 ? 1 : c >> 4 == 14 ? 2 : c >> 3 == 30 ? 3 : -1;
-    if (more < 0 || i + more >= s.size() + (more == 0)) return false;
-    for (int k = 1; k <= more; ++k)
-      if ((static_cast<unsigned char>(s[i + k]) & 0xC0) != 0x80) return false;
-    i += 1 + more;
-  }
-  return true;
 }
 
 std::string_view trimmed(std::string_view s) {
@@ -74,24 +64,30 @@ gdcm::VR implicitVr(gdcm::Tag tag) {
   return gdcm::VR::DS;
 }
 
+constexpr std::uint32_t kLastControl = 0x1F, kDelete = 0x7F;
+const gdcm::Tag kCharacterSet(0x0008, 0x0005);
+
+std::string onOneLine(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) <= kLastControl || static_cast<unsigned char>(c) == kDelete) c = ' ';
+  return text;
+}
+
 }  // namespace
 
 std::string text(const gdcm::DataSet& data, gdcm::Tag tag) {
-  const std::string_view raw = trimmed(rawValue(data, tag));
-  const bool is_utf8 = isUtf8(raw);
-  std::string clean;
-  for (const char c : raw) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      clean += ' ';
-    } else if (byte < 0x80 || is_utf8) {
-      clean += c;
-    } else {
-      clean += char(0xC0 | byte >> 6);
-      clean += char(0x80 | (byte & 0x3F));
-    }
-  }
-  return clean;
+  return onOneLine(toUtf8(trimmed(rawValue(data, tag)), rawValue(data, kCharacterSet)));
+}
+
+std::string personName(const gdcm::DataSet& data, gdcm::Tag tag) {
+  std::string_view raw = trimmed(rawValue(data, tag));
+  while (!raw.empty() && raw.front() == '=') raw.remove_prefix(1);
+  // Cut before it is decoded: the alphabetic group is the one without escape sequences. In the others "="
+  // may be half of a character.
+  if (const std::size_t end = raw.find('='); raw.substr(0, end).find('\x1B') == std::string_view::npos)
+    raw = raw.substr(0, end);
+  const std::string name = onOneLine(toUtf8(raw, rawValue(data, kCharacterSet)));
+  return name.substr(0, name.find('='));
 }
 
 std::vector<double> numbers(const gdcm::DataSet& data, gdcm::Tag tag) {

@@ -11,8 +11,11 @@
 
 namespace facenav::dicom {
 
-/// Trimmed, control characters removed, Latin-1 taken for anything that is not UTF-8. Empty where absent.
+/// Trimmed, control characters removed, from the data set's own character set. Empty where absent.
 std::string text(const gdcm::DataSet& data, gdcm::Tag tag);
+/// The first group of a PN that holds anything: the alphabetic, else the ideographic, else the phonetic one
+/// (PS3.5 6.2.1); its components separated by ^.
+std::string personName(const gdcm::DataSet& data, gdcm::Tag tag);
 /// All numbers of a DS, IS, US, SS, UL, SL, FL or FD element; not finite ones and malformed text give an
 /// empty list.
 std::vector<double> numbers(const gdcm::DataSet& data, gdcm::Tag tag);

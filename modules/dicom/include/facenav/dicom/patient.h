@@ -11,7 +11,7 @@ namespace facenav::dicom {
 
 /// As the files say (PS3.3 C.7.1.1); any of them may be empty.
 struct Patient {
-  std::string name;  // "Family^Given^Middle^Prefix^Suffix", the alphabetic group where there are several
+  std::string name;  // "Family^Given^Middle^Prefix^Suffix", the alphabetic group where it has one
   std::string id;    // Patient ID
   std::string birth_date;  // YYYY-MM-DD or empty
   std::string sex;         // "M", "F", "O" or empty

@@ -1,0 +1,14 @@
+#pragma once
+// Texts of a DICOM file as UTF-8: Specific Character Set (0008,0005), PS3.3 C.12.1.1.2 and PS3.5 6.1.
+
+#include <string>
+#include <string_view>
+
+namespace facenav::dicom {
+
+/// `character_set` as in the file, its values separated by backslashes. Single-byte sets, GB18030, GBK and
+/// UTF-8 are known, and with escape sequences Japanese, Korean and GB2312. What is not known, or not what it
+/// says it is, is taken for UTF-8 where it is that, else for Latin-1.
+std::string toUtf8(std::string_view raw, std::string_view character_set);
+
+}  // namespace facenav::dicom
