@@ -24,7 +24,7 @@ packages=(
   libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
   xvfb xauth mricron-data fonts-dejavu-core
 )
-test_packages=(libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk opencv-doc snakemake python3-skimage python3-nibabel)
+test_packages=(libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk libgdcm-tools opencv-doc snakemake python3-skimage python3-nibabel)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }
