@@ -51,9 +51,10 @@ Mask Refinement::brain(double stricter, bool is_grown) const {
   const Mask bright = tissueAbove(options.core_share + stricter);
   Mask tissue = bright, torn;
   if (is_grown) {
-    // Through the smoothed image: in single voxels noise rises everywhere.
+    // Through the smoothed image: in single voxels noise rises everywhere. Up to white matter: the skull's
+    // marrow, where it touches a crown, is brighter than that crown's grey matter.
     tissue = growDownhill(calm_, white_, tissueAbove(options.tissue_share + stricter),
-                          {open_fluid_, float(tissue_.grey.mean), options.rise});
+                          {open_fluid_, float(tissue_.white.mean), options.rise});
     torn = intersection(erode(intersection(tissue, bright), options.tear_mm), near_white_);
   } else {
     torn = erode(bright, options.tear_mm);

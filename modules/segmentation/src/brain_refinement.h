@@ -13,7 +13,7 @@ struct RefinementOptions {
   double search_mm = 8;         // tissue is sought this far outside the first surface
   double core_share = 0.48;     // lower limit of the core, between open fluid (0) and grey matter's mean (1)
   double tissue_share = 0.355;  // the same of what is grown from white matter: most of a voxel may be fluid
-  double rise = 0.06;           // of that range: what noise may rise on the way down from white matter
+  double rise = 0.06;           // of open fluid to white matter: what noise may rise on the way down
   double brightest = 1.35;      // upper limit, times white matter: above are fat and vessels
   double white_tear_mm = 1.0;   // white matter thinner than twice this does not belong to its connected body
   double white_reach_mm = 14;   // tissue lies at most this far from that body

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "facenav/evaluation/volume_perturbation.h"
 #include "facenav/segmentation/segmenter.h"
@@ -62,6 +65,31 @@ TEST(BrainOfRealHead, LiesInsideTheMaskWithFluidOfAWholeHead) {
   const auto overlap = volume::overlap(found, volume::resample(volume::readMask(reference), found.grid));
   EXPECT_GE(overlap.inside, 0.985);
   EXPECT_GE(overlap.dice, 0.92);
+}
+
+/// Where the coil goes: there the sagittal sinus and the skull's marrow touch the crowns.
+TEST(BrainOfRealHead, LeavesOutSinusAndMarrowAtTheVertex) {
+  FACENAV_NEEDS(testing::virtualPatientMri());
+  const auto reference = testing::sharedData() / "masks/brainbrowser_structural1_with_csf.nii.gz";
+  FACENAV_NEEDS(reference);
+  const auto& found = brainOfPatient();
+  const auto with_fluid = volume::resample(volume::readMask(reference), found.grid);
+  constexpr double kTop_mm = 15;
+  double vertex_mm = -1e9;
+  std::vector<std::pair<double, bool>> seen;  // height of each voxel found, and whether it may be brain
+  std::size_t at = 0;
+  for (int k = 0; k < found.grid.size[2]; ++k)
+    for (int j = 0; j < found.grid.size[1]; ++j)
+      for (int i = 0; i < found.grid.size[0]; ++i, ++at) {
+        const double z_mm = found.grid.toMri({double(i), double(j), double(k)}).mm.z();
+        if (with_fluid.voxels[at]) vertex_mm = std::max(vertex_mm, z_mm);
+        if (found.voxels[at]) seen.emplace_back(z_mm, with_fluid.voxels[at]);
+      }
+  double count = 0, inside = 0;
+  for (const auto& [z_mm, is_inside] : seen)
+    if (z_mm > vertex_mm - kTop_mm) ++count, inside += is_inside;
+  EXPECT_GT(count, 20000);
+  EXPECT_GE(inside / count, 0.99);
 }
 
 /// How far the mask moves (1 - Dice) when the scan is perturbed as `name` says.
