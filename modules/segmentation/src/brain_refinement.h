@@ -12,15 +12,15 @@ namespace facenav::segmentation {
 struct RefinementOptions {
   double search_mm = 8;         // tissue is sought this far outside the first surface
   double core_share = 0.48;     // lower limit of the core, between open fluid (0) and grey matter's mean (1)
-  double tissue_share = 0.355;  // the same of what is grown from white matter: most of a voxel may be fluid
-  double rise = 0.06;           // of open fluid to white matter: what noise may rise on the way down
+  double tissue_share = 0.35;   // the same of what is grown from white matter: most of a voxel may be fluid
+  double rise = 0.05;           // of open fluid to white matter: what noise may rise on the way down
   double brightest = 1.35;      // upper limit, times white matter: above are fat and vessels
   double white_tear_mm = 1.0;   // white matter thinner than twice this does not belong to its connected body
   double white_reach_mm = 14;   // tissue lies at most this far from that body
-  double cortex_mm = 6;    // the torn core lies this near to white matter: sinuses and dura lie further out
+  double cortex_mm = 7;    // the torn core lies this near to white matter: sinuses and dura lie further out
   double tear_mm = 2.0;    // bridges thinner than twice this are torn
   double regrow_mm = 4.5;  // from the torn core back, through tissue
-  double sulcus_mm = 4;    // sulci up to twice this wide are closed
+  double sulcus_mm = 3.6;  // sulci up to twice this wide are closed
   double hull_mm = 10;     // radius of a coarse closing, within which ..
   double deep_mm = 5;      // .. what lies this deep is inside: ventricles, fissures
   double smooth_mm = 1.5;  // spikes thinner than twice this are cut
