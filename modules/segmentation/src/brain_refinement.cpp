@@ -46,19 +46,14 @@ Mask Refinement::tissueAbove(double share) const {
   return tissue;
 }
 
-Mask Refinement::brain(double stricter, bool is_grown) const {
+Mask Refinement::brain(double stricter, double rise) const {
   const RefinementOptions options;
   const Mask bright = tissueAbove(options.core_share + stricter);
-  Mask tissue = bright, torn;
-  if (is_grown) {
-    // Through the smoothed image: in single voxels noise rises everywhere. Up to white matter: the skull's
-    // marrow, where it touches a crown, is brighter than that crown's grey matter.
-    tissue = growDownhill(calm_, white_, tissueAbove(options.tissue_share + stricter),
-                          {open_fluid_, float(tissue_.white.mean), options.rise});
-    torn = intersection(erode(intersection(tissue, bright), options.tear_mm), near_white_);
-  } else {
-    torn = erode(bright, options.tear_mm);
-  }
+  // Through the smoothed image: in single voxels noise rises everywhere. Up to white matter: the skull's
+  // marrow, where it touches a crown, is brighter than that crown's grey matter.
+  const Mask tissue = growDownhill(calm_, white_, tissueAbove(options.tissue_share + stricter),
+                                   {open_fluid_, float(tissue_.white.mean), rise});
+  const Mask torn = intersection(erode(intersection(tissue, bright), options.tear_mm), near_white_);
   Mask brain = intersection(dilate(largestPart(torn), options.regrow_mm), tissue);
   const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);
   brain = unionOf(close(brain, options.sulcus_mm), deep);

@@ -10,13 +10,13 @@
 namespace facenav::segmentation {
 
 struct RefinementOptions {
-  double search_mm = 8;         // tissue is sought this far outside the first surface
-  double core_share = 0.48;     // lower limit of the core, between open fluid (0) and grey matter's mean (1)
-  double tissue_share = 0.35;   // the same of what is grown from white matter: most of a voxel may be fluid
-  double rise = 0.05;           // of open fluid to white matter: what noise may rise on the way down
-  double brightest = 1.35;      // upper limit, times white matter: above are fat and vessels
-  double white_tear_mm = 1.0;   // white matter thinner than twice this does not belong to its connected body
-  double white_reach_mm = 14;   // tissue lies at most this far from that body
+  double search_mm = 8;        // tissue is sought this far outside the first surface
+  double core_share = 0.48;    // lower limit of the core, between open fluid (0) and grey matter's mean (1)
+  double tissue_share = 0.35;  // the same of what is grown from white matter: most of a voxel may be fluid
+  double rise = 0.05;          // of open fluid to white matter: what noise may rise on the way down
+  double brightest = 1.35;     // upper limit, times white matter: above are fat and vessels
+  double white_tear_mm = 1.0;  // white matter thinner than twice this does not belong to its connected body
+  double white_reach_mm = 14;  // tissue lies at most this far from that body
   double cortex_mm = 7;    // the torn core lies this near to white matter: sinuses and dura lie further out
   double tear_mm = 2.0;    // bridges thinner than twice this are torn
   double regrow_mm = 4.5;  // from the torn core back, through tissue
@@ -34,9 +34,8 @@ class Refinement {
   /// `open_fluid`: the value of fluid without any tissue in its voxels.
   Refinement(const volume::Volume& flat, const volume::Volume& calm, const volume::Mask& first,
              const TissueModel& tissue, float open_fluid);
-  /// May be empty. `stricter`: added to both limits of tissue. `is_grown`: only what is reached downhill from
-  /// white matter, its core no further from it than cortex reaches; else all that is as bright as the core.
-  volume::Mask brain(double stricter = 0, bool is_grown = true) const;
+  /// May be empty. `stricter`: added to both limits of tissue; `rise`: of the way down from white matter.
+  volume::Mask brain(double stricter = 0, double rise = RefinementOptions().rise) const;
 
  private:
   /// Of the region.

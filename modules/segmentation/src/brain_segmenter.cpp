@@ -97,16 +97,17 @@ Mask onGrid(const Mask& brain, const VoxelGrid& grid) {
 }
 
 constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about those that are taken
-constexpr int kDoubtStep = 2;                         // voxels between the places where doubt is stated
+constexpr double kGenerousRise = 0.15;
+constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
 
 /// Where a stricter and a more generous limit of tissue would put the surface: from the mean of the fluid in
-/// sulci to where grey matter's class begins; the generous one also takes sinuses and dura for cortex.
+/// sulci to where grey matter's class begins; the generous one may also pass into sinuses and dura.
 std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement) {
-  const auto awayOf = [&](double stricter, bool is_grown) {
-    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(stricter, is_grown)));
+  const auto awayOf = [&](double stricter, double rise) {
+    return volume::distanceTo(volume::surfaceVoxels(refinement.brain(stricter, rise)));
   };
-  auto strict = std::async(std::launch::async, [&] { return awayOf(kStrict, true); });
-  std::vector<float> furthest = awayOf(-kGenerous, false);
+  auto strict = std::async(std::launch::async, [&] { return awayOf(kStrict, RefinementOptions().rise); });
+  std::vector<float> furthest = awayOf(-kGenerous, kGenerousRise);
   const std::vector<float> other = strict.get();
   for (std::size_t v = 0; v < furthest.size(); ++v) furthest[v] = std::max(furthest[v], other[v]);
   const Mask surface = volume::surfaceVoxels(brain);
