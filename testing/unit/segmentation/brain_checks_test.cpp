@@ -27,6 +27,10 @@ TEST(BrainChecks, RefusesVolumesThatNoBrainHas) {
   EXPECT_THROW(checkBrain(ballOf_ml(2700), headOf_ml(4000)), Error);
 }
 
+TEST(BrainChecks, GrantsABrainThatFillsALargeHead) {
+  EXPECT_NO_THROW(checkBrain(ballOf_ml(2250), headOf_ml(1840)));  // 1.22 of the ball by the head
+}
+
 TEST(BrainChecks, GrantsMoreToAHeadThatIsItselfLarge) {
   const auto warnings = checkBrain(ballOf_ml(2300), headOf_ml(2350));
   ASSERT_EQ(warnings.size(), 1u);  // still far from what adults have
