@@ -40,13 +40,19 @@ RgbImage distancePicture(const casefile::PreparedCase& prepared) {
       *prepared.cortex, {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}});
 }
 
+/// At most `most` bytes of UTF-8 text, no character cut in two.
+std::string shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
 /// Empty where nobody asked for a label, or where there is none to be had (then said in the description).
 std::string labelOf(const PrepareRequest& request, dicom::ImportedVolume& imported) {
   if (!request.is_labelled_by_patient) return casefile::asLabel(request.label);
-  std::string name = imported.series ? dicom::nameInWords(dicom::patientOf(*imported.series)) : "";
+  const std::string name = imported.series ? dicom::nameInWords(dicom::patientOf(*imported.series)) : "";
   if (name.empty()) imported.description.push_back("no patient is named: the case has no label");
-  if (name.size() > std::size_t(casefile::kLongestLabel)) name.resize(casefile::kLongestLabel);
-  return casefile::asLabel(name);
+  return casefile::asLabel(shortened(name, casefile::kLongestLabel));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "facenav/dicom/patient.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 

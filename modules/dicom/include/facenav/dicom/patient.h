@@ -11,8 +11,8 @@ namespace facenav::dicom {
 
 /// As the files say (PS3.3 C.7.1.1); any of them may be empty.
 struct Patient {
-  std::string name;  // "Family^Given^Middle^Prefix^Suffix", the alphabetic group where it has one
-  std::string id;    // Patient ID
+  std::string name;        // "Family^Given^Middle^Prefix^Suffix", the alphabetic group where it has one
+  std::string id;          // Patient ID
   std::string birth_date;  // YYYY-MM-DD or empty
   std::string sex;         // "M", "F", "O" or empty
 };
@@ -24,8 +24,8 @@ std::string nameInWords(const Patient& patient);
 /// "Family, Given, born 1970-01-31, F, ID 4711"; "no patient named" where the files name none.
 std::string inWords(const Patient& patient);
 
-/// How many patients the images among `series` are of. Images that name nobody count as one more: nothing
-/// says that they are of anyone else's head.
+/// How many patients the images among `series` are of. Images that name nobody count as one more: they
+/// may be of anybody's head.
 int patientCount(const std::vector<SeriesInfo>& series);
 
 }  // namespace facenav::dicom
