@@ -79,6 +79,7 @@ session::Navigator makeNavigator(Context& context, const TrackRequest& request,
                                  const tracking::CoilModel& coil) {
   session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
                                 start.scalp};
+  setup.pace = tracking::Pace::patient;  // nobody waits for a recording's frames
   session::Navigator navigator(setup, context.registrations.head_trackers.create(request.head_tracker),
                                context.registrations.coil_trackers.create(request.coil_tracker));
   if (!request.target.empty()) {

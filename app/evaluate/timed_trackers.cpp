@@ -1,5 +1,6 @@
 #include "evaluate/timed_trackers.h"
 
+#include <algorithm>
 #include <opencv2/core/utility.hpp>
 
 #include "facenav/core/processor_time.h"
@@ -35,9 +36,15 @@ class TimedHeadTracker : public tracking::HeadTracker {
     tracker_->start(rig, reference);
   }
   Tracked<tracking::HeadPose> track(const stereo::StereoFrame& frame) override {
-    const OneThreadClock clock(last_);
-    return tracker_->track(frame);
+    auto pose = [&] {
+      const OneThreadClock clock(last_);
+      return tracker_->track(frame);
+    }();
+    last_.ms = std::max(0.0, last_.ms - tracker_->beside_ms());  // live, others' time
+    return pose;
   }
+  void setPace(tracking::Pace pace) override { tracker_->setPace(pace); }
+  double beside_ms() const override { return tracker_->beside_ms(); }
   tracking::LossDetail lossDetail() const override { return tracker_->lossDetail(); }
   tracking::ExposureOffset exposureOffset() const override { return tracker_->exposureOffset(); }
   tracking::FrameWork work() const override { return tracker_->work(); }

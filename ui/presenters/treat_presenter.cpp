@@ -117,7 +117,7 @@ void TreatPresenter::start() {
   setup.camera_T_mri_at_reference = outcome_->result.camera_T_mri;
   setup.coil = coil_;
   setup.scalp = outcome_->scalp;
-  setup.watchdog = session::DriftWatchdog::Mode::own_thread;
+  setup.pace = tracking::Pace::live;
   tasks_.start(
       tr("Starting the trackers"),
       [this, setup, recording = *recording_, is_live = is_live_, left = cameras_.left(),

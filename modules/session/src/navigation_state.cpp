@@ -23,6 +23,8 @@ std::string detailWords(LossDetail detail) {
       return "NO PICTURE: check both cameras and the light";
     case LossDetail::swapped:
       return "CAMERAS SWAPPED: exchange left and right";
+    case LossDetail::other_face:
+      return "ANOTHER PERSON: only the patient's face is followed";
     case LossDetail::doubtful:
     case LossDetail::unknown:
       break;

@@ -1,5 +1,7 @@
 #include "facenav/session/navigator.h"
 
+#include <algorithm>
+
 namespace facenav::session {
 namespace {
 
@@ -26,6 +28,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
       coil_(std::move(coil)) {
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
+  head_->setPace(setup.pace);
   head_->start(rig_, setup.reference);
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
@@ -34,7 +37,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
                                                           *setup.camera_T_mri_at_reference);
     watchdog_ = std::make_unique<DriftWatchdog>(
         [check](const auto& frame, const auto& camera_T_mri) { return check->measure(frame, camera_T_mri); },
-        setup.watchdog);
+        setup.pace == tracking::Pace::live ? DriftWatchdog::Mode::own_thread : DriftWatchdog::Mode::in_line);
   }
 }
 
@@ -56,6 +59,7 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
   if (isUsable(*frame, rig_)) {
     head_->leave(coil_->putOff());
     state.head = head_->track(*frame);
+    watching_ms += head_->beside_ms();
     if (!state.head) state.head_detail = head_->lossDetail();
     state.exposure_offset = head_->exposureOffset();
     coil_->setRightLate(state.exposure_offset.right_late_s, state.exposure_offset.sigma_s);
@@ -65,7 +69,7 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     place(state);
     const Timestamp tracked = Timestamp::now();
     watch(frame, state);
-    if (watchdog_) watching_ms = (Timestamp::now() - tracked) * 1e3;
+    if (watchdog_) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
     if (rig_check_.verdict().hasMoved()) {  // nothing measured with these cameras can be trusted
@@ -76,7 +80,7 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     state.images = std::move(frame);
     state = blanked(state, LostReason::camera);
   }
-  state.processing_ms = state.latency_ms = (Timestamp::now() - begin) * 1e3 - watching_ms;
+  state.processing_ms = state.latency_ms = std::max(0.0, (Timestamp::now() - begin) * 1e3 - watching_ms);
   return state;
 }
 

@@ -13,6 +13,7 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kNewSide_rad = 11 * kDegree;        // from every other key frame
 constexpr double kAlike_rad = 2 * kDegree;           // no change of key frame for less
 constexpr double kGenerationCost_rad = 4 * kDegree;  // of a key frame made from a key frame
+constexpr double kMomentGain_rad = 25 * kDegree;     // of a key frame of the present moment
 constexpr int kOldestGeneration = 3;
 constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kWorstScale = 3.0, kWorstSigma_mm = 0.25;  // worth learning from
@@ -64,12 +65,15 @@ KeyFrames::KeyFrames(const PatchModel& model) {
   keys_.push_back(std::move(reference));
 }
 
+// A moment's key frames come before all others that do not show the head from much nearer its side.
 double KeyFrames::cost(std::size_t key, const Eigen::Isometry3d& motion) const {
-  return angleBetween(keys_[key].motion, motion) + kGenerationCost_rad * keys_[key].generation;
+  return (keys_[key].is_of_moment && prefers_moment_ ? -kMomentGain_rad : 0.0) +
+         angleBetween(keys_[key].motion, motion) + kGenerationCost_rad * keys_[key].generation;
 }
 
 const KeyFrame& KeyFrames::nearest(const Eigen::Isometry3d& motion) {
   std::size_t best = chosen_;
+  if (keys_[chosen_].is_of_moment && !prefers_moment_) chosen_ = best = 0;
   for (std::size_t i = 0; i < keys_.size(); ++i)
     if (cost(i, motion) < cost(best, motion)) best = i;
   if (cost(best, motion) < cost(chosen_, motion) - kAlike_rad) chosen_ = best;
@@ -104,16 +108,14 @@ bool KeyFrames::learn(const stereo::StereoRig& rig, const PatchModel& model, con
   return false;
 }
 
-void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
-                      const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving) {
+KeyFrames::Unfinished KeyFrames::unfinishedAt(const stereo::StereoRig& rig, const PatchModel& model,
+                                              const stereo::StereoFrame& frame,
+                                              const Eigen::Isometry3d& motion) {
   Unfinished fresh;
-  fresh.key.motion = fit.motion;
+  fresh.key.motion = motion;
+  fresh.key.level = model.level;
   fresh.right_T_left = rig.right_T_left.isometry();
-  fresh.key.covariance = verdict.covariance;
-  fresh.key.moving = moving;
-  fresh.key.generation = keys_[chosen_].generation + 1;
-  fresh.key.level = keys_.front().level;
-  const auto boxes = boxesAt(rig, model, fit.motion, kMargin_px);
+  const auto boxes = boxesAt(rig, model, motion, kMargin_px);
   for (int c = 0; c < 2; ++c) {
     const cv::Mat& image = c == 0 ? frame.left : frame.right;
     cv::Rect box = boxes[c] & cv::Rect({}, image.size());
@@ -121,8 +123,56 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
     box = {box.tl() - shift, box.br()};
     fresh.image[c] = image(box).clone(), fresh.origin[c] = box.tl();
   }
+  return fresh;
+}
+
+void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
+                      const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving) {
+  Unfinished fresh = unfinishedAt(rig, model, frame, fit.motion);
+  fresh.key.covariance = verdict.covariance;
+  fresh.key.moving = moving;
+  fresh.key.generation = keys_[chosen_].generation + 1;
+  fresh.key.is_of_moment = keys_[chosen_].is_of_moment;
+  fresh.key.level = keys_.front().level;
   for (const auto& sight : fit.sights) fresh.is_good.push_back({sight[0].isGood(), sight[1].isGood()});
   unfinished_.push_front(std::move(fresh));
+}
+
+std::optional<KeyFrame> KeyFrames::ofMoment(const stereo::StereoRig& rig, const PatchModel& model,
+                                            const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion,
+                                            const Matrix6d& covariance) {
+  KeyFrames keys(model);
+  Unfinished fresh = unfinishedAt(rig, model, frame, motion);
+  if (fresh.image[0].empty() || fresh.image[1].empty()) return std::nullopt;
+  fresh.key.covariance = covariance;
+  fresh.key.generation = 1;
+  fresh.key.is_of_moment = true;
+  fresh.is_good.assign(model.level[0].patches.size(), {true, true});
+  keys.unfinished_.push_front(std::move(fresh));
+  while (!keys.unfinished_.empty()) keys.goOn(rig, model);
+  if (keys.keys_.size() < 2) return std::nullopt;
+  return std::move(keys.keys_.back());
+}
+
+void KeyFrames::startMoment(KeyFrame key) {
+  endMoment();
+  keys_.push_back(std::move(key));
+  chosen_ = keys_.size() - 1;
+}
+
+void KeyFrames::endMoment() {
+  unfinished_.clear();  // their places among the key frames change
+  keys_.erase(
+      std::remove_if(keys_.begin(), keys_.end(), [](const KeyFrame& key) { return key.is_of_moment; }),
+      keys_.end());
+  chosen_ = 0;
+}
+
+const KeyFrame& KeyFrames::lasting(const Eigen::Isometry3d& motion) const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < keys_.size(); ++i)
+    if (!keys_[i].is_of_moment && cost(i, motion) < cost(best, motion)) best = i;
+  return keys_[best];
 }
 
 bool KeyFrames::prepare() {

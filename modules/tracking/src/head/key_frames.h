@@ -6,6 +6,7 @@
 // once, from the reference or from a key frame near it, and counts in the covariance of what it tracks.
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "patch_model.h"
@@ -25,7 +26,9 @@ struct KeyFrame {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head there
   Matrix6d covariance = Matrix6d::Zero();                    // of that, HeadPose's
   int generation = 0;                                        // 0: the reference
-  KeyMotion moving;                                          // the reference: at rest
+  bool is_of_moment =
+      false;          // learnt where the face was found anew: as it looks now, whatever it looked like
+  KeyMotion moving;   // the reference: at rest
   PatchLevels level;  // what is not finest serves to find the head again at this side
 };
 
@@ -44,6 +47,21 @@ class KeyFrames {
   /// `rig`: its right camera as it sees the head moving so.
   bool learn(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving);
+  /// All patches as `frame` shows them at a pose that was found without them, at once (some 100 ms). Nothing
+  /// where too few can be seen.
+  static std::optional<KeyFrame> ofMoment(const stereo::StereoRig& rig, const PatchModel& model,
+                                          const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion,
+                                          const Matrix6d& covariance);
+  /// The head is tracked by `key` from now on, in place of an earlier moment's.
+  void startMoment(KeyFrame key);
+  /// The face looks again as it did before: key frames of the moment go.
+  void endMoment();
+  /// Whether a moment's key frames come first (they do, unless it may be over: the face was lost).
+  void preferMoment(bool is_preferred) { prefers_moment_ = is_preferred; }
+  bool isOfMoment() const { return keys_[chosen_].is_of_moment; }
+  /// The likeliest that is no moment's.
+  const KeyFrame& lasting(const Eigen::Isometry3d& motion) const;
+
   /// The track was lost: what is being learnt may be wrong.
   void forgetUnfinished() { unfinished_.clear(); }
 
@@ -63,6 +81,9 @@ class KeyFrames {
     std::size_t index = 0;  // in keys_, once level 0 is learnt
   };
 
+  /// Of the head's surroundings in a pair, to learn from.
+  static Unfinished unfinishedAt(const stereo::StereoRig& rig, const PatchModel& model,
+                                 const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion);
   bool isNewSide(const PoseFit& fit, const Verdict& verdict) const;
   void begin(const stereo::StereoRig& rig, const PatchModel& model, const stereo::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving);
@@ -74,6 +95,7 @@ class KeyFrames {
 
   std::vector<KeyFrame> keys_;
   std::size_t chosen_ = 0;
+  bool prefers_moment_ = true;
   std::deque<Unfinished> unfinished_;  // the first is being learnt; a new side goes before older coarse looks
 };
 

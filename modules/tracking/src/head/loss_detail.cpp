@@ -24,6 +24,8 @@ std::string toString(LossDetail detail) {
       return "no_picture";
     case LossDetail::swapped:
       return "swapped";
+    case LossDetail::other_face:
+      return "other_face";
   }
   return "";
 }

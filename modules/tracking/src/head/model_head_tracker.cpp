@@ -18,6 +18,7 @@
 #include "patch_model.h"
 #include "patch_placement.h"
 #include "pose_fit.h"
+#include "recovery/lost_face.h"
 #include "skin_detail.h"
 #include "track_verdict.h"
 
@@ -28,10 +29,16 @@ constexpr double kLongestGap_s = 0.3;   // beyond it a prediction is worth nothi
 constexpr double kSteady_s = 0.03;      // over which the velocity between two exposures is taken
 constexpr double kTrustMemory_s = 0.7;  // over which a patch shows whether it moves by itself
 constexpr double kWalk_mm_s = 1500.0, kNearlyFar = 1.25;
+constexpr double kReach_mm = 150.0;           // of a sudden motion of the head, besides
 constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
 constexpr double kGettingThere = 0.8;    // likeness of a fit that had not settled: the next frame goes on
 constexpr int kLearnBelow_looks = 3400;  // at patches, in a frame
 constexpr std::size_t kAskedParts = 8;   // of the patches, one a tracked frame: whose skin it is
+constexpr int kLastingEvery = 20;        // tracked frames, between tries of the key frames from before a loss
+constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // of a try that is believed
+constexpr double kAsExpected = 2.0;       // or where its errors are no larger, by those expected
+constexpr double kCortexDepth_mm = 80.0;  // from the face to what must not move unseen
+constexpr double kResting_mm_s = 20.0;    // of the cortex: 0.3 mm between exposures half a frame apart
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
 class ModelHeadTracker : public HeadTracker {
@@ -39,7 +46,10 @@ class ModelHeadTracker : public HeadTracker {
   explicit ModelHeadTracker(std::shared_ptr<const FaceDetector> detector)
       : detector_(detector ? std::move(detector) : makeFaceDetector()) {}
 
+  void setPace(Pace pace) override { pace_ = pace; }
+
   void start(const stereo::StereoRig& rig, const HeadReference& reference) override {
+    lost_face_.reset();
     const auto face = findStereoFace(*detector_, rig, reference.frame);
     if (!face && reference.surface.empty())
       throw Error("no face is found in both images of the reference frame", {},
@@ -64,8 +74,12 @@ class ModelHeadTracker : public HeadTracker {
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
+    confirmation_ = Confirmation::wanted, other_seen_.reset();
     detail_at_start_ = fineDetail(key[0], left_box_, model_.noise_grey).value_or(0.0);
     guard_.start(reference.frame);
+    lost_face_ = std::make_unique<LostFace>(
+        std::make_shared<FaceRecovery>(rig, reference.frame, region, surface, face, detector_),
+        LostFace::Learnt{&rig_, &model_, &both_cameras_}, pace_);
   }
 
   Tracked<HeadPose> track(const stereo::StereoFrame& frame) override {
@@ -73,11 +87,18 @@ class ModelHeadTracker : public HeadTracker {
         guard_.check(frame, last_ ? last_->velocity.tail<3>().norm() : 0.0, left_box_, right_box_);
     const bool has_just_left = work_.left_out > 0;  // not twice running: a lost head has its turn, too
     work_ = {}, work_.left_out = has_just_left ? 0 : left_out_;
+    beside_ms_ = 0.0;
     if (fault) return refused(*fault);
     first_loss_.reset();
     const double dt_s = last_ ? frame.captured - last_->captured : 0.0;
     const bool is_recent = last_ && dt_s >= 0 && dt_s < kLongestGap_s;
     if (last_ && !is_recent) last_->steady.setZero();
+    if (is_recent && confirmation_ == Confirmation::asked)
+      if (const auto found = lost_face_->take(frame.captured)) {
+        confirmation_ = Confirmation::none;
+        if (found->is_other) return notThePatient();
+        if (found->moment) return continueFrom(*found, frame);
+      }
     if (is_recent && lost_frames_ == 0) {
       const Eigen::Isometry3d predicted = predict(dt_s);
       const KeyFrame& key = keys_.nearest(predicted);
@@ -85,11 +106,14 @@ class ModelHeadTracker : public HeadTracker {
       const auto now = boxed(frame, predicted);
       const PoseFit fit = fitPose(rig_now_, model_, key.level, now, predicted, 0, trust());
       work_.looks += fit.looks;
-      const Verdict verdict = judge(model_, fit, key.covariance);
+      const Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
       if (verdict.isTracked() && !isAnothers(key, now, fit)) {
+        if (const auto before = asBeforeTheLoss(frame, now, fit)) return *before;
         const Verdict whole = withOffset(frame.captured, key, fit, verdict);
         learnSides(frame, fit, whole);  // ends the life of `key`
-        return accepted(frame, fit, whole);
+        auto pose = accepted(frame, fit, whole);
+        confirmIfSteady(frame);
+        return pose;
       }
       first_loss_ = {verdict.lost.value_or(LostReason::no_face), fit.motion};
     }
@@ -102,9 +126,12 @@ class ModelHeadTracker : public HeadTracker {
 
   FrameWork work() const override { return work_; }
 
+  double beside_ms() const override { return beside_ms_; }
+
   void leave(const FrameWork& work) override { left_out_ = work.looks; }
 
   void forgetLearnt() override {
+    if (lost_face_) lost_face_->forget();
     keys_ = KeyFrames(model_);
     search_.forgetLearnt();
     wander_.assign(model_.level[0].patches.size(), 0.0);
@@ -201,10 +228,93 @@ class ModelHeadTracker : public HeadTracker {
     return whoseSkin(detailAgreement(rig_now_, model_, key.level[0], now, fit, share), both_cameras_);
   }
 
-  // The prediction failed: what the search finds is fitted to the end, and shown only if the skin is the
-  // patient's.
+  // The prediction failed. An answer about an earlier frame comes first, then the search within the frame;
+  // what it does not find is asked for beside the frames.
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
+    if (const auto found = lost_face_->take(frame.captured)) {
+      if (found->is_other) other_seen_ = found->captured;
+      if (found->is_patient) return continueFrom(*found, frame);
+    }
+    const bool was_gone = last_ && !expected;
+    keys_.preferMoment((lost_frames_ % 2 == 0) != was_gone);
+    auto result = searchInFrame(frame, expected);
+    keys_.preferMoment(true);
+    if (result && !was_gone) return result;
+    if (result && pace_ != Pace::patient) {
+      confirmation_ = Confirmation::wanted;
+      return result;
+    }
+    lost_face_->ask(frame, last_ ? std::optional(last_->motion) : std::nullopt);
+    beside_ms_ = lost_face_->takeBeside_ms();
+    if (pace_ == Pace::patient)
+      if (const auto found = lost_face_->take(frame.captured)) {
+        if (found->is_other) other_seen_ = found->captured;
+        if (result && found->is_other) return notThePatient();
+        if (found->moment || (!result && found->is_patient)) return continueFrom(*found, frame);
+      }
+    if (!result && detail_ == LossDetail::doubtful && other_seen_ &&
+        std::abs(frame.captured - *other_seen_) < kLongestGap_s)
+      detail_ = LossDetail::other_face;
+    return result;
+  }
+
+  Tracked<HeadPose> notThePatient() { return lost(LostReason::no_face, LossDetail::other_face); }
+
+  // A face that was gone for a while may have come back with another expression: that its patches fit is not
+  // enough. Asked while the head rests, so that cameras that expose one after the other do no harm.
+  void confirmIfSteady(const stereo::StereoFrame& frame) {
+    if (confirmation_ != Confirmation::wanted || keys_.isOfMoment()) return;
+    const double speed_mm_s =
+        last_->steady.tail<3>().norm() + kCortexDepth_mm * last_->steady.head<3>().norm();
+    if (speed_mm_s > kResting_mm_s) return;
+    lost_face_->ask(frame, last_->motion);
+    beside_ms_ = lost_face_->takeBeside_ms();
+    confirmation_ = Confirmation::asked;
+  }
+
+  // From what was found beside the frames, some frames ago.
+  Tracked<HeadPose> continueFrom(const LostFace::Found& found, const stereo::StereoFrame& frame) {
+    if (last_ && (found.camera_T_head * model_.centre_mm - last_->motion * model_.centre_mm).norm() >
+                     kReach_mm + kWalk_mm_s * std::max(0.0, frame.captured - last_->captured))
+      return lost(LostReason::no_face, LossDetail::doubtful);  // nobody moves so fast
+    if (found.moment)
+      keys_.startMoment(*found.moment);
+    else
+      keys_.endMoment();
+    const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
+                                             ImagePyramid::coarse(frame.right)};
+    const auto there = attempt(frame, now, found.camera_T_head, found.moment.has_value());
+    if (!there.verdict.isTracked()) {
+      keys_.endMoment();
+      return lost(*there.verdict.lost, detailOf(there, now, frame.captured));
+    }
+    lost_face_->remember(found);
+    return accepted(frame, there.fit, there.verdict);
+  }
+
+  // The head is tracked by what it looked like when it was found anew. Where the patches learnt before the
+  // loss fit again, too, they are the better ones: nothing lies between them and the reference.
+  std::optional<Tracked<HeadPose>> asBeforeTheLoss(const stereo::StereoFrame& frame,
+                                                   const std::array<ImagePyramid, 2>& now,
+                                                   const PoseFit& by_moment) {
+    if (!keys_.isOfMoment() || ++since_try_ % kLastingEvery != 0) return std::nullopt;
+    const KeyFrame& key = keys_.lasting(by_moment.motion);
+    const PoseFit fit = fitPose(rig_now_, model_, key.level, now, by_moment.motion, 0, trust());
+    work_.looks += fit.looks;
+    const Eigen::Isometry3d off = by_moment.motion.inverse() * fit.motion;
+    const bool is_same = (off * model_.centre_mm - model_.centre_mm).norm() < kSamePlace_mm &&
+                         rotationAngle(off.linear()) < kSameTurn_rad;
+    if (!is_same && fit.scale > kAsExpected) return std::nullopt;
+    const Verdict verdict = judge(model_, fit, key.covariance);
+    if (!verdict.isTracked() || whose(key, now, fit) != Whose::patients) return std::nullopt;
+    keys_.endMoment();
+    return accepted(frame, fit, verdict);
+  }
+
+  // What the search finds is fitted to the end, and shown only if the skin is the patient's.
+  Tracked<HeadPose> searchInFrame(const stereo::StereoFrame& frame,
+                                  const std::optional<Eigen::Isometry3d>& expected) {
     if (!work_.leavesTimeToSearch()) return lost(first_loss_->reason, wordOfFirst(frame.captured));
     const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
                                              ImagePyramid::coarse(frame.right)};
@@ -228,7 +338,7 @@ class ModelHeadTracker : public HeadTracker {
   };
 
   Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
-                  const Eigen::Isometry3d& start) {
+                  const Eigen::Isometry3d& start, bool is_known = false) {
     const KeyFrame& key = keys_.nearest(start);
     allowFor(key, start);
     const int level = search_.roughLevel() - 1;
@@ -238,8 +348,9 @@ class ModelHeadTracker : public HeadTracker {
     PoseFit fit =
         fitPose(rig_now_, model_, key.level, finest, nearly.motion, 0, trust(), 0, work_.stepsLeft(model_));
     work_.looks += fit.looks;
-    Verdict verdict = judge(model_, fit, key.covariance);
-    if (verdict.isTracked() && whose(key, finest, fit) != Whose::patients) verdict.lost = LostReason::no_face;
+    Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
+    if (!is_known && verdict.isTracked() && whose(key, finest, fit) != Whose::patients)
+      verdict.lost = LostReason::no_face;
     return {std::move(fit), std::move(verdict)};
   }
 
@@ -301,6 +412,7 @@ class ModelHeadTracker : public HeadTracker {
   }
 
   Tracked<HeadPose> lost(LostReason reason, LossDetail detail) {
+    confirmation_ = Confirmation::none;
     detail_ = detail;
     ++lost_frames_;
     if (last_) last_->velocity.setZero(), last_->steady.setZero();
@@ -405,6 +517,13 @@ class ModelHeadTracker : public HeadTracker {
   std::vector<double> wander_;  // per patch of level 0: mean square distance beyond the expected
   cv::Rect left_box_, right_box_;
   int lost_frames_ = 0;
+  Pace pace_ = Pace::as_live;
+  double beside_ms_ = 0.0;
+  enum class Confirmation { none, wanted, asked };
+  Confirmation confirmation_ = Confirmation::none;  // of a face found again by its patches
+  std::optional<Timestamp> other_seen_;             // another person's face
+  int since_try_ = 0;                               // tracked frames by a moment's key frame
+  std::unique_ptr<LostFace> lost_face_;             // last: its thread reads what stands above
 };
 
 }  // namespace

@@ -19,7 +19,9 @@ struct Verdict {
   bool isTracked() const { return !lost; }
 };
 
-/// `key_covariance`: of the key frame's own pose (HeadPose's; zero for the reference).
-Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_covariance = Matrix6d::Zero());
+/// `key_covariance`: of the key frame's own pose (HeadPose's; zero for the reference). `is_of_moment`: it was
+/// learnt where the face was found anew, the pose may be less sure.
+Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_covariance = Matrix6d::Zero(),
+              bool is_of_moment = false);
 
 }  // namespace facenav::tracking

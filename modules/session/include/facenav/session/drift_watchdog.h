@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "facenav/core/later_answer.h"
 #include "facenav/session/drift_check.h"
 
 namespace facenav::session {
@@ -15,17 +16,22 @@ class DriftWatchdog {
  public:
   using Measure = std::function<DriftFinding(const stereo::StereoFrame& frame,
                                              const RigidTransform<Camera, Mri>& camera_T_mri)>;
-  enum class Mode { in_line, own_thread };
+  struct Question {
+    std::shared_ptr<const stereo::StereoFrame> frame;
+    RigidTransform<Camera, Mri> camera_T_mri;
+  };
+  struct Answer {
+    double captured_s;
+    DriftFinding finding;
+  };
+  using Checks = LaterAnswer<Question, Answer>;
+  using Mode = Checks::Mode;
 
   static constexpr double kInterval_s = 1.0;
   static constexpr double kRecheck_s = 0.25;  // after a doubtful answer, or after the head was lost
   static constexpr double kAnswer_s = 0.1;    // in line: when the answer counts, after the frame's capture
 
   DriftWatchdog(Measure measure, Mode mode);
-  /// Waits for a measurement that runs (some 50 ms).
-  ~DriftWatchdog();
-  DriftWatchdog(const DriftWatchdog&) = delete;
-  DriftWatchdog& operator=(const DriftWatchdog&) = delete;
 
   /// Each frame: with the pose as tracked, whether it is shown or not; without one where the head is lost.
   void add(std::shared_ptr<const stereo::StereoFrame> frame,
@@ -35,20 +41,14 @@ class DriftWatchdog {
   const DriftFinding& finding() const { return finding_; }
 
  private:
-  struct Worker;
-  struct Answer {
-    double captured_s;
-    DriftFinding finding;
-  };
+  static Checks::Work workOf(Measure measure);
   void take(const Answer& answer);
   bool isDue(double captured_s) const;
 
-  Measure measure_;
-  std::unique_ptr<Worker> worker_;  // null: in line
-  std::optional<Answer> pending_;   // in line
+  Checks checks_;
   std::optional<double> asked_s_;   // capture time of the frame last measured
   double interval_s_ = kRecheck_s;  // until the next
-  bool is_busy_ = false, was_lost_ = false, is_alarmed_ = false;
+  bool was_lost_ = false, is_alarmed_ = false;
   int drifted_in_row_ = 0;
   DriftFinding finding_;
 };

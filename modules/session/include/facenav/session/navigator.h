@@ -24,7 +24,8 @@ struct NavigatorSetup {
   guidance::Tolerance tolerance;
   /// The skin that was aligned, for the drift watchdog; null: none watches.
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
-  DriftWatchdog::Mode watchdog = DriftWatchdog::Mode::in_line;
+  /// Of what takes longer than a frame: the drift watchdog, a lost face found anew.
+  tracking::Pace pace = tracking::Pace::as_live;
 };
 
 /// The chosen target with the alignment's predicted error there (mm, 0: unknown).

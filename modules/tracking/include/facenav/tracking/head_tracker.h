@@ -51,9 +51,18 @@ struct HeadReference {
   std::vector<Eigen::Vector2f> surface_left_px;
 };
 
+/// What becomes of work that takes longer than a frame (a lost face found anew).
+enum class Pace {
+  as_live,  // done in its frame, its answer counts 0.1 s later: a recording gives what a live session would
+  live,     // in a thread of its own
+  patient,  // done in its frame and used there: for recordings that nobody waits for
+};
+
 class HeadTracker {
  public:
   virtual ~HeadTracker() = default;
+  /// Before start().
+  virtual void setPace(Pace /*pace*/) {}
   /// Throws Error("no face ...") when no face is found in the reference frame.
   virtual void start(const stereo::StereoRig& rig, const HeadReference& reference) = 0;
   /// Any frame after start(); frames may have been dropped in between, and the first may be far from the
@@ -65,6 +74,8 @@ class HeadTracker {
   virtual ExposureOffset exposureOffset() const { return {}; }
   /// Of the last frame; 0 where the method does not count.
   virtual FrameWork work() const { return {}; }
+  /// Of the last frame's time, what a live session does beside the frames (ms).
+  virtual double beside_ms() const { return 0.0; }
   /// So much of the frame to come is to be left for another tracker.
   virtual void leave(const FrameWork& /*work*/) {}
   /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.

@@ -17,6 +17,7 @@ enum class LossDetail {
   frozen,      // a camera repeats its picture
   no_picture,  // black, blank, or of another size
   swapped,     // left and right exchanged
+  other_face,  // a face is there, another person's
 };
 
 /// One word: "covered".

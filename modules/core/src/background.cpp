@@ -1,0 +1,17 @@
+#include "facenav/core/later_answer.h"
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
+namespace facenav {
+inline namespace core {
+
+void runInBackground() {
+#ifdef __linux__
+  setpriority(PRIO_PROCESS, 0, 10);  // 0: this thread alone
+#endif
+}
+
+}  // namespace core
+}  // namespace facenav

@@ -1,0 +1,61 @@
+#pragma once
+// FaceRecovery: a face that was lost is found anew, and known for the patient's or another's. Slower than the
+// tracker's own search (some 0.1 s a frame) and surer on real skin: it searches wide windows of skin in
+// place of linearised patches, from the last pose, from landmarks and from the face's shape alone, and
+// decides on identity by likelihood. It works beside the frames (core/later_answer.h). In: a pair, and where
+// the head was last. Out: pose with covariance and identity; the looks of the moment.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "face/stereo_face.h"
+#include "face_shape.h"
+#include "identity.h"
+#include "recovery_pose.h"
+#include "skin_points.h"
+
+namespace facenav::tracking {
+
+struct RecoveredFace {
+  RecoveryPose pose;
+  Identity identity;
+  std::shared_ptr<const RecoveryPictures> pictures;  // of the pair that was asked about
+  bool is_face_seen = false;                         // by the face detector, there
+  std::shared_ptr<const SkinView> then;              // what the pose was fitted to
+};
+
+class FaceRecovery {
+ public:
+  /// `face`: as found in the reference, where it was.
+  FaceRecovery(const stereo::StereoRig& rig, const stereo::StereoFrame& reference, const FaceRegion& region,
+               const FaceSurface& surface, const std::optional<StereoFace>& face,
+               std::shared_ptr<const FaceDetector> detector);
+
+  /// The likeliest pose of the patient's face in the pair; nothing where no start led to one. Its identity
+  /// says whether it may be used. `last`: where the head was seen last; `is_thorough`: faces are looked for
+  /// at any roll, in place of the reference's.
+  std::optional<RecoveredFace> find(const stereo::StereoFrame& frame,
+                                    const std::optional<Eigen::Isometry3d>& last, bool is_thorough) const;
+  /// The pose's covariance, of increments about another point (Head, mm).
+  Matrix6d covarianceAbout(const RecoveryPose& pose, const Eigen::Vector3d& centre_mm) const;
+  /// The face as it looks at a pose that is known: searched for, too, from now on. Not while find() runs.
+  void remember(const std::shared_ptr<const RecoveryPictures>& pictures, const RecoveryPose& pose);
+  std::size_t remembered() const { return views_.size() - 1; }
+  /// What was remembered since the reference is in doubt.
+  void forgetRemembered() { views_.resize(1); }
+
+ private:
+  RecoveredFace tryFrom(const stereo::StereoFrame& frame, const std::shared_ptr<const RecoveryPictures>& now,
+                        const Eigen::Isometry3d& start) const;
+
+  stereo::StereoRig rig_;
+  SkinPoints points_;
+  FaceShape shape_;
+  std::vector<std::shared_ptr<const SkinView>> views_;  // the reference first, then moments remembered
+  std::vector<Eigen::Vector3d> landmarks_mm_;           // of the reference, Head; may be empty
+  double roll_rad_ = 0.0;                               // at which its face was found
+  std::shared_ptr<const FaceDetector> detector_;
+};
+
+}  // namespace facenav::tracking

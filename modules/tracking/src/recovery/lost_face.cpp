@@ -1,0 +1,128 @@
+#include "lost_face.h"
+
+#include <cmath>
+
+#include "facenav/core/processor_time.h"
+#include "head/pose_fit.h"
+#include "head/track_verdict.h"
+
+namespace facenav::tracking {
+namespace {
+
+constexpr double kAnswer_s = 0.1;   // a live answer's time, on one core of a small machine
+constexpr double kTooOld_s = 0.35;  // a head may be elsewhere by then
+constexpr int kThoroughEvery = 4;   // questions: a face at any roll takes ten times longer to look for
+constexpr int kMostSteps = 12, kFirstLevel = 1;
+// How far the patches learnt before may put the cortex from where recovery puts it, in its standard errors:
+// beyond, the skin has moved over the bone, and the patches, which know nothing of that, are pulled along.
+constexpr double kAgree = 1.5;
+// Patches whose errors are those expected, in place of several times as large, show skin that has not moved:
+// then they are the more exact. 0.6 to 1.5 in the room, 3 to 5 on a real face with another expression.
+constexpr double kAsExpected = 2.0;
+constexpr double kSamePlace_mm = 3.0;  // of the face, all the same
+// Agreement of both cameras on fine detail: 0.73 and more in uncompressed pictures of the room, 0.35 to 0.6
+// in strongly compressed photographs.
+constexpr double kDetailKept = 0.73;
+// Agreement with the reference by that of both cameras, mean and standard deviation: the room's table in
+// skin_detail.h (24 poses of patients, 24 of others).
+constexpr double kOwnDetail = 0.91, kOwnSigma = 0.15, kOtherDetail = 0.14, kOtherSigma = 0.13;
+constexpr double kCortexDepth_mm = 80.0;  // behind the face's centre, away from the cameras
+
+// `off`: (w rad, v mm) about the face's centre, Camera's axes.
+bool agree(const Vector6d& off, const Matrix6d& covariance) {
+  Eigen::Matrix<double, 3, 6> carry;
+  carry << -skew(Eigen::Vector3d(0, 0, kCortexDepth_mm)), Eigen::Matrix3d::Identity();
+  return (carry * off).norm() < kAgree * std::sqrt((carry * covariance * carry.transpose()).trace());
+}
+
+// Where the pictures keep the skin's fine detail (both cameras agree on it), it speaks, too. Compressed
+// pictures hold none: both cameras then agree by half, and it says nothing.
+double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
+  if (of_both_cameras.value() < kDetailKept) return 0.0;
+  const double share = seen.value() / of_both_cameras.value();
+  const auto logNormal = [](double z, double sigma) { return -0.5 * z * z - std::log(sigma); };
+  const double own_sigma = std::hypot(kOwnSigma, seen.sigma()),
+               other_sigma = std::hypot(kOtherSigma, seen.sigma());
+  return logNormal((std::min(share, kOwnDetail) - kOwnDetail) / own_sigma, own_sigma) -
+         logNormal((std::max(share, kOtherDetail) - kOtherDetail) / other_sigma, other_sigma);
+}
+
+}  // namespace
+
+LostFace::LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace)
+    : recovery_(std::move(recovery)),
+      pace_(pace),
+      answers_([recovery = recovery_,
+                learnt](const Question& question) { return answer(*recovery, learnt, question); },
+               pace == Pace::live ? LaterAnswer<Question, Found>::Mode::own_thread
+                                  : LaterAnswer<Question, Found>::Mode::in_line,
+               pace == Pace::patient ? 0.0 : kAnswer_s) {}
+
+LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& learnt,
+                                 const Question& question) {
+  Found found;
+  found.captured = question.frame.captured, found.epoch = question.epoch;
+  auto face = recovery.find(question.frame, question.last, question.is_thorough);
+  if (!face) return found;
+  found.is_patient = face->identity.verdict() == Identity::Verdict::patient;
+  found.is_other = face->identity.verdict() == Identity::Verdict::other && face->is_face_seen;
+  found.camera_T_head = face->pose.camera_T_head;
+  found.face = std::move(*face);
+  if (!found.is_patient) return found;
+  const PatchModel& model = *learnt.model;
+  const std::array<ImagePyramid, 2> now = {ImagePyramid(question.frame.left),
+                                           ImagePyramid(question.frame.right)};
+  const PoseFit fit =
+      fitPose(*learnt.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {}, 0, kMostSteps);
+  const DetailAgreement detail = detailAgreement(*learnt.rig, model, model.level[0], now, fit);
+  Identity& identity = found.face.identity;
+  identity.log_likelihood_ratio += evidenceOf(detail, *learnt.both_cameras);
+  found.is_patient = identity.verdict() == Identity::Verdict::patient;
+  found.is_other = identity.verdict() == Identity::Verdict::other;
+  if (!found.is_patient) return found;
+  const Matrix6d covariance = recovery.covarianceAbout(found.face.pose, model.centre_mm);
+  Vector6d off;
+  off << logRotation(fit.motion.linear() * found.camera_T_head.linear().transpose()),
+      fit.motion * model.centre_mm - found.camera_T_head * model.centre_mm;
+  const bool does_serve =
+      agree(off, covariance) || (fit.scale < kAsExpected && off.tail<3>().norm() < kSamePlace_mm);
+  if (does_serve && judge(model, fit).isTracked() &&
+      whoseSkin(detail, *learnt.both_cameras) == Whose::patients) {
+    found.camera_T_head = fit.motion;
+    return found;
+  }
+  found.moment = KeyFrames::ofMoment(*learnt.rig, model, question.frame, found.camera_T_head, covariance);
+  found.is_patient = found.moment.has_value();
+  return found;
+}
+
+std::optional<LostFace::Found> LostFace::take(Timestamp now) {
+  auto found = answers_.take(now.s);
+  if (is_to_forget_ && !answers_.isBusy()) recovery_->forgetRemembered(), is_to_forget_ = false;
+  if (!found || found->epoch != epoch_ || std::abs(now - found->captured) > kTooOld_s) return std::nullopt;
+  return found;
+}
+
+void LostFace::ask(const stereo::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last) {
+  if (answers_.isBusy()) return;
+  const double before_ms = processorTime_ms();
+  auto question = std::make_shared<Question>();
+  question->frame = frame;
+  question->frame.left = frame.left.clone(), question->frame.right = frame.right.clone();
+  question->last = last, question->is_thorough = asked_++ % kThoroughEvery == 0, question->epoch = epoch_;
+  answers_.ask(std::move(question), frame.captured.s);
+  if (pace_ != Pace::live) beside_ms_ += processorTime_ms() - before_ms;
+}
+
+void LostFace::remember(const Found& found) {
+  if (!answers_.isBusy() && found.moment) recovery_->remember(found.face.pictures, found.face.pose);
+}
+
+void LostFace::forget() {
+  ++epoch_;
+  is_to_forget_ = true;
+}
+
+double LostFace::takeBeside_ms() { return std::exchange(beside_ms_, 0.0); }
+
+}  // namespace facenav::tracking

@@ -1,0 +1,66 @@
+#pragma once
+// LostFace: asks FaceRecovery about lost frames, beside the frames, and makes of its answer what the tracker
+// goes on from: a pose near which the patches learnt before serve, or these patches learnt anew as the face
+// looks now.
+
+#include <memory>
+#include <optional>
+
+#include "face_recovery.h"
+#include "facenav/core/later_answer.h"
+#include "facenav/tracking/head_tracker.h"
+#include "head/key_frames.h"
+#include "head/skin_detail.h"
+
+namespace facenav::tracking {
+
+class LostFace {
+ public:
+  /// What the tracker learnt at its start; all must outlive this.
+  struct Learnt {
+    const stereo::StereoRig* rig;
+    const PatchModel* model;
+    const DetailAgreement* both_cameras;
+  };
+  struct Found {
+    Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
+    std::optional<KeyFrame> moment;  // the face as it looks now; nothing where the reference's patches serve
+    bool is_patient = false;         // else the face there is another's, or nobody's, or not sure
+    bool is_other = false;
+    RecoveredFace face;
+    Timestamp captured;  // of the pair it was found in
+    int epoch = 0;
+  };
+
+  LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace);
+
+  /// The answer about an earlier lost frame (with Pace::patient, about this one), if there is one that still
+  /// counts at `now`.
+  std::optional<Found> take(Timestamp now);
+  /// A lost frame. `last`: where the head was seen last. Nothing is asked while an answer is awaited.
+  void ask(const stereo::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
+  /// The face is tracked as it was found: its looks are remembered.
+  void remember(const Found& found);
+  /// What was asked and learnt so far is in doubt.
+  void forget();
+  /// Time that this thread has spent since the last call on what a live session does beside the frames (ms).
+  double takeBeside_ms();
+
+ private:
+  struct Question {
+    stereo::StereoFrame frame;
+    std::optional<Eigen::Isometry3d> last;
+    bool is_thorough;  // with a search for faces at any roll
+    int epoch;
+  };
+  static Found answer(const FaceRecovery& recovery, const Learnt& learnt, const Question& question);
+
+  std::shared_ptr<FaceRecovery> recovery_;
+  Pace pace_;
+  int epoch_ = 0, asked_ = 0;
+  bool is_to_forget_ = false;
+  double beside_ms_ = 0.0;
+  LaterAnswer<Question, Found> answers_;  // last: its thread ends first
+};
+
+}  // namespace facenav::tracking

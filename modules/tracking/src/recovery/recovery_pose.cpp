@@ -1,0 +1,118 @@
+#include "recovery_pose.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::tracking {
+namespace {
+
+constexpr int kFewestMatches = 24;
+constexpr double kFreedom = 3.0;     // of Student's t
+constexpr int kRounds = 12;          // of reweighting
+constexpr double kLeastScale = 0.3;  // of the errors by those expected
+// Coarse to fine: each level is searched until it has settled.
+constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};
+
+struct Solution {
+  Vector6d xi = Vector6d::Zero();
+  Matrix6d information = Matrix6d::Zero();
+  double scale = 1.0;
+  std::vector<double> weight;
+  std::vector<Eigen::Vector2d> residual;  // px, of each match
+};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// What a match's offset errs by: its window, and the skin's own motion over the bone.
+Eigen::Matrix2d errorOf(const SkinMatch& match, double mobility_mm) {
+  const Eigen::Matrix<double, 2, 3> d_p = match.jacobian.rightCols<3>();
+  return match.covariance + mobility_mm * mobility_mm * d_p * d_p.transpose();
+}
+
+Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::Matrix2d>& precision) {
+  Solution s;
+  s.weight.assign(matches.size(), 1.0);
+  s.residual.resize(matches.size());
+  std::vector<double> distance(matches.size());
+  for (int round = 0; round < kRounds; ++round) {
+    Matrix6d h = Matrix6d::Identity() * 1e-9;
+    Vector6d g = Vector6d::Zero();
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      const Eigen::Matrix<double, 6, 2> weighted =
+          s.weight[i] * matches[i].jacobian.transpose() * precision[i];
+      h.noalias() += weighted * matches[i].jacobian;
+      g.noalias() += weighted * matches[i].offset_px;
+    }
+    const Vector6d before = s.xi;
+    s.xi = h.ldlt().solve(g), s.information = h;
+    if (!s.xi.allFinite()) return {};
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      s.residual[i] = matches[i].offset_px - matches[i].jacobian * s.xi;
+      distance[i] = std::sqrt(std::max(0.0, s.residual[i].dot(precision[i] * s.residual[i])));
+    }
+    s.scale = std::max(kLeastScale, median(distance) / 1.177);  // of a 2-D normal error's length
+    for (std::size_t i = 0; i < matches.size(); ++i)
+      s.weight[i] = (kFreedom + 2) / (kFreedom + std::pow(distance[i] / s.scale, 2));
+    if (round > 2 && (s.xi - before).norm() < 1e-6) break;
+  }
+  return s;
+}
+
+// Errors that a part of the face shares: the parts' pulls on the pose show them.
+Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
+                      const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
+  std::vector<Vector6d> pulls(std::size_t(points.regionCount()), Vector6d::Zero());
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    pulls[std::size_t(points[std::size_t(matches[i].point)].region)] +=
+        s.weight[i] * matches[i].jacobian.transpose() * (precision[i] * s.residual[i]);
+  Matrix6d meat = Matrix6d::Zero();
+  int clusters = 0;
+  for (const auto& pull : pulls) clusters += pull.squaredNorm() > 0, meat += pull * pull.transpose();
+  const Matrix6d inverse = s.information.inverse();
+  const double spread = std::max(1.0, s.scale * s.scale);
+  return spread * inverse + clusters / std::max(1.0, double(clusters - 6)) * inverse * meat * inverse;
+}
+
+Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
+  return Eigen::Translation3d(centre_mm) * expRigid(xi) * Eigen::Translation3d(-centre_mm);
+}
+
+}  // namespace
+
+RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& points, const SkinView& then,
+                             const RecoveryPictures& now, const Eigen::Isometry3d& start) {
+  RecoveryPose pose;
+  pose.camera_T_head = start;
+  for (const auto& search : kSearches) {
+    auto matches = points.find(then, rig, now, pose.camera_T_head, search);
+    if (int(matches.size()) < kFewestMatches) return pose;
+    std::vector<Eigen::Matrix2d> precision;
+    for (const auto& match : matches)
+      precision.push_back(errorOf(match, points[std::size_t(match.point)].mobility_mm).inverse());
+    const Solution s = solve(matches, precision);
+    if (s.weight.empty()) return pose;
+    const Eigen::Isometry3d before = pose.camera_T_head;
+    pose.camera_T_head = before * about(points.centre_mm(), s.xi);
+    if (&search != std::end(kSearches) - 1) continue;
+    Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
+    rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = pose.camera_T_head.linear();
+    pose.covariance =
+        rotate * covarianceOf(points, matches, precision, s) * rotate.transpose() + then.covariance;
+    pose.residual_px.clear();
+    for (const auto& match : matches)
+      pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());
+    pose.weight = s.weight;
+    pose.matches = std::move(matches);
+    pose.is_valid = true;
+  }
+  return pose;
+}
+
+}  // namespace facenav::tracking

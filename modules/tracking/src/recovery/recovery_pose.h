@@ -1,0 +1,29 @@
+#pragma once
+// The head's pose from skin matches (skin_points.h): robust least squares over both cameras, coarse to fine.
+// Skin that moves over the bone counts by how far it usually does (skin_mobility.h), outliers by Student's t
+// (Lange, Little, Taylor 1989). The covariance holds for errors that a whole part of the face shares (Liang &
+// Zeger 1986, parts as clusters).
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "facenav/geometry/rotation.h"
+#include "skin_points.h"
+
+namespace facenav::tracking {
+
+struct RecoveryPose {
+  Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
+  /// Of xi = (w rad, v mm) as HeadPose's, about the points' centre, Camera's axes.
+  Matrix6d covariance = Matrix6d::Identity() * 1e6;
+  std::vector<SkinMatch> matches;   // of the last search; offsets are from the pose before the last step
+  std::vector<double> residual_px;  // of each match, after the last step
+  std::vector<double> weight;       // 0..1, robust
+  bool is_valid = false;            // enough matches for a pose
+};
+
+/// From `start`, true to some 8 degrees and 20 mm.
+RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& points, const SkinView& then,
+                             const RecoveryPictures& now, const Eigen::Isometry3d& start);
+
+}  // namespace facenav::tracking

@@ -1,0 +1,48 @@
+#include "skin_mobility.h"
+
+#include <cmath>
+
+namespace facenav::tracking {
+namespace {
+
+// Standard deviations by part, mm. Order of size after landmark motion in posed expressions (Cosker,
+// Krumhuber, Hilton 2011, FACS-valid 3-D faces: mouth corners 5-15 mm, cheeks 2-5 mm, brows 3-6 mm at the
+// strongest; a third of that is taken for a moment that nobody posed). Not fitted.
+constexpr double kBridge_mm = 0.25, kForehead_mm = 0.5, kTemple_mm = 0.5, kBrow_mm = 1.2, kEye_mm = 1.2;
+constexpr double kCheek_mm = 1.2, kNoseTip_mm = 0.6, kMouth_mm = 4.0;
+constexpr double kUnknown_mm = 1.2;
+
+Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& points, int first, int last) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int i = first; i <= last; ++i) sum += points[std::size_t(i)] / double(last - first + 1);
+  return sum;
+}
+
+}  // namespace
+
+SkinMobility::SkinMobility(const FaceLandmarks& face) {
+  if (face.points68.size() != 68) return;
+  const auto& p = face.points68;
+  bridge_px_ = 0.5 * (p[21] + p[22]);
+  const Eigen::Vector2d nose = p[33] - bridge_px_;
+  nose_px_ = nose.norm();
+  eyes_px_ = (mean(p, 36, 41) - mean(p, 42, 47)).norm();
+  if (nose_px_ < 4 || eyes_px_ < 4) return;
+  down_ = nose / nose_px_;
+  is_known_ = true;
+}
+
+// In parts of the nose's length below the brows, and of the distance between the eyes from the midline.
+double SkinMobility::sigma_mm(const Eigen::Vector2d& px) const {
+  if (!is_known_) return kUnknown_mm;
+  const Eigen::Vector2d d = px - bridge_px_, across(-down_.y(), down_.x());
+  const double below = d.dot(down_) / nose_px_, aside = std::abs(d.dot(across)) / eyes_px_;
+  if (below > 1.08) return kMouth_mm;
+  if (below < -0.25) return kForehead_mm;
+  if (aside < 0.22) return below < 0.1 ? kForehead_mm : below < 0.75 ? kBridge_mm : kNoseTip_mm;
+  if (below < 0.15) return kBrow_mm;
+  if (aside > 0.85 && below < 0.6) return kTemple_mm;
+  return below < 0.55 ? kEye_mm : kCheek_mm;
+}
+
+}  // namespace facenav::tracking

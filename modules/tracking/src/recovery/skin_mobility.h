@@ -1,0 +1,29 @@
+#pragma once
+// SkinMobility: how far the skin of each part of the face moves over the bone between two moments (speech,
+// smile, raised brows), as a standard deviation in mm. The bridge of the nose, temples and forehead hardly
+// move; cheeks move by millimetres in a smile; lips and chin by more than a centimetre.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "facenav/tracking/face_landmarks.h"
+
+namespace facenav::tracking {
+
+class SkinMobility {
+ public:
+  /// Without landmarks every part is taken to move like a cheek.
+  SkinMobility() = default;
+  explicit SkinMobility(const FaceLandmarks& face);
+
+  /// Standard deviation of the skin's motion over the bone, mm, at a pixel of the landmarks' picture.
+  double sigma_mm(const Eigen::Vector2d& px) const;
+
+ private:
+  bool is_known_ = false;
+  Eigen::Vector2d bridge_px_ = Eigen::Vector2d::Zero();  // between the brows' inner ends
+  Eigen::Vector2d down_ = Eigen::Vector2d::UnitY();      // unit, from there to the base of the nose
+  double nose_px_ = 1.0, eyes_px_ = 1.0;                 // length of the nose; between the eyes' middles
+};
+
+}  // namespace facenav::tracking
