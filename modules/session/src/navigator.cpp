@@ -1,5 +1,7 @@
 #include "facenav/session/navigator.h"
 
+#include "facenav/session/pair_fault.h"
+
 namespace facenav::session {
 namespace {
 
@@ -26,7 +28,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
       coil_(std::move(coil)) {
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
-  head_->start(rig_, setup.reference);
+  withPairFault(rig_, setup.reference.frame, [&] { head_->start(rig_, setup.reference); });
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
@@ -68,8 +70,9 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     if (watchdog_) watching_ms = (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
-    if (rig_check_.verdict().hasMoved()) {  // nothing measured with these cameras can be trusted
-      state.rig_fault = rig_check_.verdict().words();
+    if (const auto fault = rig_check_.fault()) {  // nothing measured with these cameras can be trusted
+      state.rig_fault = fault->words;
+      state.rig_fault_detail = fault->detail;
       state = blanked(state, LostReason::camera);
     }
   } else {

@@ -40,6 +40,13 @@ std::vector<stereo::Correspondence> matchSurface(const stereo::StereoRig& rig,
 void RigCheck::start(const tracking::HeadReference& reference) {
   monitor_.add(matchSurface(rig_, reference.frame, reference.surface, reference.surface_left_px));
   verdict_ = monitor_.verdict();
+  reference_fault_ = rigFault(stereo::diagnosePair(rig_, reference.frame));
+}
+
+std::optional<RigFault> RigCheck::fault() const {
+  if (reference_fault_) return reference_fault_;
+  if (!verdict_.hasMoved()) return std::nullopt;
+  return RigFault{tracking::LossDetail::cameras_moved, verdict_.words()};
 }
 
 void RigCheck::add(const stereo::StereoFrame& frame, const Tracked<tracking::HeadPose>& head,

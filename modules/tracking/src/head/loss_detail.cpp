@@ -24,6 +24,12 @@ std::string toString(LossDetail detail) {
       return "no_picture";
     case LossDetail::swapped:
       return "swapped";
+    case LossDetail::out_of_step:
+      return "out_of_step";
+    case LossDetail::other_rig:
+      return "other_rig";
+    case LossDetail::cameras_moved:
+      return "cameras_moved";
   }
   return "";
 }
