@@ -33,6 +33,7 @@ class RigCheck {
   stereo::RigMonitor monitor_;
   stereo::RigVerdict verdict_;
   std::optional<RigFault> reference_fault_;  // learnt from such pictures nothing is right later on
+  bool has_fitted_ = false;                  // the whole reference pair, its calibration
   std::size_t frames_ = 0, next_feature_ = 0;
 };
 
