@@ -45,14 +45,6 @@ Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
   return {off_px[off_px.size() / 2], double(within) / double(off_px.size())};
 }
 
-/// The best of the poses near enough to be another rig of this kind, or a knocked one.
-RelativePose bestPose(const Eigen::Isometry3d& calibrated, const std::vector<RayPair>& rays) {
-  const RelativePose near = refinePose(calibrated, rays, &kAnyRig);
-  const RelativePose found = searchPose(calibrated.translation().norm(), rays);
-  const RelativePose again = refinePose(found.right_T_left, rays);
-  return again.cost + 0.1 * near.cost < near.cost ? again : near;
-}
-
 }  // namespace
 
 PairDiagnosis diagnoseMatches(const StereoRig& rig, const std::vector<Correspondence>& matches) {
@@ -75,7 +67,8 @@ PairDiagnosis diagnoseMatches(const StereoRig& rig, const std::vector<Correspond
     diagnosis.agreement = swapped.share;
     return diagnosis;
   }
-  const RelativePose best = bestPose(calibrated, rays), knocked = refinePose(calibrated, rays, &kKnock);
+  const RelativePose best = refinePose(calibrated, rays, &kAnyRig),
+                     knocked = refinePose(calibrated, rays, &kKnock);
   const Fit explained = fitOf(best.right_T_left, rays);
   diagnosis.agreement = explained.share;
   diagnosis.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(best.right_T_left);
@@ -117,7 +110,7 @@ std::string PairDiagnosis::advice() const {
     case PairFault::swapped:
       return "exchange the cameras or the folders";
     case PairFault::moved:
-      return "calibrate again";
+      return "calibrate again; if that does not help, trigger both cameras together";
     case PairFault::other_rig:
       return "give the right stereo.yml, or calibrate";
     case PairFault::unknown:

@@ -1,18 +1,17 @@
 #include "relative_pose.h"
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/calib3d.hpp>
 
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::stereo {
 namespace {
 
-constexpr double kFreedom = 4.0;          // of Student's t, as in RigMonitor
-constexpr double kBehind = 30.0;          // sigmas that a point behind the cameras counts as
-constexpr double kSampleTolerance = 3.0;  // sigmas
+constexpr double kFreedom = 4.0;  // of Student's t, as in RigMonitor
+constexpr double kBehind = 30.0;  // sigmas that a point behind the cameras counts as
 constexpr int kRounds = 40;
 
 using Vector6 = Vector6d;
@@ -117,31 +116,6 @@ RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPai
     if (!is_better) break;
   }
   return best;
-}
-
-RelativePose searchPose(double baseline_mm, const std::vector<RayPair>& rays) {
-  std::vector<cv::Point2d> left, right;
-  double sigma = 0;
-  for (const RayPair& pair : rays) {
-    left.emplace_back(pair.left.x(), pair.left.y());
-    right.emplace_back(pair.right.x(), pair.right.y());
-    sigma += pair.sigma / double(rays.size());
-  }
-  RelativePose best{Eigen::Isometry3d::Identity(), std::numeric_limits<double>::infinity()};
-  best.right_T_left.translation().x() = -baseline_mm;
-  if (rays.size() < 8) return best;
-  cv::Mat inliers;
-  const cv::Mat essential = cv::findEssentialMat(left, right, cv::Mat::eye(3, 3, CV_64F), cv::RANSAC, 0.9999,
-                                                 kSampleTolerance * sigma, 2000, inliers);
-  if (essential.rows < 3) return best;
-  cv::Mat turn, shift;
-  cv::recoverPose(essential.rowRange(0, 3), left, right, cv::Mat::eye(3, 3, CV_64F), turn, shift, inliers);
-  Eigen::Isometry3d start = Eigen::Isometry3d::Identity();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) start.linear()(i, j) = turn.at<double>(i, j);
-    start.translation()[i] = baseline_mm * shift.at<double>(i);
-  }
-  return refinePose(start, rays);
 }
 
 }  // namespace facenav::stereo

@@ -1,7 +1,7 @@
 #pragma once
 // The pose of the right camera against the left one that explains matches best, without regard to its scale:
-// two angles of the baseline's direction and three of rotation, under Student's t, started from a known pose
-// and from the five-point algorithm (Nister 2004, PAMI 26:756; OpenCV's findEssentialMat).
+// two angles of the baseline's direction and three of rotation, under Student's t, from a pose that is known
+// roughly.
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -33,8 +33,5 @@ double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>&
 /// Refined from `start`. `prior`: about `start`; none: free.
 RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPair>& rays,
                         const PosePrior* prior = nullptr);
-
-/// By random samples, from nothing known; then refined. Keeps the baseline's length.
-RelativePose searchPose(double baseline_mm, const std::vector<RayPair>& rays);
 
 }  // namespace facenav::stereo

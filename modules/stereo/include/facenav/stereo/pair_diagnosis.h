@@ -5,8 +5,8 @@
 // calibration); none (the pictures are not of one moment: face, hair and clothes moved, each by itself,
 // between the two exposures, and no pose of a camera brings them together).
 //
-// A head that moved as one rigid piece before a plain wall looks like a moved camera in one frame. Over
-// several it does not: a camera that has moved stays where it is (explains()).
+// A head that moved as one rigid piece before a plain wall looks like a moved camera in one frame: nothing in
+// it tells them apart, and the advice for a moved camera says so.
 
 #include <string>
 #include <vector>
