@@ -8,6 +8,7 @@
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/session/navigator.h"
+#include "facenav/session/pair_fault.h"
 #include "facenav/session/skin_fit_picture.h"
 #include "facenav/tracking/face_landmarks.h"
 #include "stored_capture.h"
@@ -28,10 +29,16 @@ std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(Context& context,
                                                               const capture::Recording& recording) {
   const auto detector = context.registrations.face_detector();
   const auto source = capture::makeSource(recording);
+  std::shared_ptr<const stereo::StereoFrame> first;
   for (std::int64_t i = 0; auto frame = source->next(); ++i) {
+    if (!first) first = frame;
     context.monitor.report("looking for a face",
                            double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
     if (detector->detect(frame->left) && detector->detect(frame->right)) return frame;
+  }
+  if (first) {
+    const auto diagnosis = stereo::diagnosePair(recording.rig, *first);
+    if (diagnosis.isFault()) throw session::PairError(diagnosis);
   }
   throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
               recording.folder.string(), "check that both cameras see the whole face, upright and lit");
@@ -174,7 +181,7 @@ TrackOutcome trackRecording(Context& context, const TrackRequest& request,
     if (on_frame) on_frame(state);
   }
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames > 0)
-    throw Error(outcome.rig_fault, request.recording.string(), "'facenav calibrate'");
+    throw Error(outcome.rig_fault, request.recording.string());
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0)
     throw Error(
         "neither the face nor a marker was found in any of " + std::to_string(outcome.frames) + " frames",

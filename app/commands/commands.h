@@ -27,6 +27,8 @@ void addMarker(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);
 /// `facenav evaluate prepare`, below evaluate.
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
+/// `facenav evaluate rigs`, below evaluate.
+void addEvaluateRigs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

@@ -191,8 +191,9 @@ void addEvaluate(CLI::App& app, Context& context) {
   verb->add_option("-o,--output", request->output, "folder for report.html, evaluation.csv, evaluation.md")
       ->capture_default_str();
   addEvaluatePrepare(*verb, context);
+  addEvaluateRigs(*verb, context);
   verb->callback([&context, request, verb] {
-    if (verb->got_subcommand("prepare")) return;
+    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs")) return;
     if (!request->recordings.empty()) {
       if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")
         throw Error("a recording is measured in one case", {}, "add --case CASE");

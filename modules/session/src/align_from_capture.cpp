@@ -4,8 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <future>
+#include <opencv2/imgproc.hpp>
 
 #include "facenav/core/error.h"
+#include "facenav/session/pair_fault.h"
 #include "facenav/session/rig_check.h"
 #include "facenav/session/shared_depth.h"
 
@@ -33,6 +35,23 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const stereo:
   return options;
 }
 
+constexpr double kClearStatistic = 40;  // as in RigCheck: twice the monitor's own threshold
+constexpr int kFineScale_px = 9;
+constexpr double kDotsContrast = 1.5;  // of fine detail with dots to that without; skin alone: 1
+
+/// Fine detail by the mean grey level.
+double fineContrast(const cv::Mat& image) {
+  cv::Mat grey, smooth;
+  image.convertTo(grey, CV_32F);
+  cv::boxFilter(grey, smooth, -1, {kFineScale_px, kFineScale_px});
+  return cv::norm(grey - smooth, cv::NORM_L2) / std::max(1.0, cv::norm(grey, cv::NORM_L2));
+}
+
+/// The pattern's picture against the plain one.
+bool showsDots(const capture::CapturePair& capture) {
+  return fineContrast(capture.pattern.left) > kDotsContrast * fineContrast(capture.plain.left);
+}
+
 /// The calibration does not hold any more: looking elsewhere for the face would not help.
 class CamerasMoved : public Error {
  public:
@@ -41,11 +60,28 @@ class CamerasMoved : public Error {
 
 /// Throws CamerasMoved where points of the face, matched anew, say so.
 void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
-                           const stereo::FaceCloud& face) {
+                           const stereo::StereoFrame& plain, const stereo::FaceCloud& face) {
   stereo::RigMonitor monitor(rig);
   monitor.add(matchSurface(rig, frame, face.cloud, face.left_px));
   const auto verdict = monitor.verdict();
-  if (verdict.hasMoved()) throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
+  if (!verdict.hasMoved()) return;
+  const auto diagnosis = stereo::diagnosePair(rig, plain);
+  if (diagnosis.isFault()) throw PairError(diagnosis, "not aligned: ");
+  // Plain skin that disagrees a little, where the whole plain pair fits, is no moved camera.
+  const bool is_clear = verdict.statistic > kClearStatistic && showsDots({frame, plain});
+  if (diagnosis.fault != stereo::PairFault::none || is_clear)
+    throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
+}
+
+/// The aligner and the measurement see only that nothing fits. The cameras are asked first, then the dots;
+/// what is left is the face.
+[[noreturn]] void refuse(const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                         const Error& error) {
+  const auto diagnosis = stereo::diagnosePair(rig, capture.plain);
+  if (diagnosis.isFault()) throw PairError(diagnosis, "not aligned: ");
+  if (showsDots(capture)) throw error;
+  throw Error(std::string(error.what()) + "; the capture's picture for the dots shows none", {},
+              "switch the projector on, and make sure that the case is this patient's");
 }
 
 registration::AlignmentStart withSharedDepth(registration::AlignmentStart start, const stereo::StereoRig& rig,
@@ -79,6 +115,8 @@ void withoutLandmarksIfMisled(FaceInSpace& landmarks, const std::function<void()
       measureAndFit();
       return std::nullopt;
     } catch (const CamerasMoved&) {
+      throw;
+    } catch (const PairError&) {
       throw;
     } catch (const Cancelled&) {
       throw;
@@ -138,13 +176,23 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
     const auto cloud =
         stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
     outcome.face = cutFace(cloud, outcome.landmarks);
-    requireUnmovedCameras(rig, capture.pattern, outcome.face);
+    requireUnmovedCameras(rig, capture.pattern, capture.plain, outcome.face);
     if (!outcome.scalp) outcome.scalp = field.get();
     outcome.result =
         aligner.align(*outcome.scalp, outcome.face.cloud,
                       withSharedDepth(outcome.landmarks.start, rig, outcome.face.cloud), monitor);
   };
-  withoutLandmarksIfMisled(outcome.landmarks, measureAndFit);
+  try {
+    withoutLandmarksIfMisled(outcome.landmarks, measureAndFit);
+  } catch (const CamerasMoved&) {
+    throw;
+  } catch (const PairError&) {
+    throw;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    refuse(rig, capture, error);
+  }
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {

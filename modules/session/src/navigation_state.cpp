@@ -25,6 +25,12 @@ std::string detailWords(LossDetail detail) {
       return "CAMERAS SWAPPED: exchange left and right";
     case LossDetail::other_face:
       return "ANOTHER PERSON: only the patient's face is followed";
+    case LossDetail::out_of_step:
+      return "CAMERAS OUT OF STEP: trigger both together, or check cables and driver";
+    case LossDetail::other_rig:
+      return "OTHER CAMERAS' CALIBRATION: give the right stereo.yml, or calibrate";
+    case LossDetail::cameras_moved:
+      return "CAMERAS MOVED: calibrate them again";
     case LossDetail::doubtful:
     case LossDetail::unknown:
       break;
@@ -86,13 +92,13 @@ NavigationState blanked(const NavigationState& state, LostReason reason) {
 
 std::string lossWord(const NavigationState& state) {
   if (state.head) return {};
-  if (!state.rig_fault.empty()) return "cameras_moved";
+  if (!state.rig_fault.empty()) return toString(state.rig_fault_detail);
   return state.has_drifted ? "drift" : toString(state.head_detail);
 }
 
 std::string lossInWords(const NavigationState& state) {
   if (!state.failure.empty()) return "STOPPED: " + state.failure;
-  if (!state.rig_fault.empty()) return "CAMERAS MOVED: calibrate them again";
+  if (!state.rig_fault.empty()) return detailWords(state.rig_fault_detail);
   if (state.has_drifted) return "DRIFT: the face no longer matches the MRI, align again";
   if (!state.head) return headLossInWords(state);
   if (!state.is_aligned) return "NOT ALIGNED: align the head first";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "facenav/session/pair_fault.h"
+
 namespace facenav::session {
 namespace {
 
@@ -29,7 +31,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
   head_->setPace(setup.pace);
-  head_->start(rig_, setup.reference);
+  withPairFault(rig_, setup.reference.frame, [&] { head_->start(rig_, setup.reference); });
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
@@ -72,8 +74,9 @@ NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> fr
     if (watchdog_) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
-    if (rig_check_.verdict().hasMoved()) {  // nothing measured with these cameras can be trusted
-      state.rig_fault = rig_check_.verdict().words();
+    if (const auto fault = rig_check_.fault()) {  // nothing measured with these cameras can be trusted
+      state.rig_fault = fault->words;
+      state.rig_fault_detail = fault->detail;
       state = blanked(state, LostReason::camera);
     }
   } else {

@@ -10,6 +10,9 @@ namespace {
 constexpr std::size_t kFirstFrames = 30;  // in which the session's start is judged
 constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;
 constexpr double kMostBetweenExposures_mm = 0.1;  // else the head's motion passes for a turn of the camera
+// Where the whole reference pair fitted its calibration, skin that disagrees a little is no moved camera:
+// twice the monitor's own threshold.
+constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
 
 stereo::SquareSighting square(const tracking::MarkerSighting& marker) {
@@ -40,6 +43,17 @@ std::vector<stereo::Correspondence> matchSurface(const stereo::StereoRig& rig,
 void RigCheck::start(const tracking::HeadReference& reference) {
   monitor_.add(matchSurface(rig_, reference.frame, reference.surface, reference.surface_left_px));
   verdict_ = monitor_.verdict();
+  const auto diagnosis = stereo::diagnosePair(rig_, reference.frame);
+  reference_fault_ = rigFault(diagnosis);
+  has_fitted_ = diagnosis.fault == stereo::PairFault::none;
+}
+
+std::optional<RigFault> RigCheck::fault() const {
+  if (reference_fault_) return reference_fault_;
+  if (!verdict_.hasMoved()) return std::nullopt;
+  const bool is_clear = verdict_.statistic > kClearStatistic || verdict_.contradiction > kClearContradiction;
+  if (has_fitted_ && !is_clear) return std::nullopt;
+  return RigFault{tracking::LossDetail::cameras_moved, verdict_.words()};
 }
 
 void RigCheck::add(const stereo::StereoFrame& frame, const Tracked<tracking::HeadPose>& head,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "facenav/geometry/rotation.h"
+#include "rig_motion.h"
 
 namespace facenav::stereo {
 namespace {
@@ -22,29 +22,16 @@ constexpr double kMovedStatistic = 20;
 // Half of the points beyond so many sigmas: 0.67 in a rig that holds. Of cameras that have moved by several
 // rows most matches are wrong, and wrong in all directions: no motion explains them, but nothing else does.
 constexpr double kContradicted = 2.0;
-constexpr double kHarmful_mm = 0.5, kHarmful_px = 0.3;  // less is no reason to stop
-// A calibration's errors are not all noise (the board is not flat, the lens is no polynomial).
-constexpr double kInflation = 1.5;
-// Of the reprojection's rms, what the lens model leaves in one place of the image: 0.22 on OpenCV's 13
-// chessboard pairs, each held out in turn (0.044 px beyond a plane over the board, noise taken off, at 0.196
-// px rms).
-constexpr double kLensShare = 0.25;
+constexpr double kHarmful_mm = 0.5;  // less is no reason to stop
+constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
+constexpr double kTellsScatter = 4;  // matches of a cell
+// Patches of 15 px that lie side by side on a glint, a fold, a strand of hair or a block of the compression
+// err alike: this share of their scatter does not average out in a cell.
+constexpr double kSharedShare = 0.3;
+// A camera that moved moves all points, a pattern that repeats (knitwear) those in one place: what the motion
+// takes off the mean over the points of their squared sigmas, of each at most four.
+constexpr double kComesNearer = 0.3;
 constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // how cameras move when they are knocked
-
-StereoRig turned(const StereoRig& rig, const Vector6d& motion) {
-  StereoRig moved = rig;
-  Eigen::Isometry3d pose = rig.right_T_left.isometry();
-  pose.linear() = expRotation(motion.head<3>()) * pose.linear();
-  pose.translation() = expRotation(motion.head<3>()) * pose.translation() + motion.tail<3>();
-  moved.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
-  return moved;
-}
-
-StereoRig withTurn(const StereoRig& rig, const Eigen::Vector3d& turn_rad) {
-  Vector6d motion = Vector6d::Zero();
-  motion.head<3>() = turn_rad;
-  return turned(rig, motion);
-}
 
 /// Relative error of the square's size as this rig sees it.
 double sizeError(const StereoRig& rig, const SquareSighting& square) {
@@ -80,69 +67,6 @@ double epipolarResidual_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
   const Eigen::Vector2d on_line = project(rig.right, in_right_mm, by_point);
   const Eigen::Vector2d along = (by_point * (rig.right_T_left.rotation() * ray)).normalized();
   return Eigen::Vector2d(-along.y(), along.x()).dot(right_px - on_line);
-}
-
-namespace {
-
-/// One standard deviation along each principal axis of the calibration's own covariance.
-RigUncertainty fromCovariance(const StereoRig& rig) {
-  const int n = rig.covariance.rows, pose = n - 6, camera = int(4 + rig.left.distortion.total());
-  Eigen::MatrixXd covariance(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) covariance(i, j) = rig.covariance.at<double>(i, j);
-  const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(1e-30).cwiseSqrt();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scale.cwiseInverse().asDiagonal() * covariance *
-                                                            scale.cwiseInverse().asDiagonal());
-  RigUncertainty uncertainty;
-  uncertainty.lens_px = kLensShare * rig.rms_px.value_or(0.2);
-  for (int axis = 0; axis < n; ++axis) {
-    const double length = kInflation * std::sqrt(std::max(0.0, axes.eigenvalues()[axis]));
-    if (length < 1e-6) continue;
-    const Eigen::VectorXd step = length * scale.cwiseProduct(axes.eigenvectors().col(axis));
-    StereoRig other = turned(rig, step.segment<6>(pose));
-    for (const auto& [side, first] : {std::pair(&other.left, 0), std::pair(&other.right, camera)}) {
-      side->k(0, 0) += step[first];
-      side->k(1, 1) += step[first + 1];
-      side->k(0, 2) += step[first + 2];
-      side->k(1, 2) += step[first + 3];
-      side->distortion = side->distortion.clone();
-      for (int i = 0; i < int(side->distortion.total()); ++i)
-        side->distortion.at<double>(i) += step[first + 4 + i];
-    }
-    uncertainty.one_sigma.push_back(other);
-  }
-  return uncertainty;
-}
-
-}  // namespace
-
-RigUncertainty uncertaintyOf(const StereoRig& rig) {
-  if (!rig.covariance.empty()) return fromCovariance(rig);
-  // What some twelve views of a board leave, as seen in the images: 0.7 rms across the epipolar lines, 0.02
-  // deg of roll, 0.1 % of scale from focal lengths and yaw, and lens errors that grow towards the corners.
-  const double scale = rig.rms_px.value_or(0.2) / 0.2, f = rig.right.k(0, 0);
-  RigUncertainty uncertainty;
-  uncertainty.lens_px = kLensShare * 0.2 * scale;
-  const auto add = [&](const StereoRig& other) { uncertainty.one_sigma.push_back(other); };
-  add(withTurn(rig, {0.1 * scale / f, 0, 0}));
-  add(withTurn(rig, {0, 0.05 * scale / f, 0}));
-  add(withTurn(rig, {0, 0, 2.6e-4 * scale}));
-  for (CameraModel StereoRig::*side : {&StereoRig::left, &StereoRig::right}) {
-    StereoRig focal = rig, bent = rig;
-    (focal.*side).k(0, 0) *= 1 + 3e-4 * scale;
-    (focal.*side).k(1, 1) *= 1 + 3e-4 * scale;
-    CameraModel& lens = bent.*side;
-    lens.distortion = lens.distortion.empty() ? cv::Mat::zeros(1, 5, CV_64F) : lens.distortion.clone();
-    lens.distortion.at<double>(0) += 1e-3 * scale;
-    add(focal);
-    add(bent);
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    Vector6d shift = Vector6d::Zero();
-    shift[3 + axis] = 0.04 * scale;
-    add(turned(rig, shift));
-  }
-  return uncertainty;
 }
 
 RigMonitor::RigMonitor(const StereoRig& rig, RigUncertainty uncertainty)
@@ -187,14 +111,20 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// A median and its standard error: of the matches' own sigma, or of how they scatter where that is more.
-std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
-                                   const std::vector<double>& sigmas_px) {
-  const double middle = medianOf(residuals_px);
+double scatterOf(const std::vector<double>& residuals_px, double middle) {
   std::vector<double> off;
   for (const double r : residuals_px) off.push_back(std::abs(r - middle));
-  const double each = std::max(medianOf(sigmas_px), 1.4826 * medianOf(off));
-  return {middle, each * std::sqrt(M_PI / 2 / double(off.size()))};
+  return 1.4826 * medianOf(off);
+}
+
+/// A median and its standard error: of the matches' own sigma, or of how they scatter where that is more. Of
+/// a few matches nothing is known of how they scatter: as those of the other cells do (`typical_px`).
+std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
+                                   const std::vector<double>& sigmas_px, double typical_px) {
+  const double middle = medianOf(residuals_px), count = double(residuals_px.size());
+  const double here_px = count < kTellsScatter ? typical_px : scatterOf(residuals_px, middle);
+  const double each = std::max({medianOf(sigmas_px), here_px, kSharedShare * typical_px});
+  return {middle, std::hypot(each * std::sqrt(M_PI / 2 / count), kSharedShare * each)};
 }
 
 /// What was measured, each value with its own deviation, as a linear model of what may explain it: the
@@ -235,6 +165,12 @@ Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
   return best;
 }
 
+double sizeCost(const Explanation& model, const Eigen::VectorXd& explained, int points) {
+  const Eigen::Index sizes = model.seen.size() - points;
+  const Eigen::ArrayXd z2 = (model.seen - explained).cwiseQuotient(model.sigma).tail(sizes).array().square();
+  return 5.0 * (1 + z2 / 4.0).log().sum();  // Student's t, as in explain()
+}
+
 /// The motion as far as the measurements tell it: without squares they hardly tell the yaw, and what is
 /// guessed of it would pass for centimetres of depth.
 Vector6d toldMotion(const Explained& moved) {
@@ -260,6 +196,30 @@ RigVerdict RigMonitor::verdict() const {
   for (const auto& entry : size_cells_) sizes.push_back(&entry.second);
   const int points = int(cells.size()), all = points + int(sizes.size());
 
+  const auto typicalScatter = [&] {
+    std::vector<double> off;
+    for (const Cell* cell : cells)
+      if (double(cell->residuals_px.size()) >= kTellsScatter)
+        off.push_back(scatterOf(cell->residuals_px, medianOf(cell->residuals_px)));
+    return off.empty() ? 0.0 : medianOf(off);
+  };
+  const auto contradiction = [&](const Explanation& model) {
+    std::vector<double> z;  // of single points, with what the calibration leaves open there
+    for (int i = 0; i < points; ++i)
+      for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n)
+        z.push_back(std::abs(cells[i]->residuals_px[n]) /
+                    std::sqrt(std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
+                              model.by_calibration.row(i).squaredNorm()));
+    return medianOf(z);
+  };
+  const auto clipped = [&](const Eigen::VectorXd& explained) {
+    double sum = 0, count = 0;
+    for (int i = 0; i < points; ++i)
+      for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n, ++count)
+        sum += std::min(4.0, std::pow(cells[i]->residuals_px[n] - explained[i], 2) /
+                                 (std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2)));
+    return sum / count;
+  };
   const auto predict = [&](const StereoRig& rig) {  // what the cells would show if this were the true rig
     Eigen::VectorXd values(all);
     for (int i = 0; i < points; ++i)
@@ -271,8 +231,9 @@ RigVerdict RigMonitor::verdict() const {
   const int axes = int(uncertainty_.one_sigma.size());
   Explanation model{Eigen::VectorXd(all), Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, axes + 1),
                     Eigen::MatrixXd(all, 6)};
+  const double typical_px = typicalScatter();
   for (int i = 0; i < points; ++i) {
-    const auto [middle, sigma] = middleOf(cells[i]->residuals_px, cells[i]->sigmas_px);
+    const auto [middle, sigma] = middleOf(cells[i]->residuals_px, cells[i]->sigmas_px, typical_px);
     model.seen[i] = middle;
     model.sigma[i] = std::hypot(uncertainty_.lens_px, sigma);
   }
@@ -300,13 +261,14 @@ RigVerdict RigMonitor::verdict() const {
   RigVerdict verdict;
   if (!motion.allFinite() || !std::isfinite(holds.cost)) return verdict;
   verdict.statistic = holds.cost - moved.cost;
-  std::vector<double> z;  // of single points, with what the calibration leaves open there
-  for (int i = 0; i < points; ++i)
-    for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n)
-      z.push_back(std::abs(cells[i]->residuals_px[n]) /
-                  std::sqrt(std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
-                            model.by_calibration.row(i).squaredNorm()));
-  verdict.contradiction = medianOf(z);
+  verdict.contradiction = contradiction(model);
+  const Eigen::VectorXd by_rest = model.by_calibration * holds.unknowns, by_all = either * moved.unknowns;
+  const double come_nearer = clipped(by_rest) - clipped(by_all);
+  // A size that does not fit is paid for by an unlikely calibration as much as by its own residual.
+  const double sizes_tell = sizes.empty()
+                                ? 0.0
+                                : sizeCost(model, by_rest, points) - sizeCost(model, by_all, points) +
+                                      holds.unknowns.squaredNorm() - moved.unknowns.squaredNorm();
   verdict.turn_rad = motion.head<3>();
   const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches are wrong under any motion
   verdict.epipolar_px =
@@ -319,8 +281,13 @@ RigVerdict RigMonitor::verdict() const {
                 triangulate(rig_, cell->left_px, cell->right_px).mm)
                    .squaredNorm();
   verdict.displaced_mm = std::sqrt(squares / points);
-  const bool is_harmful = verdict.displaced_mm > kHarmful_mm || verdict.epipolar_px > kHarmful_px;
-  const bool has_moved = verdict.statistic > kMovedStatistic || verdict.contradiction > kContradicted;
+  const Eigen::VectorXd rows_px = model.by_motion.topRows(points) * moved.unknowns.tail<6>();
+  const bool is_contradicted = verdict.contradiction > kContradicted;
+  const bool is_harmful = verdict.displaced_mm > kHarmful_mm ||
+                          std::sqrt(rows_px.squaredNorm() / points) > kHarmful_px || is_contradicted;
+  const bool is_told = verdict.statistic > kMovedStatistic &&
+                       (come_nearer > kComesNearer || sizes_tell > 0.5 * verdict.statistic);
+  const bool has_moved = is_told || is_contradicted;
   verdict.state = has_moved && is_harmful ? RigVerdict::State::moved : RigVerdict::State::holds;
   return verdict;
 }

@@ -26,6 +26,12 @@ std::string toString(LossDetail detail) {
       return "swapped";
     case LossDetail::other_face:
       return "other_face";
+    case LossDetail::out_of_step:
+      return "out_of_step";
+    case LossDetail::other_rig:
+      return "other_rig";
+    case LossDetail::cameras_moved:
+      return "cameras_moved";
   }
   return "";
 }

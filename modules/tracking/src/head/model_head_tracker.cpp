@@ -38,6 +38,7 @@ constexpr int kLastingEvery = 20;        // tracked frames, between tries of the
 constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // of a try that is believed
 constexpr double kAsExpected = 2.0;       // or where its errors are no larger, by those expected
 constexpr double kCortexDepth_mm = 80.0;  // from the face to what must not move unseen
+constexpr double kConfirmEvery_s = 1.5;   // while tracked
 constexpr double kResting_mm_s = 20.0;    // of the cortex: 0.3 mm between exposures half a frame apart
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
@@ -74,7 +75,8 @@ class ModelHeadTracker : public HeadTracker {
     last_.reset();
     wander_.assign(model_.level[0].patches.size(), 0.0);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
-    confirmation_ = Confirmation::wanted, other_seen_.reset();
+    confirmation_ = Confirmation::wanted, was_gone_ = true, other_seen_.reset();
+    confirmed_ = reference.frame.captured;
     detail_at_start_ = fineDetail(key[0], left_box_, model_.noise_grey).value_or(0.0);
     guard_.start(reference.frame);
     lost_face_ = std::make_unique<LostFace>(
@@ -97,7 +99,8 @@ class ModelHeadTracker : public HeadTracker {
       if (const auto found = lost_face_->take(frame.captured)) {
         confirmation_ = Confirmation::none;
         if (found->is_other) return notThePatient();
-        if (found->moment) return continueFrom(*found, frame);
+        if (found->is_out_of_step) return outOfStep();
+        if (found->moment && was_gone_) return continueFrom(*found, frame);
       }
     if (is_recent && lost_frames_ == 0) {
       const Eigen::Isometry3d predicted = predict(dt_s);
@@ -234,6 +237,7 @@ class ModelHeadTracker : public HeadTracker {
                             const std::optional<Eigen::Isometry3d>& expected) {
     if (const auto found = lost_face_->take(frame.captured)) {
       if (found->is_other) other_seen_ = found->captured;
+      if (found->is_out_of_step) return outOfStep();
       if (found->is_patient) return continueFrom(*found, frame);
     }
     const bool was_gone = last_ && !expected;
@@ -242,7 +246,7 @@ class ModelHeadTracker : public HeadTracker {
     keys_.preferMoment(true);
     if (result && !was_gone) return result;
     if (result && pace_ != Pace::patient) {
-      confirmation_ = Confirmation::wanted;
+      confirmation_ = Confirmation::wanted, was_gone_ = true;
       return result;
     }
     lost_face_->ask(frame, last_ ? std::optional(last_->motion) : std::nullopt);
@@ -251,6 +255,7 @@ class ModelHeadTracker : public HeadTracker {
       if (const auto found = lost_face_->take(frame.captured)) {
         if (found->is_other) other_seen_ = found->captured;
         if (result && found->is_other) return notThePatient();
+        if (found->is_out_of_step) return outOfStep();
         if (found->moment || (!result && found->is_patient)) return continueFrom(*found, frame);
       }
     if (!result && detail_ == LossDetail::doubtful && other_seen_ &&
@@ -261,16 +266,22 @@ class ModelHeadTracker : public HeadTracker {
 
   Tracked<HeadPose> notThePatient() { return lost(LostReason::no_face, LossDetail::other_face); }
 
+  Tracked<HeadPose> outOfStep() { return lost(LostReason::camera, LossDetail::out_of_step); }
+
   // A face that was gone for a while may have come back with another expression: that its patches fit is not
-  // enough. Asked while the head rests, so that cameras that expose one after the other do no harm.
+  // enough. And now and then: are the pictures still of one moment, and the face the patient's? Asked while
+  // the head rests, so that cameras that expose one after the other do no harm.
   void confirmIfSteady(const stereo::StereoFrame& frame) {
+    const bool is_due = std::abs(frame.captured - confirmed_) > kConfirmEvery_s;
+    if (confirmation_ == Confirmation::none && is_due)
+      confirmation_ = Confirmation::wanted, was_gone_ = false;
     if (confirmation_ != Confirmation::wanted || keys_.isOfMoment()) return;
     const double speed_mm_s =
         last_->steady.tail<3>().norm() + kCortexDepth_mm * last_->steady.head<3>().norm();
     if (speed_mm_s > kResting_mm_s) return;
     lost_face_->ask(frame, last_->motion);
     beside_ms_ = lost_face_->takeBeside_ms();
-    confirmation_ = Confirmation::asked;
+    confirmation_ = Confirmation::asked, confirmed_ = frame.captured;
   }
 
   // From what was found beside the frames, some frames ago.
@@ -521,6 +532,8 @@ class ModelHeadTracker : public HeadTracker {
   double beside_ms_ = 0.0;
   enum class Confirmation { none, wanted, asked };
   Confirmation confirmation_ = Confirmation::none;  // of a face found again by its patches
+  bool was_gone_ = true;                            // before that question
+  Timestamp confirmed_;                             // when it was asked last
   std::optional<Timestamp> other_seen_;             // another person's face
   int since_try_ = 0;                               // tracked frames by a moment's key frame
   std::unique_ptr<LostFace> lost_face_;             // last: its thread reads what stands above

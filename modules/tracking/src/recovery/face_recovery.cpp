@@ -8,6 +8,12 @@ namespace {
 constexpr std::size_t kMostRemembered =
     6;  // moments: each costs one more fit where the reference does not do
 
+// Squared distance of the two cameras' own poses by their covariance. In step: 36 at most (45 pairs of one
+// real person, three rigs); out of step by 1 degree or 3 mm: 60 and more.
+constexpr double kApart = 60.0;
+constexpr double kUneven = 0.5;      // share of windows in place in one camera, by that in the other
+constexpr double kSideFound = 0.35;  // of one camera's windows: it shows the patient's face
+
 }  // namespace
 
 FaceRecovery::FaceRecovery(const stereo::StereoRig& rig, const stereo::StereoFrame& reference,
@@ -20,6 +26,20 @@ FaceRecovery::FaceRecovery(const stereo::StereoRig& rig, const stereo::StereoFra
   shape_ = FaceShape(rig, region, surface, mobility);
   if (face) landmarks_mm_ = face->points_mm, roll_rad_ = face->left.roll_rad;
   views_.push_back(std::make_shared<SkinView>(points_.reference()));
+}
+
+SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
+  const auto& share = found.identity.side_share;
+  const bool is_even = std::min(share[0], share[1]) > kUneven * std::max(share[0], share[1]);
+  if (is_even && found.pose.sides_apart)
+    return *found.pose.sides_apart > kApart ? SidesVerdict::out_of_step : SidesVerdict::agree;
+  for (const std::size_t c : {0u, 1u}) {  // does each show the face, wherever it is?
+    const RecoveryPose own = fitRecoveryPose(rig_, points_, *found.then, *found.pictures,
+                                             found.pose.camera_T_head, c == 0 ? Sides::left : Sides::right);
+    if (identityOf(rig_, points_, *found.then, own, std::nullopt).side_share[c] < kSideFound)
+      return SidesVerdict::one_camera;
+  }
+  return SidesVerdict::out_of_step;
 }
 
 // The reference first; moments remembered since where it does not decide.
@@ -39,6 +59,7 @@ RecoveredFace FaceRecovery::tryFrom(const stereo::StereoFrame& frame,
   if (best.pose.is_valid && best.identity.verdict() == Identity::Verdict::undecided)
     if (const auto shape = shape_.fit(rig_, frame, best.pose.camera_T_head))
       best.identity = identityOf(rig_, points_, *best.then, best.pose, shape);
+  if (best.pose.is_valid && best.identity.verdict() != Identity::Verdict::other) best.sides = sidesOf(best);
   return best;
 }
 

@@ -17,8 +17,16 @@
 
 namespace facenav::tracking {
 
+/// Whether both pictures show the face at one pose.
+enum class SidesVerdict {
+  agree,
+  out_of_step,  // each shows it, at poses that differ: the pictures are of two moments, or a camera has moved
+  one_camera,   // one does not show it
+};
+
 struct RecoveredFace {
   RecoveryPose pose;
+  SidesVerdict sides = SidesVerdict::agree;
   Identity identity;
   std::shared_ptr<const RecoveryPictures> pictures;  // of the pair that was asked about
   bool is_face_seen = false;                         // by the face detector, there
@@ -46,6 +54,7 @@ class FaceRecovery {
   void forgetRemembered() { views_.resize(1); }
 
  private:
+  SidesVerdict sidesOf(const RecoveredFace& found) const;
   RecoveredFace tryFrom(const stereo::StereoFrame& frame, const std::shared_ptr<const RecoveryPictures>& now,
                         const Eigen::Isometry3d& start) const;
 

@@ -35,16 +35,19 @@ Identity identityOf(const stereo::StereoRig& rig, const SkinPoints& points, cons
                     const RecoveryPose& pose, const std::optional<ShapeFit>& shape) {
   Identity identity;
   const double tolerance_px = std::max(kLeastInPlace_px, kInPlace * points.halfWindow_px());
+  std::array<int, 2> windows = {0, 0}, in_place = {0, 0};
   for (int c = 0; c < 2; ++c)
     for (std::size_t i = 0; i < points.size(); ++i)
-      identity.windows +=
+      windows[std::size_t(c)] +=
           points[i].mobility_mm <= kRigid_mm && points.isSeen(i, c, then, rig, pose.camera_T_head);
+  identity.windows = windows[0] + windows[1];
   if (!pose.is_valid || identity.windows == 0) return identity;
-  int in_place = 0;
   for (std::size_t k = 0; k < pose.matches.size(); ++k)
-    in_place += points[std::size_t(pose.matches[k].point)].mobility_mm <= kRigid_mm &&
-                pose.residual_px[k] < tolerance_px;
-  identity.looks_share = double(in_place) / identity.windows;
+    in_place[std::size_t(pose.matches[k].camera)] +=
+        points[std::size_t(pose.matches[k].point)].mobility_mm <= kRigid_mm &&
+        pose.residual_px[k] < tolerance_px;
+  for (std::size_t c = 0; c < 2; ++c) identity.side_share[c] = double(in_place[c]) / std::max(1, windows[c]);
+  identity.looks_share = double(in_place[0] + in_place[1]) / identity.windows;
   const double logit = std::log((identity.looks_share + 0.01) / (1.01 - identity.looks_share));
   // Beyond its own mean a share speaks no less for its side.
   identity.log_likelihood_ratio = logNormal(std::min(logit, kOwnMean), kOwnMean, kOwnSigma) -

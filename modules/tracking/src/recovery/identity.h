@@ -5,6 +5,7 @@
 // pose puts it. Windows of 8 mm survive compression; another person's skin has its detail elsewhere. Shape:
 // how far the measured upper face lies from the reference's (face_shape.h).
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -14,10 +15,11 @@
 namespace facenav::tracking {
 
 struct Identity {
-  double looks_share = 0.0;            // 0..1, of the windows in view
-  int windows = 0;                     // in view
-  std::optional<double> shape_rms_mm;  // robust, where the shape was measured
-  double log_likelihood_ratio = 0.0;   // patient : other, natural logarithm
+  std::array<double, 2> side_share = {0, 0};  // the same in each camera alone
+  double looks_share = 0.0;                   // 0..1, of the windows in view
+  int windows = 0;                            // in view
+  std::optional<double> shape_rms_mm;         // robust, where the shape was measured
+  double log_likelihood_ratio = 0.0;          // patient : other, natural logarithm
 
   enum class Verdict { patient, other, undecided };
   Verdict verdict() const;

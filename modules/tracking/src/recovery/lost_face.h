@@ -27,6 +27,7 @@ class LostFace {
     std::optional<KeyFrame> moment;  // the face as it looks now; nothing where the reference's patches serve
     bool is_patient = false;         // else the face there is another's, or nobody's, or not sure
     bool is_other = false;
+    bool is_out_of_step = false;  // the two pictures show the face at two poses
     RecoveredFace face;
     Timestamp captured;  // of the pair it was found in
     int epoch = 0;

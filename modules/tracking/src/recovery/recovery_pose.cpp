@@ -9,9 +9,10 @@ namespace facenav::tracking {
 namespace {
 
 constexpr int kFewestMatches = 24;
-constexpr double kFreedom = 3.0;     // of Student's t
-constexpr int kRounds = 12;          // of reweighting
-constexpr double kLeastScale = 0.3;  // of the errors by those expected
+constexpr double kFreedom = 3.0;       // of Student's t
+constexpr int kRounds = 12;            // of reweighting
+constexpr double kUpperFace_mm = 1.3;  // mobility of skin that tells where the skull is
+constexpr double kLeastScale = 0.3;    // of the errors by those expected
 // Coarse to fine: each level is searched until it has settled.
 constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};
 
@@ -80,6 +81,33 @@ Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& ma
   return spread * inverse + clusters / std::max(1.0, double(clusters - 6)) * inverse * meat * inverse;
 }
 
+std::vector<Eigen::Matrix2d> precisionOf(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
+  std::vector<Eigen::Matrix2d> precision;
+  for (const auto& match : matches)
+    precision.push_back(errorOf(match, points[std::size_t(match.point)].mobility_mm).inverse());
+  return precision;
+}
+
+// Each camera's own pose, from where both are searched.
+void compareSides(const SkinPoints& points, const std::vector<SkinMatch>& matches, RecoveryPose& pose) {
+  Vector6d xi[2];
+  Matrix6d covariance = Matrix6d::Zero();
+  for (int c = 0; c < 2; ++c) {
+    std::vector<SkinMatch> own;
+    for (const auto& match : matches)
+      if (match.camera == c && points[std::size_t(match.point)].mobility_mm <= kUpperFace_mm)
+        own.push_back(match);
+    if (int(own.size()) < kFewestMatches) return;
+    const auto precision = precisionOf(points, own);
+    const Solution s = solve(own, precision);
+    if (s.weight.empty()) return;
+    xi[c] = s.xi;
+    covariance += covarianceOf(points, own, precision, s);
+  }
+  pose.sides_offset = xi[1] - xi[0];
+  pose.sides_apart = pose.sides_offset.dot(covariance.ldlt().solve(pose.sides_offset));
+}
+
 Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
   return Eigen::Translation3d(centre_mm) * expRigid(xi) * Eigen::Translation3d(-centre_mm);
 }
@@ -87,15 +115,17 @@ Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
 }  // namespace
 
 RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& points, const SkinView& then,
-                             const RecoveryPictures& now, const Eigen::Isometry3d& start) {
+                             const RecoveryPictures& now, const Eigen::Isometry3d& start, Sides sides) {
   RecoveryPose pose;
   pose.camera_T_head = start;
   for (const auto& search : kSearches) {
     auto matches = points.find(then, rig, now, pose.camera_T_head, search);
+    if (sides != Sides::both)
+      matches.erase(std::remove_if(matches.begin(), matches.end(),
+                                   [&](const auto& m) { return m.camera != (sides == Sides::left ? 0 : 1); }),
+                    matches.end());
     if (int(matches.size()) < kFewestMatches) return pose;
-    std::vector<Eigen::Matrix2d> precision;
-    for (const auto& match : matches)
-      precision.push_back(errorOf(match, points[std::size_t(match.point)].mobility_mm).inverse());
+    const auto precision = precisionOf(points, matches);
     const Solution s = solve(matches, precision);
     if (s.weight.empty()) return pose;
     const Eigen::Isometry3d before = pose.camera_T_head;
@@ -109,6 +139,7 @@ RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& poi
     for (const auto& match : matches)
       pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());
     pose.weight = s.weight;
+    compareSides(points, matches, pose);
     pose.matches = std::move(matches);
     pose.is_valid = true;
   }

@@ -5,6 +5,7 @@
 // Zeger 1986, parts as clusters).
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "facenav/geometry/rotation.h"
@@ -19,11 +20,18 @@ struct RecoveryPose {
   std::vector<SkinMatch> matches;   // of the last search; offsets are from the pose before the last step
   std::vector<double> residual_px;  // of each match, after the last step
   std::vector<double> weight;       // 0..1, robust
-  bool is_valid = false;            // enough matches for a pose
+  /// How far both cameras, each alone, put the head from each other: squared, by their covariance (chi-square
+  /// of 6 where the pictures are of one moment and the rig holds). Nothing where one alone fixes no pose.
+  std::optional<double> sides_apart;
+  Vector6d sides_offset = Vector6d::Zero();  // (w rad, v mm), Head's axes
+  bool is_valid = false;                     // enough matches for a pose
 };
 
-/// From `start`, true to some 8 degrees and 20 mm.
+enum class Sides { both, left, right };
+
+/// From `start`, true to some 8 degrees and 20 mm; from both pictures, or from one camera's alone.
 RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& points, const SkinView& then,
-                             const RecoveryPictures& now, const Eigen::Isometry3d& start);
+                             const RecoveryPictures& now, const Eigen::Isometry3d& start,
+                             Sides sides = Sides::both);
 
 }  // namespace facenav::tracking

@@ -39,8 +39,9 @@ struct NavigationState {
   tracking::LossDetail head_detail =
       tracking::LossDetail::unknown;  // where the head is lost: what it looks like
   bool has_drifted = false;           // the watchdog's alarm: the face does not lie where it is tracked
-  std::string rig_fault;  // why every pose is refused: the cameras have moved since their calibration
-  std::string failure;    // an Error that ended the session, in words
+  std::string rig_fault;  // why every pose is refused, in words: the cameras have moved, are out of step, ..
+  tracking::LossDetail rig_fault_detail = tracking::LossDetail::unknown;  // the same as one word
+  std::string failure;  // an Error that ended the session, in words
 };
 
 /// The same state with every pose lost for `reason` and guidance blanked; images stay, to be seen.

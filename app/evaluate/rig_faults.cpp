@@ -1,0 +1,174 @@
+#include "evaluate/rig_faults.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+
+#include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/stereo/pair_matches.h"
+#include "facenav/stereo/rig_file.h"
+
+namespace facenav::app {
+namespace fs = std::filesystem;
+namespace {
+
+using stereo::PairFault;
+using Matches = std::vector<stereo::Correspondence>;
+
+struct Trial {
+  std::string kind, left, right, calibration;  // left, right: "l_418"
+  PairFault expected;
+  stereo::StereoRig rig;
+};
+
+/// Moments that both cameras have, in the order of their names.
+std::vector<std::string> momentsOf(const std::map<std::string, fs::path>& files, char left, char right) {
+  std::vector<std::string> moments;
+  for (const auto& [name, path] : files)
+    if (name[0] == left && files.count(right + name.substr(1))) moments.push_back(name.substr(1));
+  return moments;
+}
+
+std::map<std::string, fs::path> filesIn(const fs::path& folder) {
+  std::map<std::string, fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().stem().string(), type = entry.path().extension().string();
+    if (name.size() > 2 && name[1] == '_' && (type == ".jpg" || type == ".png")) files[name] = entry.path();
+  }
+  return files;
+}
+
+std::map<std::string, stereo::StereoRig> rigsIn(const fs::path& folder) {
+  std::map<std::string, stereo::StereoRig> rigs;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() == 13 && name.substr(2) == "_stereo.yml")
+      rigs[name.substr(0, 2)] = stereo::readRig(entry.path());
+  }
+  return rigs;
+}
+
+stereo::StereoRig moved(const stereo::StereoRig& rig, const Eigen::Vector3d& turn_deg,
+                        const Eigen::Vector3d& shift_mm) {
+  stereo::StereoRig other = rig;
+  Eigen::Isometry3d pose = rig.right_T_left.isometry();
+  pose.prerotate(expRotation(turn_deg * M_PI / 180));
+  pose.pretranslate(shift_mm);
+  other.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
+  return other;
+}
+
+void addMoved(const Trial& right_rig, std::vector<Trial>& trials) {
+  const auto add = [&](const std::string& kind, const Eigen::Vector3d& turn_deg,
+                       const Eigen::Vector3d& shift_mm) {
+    Trial trial = right_rig;
+    trial.kind = kind;
+    trial.expected = PairFault::moved;
+    trial.rig = moved(right_rig.rig, turn_deg, shift_mm);
+    trials.push_back(trial);
+  };
+  for (const double deg : {0.05, 0.1, 0.25, 0.5}) {
+    char size[32];
+    std::snprintf(size, sizeof size, "%.2f deg", deg);
+    add(std::string("pitched ") + size, {deg, 0, 0}, {0, 0, 0});
+    add(std::string("rolled ") + size, {0, 0, deg}, {0, 0, 0});
+  }
+  add("shifted up 1 mm", {0, 0, 0}, {0, 1, 0});
+  add("shifted up 3 mm", {0, 0, 0}, {0, 3, 0});
+}
+
+std::vector<Trial> trialsOf(const std::map<std::string, fs::path>& files,
+                            const std::map<std::string, stereo::StereoRig>& rigs) {
+  std::vector<Trial> trials;
+  for (const auto& [name, rig] : rigs) {
+    const auto moments = momentsOf(files, name[0], name[1]);
+    for (const auto& moment : moments) {
+      const Trial as_is{"right rig", name[0] + moment, name[1] + moment, name, PairFault::none, rig};
+      trials.push_back(as_is);
+      for (const auto& other : moments)
+        if (other != moment)
+          trials.push_back({"out of step", as_is.left, name[1] + other, name, PairFault::out_of_step, rig});
+      trials.push_back({"swapped", as_is.right, as_is.left, name, PairFault::swapped, rig});
+      for (const auto& [other, other_rig] : rigs)
+        if (other != name)
+          trials.push_back({"other rig", as_is.left, as_is.right, other, PairFault::other_rig, other_rig});
+      addMoved(as_is, trials);
+    }
+  }
+  return trials;
+}
+
+std::string wordOf(PairFault fault) {
+  switch (fault) {
+    case PairFault::none:
+      return "none";
+    case PairFault::out_of_step:
+      return "out of step";
+    case PairFault::swapped:
+      return "swapped";
+    case PairFault::moved:
+      return "moved";
+    case PairFault::other_rig:
+      return "other rig";
+    case PairFault::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+std::vector<RigFaultRow> rigFaults(const fs::path& pictures, const fs::path& rigs, TaskMonitor& monitor) {
+  const auto files = filesIn(pictures);
+  const auto trials = trialsOf(files, rigsIn(rigs));
+  if (trials.empty())
+    throw Error("no pictures of a rig's two cameras are found", pictures.string(),
+                "name them <camera>_<moment>.jpg, and the rigs <a><b>_stereo.yml");
+  std::map<std::pair<std::string, std::string>, Matches> matched;
+  std::vector<RigFaultRow> rows;
+  for (const auto& trial : trials) {
+    monitor.report("rigs: " + trial.kind, double(rows.size()) / double(trials.size()));
+    const auto key = std::pair(trial.left, trial.right);
+    if (!matched.count(key))
+      matched[key] = stereo::matchPictures(cv::imread(files.at(trial.left).string(), cv::IMREAD_GRAYSCALE),
+                                           cv::imread(files.at(trial.right).string(), cv::IMREAD_GRAYSCALE));
+    rows.push_back({trial.kind, trial.left + " " + trial.right, trial.calibration, trial.expected,
+                    stereo::diagnoseMatches(trial.rig, matched[key])});
+  }
+  return rows;
+}
+
+std::string sidesTable(const std::vector<RigFaultRow>& rows) {
+  std::vector<std::string> kinds;
+  for (const auto& row : rows)
+    if (std::find(kinds.begin(), kinds.end(), row.kind) == kinds.end()) kinds.push_back(row.kind);
+  std::string text = "| kind | tried | named rightly | silent | named otherwise |\n|---|---|---|---|---|\n";
+  char line[240];
+  for (const auto& kind : kinds) {
+    int tried = 0, right = 0, silent = 0;
+    for (const auto& row : rows) {
+      if (row.kind != kind) continue;
+      ++tried;
+      right += row.said.fault == row.expected;
+      silent += row.said.fault != row.expected && !row.said.isFault();
+    }
+    std::snprintf(line, sizeof line, "| %s | %d | %d | %d | %d |\n", kind.c_str(), tried, right, silent,
+                  tried - right - silent);
+    text += line;
+  }
+  text +=
+      "\n| kind | pictures | calibration | said | matches | off by px | agree | agree when explained |\n"
+      "|---|---|---|---|---|---|---|---|\n";
+  for (const auto& row : rows) {
+    if (row.said.fault == row.expected) continue;
+    std::snprintf(line, sizeof line, "| %s | %s | %s | %s | %zu | %.2f | %.2f | %.2f |\n", row.kind.c_str(),
+                  row.pictures.c_str(), row.calibration.c_str(), wordOf(row.said.fault).c_str(),
+                  row.said.matches, row.said.residual_px, row.said.calibrated_agreement, row.said.agreement);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace facenav::app

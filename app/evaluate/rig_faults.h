@@ -1,0 +1,30 @@
+#pragma once
+// `facenav evaluate rigs`: what stereo::diagnosePair says of pictures of a known rig: as they are, with the
+// right camera's picture from another moment, exchanged, with another rig's calibration, and with a
+// calibration whose right camera has been turned or shifted since.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "facenav/core/task_monitor.h"
+#include "facenav/stereo/pair_diagnosis.h"
+
+namespace facenav::app {
+
+struct RigFaultRow {
+  std::string kind;  // "right rig", "out of step", "swapped", "other rig", "turned 0.25 deg", ..
+  std::string pictures, calibration;
+  stereo::PairFault expected = stereo::PairFault::none;
+  stereo::PairDiagnosis said;
+};
+
+/// `pictures`: files <camera>_<moment>.jpg|png, cameras named by one letter; `rigs`: <a><b>_stereo.yml.
+/// Throws Error where no rig finds pictures of both its cameras, Cancelled.
+std::vector<RigFaultRow> rigFaults(const std::filesystem::path& pictures, const std::filesystem::path& rigs,
+                                   TaskMonitor& monitor);
+
+/// Per kind: tried, named rightly, silent, named otherwise; then every row that is not named rightly.
+std::string sidesTable(const std::vector<RigFaultRow>& rows);
+
+}  // namespace facenav::app
