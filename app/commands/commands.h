@@ -29,6 +29,7 @@ void addEvaluate(CLI::App& app, Context& context);
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 /// `facenav evaluate rigs`, below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
+void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

@@ -192,8 +192,10 @@ void addEvaluate(CLI::App& app, Context& context) {
       ->capture_default_str();
   addEvaluatePrepare(*verb, context);
   addEvaluateRigs(*verb, context);
+  addEvaluatePairs(*verb, context);
   verb->callback([&context, request, verb] {
-    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs")) return;
+    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs"))
+      return;
     if (!request->recordings.empty()) {
       if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")
         throw Error("a recording is measured in one case", {}, "add --case CASE");

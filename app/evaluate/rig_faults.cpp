@@ -5,6 +5,7 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "evaluate/camera_pictures.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/stereo/pair_matches.h"
@@ -22,33 +23,6 @@ struct Trial {
   PairFault expected;
   stereo::StereoRig rig;
 };
-
-/// Moments that both cameras have, in the order of their names.
-std::vector<std::string> momentsOf(const std::map<std::string, fs::path>& files, char left, char right) {
-  std::vector<std::string> moments;
-  for (const auto& [name, path] : files)
-    if (name[0] == left && files.count(right + name.substr(1))) moments.push_back(name.substr(1));
-  return moments;
-}
-
-std::map<std::string, fs::path> filesIn(const fs::path& folder) {
-  std::map<std::string, fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().stem().string(), type = entry.path().extension().string();
-    if (name.size() > 2 && name[1] == '_' && (type == ".jpg" || type == ".png")) files[name] = entry.path();
-  }
-  return files;
-}
-
-std::map<std::string, stereo::StereoRig> rigsIn(const fs::path& folder) {
-  std::map<std::string, stereo::StereoRig> rigs;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.size() == 13 && name.substr(2) == "_stereo.yml")
-      rigs[name.substr(0, 2)] = stereo::readRig(entry.path());
-  }
-  return rigs;
-}
 
 stereo::StereoRig moved(const stereo::StereoRig& rig, const Eigen::Vector3d& turn_deg,
                         const Eigen::Vector3d& shift_mm) {
@@ -83,7 +57,8 @@ std::vector<Trial> trialsOf(const std::map<std::string, fs::path>& files,
                             const std::map<std::string, stereo::StereoRig>& rigs) {
   std::vector<Trial> trials;
   for (const auto& [name, rig] : rigs) {
-    const auto moments = momentsOf(files, name[0], name[1]);
+    std::vector<std::string> moments;
+    for (const auto& moment : momentsOf(files, name[0], name[1])) moments.push_back("_" + moment);
     for (const auto& moment : moments) {
       const Trial as_is{"right rig", name[0] + moment, name[1] + moment, name, PairFault::none, rig};
       trials.push_back(as_is);
@@ -121,7 +96,7 @@ std::string wordOf(PairFault fault) {
 }  // namespace
 
 std::vector<RigFaultRow> rigFaults(const fs::path& pictures, const fs::path& rigs, TaskMonitor& monitor) {
-  const auto files = filesIn(pictures);
+  const auto files = picturesIn(pictures);
   const auto trials = trialsOf(files, rigsIn(rigs));
   if (trials.empty())
     throw Error("no pictures of a rig's two cameras are found", pictures.string(),

@@ -295,7 +295,7 @@ class ModelHeadTracker : public HeadTracker {
       keys_.endMoment();
     const std::array<ImagePyramid, 2> now = {ImagePyramid::coarse(frame.left),
                                              ImagePyramid::coarse(frame.right)};
-    const auto there = attempt(frame, now, found.camera_T_head, found.moment.has_value());
+    const auto there = attempt(frame, now, found.camera_T_head, true);
     if (!there.verdict.isTracked()) {
       keys_.endMoment();
       return lost(*there.verdict.lost, detailOf(there, now, frame.captured));
@@ -352,8 +352,8 @@ class ModelHeadTracker : public HeadTracker {
                   const Eigen::Isometry3d& start, bool is_known = false) {
     const KeyFrame& key = keys_.nearest(start);
     allowFor(key, start);
-    const int level = search_.roughLevel() - 1;
-    const PoseFit nearly = fitPose(rig_now_, model_, key.level, now, start, level, {}, level);
+    const int level = search_.roughLevel() - 1, first_level = is_known ? kLevels - 1 : level;
+    const PoseFit nearly = fitPose(rig_now_, model_, key.level, now, start, first_level, {}, level);
     work_.looks += nearly.looks;
     const auto finest = boxed(frame, nearly.motion);
     PoseFit fit =

@@ -66,11 +66,6 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   if (!face) return found;
   found.is_patient =
       face->identity.verdict() == Identity::Verdict::patient && face->sides == SidesVerdict::agree;
-  if (getenv("FNDBG"))
-    fprintf(stderr, "DBG t %.2f verdict %d llr %.1f sides %d %.2f %.2f apart %.1f\n",
-            question.frame.captured.s, int(face->identity.verdict()), face->identity.log_likelihood_ratio,
-            int(face->sides), face->identity.side_share[0], face->identity.side_share[1],
-            face->pose.sides_apart.value_or(-1));
   found.is_out_of_step = face->sides == SidesVerdict::out_of_step;
   found.is_other = face->identity.verdict() == Identity::Verdict::other && face->is_face_seen;
   found.camera_T_head = face->pose.camera_T_head;

@@ -10,7 +10,7 @@ namespace {
 // strongest; a third of that is taken for a moment that nobody posed). Not fitted.
 constexpr double kBridge_mm = 0.25, kForehead_mm = 0.5, kTemple_mm = 0.5, kBrow_mm = 1.2, kEye_mm = 1.2;
 constexpr double kCheek_mm = 1.2, kNoseTip_mm = 0.6, kMouth_mm = 4.0;
-constexpr double kUnknown_mm = 1.2;
+constexpr double kUnknown_mm = 0.6;  // all of it is asked about identity, then
 
 Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& points, int first, int last) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();

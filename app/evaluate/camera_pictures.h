@@ -1,0 +1,26 @@
+#pragma once
+// Photographs of one person (or board) by several calibrated cameras at several moments: files
+// <camera>_<moment>.jpg|png, cameras named by one letter, beside <a><b>_stereo.yml, the rig with a on the
+// left.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "facenav/stereo/stereo_frame.h"
+#include "facenav/stereo/stereo_rig.h"
+
+namespace facenav::app {
+
+/// By name, "l_418".
+std::map<std::string, std::filesystem::path> picturesIn(const std::filesystem::path& folder);
+/// By name, "lm". Throws Error of a file that is no rig.
+std::map<std::string, stereo::StereoRig> rigsIn(const std::filesystem::path& folder);
+/// That both cameras have, in the order of their names: "418".
+std::vector<std::string> momentsOf(const std::map<std::string, std::filesystem::path>& pictures, char left,
+                                   char right);
+/// 8-bit grey. Throws Error naming a file that cannot be read.
+cv::Mat readGrey(const std::filesystem::path& path);
+
+}  // namespace facenav::app
