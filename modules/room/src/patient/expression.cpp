@@ -12,7 +12,7 @@ using Points = std::vector<Eigen::Vector3d>;
 // The sizes below are chosen by eye on renderings, after what photographs of grimacing faces show (mouth
 // corners 5-10 mm, brows 1-3 mm); they are not fitted.
 constexpr double kTongueJaw_mm = 9.0;
-constexpr float kTongueAlbedo = 0.34f, kTeethAlbedo = 0.62f;
+constexpr float kTongueAlbedo = 0.34f, kTeethAlbedo = 0.62f, kLipAlbedo = 0.28f;
 
 /// One side of the face: its landmarks, and which way is away from the midline.
 struct Side {
@@ -116,17 +116,17 @@ Eigen::Vector3d expressionShift_mm(const Expression& expression, const Eigen::Ve
 }
 
 MouthPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm, const Points& l) {
-  const double shown = std::clamp(std::max(expression.tongue, expression.smile), 0.0, 1.0);
+  const double closed = std::max(expression.lips_in, expression.cheeks);
+  const double shown = std::clamp(std::max({expression.tongue, expression.smile, closed}), 0.0, 1.0);
   if (shown == 0.0) return {};
-  const bool is_tongue = expression.tongue >= expression.smile;
-  const Eigen::Vector3d middle =
-      is_tongue ? Eigen::Vector3d(0.5 * (l[66] + l[57])) : Eigen::Vector3d(0.5 * (l[62] + l[66]));
+  const bool is_tongue = expression.tongue == shown;
+  const Eigen::Vector3d middle = 0.5 * (l[66] + (is_tongue ? l[57] : l[62]));
   const double half_width = (is_tongue ? 0.28 : 0.40) * std::abs(l[48].x() - l[54].x());
   const double aside = (p_mm.x() - middle.x()) / half_width,
                up = (p_mm.z() - middle.z()) / (is_tongue ? 5.0 : 3.0);
   const bool is_front = p_mm.y() > middle.y() - 25.0;
   const double share = is_front ? shown * (1.0 - smoothStep(3.0 * (std::hypot(aside, up) - 0.8))) : 0.0;
-  return {float(share), is_tongue ? kTongueAlbedo : kTeethAlbedo};
+  return {float(share), is_tongue ? kTongueAlbedo : expression.smile == shown ? kTeethAlbedo : kLipAlbedo};
 }
 
 }  // namespace facenav::room

@@ -27,8 +27,8 @@ Eigen::Vector3d expressionShift_mm(const Expression& expression, const Eigen::Ve
                                    const Eigen::Vector3d& normal,
                                    const std::vector<Eigen::Vector3d>& landmarks_mm);
 
-/// What shows between the lips: the share (0..1) and albedo of tongue or teeth at a point of the skin at
-/// rest.
+/// What shows between the lips: the share (0..1) and albedo of tongue, teeth or closed lips at a point of the
+/// skin at rest.
 struct MouthPaint {
   float share = 0.f, albedo = 0.f;
 };

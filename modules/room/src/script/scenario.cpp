@@ -5,7 +5,7 @@
 namespace facenav::room {
 namespace {
 
-constexpr int kGrimaceFrames = 66, kCoarseJpeg = 50;
+constexpr int kGrimaceFrames = 78, kCoarseJpeg = 50;
 constexpr double kShiningSkin = 0.6;
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 // Of "grimace": frames at rest, then again and again away and back.
-constexpr int kRest = 10, kAway = 2, kBack = 12;
+constexpr int kRest = 10, kAway = 2, kBack = 15;
 constexpr double kGap_s = 1.4;      // without frames, half before and half after the frames away
 constexpr double kAway_mm = 700.0;  // out of both images
 
