@@ -31,6 +31,7 @@ json frameJson(const GroundTruth& truth) {
           {"face_visible_fraction", truth.face_visible_fraction},
           {"is_patient_there", truth.is_patient_there},
           {"must_be_lost", truth.must_be_lost},
+          {"is_out_of_step", truth.is_out_of_step},
           {"jaw_mm", truth.jaw_mm}};
 }
 
@@ -69,7 +70,8 @@ void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatie
   }
   json scenario{
       {"scenario", options.name}, {"frames", frames}, {"mri_T_target", rows(source.target().matrix())}};
-  ScenarioOptions::visit(options, JsonVisitor{scenario["options"]});
+  const ScenarioOptions played = resolved(options);
+  ScenarioOptions::visit(played, JsonVisitor{scenario["options"]});
   scenario["capture_camera_T_mri"] = rows(source.captureTruth().matrix());
   writeWholeFile(writer.temporaryFolder() / "coil.json", coilJson(source.coil()).dump(2) + "\n");
   writeWholeFile(writer.temporaryFolder() / "scenario.json", scenario.dump(2) + "\n");

@@ -50,7 +50,7 @@ struct Stage::Implementation {
   FaceShape face;
   std::vector<int> face_vertices;  // spread over the face: how much of it is seen is counted on them
   RoomCoil coil;
-  FilmOptions film;
+  std::array<FilmOptions, 2> films;  // left, right
   RayScene scene;
   std::vector<std::shared_ptr<const Look>> looks;
   int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1;
@@ -103,6 +103,8 @@ struct Stage::Implementation {
     }
     scene.setShown(head, cast.stranger == 0);
     for (const auto& [seed, one] : strangers) {
+      if (one.face->set(0.0, 0.0, cast.expression))
+        scene.setVertices(one.object, one.face->vertices_mm(), one.face->normals());
       scene.setShown(one.object, seed == cast.stranger);
       scene.setPose(one.object, (camera_T_room * cast.room_T_mri).isometry());
     }
@@ -110,6 +112,7 @@ struct Stage::Implementation {
 
   void light(const Cast& cast) {
     lighting.wetness = cast.wetness;
+    lighting.gloss = cast.gloss;
     lighting.lamps = {
         {inCamera(Eigen::Vector3d(-600, -900, -350) + cast.lamp_shift_mm), 0.55 * cast.lamp_scale, 1500.0},
         {inCamera(Eigen::Vector3d(700, -500, -500) + 0.5 * cast.lamp_shift_mm), 0.30 * cast.lamp_scale,
@@ -131,11 +134,11 @@ struct Stage::Implementation {
 };
 
 Stage::Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
-             const RoomCoil& coil, const FilmOptions& film)
+             const RoomCoil& coil, const std::array<FilmOptions, 2>& films)
     : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient))) {
   auto& all = *implementation_;
   all.coil = coil;
-  all.film = film;
+  all.films = films;
   all.head = all.add(all.patient->visible, makeHeadLook(*all.patient, all.face));
   all.coil_body = all.add(coilMesh(coil), makePlainLook(0.16f, 0.05f));
   all.plate = all.add(plateMesh(kPlatePerMarker * coil.marker_size_mm, kPlatePerMarker * coil.marker_size_mm),
@@ -148,7 +151,7 @@ Stage::~Stage() = default;
 
 void Stage::set(const Cast& cast) {
   auto& all = *implementation_;
-  if (all.face.set(cast.jaw_mm, cast.lids))
+  if (all.face.set(cast.jaw_mm, cast.lids, cast.expression))
     all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
   all.placeMask(cast);
@@ -179,9 +182,9 @@ stereo::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::u
   stereo::StereoFrame frame;
   frame.number = number;
   frame.captured = Timestamp{time_s};
-  frame.left = develop(views[0].radiance * (is_left_open ? 1.0 : 0.0), implementation_->film, 2 * noise_seed);
-  frame.right =
-      develop(views[1].radiance * (is_right_open ? 1.0 : 0.0), implementation_->film, 2 * noise_seed + 1);
+  const auto& films = implementation_->films;
+  frame.left = develop(views[0].radiance * (is_left_open ? 1.0 : 0.0), films[0], 2 * noise_seed);
+  frame.right = develop(views[1].radiance * (is_right_open ? 1.0 : 0.0), films[1], 2 * noise_seed + 1);
   return frame;
 }
 

@@ -14,6 +14,7 @@
 #include "facenav/stereo/stereo_frame.h"
 #include "optics/film.h"
 #include "optics/renderer.h"
+#include "patient/expression.h"
 
 namespace facenav::room {
 
@@ -26,15 +27,17 @@ struct Cast {
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
   bool has_dots = false;
   double wetness = 0.0;        // of the skin: 1 glints
+  double gloss = 0.0;          // sheen of the skin, seen differently by each camera: 1 shines
   bool has_mask = false;       // a surgical mask over nose and mouth
   std::uint64_t stranger = 0;  // another person sits there instead of the patient: which one (0: the patient)
   double jaw_mm = 0.0, lids = 0.0;  // chin lowered; 0 eyes open .. 1 closed
+  Expression expression;            // of whoever sits there
 };
 
 class Stage {
  public:
   Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
-        const RoomCoil& coil, const FilmOptions& film);
+        const RoomCoil& coil, const std::array<FilmOptions, 2>& films);
   ~Stage();
 
   void set(const Cast& cast);

@@ -1,5 +1,8 @@
 #include "facenav/room/synthetic_source.h"
 
+#include <array>
+#include <random>
+
 #include "props/coil_mount.h"
 #include "script/script.h"
 #include "stage.h"
@@ -9,8 +12,20 @@ namespace {
 
 constexpr std::uint64_t kFramesPerSeed = 1000003;
 
-FilmOptions filmOf(const ScenarioOptions& options) {
-  return {options.blur_px, options.exposure, options.gamma, options.noise_grey};
+/// Left and right: the glare's gradient is the seed's, another one in each camera.
+std::array<FilmOptions, 2> filmsOf(const ScenarioOptions& options) {
+  std::array<FilmOptions, 2> films;
+  std::mt19937_64 random(options.seed * 6151 + 29);
+  const auto gradient = [&random] { return double(random() >> 11) * 0x1p-53 - 0.5; };
+  for (FilmOptions& film : films) {
+    film = {options.blur_px, options.exposure, options.gamma, options.noise_grey, options.haze_grey};
+    film.haze_right = gradient();
+    film.haze_down = gradient();
+    film.jpeg_quality = options.jpeg_quality;
+  }
+  films[1].exposure *= options.right_gain;
+  films[1].gamma *= options.right_gamma;
+  return films;
 }
 
 RoomCoil coilFor(const ScenarioOptions& options, const VirtualPatient& patient,
@@ -33,12 +48,13 @@ struct SyntheticSource::Implementation {
 
   Implementation(const ScenarioOptions& o, const std::shared_ptr<const VirtualPatient>& patient,
                  const RigidTransform<Mri, frames::Target>& t)
-      : options(o),
+      : options(resolved(o)),
         target(t),
-        stage(makeRig(o.rig), o.rig.roll_deg, patient, coilFor(o, *patient, t), filmOf(o)),
+        stage(makeRig(o.rig), o.rig.roll_deg, patient, coilFor(o, *patient, t), filmsOf(options)),
         script(makeScript(o, *patient, t, stage.coil().marker_T_coil)) {}
 
-  stereo::StereoFrame photograph(CameraFault fault) {
+  stereo::StereoFrame photograph(const Moment& moment) {
+    const CameraFault fault = moment.fault;
     if (fault == CameraFault::frozen && !last.left.empty())
       return {last.left.clone(), last.right.clone(), number, {}};
     const auto expose = [&] {
@@ -47,12 +63,17 @@ struct SyntheticSource::Implementation {
                               fault != CameraFault::black_both);
     };
     auto frame = expose();
-    if (options.right_late_ms != 0.0) {
-      stage.set(script->at(double(number) + 1e-3 * options.right_late_ms * options.frames_per_s).cast);
+    if (isRightApart(moment)) {
+      const double late = 1e-3 * options.right_late_ms * options.frames_per_s - moment.right_behind;
+      stage.set(script->at(double(number) + late).cast);
       frame.right = expose().right;
     }
     if (fault == CameraFault::swapped) std::swap(frame.left, frame.right);
     return frame;
+  }
+
+  bool isRightApart(const Moment& moment) const {
+    return options.right_late_ms != 0.0 || moment.right_behind != 0.0;
   }
 
   GroundTruth truthOf(const Moment& moment) const {
@@ -67,7 +88,8 @@ struct SyntheticSource::Implementation {
     now.is_patient_there = moment.cast.stranger == 0;
     const bool is_shown = moment.fault == CameraFault::none && now.is_patient_there;
     now.face_visible_fraction = is_shown ? stage.faceVisibleFraction() : 0.0;
-    now.must_be_lost = !is_shown || now.face_visible_fraction < 0.05;
+    now.is_out_of_step = moment.right_behind != 0.0;
+    now.must_be_lost = !is_shown || now.face_visible_fraction < 0.05 || now.is_out_of_step;
     now.jaw_mm = moment.cast.jaw_mm;
     return now;
   }
@@ -89,10 +111,10 @@ std::shared_ptr<const stereo::StereoFrame> SyntheticSource::next() {
   const Moment moment = all.script->at(int(all.number));
   all.stage.set(moment.cast);
   all.truth = all.truthOf(moment);
-  auto frame = all.photograph(moment.fault);
-  if (all.options.right_late_ms != 0.0) all.stage.set(moment.cast);  // depth() is of the left camera's moment
+  auto frame = all.photograph(moment);
+  if (all.isRightApart(moment)) all.stage.set(moment.cast);  // depth() is of the left camera's moment
   frame.number = all.number;
-  frame.captured = Timestamp{double(all.number) / all.options.frames_per_s};
+  frame.captured = Timestamp{double(all.number) / all.options.frames_per_s + moment.later_s};
   all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured};
   ++all.number;
   return std::make_shared<const stereo::StereoFrame>(std::move(frame));

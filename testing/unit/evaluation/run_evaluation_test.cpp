@@ -66,6 +66,26 @@ TEST(FrameErrors, APoseWithoutThePatientIsWrong) {
   EXPECT_EQ(goalNamed(judge({run}), "wrong poses").verdict, Verdict::missed);
 }
 
+TEST(Goals, AReturnThatIsNeverFoundCountsAgainstTheGoal) {
+  RunRecord run = perfectRun("grimace", 40);
+  for (std::size_t i = 5; i < 20; ++i) {
+    run.frames[i].truth.must_be_lost = i < 7;
+    run.frames[i].head_motion.reset();
+  }
+  run.frames[20].truth.must_be_lost = true;
+  run.frames[20].head_motion.reset();
+  const auto row = goalNamed(judge({run}), "back with another grimace");
+  EXPECT_EQ(row.measured, "1 of 2");
+  EXPECT_EQ(row.verdict, Verdict::missed);
+}
+
+TEST(Goals, APoseWhileTheCamerasAreOutOfStepIsCounted) {
+  RunRecord run = perfectRun("out_of_step", 4);
+  run.frames[2].truth.must_be_lost = run.frames[3].truth.must_be_lost = true;
+  run.frames[3].head_motion.reset();
+  EXPECT_EQ(goalNamed(judge({run}), "a pose shown while").measured, "1 of 2 frames");
+}
+
 TEST(FrameErrors, CoilAgainstHeadDoesNotSeeWhatBothShare) {
   RunRecord run = perfectRun("treatment", 1);
   run.target_mm = {10, 20, 30};

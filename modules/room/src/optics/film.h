@@ -1,5 +1,6 @@
 #pragma once
-// Film: from linear light to the camera's 8-bit image: lens blur, exposure, tone curve, sensor noise.
+// Film: from linear light to the camera's 8-bit image: lens blur, exposure, tone curve, veiling glare, sensor
+// noise, compression.
 
 #include <cstdint>
 #include <opencv2/core.hpp>
@@ -10,10 +11,13 @@ struct FilmOptions {
   double blur_px = 0.6;   // standard deviation of the lens's point spread
   double exposure = 1.0;  // grey = 255 * (exposure * radiance)^(1 / gamma)
   double gamma = 1.0;
-  double noise_grey = 1.5;  // standard deviation of the sensor noise, grey levels
+  double noise_grey = 1.5;                   // standard deviation of the sensor noise, grey levels
+  double haze_grey = 0.0;                    // veiling glare: grey levels added, the mean over the image
+  double haze_right = 0.0, haze_down = 0.0;  // its gradient: share of haze_grey from the middle to the border
+  int jpeg_quality = 0;  // 1..100: the image is what a JPEG of this quality gives back; 0: not compressed
 };
 
-/// `noise_seed`: the same seed gives the same noise.
+/// 8-bit, size of `radiance` (float, linear light). `noise_seed`: the same seed gives the same noise.
 cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed);
 
 }  // namespace facenav::room

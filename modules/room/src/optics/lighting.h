@@ -31,7 +31,8 @@ struct Lighting {
   double ambient = 0.25;
   Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
   bool has_lamp_shadows = true;
-  double wetness = 0.0;   // 0: as skin usually is; 1: sweat or ointment, with small hard highlights
+  double wetness = 0.0;  // 0: as skin usually is; 1: sweat or ointment, with small hard highlights
+  double gloss = 0.0;  // sheen of the skin's oil: 0 none, 1 a face that shines; differs with the eye's place
   double backdrop = 1.0;  // light on the wall, relative to full light
   std::optional<DotProjector> projector;
 };
@@ -43,10 +44,12 @@ class LightMeter {
   /// The part of the light that changes slowly over a pixel: lamps and ambient, with their shadows.
   struct Falling {
     float diffuse = 0.f, highlight = 0.f;
+    float sheen = 0.f;  // of the oil on the skin; not scaled by the reflectance
     bool sees_projector = false;
   };
-  Falling falling(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal,
-                  const Eigen::Vector3d& to_eye) const;
+  /// `relief_normal`: the normal with the surface's fine relief, unit, world; nothing: no sheen.
+  Falling falling(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal, const Eigen::Vector3d& to_eye,
+                  const std::optional<Eigen::Vector3d>& relief_normal = {}) const;
   /// Light of the dot pattern on a point that sees the projector.
   float dots(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) const;
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 namespace facenav::room {
 
@@ -24,6 +25,9 @@ class Look {
   virtual Reflectance at(const SurfacePoint& point) const = 0;
   /// True where the albedo has printed edges: every pixel of it is sampled densely.
   virtual bool isPrinted() const { return false; }
+  /// Slope of the fine relief (pores) that tilts the surface's normal for the sheen of `Lighting::gloss`, in
+  /// the object's frame, unitless. Nothing where the surface has no sheen.
+  virtual std::optional<Eigen::Vector3d> relief(const SurfacePoint&) const { return {}; }
 };
 
 /// One tone with a fine grain.

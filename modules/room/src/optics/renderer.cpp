@@ -38,19 +38,27 @@ struct Shot {
   const std::vector<std::shared_ptr<const Look>>& looks;
   const LightMeter& meter;
   const cv::Mat& backdrop;
-  bool has_dots;
+  bool has_dots, has_gloss;
   float backdrop_scale;
 
   float wall(int x, int y) const { return backdrop_scale * backdrop.at<float>(y, x); }
 
   Eigen::Vector3d toEye(const Eigen::Vector3d& p_mm) const { return (rays.origin_mm() - p_mm).normalized(); }
 
+  LightMeter::Falling falling(const Hit& hit, const Eigen::Vector3d& p_mm) const {
+    std::optional<Eigen::Vector3d> relief_normal;
+    if (has_gloss)
+      if (const auto slope = looks[hit.object]->relief({hit.p_object_mm, hit.triangle, hit.u, hit.v}))
+        relief_normal = (hit.normal + scene.pose(hit.object).linear() * *slope).normalized();
+    return meter.falling(p_mm, hit.normal, toEye(p_mm), relief_normal);
+  }
+
   float shade(const Hit& hit, const LightMeter::Falling& light, const Eigen::Vector3d& p_world_mm,
               const Eigen::Vector3d& p_object_mm) const {
     const Reflectance r = looks[hit.object]->at({p_object_mm, hit.triangle, hit.u, hit.v});
     float diffuse = light.diffuse;
     if (has_dots && light.sees_projector) diffuse += meter.dots(p_world_mm, hit.normal);
-    return r.albedo * diffuse + r.gloss * light.highlight;
+    return r.albedo * diffuse + r.gloss * light.highlight + light.sheen;
   }
 
   /// Samples on the tangent plane of the centre's hit.
@@ -58,7 +66,7 @@ struct Shot {
     const int side = is_printed ? kFine : has_dots ? kDots : kCoarse;
     const Eigen::Isometry3d& pose = scene.pose(hit.object);
     const Eigen::Vector3d centre_mm = pose * hit.p_object_mm;
-    const LightMeter::Falling light = meter.falling(centre_mm, hit.normal, toEye(centre_mm));
+    const LightMeter::Falling light = falling(hit, centre_mm);
     const double height = hit.facet_normal.dot(centre_mm - rays.origin_mm());
     float sum = 0.f;
     for (int sample = 0; sample < side * side; ++sample) {
@@ -83,7 +91,7 @@ struct Shot {
       }
       const Eigen::Vector3d p_mm = scene.pose(hit->object) * hit->p_object_mm;
       if (!lit || !areAlike(*lit, *hit)) {
-        light = meter.falling(p_mm, hit->normal, toEye(p_mm));
+        light = falling(*hit, p_mm);
         lit = hit;
       }
       sum += shade(*hit, light, p_mm, hit->p_object_mm);
@@ -148,8 +156,14 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
                       const Lighting& lighting) const {
   const int width = rays_.width_px(), height = rays_.height_px();
   const LightMeter meter(lighting, scene);
-  const Shot shot{
-      rays_, scene, looks, meter, backdrop_, lighting.projector.has_value(), float(lighting.backdrop)};
+  const Shot shot{rays_,
+                  scene,
+                  looks,
+                  meter,
+                  backdrop_,
+                  lighting.projector.has_value(),
+                  lighting.gloss > 0.0,
+                  float(lighting.backdrop)};
   const cv::Rect window = windowOf(scene, int(looks.size()), rays_);
   const Sights sights(scene, rays_, window);
   View view{backdrop_ * lighting.backdrop, cv::Mat::zeros(height, width, CV_32F),

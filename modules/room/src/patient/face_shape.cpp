@@ -50,30 +50,84 @@ FaceShape::FaceShape(const VirtualPatient& patient)
                           touched_vertices_.end());
 }
 
-bool FaceShape::set(double jaw_mm, double lids) {
+bool FaceShape::set(double jaw_mm, double lids, const Expression& expression) {
   lids_ = lids;
-  if (jaw_mm == jaw_mm_ || per_jaw_mm_.empty()) return false;
+  const bool was_none = expression_.isNone();
+  if ((jaw_mm == jaw_mm_ && expression == expression_) || per_jaw_mm_.empty()) return false;
   jaw_mm_ = jaw_mm;
+  expression_ = expression;
+  if (!was_none || !expression.isNone()) {
+    deform();
+    return true;
+  }
   for (const int i : moving_vertices_)
     vertices_mm_[std::size_t(i)] =
         patient_.visible.vertices_mm[std::size_t(i)] + jaw_mm * per_jaw_mm_[std::size_t(i)];
-  for (const int i : touched_vertices_) normals_[std::size_t(i)].setZero();
-  for (const int t : moving_triangles_) {
+  renewNormals(touched_vertices_, moving_triangles_,
+               [&](int vertex) { return per_jaw_mm_[std::size_t(vertex)].norm() > 1e-3; });
+  return true;
+}
+
+void FaceShape::renewNormals(const std::vector<int>& vertices, const std::vector<int>& triangles,
+                             const std::function<bool(int)>& moves) {
+  for (const int i : vertices) normals_[std::size_t(i)].setZero();
+  for (const int t : triangles) {
     const auto& c = patient_.visible.triangles[std::size_t(t)];
     const Eigen::Vector3d& a = vertices_mm_[std::size_t(c[0])];
     const Eigen::Vector3d facet =
         (vertices_mm_[std::size_t(c[1])] - a).cross(vertices_mm_[std::size_t(c[2])] - a);
     for (int corner = 0; corner < 3; ++corner)
-      if (per_jaw_mm_[std::size_t(c[corner])].norm() > 1e-3) normals_[std::size_t(c[corner])] += facet;
+      if (moves(c[corner])) normals_[std::size_t(c[corner])] += facet;
   }
-  for (const int i : touched_vertices_) normals_[std::size_t(i)].normalize();
-  return true;
+  for (const int i : vertices) normals_[std::size_t(i)].normalize();
+}
+
+FaceShape::Region FaceShape::expressiveRegion() const {
+  // Front of the head: the fields of all grimaces and of the jaw end inside it.
+  constexpr double kReach_mm = 130.0, kBehind_mm = 90.0;
+  const Eigen::Vector3d& middle = patient_.face_middle.mm;
+  Region region;
+  std::vector<bool> is_inside(vertices_mm_.size());
+  for (std::size_t i = 0; i < vertices_mm_.size(); ++i) {
+    const Eigen::Vector3d& p = patient_.skin.vertices_mm[i];
+    is_inside[i] =
+        per_jaw_mm_[i].norm() > 1e-3 || ((p - middle).norm() < kReach_mm && p.y() > middle.y() - kBehind_mm);
+    if (is_inside[i]) region.vertices.push_back(int(i));
+  }
+  for (std::size_t t = 0; t < patient_.visible.triangles.size(); ++t) {
+    const auto& c = patient_.visible.triangles[t];
+    if (is_inside[std::size_t(c[0])] || is_inside[std::size_t(c[1])] || is_inside[std::size_t(c[2])])
+      region.triangles.push_back(int(t));
+  }
+  return region;
+}
+
+void FaceShape::deform() {
+  if (region_.vertices.empty()) {
+    region_ = expressiveRegion();
+    shift_mm_.assign(vertices_mm_.size(), Eigen::Vector3d::Zero());
+    is_in_region_.assign(vertices_mm_.size(), false);
+    for (const int i : region_.vertices) is_in_region_[std::size_t(i)] = true;
+  }
+  const double jaw_mm = jaw_mm_ + jawOf_mm(expression_);
+  for (const int vertex : region_.vertices) {
+    const auto i = std::size_t(vertex);
+    shift_mm_[i] =
+        jaw_mm * per_jaw_mm_[i] + expressionShift_mm(expression_, patient_.skin.vertices_mm[i],
+                                                     patient_.skin.normals[i], patient_.landmarks68_mm);
+    vertices_mm_[i] = patient_.visible.vertices_mm[i] + shift_mm_[i];
+  }
+  renewNormals(region_.vertices, region_.triangles,
+               [this](int vertex) { return bool(is_in_region_[std::size_t(vertex)]); });
 }
 
 Eigen::Vector3d FaceShape::shift_mm(int triangle, float u, float v) const {
   const auto& c = patient_.visible.triangles[std::size_t(triangle)];
-  return jaw_mm_ * ((1.0 - u - v) * per_jaw_mm_[std::size_t(c[0])] +
-                    double(u) * per_jaw_mm_[std::size_t(c[1])] + double(v) * per_jaw_mm_[std::size_t(c[2])]);
+  const auto mixed = [&](const std::vector<Eigen::Vector3d>& of) -> Eigen::Vector3d {
+    return (1.0 - u - v) * of[std::size_t(c[0])] + double(u) * of[std::size_t(c[1])] +
+           double(v) * of[std::size_t(c[2])];
+  };
+  return expression_.isNone() ? Eigen::Vector3d(jaw_mm_ * mixed(per_jaw_mm_)) : mixed(shift_mm_);
 }
 
 }  // namespace facenav::room

@@ -9,14 +9,15 @@ namespace facenav::room {
 namespace {
 
 constexpr float kHairAlbedo = 0.07f;
+// Relief of the skin that the sheen shows: pores and fine lines about 1 mm apart, slopes of 9 degrees (rms).
+constexpr double kPore_mm = 0.6, kPoreSlope = 0.16;
 
 class HeadLook : public Look {
  public:
   HeadLook(const VirtualPatient& patient, const FaceShape& shape) : patient_(patient), shape_(shape) {}
 
   Reflectance at(const SurfacePoint& seen) const override {
-    SurfacePoint point = seen;
-    if (!shape_.isAtRest()) point.p_object_mm -= shape_.shift_mm(point.triangle, point.u, point.v);
+    const SurfacePoint point = atRest(seen);
     const float hair = interpolated(patient_.hair, point);
     if (hair <= 0.02f) return skin(point);
     const Reflectance strands = hairAt(point.p_object_mm);
@@ -25,7 +26,21 @@ class HeadLook : public Look {
     return {bare.albedo + hair * (strands.albedo - bare.albedo), bare.gloss * (1.f - hair)};
   }
 
+  std::optional<Eigen::Vector3d> relief(const SurfacePoint& seen) const override {
+    if (interpolated(patient_.hair, seen) > 0.5f) return {};
+    const Eigen::Vector3d p_mm = atRest(seen).p_object_mm;
+    const auto slope = [&p_mm](double away_mm) {
+      return double(sharedNoise().at(p_mm + Eigen::Vector3d(away_mm, 0.0, 0.0), kPore_mm));
+    };
+    return kPoreSlope * Eigen::Vector3d(slope(200.0), 0.0, slope(400.0));
+  }
+
  private:
+  SurfacePoint atRest(SurfacePoint point) const {
+    if (!shape_.isAtRest()) point.p_object_mm -= shape_.shift_mm(point.triangle, point.u, point.v);
+    return point;
+  }
+
   float interpolated(const std::vector<float>& values, const SurfacePoint& point) const {
     const Eigen::Vector3i& t = patient_.visible.triangles[point.triangle];
     return (1.f - point.u - point.v) * values[t[0]] + point.u * values[t[1]] + point.v * values[t[2]];
@@ -35,7 +50,9 @@ class HeadLook : public Look {
     const float pores = 1.f + patient_.pore_contrast * sharedNoise().at(point.p_object_mm, 0.5);
     const float albedo = patient_.texture->at(point.p_object_mm, shape_.lids()) *
                          interpolated(patient_.tone, point) * pores * patient_.skin_brightness;
-    return {albedo, 0.03f};
+    if (shape_.expression().isNone()) return {albedo, 0.03f};
+    const MouthPaint mouth = mouthPaint(shape_.expression(), point.p_object_mm, patient_.landmarks68_mm);
+    return {albedo + mouth.share * (mouth.albedo - albedo), 0.03f};
   }
 
   Reflectance hairAt(const Eigen::Vector3d& p_mm) const {

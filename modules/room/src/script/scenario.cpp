@@ -1,6 +1,14 @@
 #include "facenav/room/scenario.h"
 
+#include "script.h"
+
 namespace facenav::room {
+namespace {
+
+constexpr int kGrimaceFrames = 78, kCoarseJpeg = 50;
+constexpr double kShiningSkin = 0.6;
+
+}  // namespace
 
 const std::vector<ScenarioKind>& scenarios() {
   static const std::vector<ScenarioKind> kinds{
@@ -19,8 +27,25 @@ const std::vector<ScenarioKind>& scenarios() {
       {"other_face", "another person's face takes the patient's place, at once and walking in", 150},
       {"coil_sweep", "the coil's marker at 400-900 mm, tilted up to 60 deg", 120},
       {"lost", "face away, head out of view, cameras black, frozen, swapped: each frame labelled", 180},
+      {"grimace",
+       "the patient comes back four times, each time after 1.4 s, elsewhere (0.5-5 deg, 3-16 mm) and with "
+       "another grimace",
+       kGrimaceFrames, kCoarseJpeg, kShiningSkin},
+      {"grimace_other", "the same, and another person sits there at the second return", kGrimaceFrames,
+       kCoarseJpeg, kShiningSkin},
+      {"out_of_step",
+       "from frame 24 on the right camera's picture is older than the left one's: the head moved by 3-10 mm "
+       "in between",
+       60, kCoarseJpeg, kShiningSkin},
   };
   return kinds;
+}
+
+ScenarioOptions resolved(ScenarioOptions options) {
+  const ScenarioKind& kind = kindOf(options.name);
+  if (options.jpeg_quality < 0) options.jpeg_quality = kind.jpeg_quality;
+  if (options.gloss < 0.0) options.gloss = kind.gloss;
+  return options;
 }
 
 }  // namespace facenav::room

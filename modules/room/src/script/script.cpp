@@ -20,7 +20,11 @@ class FunctionScript : public Script {
   FunctionScript(int frames, Cast capture, MomentOf moment)
       : frames_(frames), capture_(std::move(capture)), moment_(std::move(moment)) {}
   int frameCount() const override { return frames_; }
-  Moment at(double frame) const override { return moment_(frame); }
+  Moment at(double frame) const override {
+    Moment moment = moment_(frame);
+    moment.cast.gloss = capture_.gloss;
+    return moment;
+  }
   Cast capture() const override { return capture_; }
 
  private:
@@ -28,15 +32,6 @@ class FunctionScript : public Script {
   Cast capture_;
   MomentOf moment_;
 };
-
-const ScenarioKind& kindOf(const std::string& name) {
-  const auto& kinds = scenarios();
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.name == name; });
-  if (kind != kinds.end()) return *kind;
-  std::string names;
-  for (const auto& k : kinds) names += (names.empty() ? "" : ", ") + k.name;
-  throw Error("no scenario of this name", name, "one of: " + names);
-}
 
 MomentOf momentsOf(const Setting& setting) {
   static const std::map<std::string, MomentOf (*)(const Setting&)> scripts{
@@ -46,7 +41,9 @@ MomentOf momentsOf(const Setting& setting) {
       {"lighting", lightingScript},     {"lost", lostScript},
       {"glint", glintScript},           {"mask", maskScript},
       {"mask_on", maskScript},          {"other_face", otherFaceScript},
-      {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }}};
+      {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }},
+      {"grimace", grimaceScript},       {"grimace_other", grimaceScript},
+      {"out_of_step", outOfStepScript}};
   return scripts.at(setting.options.name)(setting);
 }
 
@@ -66,6 +63,15 @@ Vector6d seatError(const ScenarioOptions& options) {
 }
 
 }  // namespace
+
+const ScenarioKind& kindOf(const std::string& name) {
+  const auto& kinds = scenarios();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.name == name; });
+  if (kind != kinds.end()) return *kind;
+  std::string names;
+  for (const auto& k : kinds) names += (names.empty() ? "" : ", ") + k.name;
+  throw Error("no scenario of this name", name, "one of: " + names);
+}
 
 Parts::Place Parts::at(double share) const {
   double from = 0.0;
@@ -105,6 +111,7 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
   Cast capture;
   capture.room_T_mri = setting.seat;
   capture.has_mask = kind.name == "mask";
+  capture.gloss = resolved(options).gloss;
   return std::make_unique<FunctionScript>(setting.frames, capture, momentsOf(setting));
 }
 

@@ -14,7 +14,9 @@ enum class CameraFault { none, black_left, black_both, frozen, swapped };
 struct Moment {
   Cast cast;
   CameraFault fault = CameraFault::none;
-  std::string label;  // in words: "hold", "approach", "face away" ..
+  std::string label;          // in words: "hold", "approach", "face away" ..
+  double later_s = 0.0;       // time that passed without frames until now
+  double right_behind = 0.0;  // the right camera's picture is older by so many frames
 };
 
 class Script {
@@ -26,6 +28,9 @@ class Script {
   /// The head during the capture pair (coil absent).
   virtual Cast capture() const = 0;
 };
+
+/// Of a scenario's name. Throws Error for a name that is none of scenarios().
+const ScenarioKind& kindOf(const std::string& name);
 
 /// Throws Error for a name that is none of scenarios().
 std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,

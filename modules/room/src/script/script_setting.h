@@ -68,6 +68,10 @@ MomentOf glintScript(const Setting& setting);
 MomentOf maskScript(const Setting& setting);
 MomentOf otherFaceScript(const Setting& setting);
 
+// script_grimaces.cpp: what real faces and cameras do between two moments.
+MomentOf grimaceScript(const Setting& setting);
+MomentOf outOfStepScript(const Setting& setting);
+
 /// The patient's small movements while nothing else happens: rotation vector (deg) and shift (mm).
 Eigen::Matrix<double, 6, 1> sway(double time_s, double scale);
 /// Up from 0 to 1 at the middle and back.

@@ -22,7 +22,9 @@ struct GroundTruth {
   bool is_patient_there =
       true;                   // false: another person sits there, or nobody; camera_T_mri then says nothing
   bool must_be_lost = false;  // no honest tracker can give the head's pose in this frame
-  double jaw_mm = 0.0;        // how far the chin is lowered (talking)
+  bool is_out_of_step =
+      false;            // the right camera's picture is of an earlier moment; the poses are the left's
+  double jaw_mm = 0.0;  // how far the chin is lowered (talking)
 };
 
 /// Depth of the scene in one camera, exact: mm along its z at each pixel's centre, 0 where only the wall is.

@@ -26,6 +26,10 @@ struct ScenarioOptions {
   double motion = 1.0;                              // scales the scenario's head motion
   double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // how far from straight the seed may seat the patient
   double right_late_ms = 0.0;  // the right camera exposes later than the left; the truth is the left's
+  int jpeg_quality = -1;       // 1..100; 0: not compressed; -1: the scenario's own
+  double gloss = -1.0;         // of the skin; -1: the scenario's own
+  double haze_grey = 0.0;
+  double right_gain = 1.0, right_gamma = 1.0;  // of the right camera against the left one
   RigOptions rig;
 
   template <class Self, class Visitor>
@@ -47,16 +51,33 @@ struct ScenarioOptions {
         Field{"right_late_ms",
               "by how much the right camera exposes after the left one (free-running cameras)", -100, 100},
         self.right_late_ms);
+    visitor(Field{"jpeg_quality",
+                  "images are JPEG of this quality (0: not compressed, -1: the scenario's own)", -1, 100},
+            self.jpeg_quality);
+    visitor(Field{"gloss",
+                  "sheen of the skin, other in each camera: 0 none, 1 shines, -1: the scenario's own", -1, 3},
+            self.gloss);
+    visitor(Field{"haze_grey", "veiling glare: grey levels added, with a gradient over the image", 0, 200},
+            self.haze_grey);
+    visitor(Field{"right_gain", "light that the right camera takes, relative to the left one", 0.05, 20},
+            self.right_gain);
+    visitor(Field{"right_gamma", "of the right camera's tone curve, relative to the left one's", 0.2, 5},
+            self.right_gamma);
     RigOptions::visit(self.rig, visitor);
   }
 };
 
 struct ScenarioKind {
   std::string name, help;
-  int frames;  // its own length
+  int frames;            // its own length
+  int jpeg_quality = 0;  // its own compression and gloss
+  double gloss = 0.0;
 };
 
 /// The scenarios there are.
 const std::vector<ScenarioKind>& scenarios();
+/// The options with the scenario's own values where they are left to it. Throws Error for an unknown name,
+/// listing those there are.
+ScenarioOptions resolved(ScenarioOptions options);
 
 }  // namespace facenav::room

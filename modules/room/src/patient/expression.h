@@ -1,0 +1,38 @@
+#pragma once
+// Expression: how a grimace moves the skin, as a smooth field of displacements around the patient's
+// landmarks. The bridge of the nose and the temples stay: the head's pose is theirs.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace facenav::room {
+
+/// Weights of the grimaces, 0 none .. 1 full; negative brows frown.
+struct Expression {
+  double smile = 0.0, tongue = 0.0, lips_in = 0.0, cheeks = 0.0, brows = 0.0;
+
+  bool isNone() const { return *this == Expression{}; }
+  bool operator==(const Expression& other) const {
+    return smile == other.smile && tongue == other.tongue && lips_in == other.lips_in &&
+           cheeks == other.cheeks && brows == other.brows;
+  }
+};
+
+/// How far the chin is lowered to put the tongue out, mm.
+double jawOf_mm(const Expression& expression);
+
+/// Shift (Mri, mm) of a skin point with its outward unit normal; the lowered jaw apart. `landmarks_mm`: iBUG
+/// 68 in Mri. Up to 10 mm at the mouth, 1-3 mm at brows and forehead.
+Eigen::Vector3d expressionShift_mm(const Expression& expression, const Eigen::Vector3d& p_mm,
+                                   const Eigen::Vector3d& normal,
+                                   const std::vector<Eigen::Vector3d>& landmarks_mm);
+
+/// What shows between the lips: the share (0..1) and albedo of tongue, teeth or closed lips at a point of the
+/// skin at rest.
+struct MouthPaint {
+  float share = 0.f, albedo = 0.f;
+};
+MouthPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm,
+                      const std::vector<Eigen::Vector3d>& landmarks_mm);
+
+}  // namespace facenav::room

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "script_setting.h"
+
+namespace facenav::room {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+// Of "grimace": frames at rest, then again and again away and back.
+constexpr int kRest = 10, kAway = 2, kBack = 15;
+constexpr double kGap_s = 1.4;      // without frames, half before and half after the frames away
+constexpr double kAway_mm = 700.0;  // out of both images
+
+// Of "out_of_step".
+constexpr int kInStep = 24;
+constexpr double kRadius_mm = 6.0, kRounds_hz = 1.0;  // the head goes round a circle
+
+/// Which return a frame belongs to (0: at rest before the first), and whether the patient is still away.
+struct Visit {
+  int number = 0;
+  bool is_away = false;
+};
+
+Visit visitOf(double frame) {
+  if (frame < kRest) return {};
+  const double since = frame - kRest;
+  const int before = int(since / (kAway + kBack));
+  return {1 + before, since - before * (kAway + kBack) < kAway};
+}
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+  double between(double low, double high) { return low + (high - low) * double(random_() >> 11) * 0x1p-53; }
+  Eigen::Vector3d direction() {
+    const double z = between(-1.0, 1.0), about = between(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
+    return {r * std::cos(about), r * std::sin(about), z};
+  }
+  std::uint64_t operator()() { return random_(); }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+Dice diceOf(const Setting& setting, int visit) {
+  return Dice(setting.options.seed * 9973 + std::uint64_t(visit) * 131 + 7);
+}
+
+/// Where the patient sits at a return: 0.5-5 deg and 3-16 mm from the seat.
+Vector6 placeOf(const Setting& setting, int visit) {
+  Vector6 by = Vector6::Zero();
+  if (visit == 0) return by;
+  Dice dice = diceOf(setting, visit);
+  const double turn_deg = dice.between(0.5, 5.0), shift_mm = dice.between(3.0, 16.0);
+  by.head<3>() = setting.options.motion * turn_deg * dice.direction();
+  by.tail<3>() = setting.options.motion * shift_mm * dice.direction();
+  return by;
+}
+
+struct Grimace {
+  const char* name;
+  double Expression::*part;
+};
+constexpr std::array<Grimace, 5> kGrimaces{{{"smile", &Expression::smile},
+                                            {"tongue out", &Expression::tongue},
+                                            {"lips drawn in", &Expression::lips_in},
+                                            {"cheeks puffed", &Expression::cheeks},
+                                            {"brows raised", &Expression::brows}}};
+
+/// Five grimaces in the seed's order; brows take a part in each.
+const Grimace& grimaceOf(const Setting& setting, int visit) {
+  const int first = int(setting.options.seed % kGrimaces.size()), step = setting.options.seed % 2 ? 1 : 2;
+  return kGrimaces[std::size_t(first + step * visit) % kGrimaces.size()];
+}
+
+Expression expressionOf(const Setting& setting, int visit) {
+  Expression expression;
+  if (visit == 0) return expression;
+  Dice dice = diceOf(setting, visit + 1000);
+  expression.brows = dice.between(-0.4, 0.6);
+  expression.*grimaceOf(setting, visit).part = dice.between(0.75, 1.0);
+  return expression;
+}
+
+}  // namespace
+
+MomentOf grimaceScript(const Setting& setting) {
+  const bool has_other = setting.options.name == "grimace_other";
+  return [setting, has_other](double frame) {
+    const Visit visit = visitOf(frame);
+    Moment moment;
+    Vector6 by = placeOf(setting, visit.number) + sway(setting.time_s(frame), 0.5 * setting.options.motion);
+    if (visit.is_away) by[3] += kAway_mm;
+    moment.cast = setting.headMovedBy(by);
+    moment.cast.expression = expressionOf(setting, visit.number);
+    moment.later_s = kGap_s * (visit.number - (visit.is_away ? 0.5 : 0.0));
+    const bool is_other = has_other && visit.number == 2;
+    if (is_other) moment.cast.stranger = 2 * setting.options.seed + 1;
+    moment.label = visit.number == 0 ? "at rest"
+                   : visit.is_away   ? "away"
+                                     : std::string("back: ") + grimaceOf(setting, visit.number).name;
+    if (is_other) moment.label = visit.is_away ? "another person comes" : "another person: grimace";
+    return moment;
+  };
+}
+
+MomentOf outOfStepScript(const Setting& setting) {
+  return [setting](double frame) {
+    const double t = setting.time_s(frame), angle = 2.0 * M_PI * kRounds_hz * t;
+    Vector6 by = sway(t, 0.5);
+    by.tail<3>() += kRadius_mm * Eigen::Vector3d(std::cos(angle) - 1.0, 0.0, std::sin(angle));
+    Moment moment;
+    moment.cast = setting.headMovedBy(by);
+    moment.label = frame < kInStep ? "in step" : "right camera's picture is older";
+    if (frame < kInStep) return moment;
+    // The chord of the circle between the two exposures grows from 4 to 9 mm.
+    const double share = std::min(1.0, (frame - kInStep) / std::max(1, setting.frames - 1 - kInStep));
+    const double chord_mm = 4.0 + 5.0 * share;
+    const double between_s = std::asin(chord_mm / (2.0 * kRadius_mm)) / (M_PI * kRounds_hz);
+    moment.right_behind = between_s * setting.options.frames_per_s;
+    return moment;
+  };
+}
+
+}  // namespace facenav::room
