@@ -19,6 +19,10 @@ constexpr double kAgree = 1.5;
 // Patches whose errors are those expected, in place of several times as large, show skin that has not moved:
 // then they are the more exact. 0.6 to 1.5 in the room, 3 to 5 on a real face with another expression.
 constexpr double kAsExpected = 2.0;
+// On the variance of patches that the skin's motion pulls along. The room's grimaces want less, a real
+// person's more (two pairs of cameras agree best at 4 to 16 in all, with 4 for the plain pair's shape
+// within); 2 is in between.
+constexpr double kPatchDoubt = 2.0;
 constexpr double kSamePlace_mm = 3.0;  // of the face, all the same
 // Agreement of both cameras on fine detail: 0.73 and more in uncompressed pictures of the room, 0.35 to 0.6
 // in strongly compressed photographs.
@@ -33,6 +37,23 @@ bool agree(const Vector6d& off, const Matrix6d& covariance) {
   Eigen::Matrix<double, 3, 6> carry;
   carry << -skew(Eigen::Vector3d(0, 0, kCortexDepth_mm)), Eigen::Matrix3d::Identity();
   return (carry * off).norm() < kAgree * std::sqrt((carry * covariance * carry.transpose()).trace());
+}
+
+struct Estimate {
+  Eigen::Isometry3d camera_T_head;
+  Matrix6d covariance;  // of (w rad, v mm) about the face's centre, Camera's axes
+};
+
+// Two estimates of one pose, each by its covariance; the other lies `off` from the first.
+Estimate fused(const Estimate& first, const Vector6d& off, const Matrix6d& other,
+               const Eigen::Vector3d& centre_mm) {
+  const Matrix6d gain = first.covariance * (first.covariance + other).inverse();
+  const Vector6d step = gain * off;
+  Estimate result{first.camera_T_head, first.covariance - gain * first.covariance};
+  result.camera_T_head.linear() = expRotation(step.head<3>()) * first.camera_T_head.linear();
+  result.camera_T_head.translation() =
+      first.camera_T_head * centre_mm + step.tail<3>() - result.camera_T_head.linear() * centre_mm;
+  return result;
 }
 
 // Where the pictures keep the skin's fine detail (both cameras agree on it), it speaks, too. Compressed
@@ -86,14 +107,19 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   Vector6d off;
   off << logRotation(fit.motion.linear() * found.camera_T_head.linear().transpose()),
       fit.motion * model.centre_mm - found.camera_T_head * model.centre_mm;
+  const Verdict verdict = judge(model, fit);
   const bool does_serve =
       agree(off, covariance) || (fit.scale < kAsExpected && off.tail<3>().norm() < kSamePlace_mm);
-  if (does_serve && judge(model, fit).isTracked() &&
-      whoseSkin(detail, *learnt.both_cameras) == Whose::patients) {
+  if (does_serve && verdict.isTracked() && whoseSkin(detail, *learnt.both_cameras) == Whose::patients) {
     found.camera_T_head = fit.motion;
     return found;
   }
-  found.moment = KeyFrames::ofMoment(*learnt.rig, model, question.frame, found.camera_T_head, covariance);
+  Estimate estimate{found.camera_T_head, covariance};
+  if (verdict.isTracked() && off.tail<3>().norm() < kSamePlace_mm)
+    estimate = fused(estimate, off, kPatchDoubt * verdict.covariance, model.centre_mm);
+  found.camera_T_head = estimate.camera_T_head;
+  found.moment =
+      KeyFrames::ofMoment(*learnt.rig, model, question.frame, estimate.camera_T_head, estimate.covariance);
   found.is_patient = found.moment.has_value();
   return found;
 }
