@@ -62,6 +62,7 @@ int runCommandLine(int argc, char** argv) {
   app::addCalibrateCoil(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);
+  app::addCloud(cli, context);
   app::addGuide(cli, context);
   app::addSimulate(cli, context);
   app::addLocate(cli, context);

@@ -51,6 +51,11 @@ void printRig(const stereo::Calibration& result) {
   for (const auto& parameter : result.parameters)
     std::printf("  %-14s %12.6g +- %.2g\n", parameter.name.c_str(), parameter.value, parameter.sigma);
   std::printf("baseline %.3f mm, angle between the cameras %.3f deg\n", rig.baseline_mm(), angle_deg);
+  const stereo::HeadEffect& head = result.at_head;
+  std::printf(
+      "effect at the head (%.0f mm away, 1 sigma): a point %.2f mm (%.2f mm of it in distance), a length of "
+      "100 mm %.2f mm, a motion of 20 mm and 5 deg %.2f mm and %.3f deg\n",
+      head.distance_mm, head.point_mm, head.depth_mm, head.length_mm, head.motion_mm, head.motion_deg);
 }
 
 void run(const Arguments& arguments, Context& context) {

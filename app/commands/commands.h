@@ -15,6 +15,7 @@ void addCalibrate(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
+void addCloud(CLI::App& app, Context& context);
 void addGuide(CLI::App& app, Context& context);
 void addSimulate(CLI::App& app, Context& context);
 void addWorklist(CLI::App& app, Context& context);

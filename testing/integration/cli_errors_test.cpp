@@ -47,8 +47,9 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb : {"series", "pacs", "prepare", "check", "worklist", "label", "locate", "target",
-                           "export", "calibrate", "align", "track", "guide", "simulate", "marker", "demo"}) {
+  for (const char* verb :
+       {"series", "pacs", "prepare", "check", "worklist", "label", "locate", "target", "export", "calibrate",
+        "align", "cloud", "track", "guide", "simulate", "marker", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
@@ -118,6 +119,11 @@ TEST_F(CommandLine, CalibrateWithoutImages) {
 TEST_F(CommandLine, TrackOfAMissingRecording) {
   expectRefused(runFacenav("track " + at("none").string() + " -o " + at("poses.csv").string()), "none",
                 at("poses.csv"));
+}
+
+TEST_F(CommandLine, CloudOfAMissingRecording) {
+  expectRefused(runFacenav("cloud " + at("none").string() + " -o " + at("face.ply").string()), "none",
+                at("face.ply"));
 }
 
 TEST_F(CommandLine, TrackOfARigWithoutT) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
@@ -19,13 +20,15 @@ namespace {
 const Board kBoard{9, 6, 20.0};
 
 // Corners of boards held at random before the rig, with Gaussian noise.
-std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double noise_px, unsigned seed) {
+std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double noise_px, unsigned seed,
+                                      double most_turned_rad = 0.6) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0, noise_px);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::vector<BoardView> views;
   while (int(views.size()) < count) {
-    const Eigen::Matrix3d r = expRotation({0.6 * unit(random), 0.6 * unit(random), 0.4 * unit(random)});
+    const Eigen::Matrix3d r =
+        expRotation({most_turned_rad * unit(random), most_turned_rad * unit(random), 0.4 * unit(random)});
     const Eigen::Vector3d t(110 * unit(random), 80 * unit(random), 560 + 150 * unit(random));
     BoardView view{"view " + std::to_string(views.size()), {}, {}, {}, {}};
     bool is_inside = true;
@@ -41,6 +44,24 @@ std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double no
       }
     }
     if (is_inside) views.push_back(view);
+  }
+  return views;
+}
+
+// Pictures whose boards moved by `moved_mm` (and a little turned) before the right camera exposed.
+std::vector<BoardView> laggingViews(const StereoRig& rig, int count, const std::vector<int>& lagging,
+                                    double moved_mm, unsigned seed) {
+  auto views = syntheticViews(rig, count, 0.1, seed);
+  std::mt19937 random(seed + 1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const int i : lagging) {
+    cv::Vec3d turn, shift;
+    cv::solvePnP(boardPoints(kBoard), views[std::size_t(i)].right, rig.right.k, rig.right.distortion, turn,
+                 shift);
+    const double angle = M_PI * unit(random);
+    shift += moved_mm * cv::Vec3d(std::cos(angle), std::sin(angle), 0);
+    cv::projectPoints(boardPoints(kBoard), turn + cv::Vec3d(0.003, 0, 0), shift, rig.right.k,
+                      rig.right.distortion, views[std::size_t(i)].right);
   }
   return views;
 }
@@ -87,8 +108,87 @@ TEST(Calibrate, NamesAndDropsAViewInWhichTheBoardMoved) {
   EXPECT_EQ(result.usedViews(), 11);
   EXPECT_FALSE(result.views[4].is_used);
   EXPECT_THAT(result.views[4].reason, HasSubstr("disagrees"));
+  EXPECT_THAT(result.views[4].reason, HasSubstr("not simultaneous"));
   EXPECT_GT(result.views[4].right_rms_px, 0.5);
   EXPECT_NEAR(result.rms_px, 0.1 * std::sqrt(2.0), 0.015);
+}
+
+TEST(Calibrate, NamesViewsWhoseExposuresWereNotSimultaneous) {
+  const auto views = laggingViews(support::convergingRig(), 14, {2, 5, 9}, 2.0, 11);
+  const Calibration result = calibrated(views);
+  EXPECT_EQ(result.usedViews(), 11);
+  for (const int i : {2, 5, 9}) {
+    EXPECT_FALSE(result.views[std::size_t(i)].is_used);
+    EXPECT_THAT(result.views[std::size_t(i)].reason, HasSubstr("not simultaneous, the board moved"));
+  }
+  EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("between the two exposures in 3 of 14 views")));
+  EXPECT_THAT(result.warnings, ::testing::Each(::testing::Not(HasSubstr("angles"))));
+}
+
+TEST(Calibrate, TellsBadCornersFromAMovedBoard) {
+  auto views = syntheticViews(support::convergingRig(), 12, 0.1, 13);
+  for (std::size_t i = 0; i < 20; ++i) views[3].left[i] += cv::Point2f(2.0f, -1.0f);  // a few rows only
+  const Calibration result = calibrated(views);
+  EXPECT_EQ(result.usedViews(), 11);
+  EXPECT_THAT(result.views[3].reason, HasSubstr("corners of the left image are off"));
+  EXPECT_THAT(result.warnings, ::testing::Each(::testing::Not(HasSubstr("exposures"))));
+}
+
+TEST(Calibrate, RefusesACameraThatLags) {
+  const auto views = laggingViews(support::convergingRig(), 10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 3.0, 17);
+  try {
+    calibrated(views);
+    FAIL() << "a rig was made of views of a lagging camera";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("moved between the two exposures"));
+    EXPECT_THAT(error.what(), HasSubstr("trigger both cameras"));
+  }
+}
+
+TEST(Calibrate, AsksForAnglesOnlyWhereTheyLack) {
+  const auto flat = syntheticViews(support::convergingRig(), 10, 0.1, 19, 0.1);
+  EXPECT_THAT(calibrated(flat).warnings, ::testing::Contains(HasSubstr("more angles")));
+  const auto turned = syntheticViews(support::convergingRig(), 10, 0.1, 19);
+  EXPECT_THAT(calibrated(turned).warnings, ::testing::Each(::testing::Not(HasSubstr("angles"))));
+}
+
+TEST(Calibrate, StandardErrorsCoverTheTruth) {
+  StereoRig rig = support::convergingRig();
+  rig.left.distortion = support::distortion({-0.21, 0.11, 0.0007, -0.0004});
+  rig.right.distortion = support::distortion({-0.19, 0.08, -0.0003, 0.0006});
+  double squares = 0;
+  int count = 0, beyond_two = 0;
+  for (unsigned seed = 21; seed < 27; ++seed) {
+    const Calibration result = calibrated(syntheticViews(rig, 9, 0.1, seed));
+    ASSERT_EQ(result.model, "k1 k2 p1 p2");
+    const std::vector<double> truth = {rig.left.k(0, 0),
+                                       rig.left.k(1, 1),
+                                       rig.left.k(0, 2),
+                                       rig.left.k(1, 2),
+                                       -0.21,
+                                       0.11,
+                                       0.0007,
+                                       -0.0004,
+                                       rig.right.k(0, 0),
+                                       rig.right.k(1, 1),
+                                       rig.right.k(0, 2),
+                                       rig.right.k(1, 2),
+                                       -0.19,
+                                       0.08,
+                                       -0.0003,
+                                       0.0006};
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const double z = (result.parameters[i].value - truth[i]) / result.parameters[i].sigma;
+      squares += z * z;
+      beyond_two += std::abs(z) > 2;
+      ++count;
+    }
+    EXPECT_LT(result.at_head.length_mm, 0.5);
+    EXPECT_GT(result.at_head.length_mm, 0.0);
+  }
+  EXPECT_LT(std::sqrt(squares / count), 1.3);
+  EXPECT_GT(std::sqrt(squares / count), 0.4);  // and they are not stated many times too large
+  EXPECT_LT(double(beyond_two) / count, 0.1);
 }
 
 TEST(Calibrate, TakesAFullerModelOnlyWhereViewsLeftOutGainByIt) {

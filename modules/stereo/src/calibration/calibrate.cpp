@@ -2,23 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <tuple>
 
 #include "board_pose.h"
+#include "exposure_check.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
 #include "rig_adjustment.h"
+#include "rig_effect.h"
 
 namespace facenav::stereo {
 namespace {
 
 constexpr int kFewestViews = 5;
 constexpr int kFolds = 5;
-constexpr double kWorstByMedian = 2.5;       // a view this many times worse than the median view disagrees
-constexpr double kNeverBad_px = 0.15;        // below this no view is called bad, however good the others are
 constexpr double kGainOfFullerModel = 0.97;  // held-out error must fall by 3 % to take a fuller model
 constexpr double kUsefulCoverage = 0.5;
+constexpr double kUsefulTilt_deg = 10.0;  // below it errors grow steeply (Zhang 2000, section 5.1)
+// Where half the views moved, those that pass the test moved as well, by a little less.
+constexpr double kLeastSimultaneous = 0.5;
+constexpr double kNotedShare = 0.1;  // of moved views: more than a slip of the hand
+// Both cameras together against each alone. Lens models leave some 0.05 px more together.
+constexpr double kNotedByAlone = 1.6, kNotedDisagreement_px = 0.15;
 
 struct Model {
   const char* name;
@@ -31,7 +38,7 @@ struct Task {
   cv::Size size;
   Board board;
 };
-using Indices = std::vector<std::size_t>;
+using Indices = ViewIndices;
 
 RigFit solve(const Task& task, const Indices& used, const Model& model) {
   std::vector<const BoardView*> views;
@@ -49,28 +56,6 @@ double rmsOf(const std::vector<ViewFit>& fits) {
   double squares = 0;
   for (const auto& fit : fits) squares += fit.rms_px() * fit.rms_px();
   return std::sqrt(squares / double(std::max<std::size_t>(1, fits.size())));
-}
-
-double medianRms(const std::vector<ViewFit>& fits) {
-  std::vector<double> all;
-  for (const auto& fit : fits) all.push_back(fit.rms_px());
-  std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(all.size() / 2), all.end());
-  return all[all.size() / 2];
-}
-
-// Drops the worst view and solves again until all agree. Never below kFewestViews: then what is left is all
-// there is.
-Indices agreeingViews(const Task& task, const Model& model) {
-  Indices used(task.views.size());
-  std::iota(used.begin(), used.end(), std::size_t{0});
-  while (int(used.size()) > kFewestViews) {
-    const auto fits = fitViews(task, solve(task, used, model).rig, used);
-    const auto worst = std::max_element(fits.begin(), fits.end(),
-                                        [](const auto& a, const auto& b) { return a.rms_px() < b.rms_px(); });
-    if (worst->rms_px() < std::max(kNeverBad_px, kWorstByMedian * medianRms(fits))) break;
-    used.erase(used.begin() + (worst - fits.begin()));
-  }
-  return used;
 }
 
 double heldOutRms(const Task& task, const Indices& used, const Model& model) {
@@ -96,8 +81,77 @@ double coverage(const Task& task, const Indices& used, const std::vector<cv::Poi
   return double(std::count(is_seen, is_seen + 16, true)) / 16;
 }
 
-std::vector<std::string> warningsFor(const Task& task, const Indices& used, const Calibration& result) {
-  std::vector<std::string> warnings;
+std::string text(const char* format, double a, double b = 0, double c = 0) {
+  char line[400];
+  std::snprintf(line, sizeof line, format, a, b, c);
+  return line;
+}
+
+std::vector<Eigen::Isometry3d> boardPoses(const Task& task, const StereoRig& rig, const Indices& used) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const ViewFit& fit : fitViews(task, rig, used)) poses.push_back(fit.camera_T_board);
+  return poses;
+}
+
+// How far the board's normal strays from its mean, rms.
+double tilt_deg(const std::vector<Eigen::Isometry3d>& poses) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& pose : poses) mean += pose.linear().col(2);
+  mean.normalize();
+  double squares = 0;
+  for (const auto& pose : poses)
+    squares += std::pow(std::acos(std::clamp(mean.dot(pose.linear().col(2)), -1.0, 1.0)), 2);
+  return std::sqrt(squares / double(poses.size())) * 180 / M_PI;
+}
+
+double farthestMoved_mm(const Task& task, const StereoRig& rig, const Indices& moved) {
+  double farthest_mm = 0;
+  for (const std::size_t i : moved)
+    farthest_mm = std::max(farthest_mm, movedBetween_mm(rig, task.views[i], task.board));
+  return farthest_mm;
+}
+
+std::string notTogether(const Task& task, const StereoRig& rig, const Indices& moved) {
+  return text("the board moved between the two exposures in %.0f of %.0f views, by up to %.1f mm",
+              double(moved.size()), double(task.views.size()), farthestMoved_mm(task, rig, moved));
+}
+
+// Too few views are left once those are gone in which the board moved: no rig, and the right reason.
+void requireSimultaneous(const Task& task, const TrustedViews& trusted, const Model& model) {
+  const std::size_t good = trusted.used.size() + trusted.moved.size();
+  const std::size_t needed =
+      std::max(std::size_t(kFewestViews), std::size_t(std::ceil(kLeastSimultaneous * double(good))));
+  if (trusted.moved.empty() || trusted.used.size() >= needed) return;
+  Indices enough = trusted.used;
+  for (const std::size_t i : trusted.moved)
+    if (enough.size() < std::size_t(kFewestViews)) enough.push_back(i);
+  throw Error(notTogether(task, solve(task, enough, model).rig, trusted.moved) + ": " +
+                  std::to_string(trusted.used.size()) + " are left, " + std::to_string(needed) +
+                  " are needed",
+              {},
+              "trigger both cameras together (one may lag) or hold the board still for each pair; check that "
+              "both lists name the pairs in one order and that the cameras are fixed");
+}
+
+std::vector<std::string> simultaneityWarnings(const Task& task, const TrustedViews& trusted,
+                                              const Calibration& result) {
+  if (trusted.moved.size() >= 2 && double(trusted.moved.size()) > kNotedShare * double(task.views.size()))
+    return {notTogether(task, result.rig, trusted.moved) +
+            ": the cameras are not triggered together, or one lags. Trigger both, or hold the board still"};
+  if (result.rms_px > std::max(kNotedByAlone * trusted.alone_px, kNotedDisagreement_px))
+    return {text(
+        "both cameras together fit the views to %.2f px, each alone to %.2f px: the board may have moved "
+        "between the two exposures, or a camera between the views. Trigger both cameras together, or "
+        "hold the board still",
+        result.rms_px, trusted.alone_px)};
+  return {};
+}
+
+std::vector<std::string> warningsFor(const Task& task, const TrustedViews& trusted,
+                                     const std::vector<Eigen::Isometry3d>& poses, const Calibration& result) {
+  const Indices& used = trusted.used;
+  std::vector<std::string> warnings = simultaneityWarnings(task, trusted, result);
+  const bool is_simultaneous = warnings.empty();
   const Eigen::Vector3d right_centre = result.rig.right_T_left.inverse().translation_mm();
   if (right_centre.x() < 0 && std::abs(right_centre.x()) > std::abs(right_centre.y()))
     warnings.push_back("the right camera stands left of the left one: are both lists swapped?");
@@ -108,8 +162,11 @@ std::vector<std::string> warningsFor(const Task& task, const Indices& used, cons
                          " image: distortion is a guess elsewhere, add views near the edges");
   if (used.size() < 8)
     warnings.push_back("only " + std::to_string(used.size()) + " views were used: 10 or more are better");
-  if (result.held_out_rms_px > 2 * result.rms_px)
-    warnings.push_back("views left out fit twice as badly as those used: add views at more angles");
+  const double tilt = tilt_deg(poses);
+  if (tilt < kUsefulTilt_deg)
+    warnings.push_back(text("the board was turned by only %.0f deg: add views at more angles", tilt));
+  else if (is_simultaneous && result.held_out_rms_px > 2 * result.rms_px)
+    warnings.push_back("views left out fit twice as badly as those used: add views");
   return warnings;
 }
 
@@ -148,16 +205,41 @@ std::vector<ParameterError> parameterErrors(const StereoRig& rig) {
   return list;
 }
 
-std::vector<ViewReport> reportViews(const Task& task, const StereoRig& rig, const Indices& used) {
+std::string reasonFor(const Task& task, const TrustedViews& trusted, const StereoRig& rig, std::size_t i) {
+  const auto isIn = [i](const Indices& list) { return std::find(list.begin(), list.end(), i) != list.end(); };
+  const bool is_left = isIn(trusted.bad_left), is_right = isIn(trusted.bad_right);
+  if (is_left || is_right)
+    return std::string("corners of the ") +
+           (is_left && is_right ? "left and right"
+            : is_left           ? "left"
+                                : "right") +
+           " image are off: blur, or a wrong corner";
+  return text(
+      "disagrees with the other views: the exposures were not simultaneous, the board moved %.1f mm "
+      "between them",
+      movedBetween_mm(rig, task.views[i], task.board));
+}
+
+std::vector<ViewReport> reportViews(const Task& task, const StereoRig& rig, const TrustedViews& trusted) {
+  const Indices& used = trusted.used;
   std::vector<ViewReport> reports;
   for (std::size_t i = 0; i < task.views.size(); ++i) {
     const ViewFit fit = fitBoard(rig, task.views[i], task.board);
     ViewReport report{task.views[i].name, std::find(used.begin(), used.end(), i) != used.end(), "",
                       fit.left_rms_px, fit.right_rms_px};
-    if (!report.is_used) report.reason = "disagrees with the other views";
+    if (!report.is_used) report.reason = reasonFor(task, trusted, rig, i);
     reports.push_back(report);
   }
   return reports;
+}
+
+// The boards' mean place is where the head will be.
+HeadEffect effectOf(const Task& task, const StereoRig& rig, const std::vector<Eigen::Isometry3d>& poses) {
+  const Eigen::Vector3d middle(0.5 * (task.board.columns - 1) * task.board.square_mm,
+                               0.5 * (task.board.rows - 1) * task.board.square_mm, 0);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& pose : poses) sum += pose * middle;
+  return effectAtHead(rig, sum / double(poses.size()));
 }
 
 }  // namespace
@@ -177,7 +259,11 @@ Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size
   const Task task{ordered, size, board};
   try {
     monitor.report("calibrate", 0.0);
-    const Indices used = agreeingViews(task, kModels[0]);
+    const TrustedViews trusted = trustedViews(ordered, size, board, kFewestViews, [&](const Indices& some) {
+      return solve(task, some, kModels[0]).rig;
+    });
+    requireSimultaneous(task, trusted, kModels[0]);
+    const Indices& used = trusted.used;
     Calibration result;
     const Model* chosen = nullptr;
     for (const Model& model : kModels) {
@@ -197,8 +283,10 @@ Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size
     result.rms_px = rmsOf(fitViews(task, result.rig, used));
     result.rig.rms_px = result.rms_px;
     result.parameters = parameterErrors(result.rig);
-    result.views = reportViews(task, result.rig, used);
-    result.warnings = warningsFor(task, used, result);
+    result.views = reportViews(task, result.rig, trusted);
+    const auto poses = boardPoses(task, result.rig, used);
+    result.at_head = effectOf(task, result.rig, poses);
+    result.warnings = warningsFor(task, trusted, poses, result);
     return result;
   } catch (const cv::Exception& exception) {
     throw Error("the views do not determine the cameras (" + exception.err + ")", {},

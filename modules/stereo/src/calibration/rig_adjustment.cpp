@@ -8,6 +8,8 @@
 #include "board_pose.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
+#include "rig_covariance.h"
+#include "rig_prior.h"
 
 namespace facenav::stereo {
 namespace {
@@ -23,6 +25,11 @@ using Block = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 12>;  // at most 4 
 
 constexpr int kMostIterations = 60;
 constexpr double kConverged = 1e-7;  // relative fall of the cost
+// Variance of a coordinate that weighs the corners against the prior before the residuals tell it: 0.2 px,
+// twice what corners of sharp images show.
+constexpr double kFirstVariance_px2 = 0.04;
+constexpr int kWeighings = 2;            // of the corners by what the solution before it left
+constexpr double kLeastSigma_px = 0.01;  // no corner is known better: keeps noiseless views solvable
 
 struct State {
   CameraModel left, right;
@@ -49,9 +56,12 @@ struct Problem {
   const std::vector<const BoardView*>& views;
   std::vector<std::vector<cv::Point3f>> left_points, right_points;  // on the board, of each view's corners
   Layout layout;
+  cv::Size size;
+  double variance_px2 = kFirstVariance_px2;  // of a coordinate: how much a px^2 weighs against the prior
 
-  Problem(const std::vector<const BoardView*>& v, const Board& board, int coefficients)
-      : views(v), layout{coefficients} {
+  Problem(const std::vector<const BoardView*>& v, const cv::Size& image_size, const Board& board,
+          int coefficients)
+      : views(v), layout{coefficients}, size(image_size) {
     for (const BoardView* view : views) {
       left_points.push_back(boardPoints(board, view->left_ids));
       right_points.push_back(boardPoints(board, view->right_ids));
@@ -105,37 +115,64 @@ void addBlocks(Normal& normal, std::initializer_list<std::pair<int, Block>> bloc
   normal.residuals += 2;
 }
 
-Normal linearise(const Problem& problem, const State& state) {
+// One view's corners; `pose` is the column of its board's pose.
+void addView(const Problem& problem, const State& state, std::size_t v,
+             const std::pair<Neighbours, Neighbours>& cameras, int pose, Normal& normal) {
   const Layout& layout = problem.layout;
-  const int n = layout.view(problem.views.size());
-  const Neighbours left_camera(state.left), right_camera(state.right);
-  Normal normal{MatrixXd::Zero(n, n), VectorXd::Zero(n), 0, 0};
-  for (std::size_t v = 0; v < problem.views.size(); ++v) {
-    PixelByPoint by_point;
-    for (std::size_t i = 0; i < problem.left_points[v].size(); ++i) {
-      const Vector3d p = state.left_T_board[v] * toEigen(problem.left_points[v][i]);
-      const Vector2d left = project(state.left, p, by_point);
-      const cv::Point2f& seen = problem.views[v]->left[i];
-      addBlocks(normal, {{0, byIntrinsics(left_camera, p, left)}, {layout.view(v), byPose(by_point, p)}},
-                Vector2d(seen.x, seen.y) - left);
-    }
-    for (std::size_t i = 0; i < problem.right_points[v].size(); ++i) {
-      const Vector3d p = state.left_T_board[v] * toEigen(problem.right_points[v][i]),
-                     q = state.right_T_left * p;
-      const Vector2d right = project(state.right, q, by_point);
-      const cv::Point2f& seen = problem.views[v]->right[i];
-      addBlocks(normal,
-                {{layout.camera(), byIntrinsics(right_camera, q, right)},
-                 {layout.pose(), byPose(by_point, q)},
-                 {layout.view(v), byPose(by_point * state.right_T_left.linear(), p)}},
-                Vector2d(seen.x, seen.y) - right);
-    }
+  PixelByPoint by_point;
+  for (std::size_t i = 0; i < problem.left_points[v].size(); ++i) {
+    const Vector3d p = state.left_T_board[v] * toEigen(problem.left_points[v][i]);
+    const Vector2d left = project(state.left, p, by_point);
+    const cv::Point2f& seen = problem.views[v]->left[i];
+    addBlocks(normal, {{0, byIntrinsics(cameras.first, p, left)}, {pose, byPose(by_point, p)}},
+              Vector2d(seen.x, seen.y) - left);
   }
+  for (std::size_t i = 0; i < problem.right_points[v].size(); ++i) {
+    const Vector3d p = state.left_T_board[v] * toEigen(problem.right_points[v][i]),
+                   q = state.right_T_left * p;
+    const Vector2d right = project(state.right, q, by_point);
+    const cv::Point2f& seen = problem.views[v]->right[i];
+    addBlocks(normal,
+              {{layout.camera(), byIntrinsics(cameras.second, q, right)},
+               {layout.pose(), byPose(by_point, q)},
+               {pose, byPose(by_point * state.right_T_left.linear(), p)}},
+              Vector2d(seen.x, seen.y) - right);
+  }
+}
+
+Normal emptyNormal(int n) { return {MatrixXd::Zero(n, n), VectorXd::Zero(n), 0, 0}; }
+
+Normal linearise(const Problem& problem, const State& state) {
+  const std::pair<Neighbours, Neighbours> cameras(state.left, state.right);
+  Normal normal = emptyNormal(problem.layout.view(problem.views.size()));
+  for (std::size_t v = 0; v < problem.views.size(); ++v)
+    addView(problem, state, v, cameras, problem.layout.view(v), normal);
+  const PriorTerms prior = priorTerms(state.left, state.right, problem.size);
+  const int n = int(prior.jacobian.cols());
+  normal.h.topLeftCorner(n, n) += problem.variance_px2 * prior.jacobian.transpose() * prior.jacobian;
+  normal.g.head(n) -= problem.variance_px2 * prior.jacobian.transpose() * prior.residuals;
   return normal;
 }
 
+// Each view's part with its board's pose eliminated (Schur complement).
+std::vector<ViewInformation> informationOfViews(const Problem& problem, const State& state) {
+  const std::pair<Neighbours, Neighbours> cameras(state.left, state.right);
+  const int shared = problem.layout.view(0);
+  std::vector<ViewInformation> views;
+  for (std::size_t v = 0; v < problem.views.size(); ++v) {
+    Normal normal = emptyNormal(shared + 6);
+    addView(problem, state, v, cameras, shared, normal);
+    const MatrixXd across = normal.h.topRightCorner(shared, 6);
+    const Eigen::LDLT<Matrix6d> pose(normal.h.bottomRightCorner<6, 6>());
+    views.push_back({normal.h.topLeftCorner(shared, shared) - across * pose.solve(across.transpose()),
+                     normal.g.head(shared) - across * pose.solve(normal.g.tail<6>())});
+  }
+  return views;
+}
+
 double cost(const Problem& problem, const State& state) {
-  double squares = 0;
+  double squares =
+      problem.variance_px2 * priorTerms(state.left, state.right, problem.size).residuals.squaredNorm();
   const auto add = [&](const CameraModel& camera, const Vector3d& p, const cv::Point2f& seen) {
     squares += p.z() > 0 ? (Vector2d(seen.x, seen.y) - project(camera, p)).squaredNorm()
                          : std::numeric_limits<double>::infinity();
@@ -237,20 +274,44 @@ State minimise(const Problem& problem, State state) {
   return state;
 }
 
+// Of one coordinate of a corner, as the solution leaves it.
+double varianceOf(const Problem& problem, const State& state) {
+  const Normal normal = linearise(problem, state);
+  const double variance = normal.squares_px2 / std::max(1, normal.residuals - int(normal.g.size()));
+  return std::max(variance, kLeastSigma_px * kLeastSigma_px);
+}
+
+MatrixXd priorPrecision(const Problem& problem, const State& state) {
+  const MatrixXd jacobian = priorTerms(state.left, state.right, problem.size).jacobian;
+  const int shared = problem.layout.view(0), n = int(jacobian.cols());
+  MatrixXd precision = MatrixXd::Zero(shared, shared);
+  precision.topLeftCorner(n, n) = jacobian.transpose() * jacobian;
+  return precision;
+}
+
+bool isSolved(const State& state, const MatrixXd& covariance) {
+  return covariance.allFinite() && state.left.k(0, 0) > 0 && state.left.k(1, 1) > 0 &&
+         state.right.k(0, 0) > 0 && state.right.k(1, 1) > 0;
+}
+
 }  // namespace
 
 RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& size, const Board& board,
                  int coefficients) {
-  const Problem problem(views, board, coefficients);
-  const State state = minimise(problem, startState(problem, size));
-  const Normal normal = linearise(problem, state);
-  const int shared = problem.layout.view(0);
-  const double variance = normal.squares_px2 / std::max(1, normal.residuals - int(normal.g.size()));
-  const MatrixXd covariance = variance * normal.h.ldlt()
-                                             .solve(MatrixXd::Identity(normal.h.rows(), normal.h.cols()))
-                                             .topLeftCorner(shared, shared);
-  if (!covariance.allFinite() || !(state.left.k(0, 0) > 0 && state.left.k(1, 1) > 0 &&
-                                   state.right.k(0, 0) > 0 && state.right.k(1, 1) > 0))
+  Problem problem(views, size, board, coefficients);
+  State state = minimise(problem, startState(problem, size));
+  for (int weighing = 0; weighing < kWeighings; ++weighing) {
+    const double variance = varianceOf(problem, state);
+    problem.variance_px2 = variance * robustCovariance(informationOfViews(problem, state), variance,
+                                                       priorPrecision(problem, state))
+                                          .design_effect;
+    if (!std::isfinite(problem.variance_px2)) break;
+    state = minimise(problem, state);
+  }
+  const MatrixXd covariance = robustCovariance(informationOfViews(problem, state), problem.variance_px2,
+                                               priorPrecision(problem, state))
+                                  .covariance;
+  if (!isSolved(state, covariance))
     throw Error("the views do not determine the cameras", {},
                 "take pairs of the board at different angles and distances");
   RigFit fit;
@@ -259,6 +320,7 @@ RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& siz
   fit.rig.left = state.left;
   fit.rig.right = state.right;
   fit.rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(state.right_T_left);
+  const int shared = problem.layout.view(0);
   fit.rig.covariance = cv::Mat(shared, shared, CV_64F);
   for (int i = 0; i < shared; ++i)
     for (int j = 0; j < shared; ++j) fit.rig.covariance.at<double>(i, j) = covariance(i, j);

@@ -1,7 +1,8 @@
 #pragma once
 // Bundle adjustment of a rig: both cameras' parameters, their relative pose and all board poses together, by
-// Levenberg-Marquardt on the reprojection error in both images (Zhang 2000; Triggs et al. 2000). Written out
-// because cv::stereoCalibrate takes a second for what 10 ms suffice, gives no parameter covariance, and
+// Levenberg-Marquardt on the reprojection error in both images (Zhang 2000; Triggs et al. 2000) and a prior
+// on what views often leave open (rig_prior.h); errors by rig_covariance.h. Written out because
+// cv::stereoCalibrate takes a second for what 10 ms suffice, gives no parameter covariance, and
 // cross-validation solves dozens of times.
 
 #include "facenav/stereo/calibrate.h"
@@ -10,8 +11,7 @@ namespace facenav::stereo {
 
 struct RigFit {
   StereoRig rig;
-  double focal_sigma_px =
-      0;  // standard deviations from the normal equations: the larger of fx, fy, both cameras
+  double focal_sigma_px = 0;  // standard deviations by rig_covariance.h: the larger of fx, fy, both cameras
   double baseline_sigma_mm = 0;
 };
 

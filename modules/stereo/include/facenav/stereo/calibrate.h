@@ -2,12 +2,15 @@
 // calibrate: pairs of chessboard or ChArUco images -> StereoRig. Zhang 2000 for each camera as start, then
 // all parameters of both cameras and all board poses together (cv::stereoCalibrate without fixed intrinsics).
 // Beyond that:
-// - views that disagree with the rest (board moved between both shots, blur, a wrong corner) are dropped one
-// by one and
-//   named, since one of them bends every parameter;
+// - views that disagree with the rest are left out and named, since one of them bends every parameter;
+// corners
+//   that one camera alone does not fit are told from boards that moved between both exposures;
 // - the distortion model is chosen by cross-validation: a fuller model always lowers the error on the views
-// that it
-//   was fitted to, so it is taken only where views that it has not seen gain by it.
+//   that it was fitted to, so it is taken only where views that it has not seen gain by it;
+// - principal point, tangential terms and aspect have a prior, for where the views leave them open;
+// - standard errors come from how far the views contradict one another, so that two calibrations of one
+// camera
+//   differ by what they state. They do not cover what all views share: the size of the printed squares.
 
 #include <optional>
 #include <string>
@@ -45,10 +48,19 @@ struct ModelReport {
   double held_out_rms_px = 0;  // of views left out in turn
 };
 
-/// A parameter of the rig with the standard error that the normal equations give it.
+/// A parameter of the rig with its standard error (jackknife over the views).
 struct ParameterError {
   std::string name;  // "left fx px", "right k1", "yaw deg", "baseline mm"
   double value = 0, sigma = 0;
+};
+
+/// One standard deviation, by the rig's covariance, of what it measures where the boards were held.
+struct HeadEffect {
+  double distance_mm = 0;                // from the left camera
+  double point_mm = 0;                   // a point's place in Camera
+  double depth_mm = 0;                   // its distance; the rest turns all points alike
+  double length_mm = 0;                  // of 100 mm
+  double motion_mm = 0, motion_deg = 0;  // of a face moved by 20 mm and turned by 5 deg
 };
 
 struct Calibration {
@@ -57,6 +69,7 @@ struct Calibration {
   double held_out_rms_px = 0;  // the chosen model's
   double focal_sigma_px = 0, baseline_sigma_mm = 0;  // standard deviations of the fit
   std::vector<ParameterError> parameters;            // all of them
+  HeadEffect at_head;
   std::string model;
   std::vector<ModelReport> models;  // all that were tried
   std::vector<ViewReport> views;    // all pairs, in the order given
@@ -65,7 +78,8 @@ struct Calibration {
   int usedViews() const;
 };
 
-/// Throws Error: no pairs, sizes differ, board found in too few of them.
+/// Throws Error: no pairs, sizes differ, board found in too few of them, the board moved between the two
+/// exposures in most of them.
 Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& board, TaskMonitor& monitor);
 /// The same from corners already found.
 Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size& image_size,

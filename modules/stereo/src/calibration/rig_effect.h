@@ -1,0 +1,13 @@
+#pragma once
+// What a calibration's covariance means where the head will be: errors in mm and degrees of what the rig
+// measures there.
+
+#include "facenav/stereo/calibrate.h"
+
+namespace facenav::stereo {
+
+/// `middle_mm`: Camera, the middle of the head. One standard deviation each; zeros where the rig has no
+/// covariance.
+HeadEffect effectAtHead(const StereoRig& rig, const Eigen::Vector3d& middle_mm);
+
+}  // namespace facenav::stereo
