@@ -25,22 +25,25 @@ struct CloudRequest {
 /// To measure, and to find the face in.
 struct Pictures {
   stereo::StereoFrame measured, plain;
+  std::string what;  // in words
 };
 
 Pictures frameOf(const capture::Recording& recording, std::int64_t number) {
   const auto source = capture::makeSource(recording);
   while (const auto frame = source->next())
-    if (frame->number == number) return {*frame, *frame};
+    if (frame->number == number) return {*frame, *frame, "frame " + std::to_string(number)};
   throw Error("has no frame " + std::to_string(number), recording.folder.string(),
               "it has " + std::to_string(recording.frame_count) + " frames");
 }
 
 Pictures picturesOf(const capture::Recording& recording, const CloudRequest& request) {
   if (request.frame) return frameOf(recording, *request.frame);
-  if (recording.capture && request.is_plain) return {recording.capture->plain, recording.capture->plain};
-  if (recording.capture) return {recording.capture->pattern, recording.capture->plain};
+  if (request.is_plain && !recording.capture)
+    throw Error("has no capture/ pair", recording.folder.string(), "choose a frame of the film with --frame");
+  if (request.is_plain) return {recording.capture->plain, recording.capture->plain, "the plain pair"};
+  if (recording.capture) return {recording.capture->pattern, recording.capture->plain, "the pair with dots"};
   const auto source = capture::makeSource(recording);
-  if (const auto first = source->next()) return {*first, *first};
+  if (const auto first = source->next()) return {*first, *first, "the film's first frame"};
   throw Error("has neither a capture/ pair nor frames", recording.folder.string(), "record one first");
 }
 
@@ -83,9 +86,9 @@ void runCloud(Context& context, const CloudRequest& request) {
                 "let the face look towards both cameras, or choose another frame");
   writeWholeFile(request.output, plyText(face, pictures.plain.left));
   if (!context.is_quiet)
-    std::printf("%zu points of %s: %s\n", face.cloud.size(),
+    std::printf("%zu points of %s, from %s: %s\n", face.cloud.size(),
                 landmarks.centre ? "the face" : "the nearest surface (no face was found)",
-                request.output.c_str());
+                pictures.what.c_str(), request.output.c_str());
 }
 
 }  // namespace
@@ -94,8 +97,9 @@ void addCloud(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("cloud", "the face as measured -> PLY with normals and uncertainty");
   auto request = std::make_shared<CloudRequest>();
   verb->add_option("RECORDING", request->recording, "recording folder with stereo.yml")->required();
-  verb->add_option("--frame", request->frame, "this frame of the film (default: the capture pair)");
-  verb->add_flag("--plain", request->is_plain, "the capture's pair without dots");
+  auto* frame =
+      verb->add_option("--frame", request->frame, "this frame of the film (default: the capture pair)");
+  verb->add_flag("--plain", request->is_plain, "the capture's pair without dots")->excludes(frame);
   verb->add_option("-o,--output", request->output, "face.ply to write (Camera frame, mm)")->required();
   verb->callback([&context, request] { runCloud(context, *request); });
 }

@@ -12,10 +12,11 @@ constexpr double kLeastInPlace_px = 1.0;
 constexpr int kFewestWindows = 60;
 // Logit of the share, mean and standard deviation. Fitted on: one real person, 60 attempts over five moments
 // and three pairs of cameras (0.82, 0.65), against the same person mirrored, a face of the same size and
-// nearly the same shape, 25 attempts (-2.7, 0.33). Widened for people and cameras that were not seen.
-// Made by `facenav evaluate pairs`.
+// nearly the same shape, 25 attempts (-2.7, 0.33; a program that is not kept). Widened for people and cameras
+// that were not seen.
 constexpr double kOwnMean = 0.8, kOwnSigma = 0.75, kOtherMean = -2.7, kOtherSigma = 0.6;
-// Robust rms of the upper face's shape, mm: the logarithm's mean and standard deviation.
+// Robust rms of the upper face's shape, mm: the logarithm's mean and standard deviation. Not fitted: 0.7 mm
+// is what two pairs of cameras leave on one real face without dots, 1.6 mm what adult faces differ by.
 constexpr double kOwnShape = -0.35, kOwnShapeSigma = 0.35, kOtherShape = 0.45, kOtherShapeSigma = 0.45;
 constexpr double kSure = 4.6;  // 100 : 1
 

@@ -12,7 +12,7 @@ namespace facenav::tracking {
 
 class SkinMobility {
  public:
-  /// Without landmarks every part is taken to move like a cheek.
+  /// Without landmarks every part is taken to move like the forehead.
   SkinMobility() = default;
   explicit SkinMobility(const FaceLandmarks& face);
 
