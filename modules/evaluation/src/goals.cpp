@@ -59,7 +59,7 @@ Verdict verdictOf(bool is_met, bool is_measured) {
 
 /// Their capture is a coarse JPEG too: the goal of the face cloud is for cameras that do not compress.
 const Scenarios& compressedScenarios() {
-  static const Scenarios names{"grimace", "grimace_other", "out_of_step"};
+  static const Scenarios names{"grimace", "grimace_other", "returns", "out_of_step"};
   return names;
 }
 

@@ -44,7 +44,9 @@ TEST(Expression, MovesTheMouthByMillimetresAndLeavesTheBridgeOfTheNose) {
     double mouth_mm = 0.0;
     for (const std::size_t point : {48, 51, 54, 57})
       mouth_mm = std::max(mouth_mm, moved_mm(expression, l[point]));
-    if (expression.brows == 0.0) EXPECT_GT(mouth_mm, 2.5);
+    if (expression.brows == 0.0) {
+      EXPECT_GT(mouth_mm, 2.5);
+    }
     EXPECT_LT(mouth_mm, 10.5);
     for (const std::size_t point : {27, 28, 29}) EXPECT_LT(moved_mm(expression, l[point]), 0.05);
     for (const double side : {-1.0, 1.0})
@@ -194,7 +196,9 @@ TEST(Grimace, ComesBackFourTimesElsewhereAfterMoreThanASecond) {
     labels.insert(a.truths[i].label);
     const bool is_away = a.truths[i].label == "away";
     EXPECT_EQ(a.truths[i].must_be_lost, is_away) << i;
-    if (i > 0) EXPECT_GT(a.frames[i].captured.s, a.frames[i - 1].captured.s);
+    if (i > 0) {
+      EXPECT_GT(a.frames[i].captured.s, a.frames[i - 1].captured.s);
+    }
     if (is_away) continue;
     if (i > 0 && a.frames[i].captured.s - seen_s > 1.0) {
       ++returns;
@@ -219,6 +223,35 @@ TEST(GrimaceOther, PutsAnotherPersonThereAtTheSecondReturnOnly) {
   const Shown shown = played(small("grimace_other"));
   for (std::size_t i = 0; i < shown.truths.size(); ++i)
     EXPECT_EQ(shown.truths[i].is_patient_there, i < 27 || i >= 44) << i;
+}
+
+TEST(Returns, PatientComesBackThreeTimesTurnedAndInOtherLight) {
+  const auto options = small("returns");
+  const auto patient = testing::eggPatient();
+  const auto script = makeScript(options, *patient, leftHandArea(*patient), {});
+  const auto seat = script->at(0).cast;
+  std::set<std::string> grimaces;
+  for (int frame = 0; frame < script->frameCount(); ++frame) {
+    const Moment now = script->at(frame);
+    if (now.label.rfind("back: ", 0) != 0) continue;
+    grimaces.insert(now.label);
+    const Eigen::Matrix3d since = now.cast.room_T_mri.rotation() * seat.room_T_mri.rotation().transpose();
+    const double turn_deg = rotationAngle(since) * 180.0 / M_PI;
+    EXPECT_GT(turn_deg, 3.0) << frame;  // 5 to 15 deg, and the sway of a seated head
+    EXPECT_LT(turn_deg, 17.0) << frame;
+    EXPECT_NE(now.cast.lamp_scale, 1.0) << frame;
+    EXPECT_GT(now.cast.lamp_shift_mm.norm(), 199.0) << frame;
+    EXPECT_FALSE(now.cast.expression.isNone()) << frame;
+  }
+  EXPECT_EQ(grimaces.size(), 3u);
+}
+
+TEST(Returns, TheHeadIsOutOfThePicturesBetweenTwoVisits) {
+  const Shown shown = played(small("returns", 48));
+  EXPECT_FALSE(shown.truths[0].must_be_lost);
+  EXPECT_TRUE(shown.truths[30].must_be_lost && shown.truths[31].must_be_lost);
+  EXPECT_FALSE(shown.truths[47].must_be_lost);
+  EXPECT_GT(shown.frames[31].captured.s - shown.frames[30].captured.s, 1.0);
 }
 
 TEST(OutOfStep, HeadMovedByThreeToTenMillimetresBetweenTheCameras) {

@@ -5,7 +5,7 @@
 namespace facenav::room {
 namespace {
 
-constexpr int kGrimaceFrames = 78, kCoarseJpeg = 50;
+constexpr int kGrimaceFrames = 78, kReturnsFrames = 154, kCoarseJpeg = 50;
 constexpr double kShiningSkin = 0.6;
 
 }  // namespace
@@ -33,6 +33,10 @@ const std::vector<ScenarioKind>& scenarios() {
        kGrimaceFrames, kCoarseJpeg, kShiningSkin},
       {"grimace_other", "the same, and another person sits there at the second return", kGrimaceFrames,
        kCoarseJpeg, kShiningSkin},
+      {"returns",
+       "the patient walks out of the pictures three times and comes back in other light, with another "
+       "grimace, turned by 5-15 deg",
+       kReturnsFrames, kCoarseJpeg, kShiningSkin},
       {"out_of_step",
        "from frame 24 on the right camera's picture is older than the left one's: the head moved by 3-10 mm "
        "in between",

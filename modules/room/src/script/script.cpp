@@ -43,7 +43,7 @@ MomentOf momentsOf(const Setting& setting) {
       {"mask_on", maskScript},          {"other_face", otherFaceScript},
       {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }},
       {"grimace", grimaceScript},       {"grimace_other", grimaceScript},
-      {"out_of_step", outOfStepScript}};
+      {"returns", returnsScript},       {"out_of_step", outOfStepScript}};
   return scripts.at(setting.options.name)(setting);
 }
 

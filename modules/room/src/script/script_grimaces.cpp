@@ -15,6 +15,11 @@ constexpr int kRest = 10, kAway = 2, kBack = 15;
 constexpr double kGap_s = 1.4;      // without frames, half before and half after the frames away
 constexpr double kAway_mm = 700.0;  // out of both images
 
+// Of "returns": the patient gets up and walks out of the pictures, and walks in again.
+constexpr int kWalk = 15,
+              kSeated = 16;  // frames each way (0.25 s at 60 Hz, as in "other_face"), frames seated
+constexpr double kLargestTurn_deg = 15.0;
+
 // Of "out_of_step".
 constexpr int kInStep = 24;
 constexpr double kRadius_mm = 6.0, kRounds_hz = 1.0;  // the head goes round a circle
@@ -86,6 +91,25 @@ Expression expressionOf(const Setting& setting, int visit) {
   return expression;
 }
 
+/// Where the patient sits after having been away: 5 to 15 deg and 3 to 16 mm from the seat.
+Vector6 turnedPlaceOf(const Setting& setting, int visit) {
+  Vector6 by = Vector6::Zero();
+  if (visit == 0) return by;
+  Dice dice = diceOf(setting, visit + 2000);
+  by.head<3>() = setting.options.motion * dice.between(5.0, kLargestTurn_deg) * dice.direction();
+  by.tail<3>() = setting.options.motion * dice.between(3.0, 16.0) * dice.direction();
+  return by;
+}
+
+/// Lamps up to 35 % brighter or darker and up to 600 mm elsewhere, as after a door or a blind was opened.
+void otherLight(const Setting& setting, int visit, Cast& cast) {
+  if (visit == 0) return;
+  Dice dice = diceOf(setting, visit + 3000);
+  cast.lamp_scale = dice.between(0.65, 1.35);
+  cast.ambient_scale = dice.between(0.8, 1.2);
+  cast.lamp_shift_mm = dice.between(200.0, 600.0) * dice.direction();
+}
+
 }  // namespace
 
 MomentOf grimaceScript(const Setting& setting) {
@@ -104,6 +128,29 @@ MomentOf grimaceScript(const Setting& setting) {
                    : visit.is_away   ? "away"
                                      : std::string("back: ") + grimaceOf(setting, visit.number).name;
     if (is_other) moment.label = visit.is_away ? "another person comes" : "another person: grimace";
+    return moment;
+  };
+}
+
+MomentOf returnsScript(const Setting& setting) {
+  return [setting](double frame) {
+    constexpr int kVisit = kSeated + 2 * kWalk;  // seated, out, in
+    // A visit starts with the way in; the first one starts seated.
+    const int number = int((frame + kWalk) / kVisit);
+    const double inside = frame + kWalk - number * kVisit;  // since the way in began
+    const bool is_coming = inside < kWalk, is_going = inside >= kWalk + kSeated;
+    Moment moment;
+    Vector6 by = sway(setting.time_s(frame), 0.5 * setting.options.motion);
+    by += turnedPlaceOf(setting, number);
+    if (is_coming) by[3] += kAway_mm * ease(1.0 - inside / kWalk);
+    if (is_going) by[3] += kAway_mm * ease((inside - kWalk - kSeated + 1.0) / kWalk);
+    moment.cast = setting.headMovedBy(by);
+    moment.cast.expression = expressionOf(setting, number);
+    moment.later_s = kGap_s * number;
+    otherLight(setting, number, moment.cast);
+    moment.label = number == 0 ? "at rest" : std::string("back: ") + grimaceOf(setting, number).name;
+    if (is_going) moment.label = "patient leaves";
+    if (is_coming) moment.label = "patient comes back";
     return moment;
   };
 }

@@ -70,6 +70,7 @@ MomentOf otherFaceScript(const Setting& setting);
 
 // script_grimaces.cpp: what real faces and cameras do between two moments.
 MomentOf grimaceScript(const Setting& setting);
+MomentOf returnsScript(const Setting& setting);
 MomentOf outOfStepScript(const Setting& setting);
 
 /// The patient's small movements while nothing else happens: rotation vector (deg) and shift (mm).
