@@ -87,6 +87,7 @@ session::Navigator makeNavigator(Context& context, const TrackRequest& request,
   session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
                                 start.scalp};
   setup.pace = tracking::Pace::patient;  // nobody waits for a recording's frames
+  if (request.case_folder) setup.looks = casefile::readFaceLooks(*request.case_folder);
   session::Navigator navigator(setup, context.registrations.head_trackers.create(request.head_tracker),
                                context.registrations.coil_trackers.create(request.coil_tracker));
   if (!request.target.empty()) {
@@ -180,6 +181,8 @@ TrackOutcome trackRecording(Context& context, const TrackRequest& request,
     outcome.right_late_ms = 1e3 * state.exposure_offset.right_late_s;
     if (on_frame) on_frame(state);
   }
+  if (request.case_folder && request.keeps_looks)
+    casefile::addFaceLooks(*request.case_folder, navigator.learntLooks());
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames > 0)
     throw Error(outcome.rig_fault, request.recording.string());
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0)

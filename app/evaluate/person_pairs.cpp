@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "evaluate/camera_pictures.h"
+#include "evaluate/picture_changes.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
 
@@ -131,42 +132,64 @@ double quantile(std::vector<double> values, double share) {
   return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
 }
 
+struct Task {
+  PairTrial trial;
+  stereo::StereoFrame reference;
+  cv::Mat left, right;
+};
+
+// Where the face's lower half begins in a picture.
+int lowerFace_y(const tracking::FaceDetector& detector, const cv::Mat& picture) {
+  const auto face = detector.detect(picture);
+  if (!face) return picture.rows;
+  return face->points68.size() == 68 ? int(face->points68[33].y()) : face->face.y + face->face.height / 2;
+}
+
+void addChanged(const stereo::StereoFrame& frame,
+                const std::function<void(PairTrial::Kind, const std::string&, const stereo::StereoFrame&)>& add) {
+  static const auto detector = tracking::makeFaceDetector();
+  for (const auto& changed :
+       changedPairs(frame, lowerFace_y(*detector, frame.left), lowerFace_y(*detector, frame.right)))
+    add(PairTrial::Kind::changed, changed.change, changed.frame);
+}
+
+void addTasks(const std::string& name, const stereo::StereoRig& rig, const fs::path& person,
+              const std::vector<fs::path>& people, std::vector<Task>& tasks) {
+  using Kind = PairTrial::Kind;
+  const Frames own = framesOf(person, name);
+  for (const auto& [from, reference] : own) {
+    const auto add = [&, from = from, reference = reference](Kind kind, const std::string& to,
+                                                              const stereo::StereoFrame& frame) {
+      PairTrial trial;
+      trial.kind = kind, trial.rig = name, trial.person = person.filename().string(), trial.from = from,
+      trial.to = to;
+      tasks.push_back({trial, reference, frame.left, frame.right});
+    };
+    addChanged(reference, add);
+    for (const auto& [to, frame] : own) {
+      add(Kind::mirrored, "mirrored " + to, mirroredPair(rig, frame));
+      if (to == from) continue;
+      add(Kind::same_person, to, frame);
+      stereo::StereoFrame two_moments = reference;
+      two_moments.right = frame.right;
+      add(Kind::out_of_step, from + "/" + to, two_moments);
+    }
+    for (const auto& somebody : people)
+      if (somebody != person)
+        for (const auto& [to, frame] : framesOf(somebody, name))
+          add(Kind::other_person, somebody.filename().string() + " " + to, frame);
+  }
+}
+
 }  // namespace
 
 PairsResult evaluatePairs(const std::vector<fs::path>& people, const fs::path& rig_folder,
                           const std::function<std::unique_ptr<tracking::HeadTracker>()>& make,
                           TaskMonitor& monitor) {
   const auto rigs = rigsIn(rig_folder);
-  struct Task {
-    PairTrial trial;
-    stereo::StereoFrame reference;
-    cv::Mat left, right;
-  };
   std::vector<Task> tasks;
   for (const auto& [name, rig] : rigs)
-    for (const auto& person : people) {
-      const Frames own = framesOf(person, name);
-      const auto add = [&](PairTrial::Kind kind, const std::string& from, const std::string& to,
-                           const cv::Mat& left, const cv::Mat& right) {
-        PairTrial trial;
-        trial.kind = kind, trial.rig = name, trial.person = person.filename().string(), trial.from = from,
-        trial.to = to;
-        tasks.push_back({trial, own.at(from), left, right});
-      };
-      for (const auto& [from, unused] : own) {
-        for (const auto& [to, frame] : own) {
-          if (to != from) add(PairTrial::Kind::same_person, from, to, frame.left, frame.right);
-          for (const auto& [other, right] : own)
-            if (to == from && other != from)
-              add(PairTrial::Kind::out_of_step, from, to + "/" + other, frame.left, right.right);
-        }
-        for (const auto& somebody : people)
-          if (somebody != person)
-            for (const auto& [to, frame] : framesOf(somebody, name))
-              add(PairTrial::Kind::other_person, from, somebody.filename().string() + " " + to, frame.left,
-                  frame.right);
-      }
-    }
+    for (const auto& person : people) addTasks(name, rig, person, people, tasks);
   if (tasks.empty())
     throw Error("no rig finds pictures of both its cameras", rig_folder.string(),
                 "name pictures <camera>_<moment>.jpg and rigs <a><b>_stereo.yml");
@@ -205,14 +228,17 @@ void add(std::string& text, const char* format, Values... values) {
   text += line;
 }
 
+bool isToBeFound(PairTrial::Kind kind) {
+  return kind == PairTrial::Kind::same_person || kind == PairTrial::Kind::changed;
+}
+
 void addFailures(const PairsResult& result, std::string& text) {
   for (const auto& trial : result.trials) {
-    const bool is_wrong = (trial.kind == PairTrial::Kind::same_person) == (trial.shown == 0);
-    if (is_wrong)
+    if (isToBeFound(trial.kind) == (trial.shown == 0))
       add(text, "- %s: %s, %s -> %s: %s (%d of %d frames shown)\n",
-          trial.kind == PairTrial::Kind::same_person    ? "not found"
-          : trial.kind == PairTrial::Kind::other_person ? "another person shown"
-                                                        : "out of step, shown",
+          isToBeFound(trial.kind)                      ? "not found"
+          : trial.kind == PairTrial::Kind::out_of_step ? "out of step, shown"
+                                                       : "another person shown",
           (trial.person + " " + trial.rig).c_str(), trial.from.c_str(), trial.to.c_str(),
           trial.detail.c_str(), trial.shown, trial.frames);
   }
@@ -222,6 +248,8 @@ void addFailures(const PairsResult& result, std::string& text) {
 
 std::string pairsTable(const PairsResult& result) {
   const Count same = countOf(result, PairTrial::Kind::same_person),
+              changed = countOf(result, PairTrial::Kind::changed),
+              mirrored = countOf(result, PairTrial::Kind::mirrored),
               other = countOf(result, PairTrial::Kind::other_person),
               step = countOf(result, PairTrial::Kind::out_of_step);
   std::vector<double> off_deg, off_mm;
@@ -239,7 +267,10 @@ std::string pairsTable(const PairsResult& result) {
       quantile(off_deg, 0.5), quantile(off_mm, 0.5), off_mm.size());
   add(text, "| largest | 1 deg, 2 mm | %.3f deg, %.3f mm |\n", quantile(off_deg, 1.0), quantile(off_mm, 1.0));
   add(text, "| inside the 95 %% bound that both state | 95 %% | %d of %zu |\n", inside, off_mm.size());
+  add(text, "| same moment shifted, darker, coarser, half covered: found | all | %d of %d |\n", changed.shown,
+      changed.tried);
   add(text, "| another person shown | 0 | %d of %d |\n", other.shown, other.tried);
+  add(text, "| the person mirrored, shown | 0 | %d of %d |\n", mirrored.shown, mirrored.tried);
   add(text, "| sides of two moments: shown | 0 | %d of %d (named in %d) |\n\n", step.shown, step.tried,
       step.named);
   addFailures(result, text);

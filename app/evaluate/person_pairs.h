@@ -2,7 +2,7 @@
 // `facenav evaluate pairs`: the head tracker on photographs of real people, where no truth is known. A person
 // is tracked at one moment, lost for longer than a second, and comes back as at another moment; is the face
 // found, how fast, and do two pairs of cameras that saw the same moments tell the same motion? Another
-// person's pictures, and pictures of two moments on the two sides, must never be shown.
+// person's pictures, the person's own mirrored, and pictures of two moments on the two sides must never be shown.
 
 #include <filesystem>
 #include <functional>
@@ -17,7 +17,7 @@
 namespace facenav::app {
 
 struct PairTrial {
-  enum class Kind { same_person, other_person, out_of_step };
+  enum class Kind { same_person, changed, other_person, mirrored, out_of_step };
   Kind kind = Kind::same_person;
   std::string rig, person, from, to;  // to: "418", or "418/835" of two moments; of whom, where it is another
   int frames = 0, shown = 0;          // after the loss

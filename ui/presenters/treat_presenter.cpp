@@ -4,6 +4,7 @@
 #include <QTime>
 
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
 
 namespace facenav::ui {
 namespace {
@@ -15,6 +16,24 @@ void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
   if (is_overridden || casefile::signOffStatus(store).holds()) return;
   throw Error("the case is not signed off", signOffWords(casefile::signOffStatus(store)).toStdString(),
               "have it checked (Prepare, step 4)");
+}
+
+/// What earlier sessions learnt of the face. A damaged file costs no session.
+std::vector<casefile::KeptLook> knownLooks(const std::filesystem::path& case_folder) {
+  try {
+    return casefile::readFaceLooks(case_folder);
+  } catch (const Error& error) {
+    logWarning(error.what());
+    return {};
+  }
+}
+
+void keepLooks(const session::Session& session, const std::filesystem::path& case_folder) {
+  try {
+    casefile::addFaceLooks(case_folder, session.learntLooks());
+  } catch (const std::exception& error) {  // on a thread that has nobody to tell
+    logWarning(std::string("the looks of the face were not kept: ") + error.what());
+  }
 }
 
 }  // namespace
@@ -125,6 +144,7 @@ void TreatPresenter::start() {
        is_overridden = model_.override().has_value()](TaskMonitor&) mutable -> TaskRunner::Delivery {
         requireSignOff(store, is_overridden);
         seen.reset();  // a camera opens once only
+        setup.looks = knownLooks(store.folder());
         std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
         auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(
             is_live ? services_.openCameras(setup.rig, left, right) : capture::makeSource(recording));
@@ -139,7 +159,8 @@ void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigato
   options.is_paced = !is_live_;
   session_ = std::make_unique<session::Session>(
       std::move(source), std::make_unique<session::Navigator>(std::move(*navigator)), options);
-  log_ = std::make_unique<session::TreatmentLog>(*session_, model_.current().store.folder());
+  treated_ = model_.current().store.folder();
+  log_ = std::make_unique<session::TreatmentLog>(*session_, treated_);
   if (const auto& given = model_.override())
     log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
   log_->addEvent("target", target_.toStdString());
@@ -181,8 +202,10 @@ void TreatPresenter::stop() {
 /// From here on nothing is shown of it. A well camera ends within a picture, the log with what is left.
 void TreatPresenter::endSession() {
   retirement_.add(
-      [session = std::shared_ptr(std::move(session_)), log = std::shared_ptr(std::move(log_))]() mutable {
+      [session = std::shared_ptr(std::move(session_)), log = std::shared_ptr(std::move(log_)),
+       folder = treated_]() mutable {
         session->stop();
+        keepLooks(*session, folder);
         log.reset();
         session.reset();
       },

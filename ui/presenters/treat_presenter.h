@@ -3,6 +3,7 @@
 // Only a case with a valid sign-off, or an override with name and reason, is treated.
 
 #include <QObject>
+#include <filesystem>
 #include <memory>
 
 #include "facenav/session/camera_overlay.h"
@@ -89,6 +90,7 @@ class TreatPresenter : public QObject {
   std::shared_ptr<const session::AlignmentOutcome> outcome_;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;  // goes before the session
+  std::filesystem::path treated_;               // the case of the session
   Retirement retirement_;
   QElapsedTimer since_start_;
   QString target_;

@@ -58,6 +58,23 @@ class CamerasMoved : public Error {
   using Error::Error;
 };
 
+/// The error that `task` ends with, where another way of doing it may help; what no other way mends is thrown
+/// on: cameras at fault, and the user's stop.
+std::optional<Error> errorOf(const std::function<void()>& task) {
+  try {
+    task();
+    return std::nullopt;
+  } catch (const CamerasMoved&) {
+    throw;
+  } catch (const PairError&) {
+    throw;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    return error;
+  }
+}
+
 /// Throws CamerasMoved where points of the face, matched anew, say so.
 void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
                            const stereo::StereoFrame& plain, const stereo::FaceCloud& face) {
@@ -108,27 +125,13 @@ tracking::HeadReference makeReference(const stereo::StereoFrame& plain, const st
 
 /// A detector that takes something else for the face (a scan that ends at the nose, a poster, a mask) must
 /// not cost the alignment: what fails with its landmarks is tried once more without them, under the same
-/// tests. If that fails too, the first reason is the better one to give.
-void withoutLandmarksIfMisled(FaceInSpace& landmarks, const std::function<void()>& measureAndFit) {
-  const auto failure = [&]() -> std::optional<Error> {
-    try {
-      measureAndFit();
-      return std::nullopt;
-    } catch (const CamerasMoved&) {
-      throw;
-    } catch (const PairError&) {
-      throw;
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Error& error) {
-      return error;
-    }
-  };
-  const auto first = failure();
-  if (!first) return;
-  if (!landmarks.left) throw *first;
+/// tests. If that fails too, the first reason is the better one to give: it is returned.
+std::optional<Error> withoutLandmarksIfMisled(FaceInSpace& landmarks,
+                                              const std::function<void()>& measureAndFit) {
+  const auto first = errorOf(measureAndFit);
+  if (!first || !landmarks.left) return first;
   landmarks = {};
-  if (failure()) throw *first;
+  return errorOf(measureAndFit) ? first : std::nullopt;
 }
 
 }  // namespace
@@ -182,17 +185,8 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
         aligner.align(*outcome.scalp, outcome.face.cloud,
                       withSharedDepth(outcome.landmarks.start, rig, outcome.face.cloud), monitor);
   };
-  try {
-    withoutLandmarksIfMisled(outcome.landmarks, measureAndFit);
-  } catch (const CamerasMoved&) {
-    throw;
-  } catch (const PairError&) {
-    throw;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& error) {
-    refuse(rig, capture, error);
-  }
+  if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
+    refuse(rig, capture, *error);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "facenav/session/face_memory.h"
 #include "facenav/session/pair_fault.h"
 
 namespace facenav::session {
@@ -32,6 +33,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
   head_->setPace(setup.pace);
   withPairFault(rig_, setup.reference.frame, [&] { head_->start(rig_, setup.reference); });
+  if (head_T_mri_) head_->addLooks(asTracked(setup.looks, *head_T_mri_));
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
@@ -41,6 +43,10 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
         [check](const auto& frame, const auto& camera_T_mri) { return check->measure(frame, camera_T_mri); },
         setup.pace == tracking::Pace::live ? DriftWatchdog::Mode::own_thread : DriftWatchdog::Mode::in_line);
   }
+}
+
+std::vector<casefile::KeptLook> Navigator::learntLooks() const {
+  return head_T_mri_ ? asKept(head_->learntLooks(), *head_T_mri_) : std::vector<casefile::KeptLook>();
 }
 
 void Navigator::setTarget(std::optional<ChosenTarget> target) {

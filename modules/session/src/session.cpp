@@ -171,6 +171,11 @@ void Session::setTarget(std::optional<ChosenTarget> target) {
   implementation_->new_target = std::move(target);
 }
 
+std::vector<casefile::KeptLook> Session::learntLooks() const {
+  FACENAV_EXPECT(!implementation_->tracking_thread.joinable(), "the session has stopped");
+  return implementation_->navigator->learntLooks();
+}
+
 const Recorder* Session::recorder() const { return implementation_->recorder.get(); }
 
 }  // namespace facenav::session

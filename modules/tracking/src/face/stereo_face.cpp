@@ -82,4 +82,14 @@ std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vect
   return motion;
 }
 
+double depthOf(const stereo::StereoRig& rig, const StereoFace& face) {
+  std::vector<double> depths_mm;
+  for (const auto& p_mm : face.points_mm) depths_mm.push_back(p_mm.z());
+  if (!depths_mm.empty()) return median(std::move(depths_mm));
+  const auto centre = [](const cv::Rect& r) {
+    return Eigen::Vector2d(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
+  };
+  return stereo::triangulate(rig, centre(face.left.face), centre(face.right.face)).mm.z();
+}
+
 }  // namespace facenav::tracking

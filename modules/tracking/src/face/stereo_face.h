@@ -31,4 +31,7 @@ std::optional<StereoFace> findStereoFaceAtRoll(const FaceDetector& detector, con
 std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vector3d>& reference_mm,
                                                    const std::vector<Eigen::Vector3d>& current_mm);
 
+/// The face's distance along the left camera's axis, mm: the middle landmark's, or that of the two boxes.
+double depthOf(const stereo::StereoRig& rig, const StereoFace& face);
+
 }  // namespace facenav::tracking

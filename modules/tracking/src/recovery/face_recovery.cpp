@@ -1,12 +1,13 @@
 #include "face_recovery.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace facenav::tracking {
 namespace {
 
-constexpr std::size_t kMostRemembered =
-    6;  // moments: each costs one more fit where the reference does not do
+constexpr std::size_t kMostRemembered = 6;  // looks: each costs one more fit where the reference does not do
+constexpr double kTurn_mm = 200.0;  // of difference, that a radian counts as: 3.5 mm a degree
 
 // Squared distance of the two cameras' own poses by their covariance. In step: 36 at most (45 pairs of one
 // real person, three rigs); out of step by 1 degree or 3 mm: 60 and more.
@@ -25,7 +26,7 @@ FaceRecovery::FaceRecovery(const stereo::StereoRig& rig, const stereo::StereoFra
   points_ = SkinPoints(rig, reference, region, surface, mobility);
   shape_ = FaceShape(rig, region, surface, mobility);
   if (face) landmarks_mm_ = face->points_mm, roll_rad_ = face->left.roll_rad;
-  views_.push_back(std::make_shared<SkinView>(points_.reference()));
+  reference_ = std::make_shared<SkinView>(points_.reference());
 }
 
 SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
@@ -42,12 +43,14 @@ SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   return SidesVerdict::out_of_step;
 }
 
-// The reference first; moments remembered since where it does not decide.
+// The reference first; other looks where it does not decide.
 RecoveredFace FaceRecovery::tryFrom(const stereo::StereoFrame& frame,
                                     const std::shared_ptr<const RecoveryPictures>& now,
                                     const Eigen::Isometry3d& start) const {
   RecoveredFace best;
-  for (const auto& view : views_) {
+  std::vector<std::shared_ptr<const SkinView>> views = {reference_};
+  for (const auto& look : remembered_) views.push_back(look.view);
+  for (const auto& view : views) {
     RecoveredFace found;
     found.pose = fitRecoveryPose(rig_, points_, *view, *now, start);
     found.pictures = now, found.then = view;
@@ -90,21 +93,64 @@ std::optional<RecoveredFace> FaceRecovery::find(const stereo::StereoFrame& frame
   return best;
 }
 
-Matrix6d FaceRecovery::covarianceAbout(const RecoveryPose& pose, const Eigen::Vector3d& centre_mm) const {
+Matrix6d FaceRecovery::carried(const RecoveryPose& pose, const Matrix6d& covariance,
+                               const Eigen::Vector3d& centre_mm) const {
   Matrix6d carry = Matrix6d::Identity();
   carry.bottomLeftCorner<3, 3>() = -skew(pose.camera_T_head.linear() * (centre_mm - points_.centre_mm()));
-  return carry * pose.covariance * carry.transpose();
+  return carry * covariance * carry.transpose();
 }
 
-void FaceRecovery::remember(const std::shared_ptr<const RecoveryPictures>& pictures,
-                            const RecoveryPose& pose) {
-  if (views_.size() > kMostRemembered) views_.erase(views_.begin() + 1);
+void FaceRecovery::remember(const RecoveredFace& found, const stereo::StereoFrame& frame) {
   auto view = std::make_shared<SkinView>();
   view->rig = rig_;
-  view->pictures = *pictures;
-  view->camera_T_head = pose.camera_T_head;
-  view->covariance = pose.covariance;
-  views_.push_back(std::move(view));
+  view->pictures = *found.pictures;
+  view->camera_T_head = found.pose.camera_T_head;
+  view->covariance = found.pose.covariance;
+  Remembered look{view, std::nullopt};
+  if (found.then == reference_)
+    look.learnt = FaceLook{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
+                           view->covariance};
+  add(std::move(look));
+}
+
+void FaceRecovery::add(const FaceLook& look) {
+  auto view = std::make_shared<SkinView>();
+  view->rig = look.rig;
+  view->pictures = RecoveryPictures(look.frame);
+  view->camera_T_head = look.camera_T_head;
+  view->covariance = look.covariance;
+  add(Remembered{view, std::nullopt, true});
+}
+
+// Full: of the two that show the head most alike, the older one goes.
+void FaceRecovery::add(Remembered look) {
+  remembered_.push_back(std::move(look));
+  if (remembered_.size() <= kMostRemembered) return;
+  const auto apart = [&](std::size_t i, std::size_t j) {
+    const Eigen::Isometry3d step =
+        remembered_[i].view->camera_T_head.inverse() * remembered_[j].view->camera_T_head;
+    return (step * points_.centre_mm() - points_.centre_mm()).norm() +
+           kTurn_mm * rotationAngle(step.linear());
+  };
+  std::size_t oldest = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i + 1 < remembered_.size(); ++i)
+    for (std::size_t j = i + 1; j < remembered_.size(); ++j)
+      if (apart(i, j) < least) least = apart(i, j), oldest = i;
+  remembered_.erase(remembered_.begin() + std::ptrdiff_t(oldest));
+}
+
+std::vector<FaceLook> FaceRecovery::learnt() const {
+  std::vector<FaceLook> looks;
+  for (const auto& look : remembered_)
+    if (look.learnt) looks.push_back(*look.learnt);
+  return looks;
+}
+
+void FaceRecovery::forgetRemembered() {
+  remembered_.erase(std::remove_if(remembered_.begin(), remembered_.end(),
+                                   [](const auto& look) { return !look.is_from_elsewhere; }),
+                    remembered_.end());
 }
 
 }  // namespace facenav::tracking

@@ -11,6 +11,7 @@
 
 #include "face/stereo_face.h"
 #include "face_shape.h"
+#include "facenav/tracking/face_look.h"
 #include "identity.h"
 #include "recovery_pose.h"
 #include "skin_points.h"
@@ -45,15 +46,25 @@ class FaceRecovery {
   /// at any roll, in place of the reference's.
   std::optional<RecoveredFace> find(const stereo::StereoFrame& frame,
                                     const std::optional<Eigen::Isometry3d>& last, bool is_thorough) const;
-  /// The pose's covariance, of increments about another point (Head, mm).
-  Matrix6d covarianceAbout(const RecoveryPose& pose, const Eigen::Vector3d& centre_mm) const;
-  /// The face as it looks at a pose that is known: searched for, too, from now on. Not while find() runs.
-  void remember(const std::shared_ptr<const RecoveryPictures>& pictures, const RecoveryPose& pose);
-  std::size_t remembered() const { return views_.size() - 1; }
+  /// One of the pose's covariances, of increments about another point (Head, mm).
+  Matrix6d carried(const RecoveryPose& pose, const Matrix6d& covariance,
+                   const Eigen::Vector3d& centre_mm) const;
+  /// The face as it looks where it was found: searched for, too, from now on. Not while find() runs.
+  void remember(const RecoveredFace& found, const stereo::StereoFrame& frame);
+  /// A look that is known from elsewhere. Not while find() runs.
+  void add(const FaceLook& look);
+  /// What was remembered and rests on the reference alone, not on another look.
+  std::vector<FaceLook> learnt() const;
   /// What was remembered since the reference is in doubt.
-  void forgetRemembered() { views_.resize(1); }
+  void forgetRemembered();
 
  private:
+  struct Remembered {
+    std::shared_ptr<const SkinView> view;
+    std::optional<FaceLook> learnt;  // here, against the reference
+    bool is_from_elsewhere = false;
+  };
+  void add(Remembered look);
   SidesVerdict sidesOf(const RecoveredFace& found) const;
   RecoveredFace tryFrom(const stereo::StereoFrame& frame, const std::shared_ptr<const RecoveryPictures>& now,
                         const Eigen::Isometry3d& start) const;
@@ -61,7 +72,8 @@ class FaceRecovery {
   stereo::StereoRig rig_;
   SkinPoints points_;
   FaceShape shape_;
-  std::vector<std::shared_ptr<const SkinView>> views_;  // the reference first, then moments remembered
+  std::shared_ptr<const SkinView> reference_;
+  std::vector<Remembered> remembered_;
   std::vector<Eigen::Vector3d> landmarks_mm_;           // of the reference, Head; may be empty
   double roll_rad_ = 0.0;                               // at which its face was found
   std::shared_ptr<const FaceDetector> detector_;

@@ -59,7 +59,7 @@ FaceShape::FaceShape(const stereo::StereoRig& rig, const FaceRegion& region, con
   for (double y = box.y; y < box.br().y; y += step)
     for (double x = box.x; x < box.br().x; x += step) {
       const Eigen::Vector2d px(x, y);
-      if (!region.contains(px) || mobility.sigma_mm(px) > kMostMobility_mm) continue;
+      if (!region.contains(px) || mobility.at(px).sigma_mm > kMostMobility_mm) continue;
       const auto local = surface.around(px, 2 * step);
       if (!local || !(local->inverseDepth(px) > 0)) continue;
       const auto lift = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
@@ -67,7 +67,7 @@ FaceShape::FaceShape(const stereo::StereoRig& rig, const FaceRegion& region, con
       };
       const Eigen::Vector3d across = lift({x + step, y}) - lift({x - step, y}),
                             down = lift({x, y + step}) - lift({x, y - step});
-      const Node node{lift(px), down.cross(across).normalized(), mobility.sigma_mm(px)};
+      const Node node{lift(px), down.cross(across).normalized(), mobility.at(px).sigma_mm};
       if (node.mm.allFinite() && node.normal.allFinite()) nodes_.push_back(node);
     }
   for (const auto& node : nodes_) centre_mm_ += node.mm / double(nodes_.size());

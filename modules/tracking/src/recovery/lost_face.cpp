@@ -10,7 +10,6 @@ namespace facenav::tracking {
 namespace {
 
 constexpr double kAnswer_s = 0.1;   // a live answer's time, on one core of a small machine
-constexpr double kTooOld_s = 0.35;  // a head may be elsewhere by then
 constexpr int kThoroughEvery = 4;   // questions: a face at any roll takes ten times longer to look for
 constexpr int kMostSteps = 12, kFirstLevel = 1;
 // How far the patches learnt before may put the cortex from where recovery puts it, in its standard errors:
@@ -92,6 +91,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   found.camera_T_head = face->pose.camera_T_head;
   found.face = std::move(*face);
   if (!found.is_patient) return found;
+  found.frame = question.frame;
   const PatchModel& model = *learnt.model;
   const std::array<ImagePyramid, 2> now = {ImagePyramid(question.frame.left),
                                            ImagePyramid(question.frame.right)};
@@ -103,7 +103,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   found.is_patient = identity.verdict() == Identity::Verdict::patient;
   found.is_other = identity.verdict() == Identity::Verdict::other;
   if (!found.is_patient) return found;
-  const Matrix6d covariance = recovery.covarianceAbout(found.face.pose, model.centre_mm);
+  const Matrix6d covariance = recovery.carried(found.face.pose, found.face.pose.covariance, model.centre_mm);
   Vector6d off;
   off << logRotation(fit.motion.linear() * found.camera_T_head.linear().transpose()),
       fit.motion * model.centre_mm - found.camera_T_head * model.centre_mm;
@@ -118,8 +118,9 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   if (verdict.isTracked() && off.tail<3>().norm() < kSamePlace_mm)
     estimate = fused(estimate, off, kPatchDoubt * verdict.covariance, model.centre_mm);
   found.camera_T_head = estimate.camera_T_head;
-  found.moment =
-      KeyFrames::ofMoment(*learnt.rig, model, question.frame, estimate.camera_T_head, estimate.covariance);
+  const Matrix6d skin = recovery.carried(found.face.pose, found.face.pose.skin_covariance, model.centre_mm);
+  found.moment = KeyFrames::ofMoment(*learnt.rig, model, question.frame, estimate.camera_T_head,
+                                     estimate.covariance + skin);
   found.is_patient = found.moment.has_value();
   return found;
 }
@@ -127,7 +128,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
 std::optional<LostFace::Found> LostFace::take(Timestamp now) {
   auto found = answers_.take(now.s);
   if (is_to_forget_ && !answers_.isBusy()) recovery_->forgetRemembered(), is_to_forget_ = false;
-  if (!found || found->epoch != epoch_ || std::abs(now - found->captured) > kTooOld_s) return std::nullopt;
+  if (!found || found->epoch != epoch_) return std::nullopt;
   return found;
 }
 
@@ -143,7 +144,12 @@ void LostFace::ask(const stereo::StereoFrame& frame, const std::optional<Eigen::
 }
 
 void LostFace::remember(const Found& found) {
-  if (!answers_.isBusy() && found.moment) recovery_->remember(found.face.pictures, found.face.pose);
+  if (!answers_.isBusy() && found.moment) recovery_->remember(found.face, found.frame);
+}
+
+void LostFace::add(const std::vector<FaceLook>& looks) {
+  FACENAV_EXPECT(!answers_.isBusy(), "looks are added before anything is asked");
+  for (const auto& look : looks) recovery_->add(look);
 }
 
 void LostFace::forget() {

@@ -29,19 +29,26 @@ class LostFace {
     bool is_other = false;
     bool is_out_of_step = false;  // the two pictures show the face at two poses
     RecoveredFace face;
-    Timestamp captured;  // of the pair it was found in
+    Timestamp captured;         // of the pair it was found in
+    stereo::StereoFrame frame;  // that pair, where it is the patient's
     int epoch = 0;
   };
 
   LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace);
 
-  /// The answer about an earlier lost frame (with Pace::patient, about this one), if there is one that still
-  /// counts at `now`.
+  /// The answer about an earlier frame (with Pace::patient, about this one), if there is one and nothing was
+  /// forgotten since. On a slow machine it may be seconds old: `captured` says of when it is.
   std::optional<Found> take(Timestamp now);
-  /// A lost frame. `last`: where the head was seen last. Nothing is asked while an answer is awaited.
+  bool isBusy() const { return answers_.isBusy(); }
+  /// A frame whose face is lost, or is to be checked. `last`: where the head was seen last. Nothing is asked
+  /// while an answer is awaited.
   void ask(const stereo::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
   /// The face is tracked as it was found: its looks are remembered.
   void remember(const Found& found);
+  /// Looks from elsewhere, to be searched for, too.
+  void add(const std::vector<FaceLook>& looks);
+  /// Remembered so far and sure enough to be kept.
+  std::vector<FaceLook> learnt() const { return recovery_->learnt(); }
   /// What was asked and learnt so far is in doubt.
   void forget();
   /// Time that this thread has spent since the last call on what a live session does beside the frames (ms).

@@ -66,19 +66,51 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
   return s;
 }
 
-// Errors that a part of the face shares: the parts' pulls on the pose show them.
+// Errors that a part of the face shares: how the pose changes when a part is left out shows them (delete-one
+// jackknife over clusters; Bell & McCaffrey 2002, CR3). Weights stay as they are.
 Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
                       const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
-  std::vector<Vector6d> pulls(std::size_t(points.regionCount()), Vector6d::Zero());
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    pulls[std::size_t(points[std::size_t(matches[i].point)].region)] +=
-        s.weight[i] * matches[i].jacobian.transpose() * (precision[i] * s.residual[i]);
-  Matrix6d meat = Matrix6d::Zero();
+  struct Part {
+    Matrix6d information = Matrix6d::Zero();
+    Vector6d pull = Vector6d::Zero();
+    int matches = 0;
+  };
+  std::vector<Part> parts(std::size_t(points.regionCount()));
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    Part& part = parts[std::size_t(points[std::size_t(matches[i].point)].region)];
+    const Eigen::Matrix<double, 6, 2> weighted =
+        s.weight[i] * matches[i].jacobian.transpose() * precision[i];
+    part.information.noalias() += weighted * matches[i].jacobian;
+    part.pull.noalias() += weighted * s.residual[i];
+    ++part.matches;
+  }
+  Matrix6d jackknife = Matrix6d::Zero();
   int clusters = 0;
-  for (const auto& pull : pulls) clusters += pull.squaredNorm() > 0, meat += pull * pull.transpose();
-  const Matrix6d inverse = s.information.inverse();
+  for (const auto& part : parts) {
+    if (part.matches == 0) continue;
+    const Vector6d change = (s.information - part.information).ldlt().solve(part.pull);
+    if (!change.allFinite()) return Matrix6d::Identity() * 1e6;
+    jackknife += change * change.transpose();
+    ++clusters;
+  }
   const double spread = std::max(1.0, s.scale * s.scale);
-  return spread * inverse + clusters / std::max(1.0, double(clusters - 6)) * inverse * meat * inverse;
+  return spread * s.information.inverse() + (clusters - 1.0) / std::max(1, clusters) * jackknife;
+}
+
+// The skin of a part that lies elsewhere over the bone than in the reference: nothing in the pictures shows it.
+Matrix6d skinCovarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
+                          const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
+  std::array<Eigen::Matrix<double, 6, 3>, SkinMobility::kParts> pull;
+  pull.fill(Eigen::Matrix<double, 6, 3>::Zero());
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const SkinPoint& point = points[std::size_t(matches[i].point)];
+    pull[std::size_t(point.part)] += point.mobility_mm * s.weight[i] * matches[i].jacobian.transpose() *
+                                     precision[i] * matches[i].jacobian.rightCols<3>();
+  }
+  Matrix6d sum = Matrix6d::Zero();
+  for (const auto& part : pull) sum += part * part.transpose();
+  const Matrix6d inverse = s.information.inverse();
+  return inverse * sum * inverse;
 }
 
 std::vector<Eigen::Matrix2d> precisionOf(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
@@ -104,8 +136,8 @@ void compareSides(const SkinPoints& points, const std::vector<SkinMatch>& matche
     xi[c] = s.xi;
     covariance += covarianceOf(points, own, precision, s);
   }
-  pose.sides_offset = xi[1] - xi[0];
-  pose.sides_apart = pose.sides_offset.dot(covariance.ldlt().solve(pose.sides_offset));
+  const Vector6d apart = xi[1] - xi[0];
+  pose.sides_apart = apart.dot(covariance.ldlt().solve(apart));
 }
 
 Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
@@ -135,10 +167,11 @@ RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& poi
     rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = pose.camera_T_head.linear();
     pose.covariance =
         rotate * covarianceOf(points, matches, precision, s) * rotate.transpose() + then.covariance;
+    pose.skin_covariance =
+        rotate * skinCovarianceOf(points, matches, precision, s) * rotate.transpose();
     pose.residual_px.clear();
     for (const auto& match : matches)
       pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());
-    pose.weight = s.weight;
     compareSides(points, matches, pose);
     pose.matches = std::move(matches);
     pose.is_valid = true;

@@ -1,8 +1,8 @@
 #pragma once
 // The head's pose from skin matches (skin_points.h): robust least squares over both cameras, coarse to fine.
 // Skin that moves over the bone counts by how far it usually does (skin_mobility.h), outliers by Student's t
-// (Lange, Little, Taylor 1989). The covariance holds for errors that a whole part of the face shares (Liang &
-// Zeger 1986, parts as clusters).
+// (Lange, Little, Taylor 1989). The covariance holds for errors that a whole cell of the face shares (a
+// jackknife over cells).
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -17,14 +17,15 @@ struct RecoveryPose {
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
   /// Of xi = (w rad, v mm) as HeadPose's, about the points' centre, Camera's axes.
   Matrix6d covariance = Matrix6d::Identity() * 1e6;
+  /// The same, of what no picture shows: skin that has moved over the bone as a whole part of the face, by
+  /// skin_mobility.h. Not within `covariance`.
+  Matrix6d skin_covariance = Matrix6d::Zero();
   std::vector<SkinMatch> matches;   // of the last search; offsets are from the pose before the last step
   std::vector<double> residual_px;  // of each match, after the last step
-  std::vector<double> weight;       // 0..1, robust
   /// How far both cameras, each alone, put the head from each other: squared, by their covariance (chi-square
   /// of 6 where the pictures are of one moment and the rig holds). Nothing where one alone fixes no pose.
   std::optional<double> sides_apart;
-  Vector6d sides_offset = Vector6d::Zero();  // (w rad, v mm), Head's axes
-  bool is_valid = false;                     // enough matches for a pose
+  bool is_valid = false;  // enough matches for a pose
 };
 
 enum class Sides { both, left, right };

@@ -33,16 +33,20 @@ SkinMobility::SkinMobility(const FaceLandmarks& face) {
 }
 
 // In parts of the nose's length below the brows, and of the distance between the eyes from the midline.
-double SkinMobility::sigma_mm(const Eigen::Vector2d& px) const {
-  if (!is_known_) return kUnknown_mm;
+SkinPart SkinMobility::at(const Eigen::Vector2d& px) const {
+  if (!is_known_) return {0, kUnknown_mm};
   const Eigen::Vector2d d = px - bridge_px_, across(-down_.y(), down_.x());
-  const double below = d.dot(down_) / nose_px_, aside = std::abs(d.dot(across)) / eyes_px_;
-  if (below > 1.08) return kMouth_mm;
-  if (below < -0.25) return kForehead_mm;
-  if (aside < 0.22) return below < 0.1 ? kForehead_mm : below < 0.75 ? kBridge_mm : kNoseTip_mm;
-  if (below < 0.15) return kBrow_mm;
-  if (aside > 0.85 && below < 0.6) return kTemple_mm;
-  return below < 0.55 ? kEye_mm : kCheek_mm;
+  const double below = d.dot(down_) / nose_px_, sideways = d.dot(across) / eyes_px_;
+  const double aside = std::abs(sideways);
+  const auto ofSide = [&](int number, double sigma_mm) { return SkinPart{number + (sideways > 0), sigma_mm}; };
+  if (below > 1.08) return {1, kMouth_mm};
+  if (below < -0.25) return {2, kForehead_mm};
+  if (aside < 0.22)
+    return below < 0.1 ? SkinPart{2, kForehead_mm}
+                       : below < 0.75 ? SkinPart{3, kBridge_mm} : SkinPart{0, kNoseTip_mm};
+  if (below < 0.15) return ofSide(4, kBrow_mm);
+  if (aside > 0.85 && below < 0.6) return ofSide(6, kTemple_mm);
+  return below < 0.55 ? ofSide(8, kEye_mm) : ofSide(10, kCheek_mm);
 }
 
 }  // namespace facenav::tracking

@@ -10,14 +10,21 @@
 
 namespace facenav::tracking {
 
+/// A part of the face whose skin moves over the bone as one piece.
+struct SkinPart {
+  int number = 0;         // the same for all of a part; sides are two parts
+  double sigma_mm = 1.0;  // standard deviation of its motion, each direction
+};
+
 class SkinMobility {
  public:
+  static constexpr int kParts = 12;
   /// Without landmarks every part is taken to move like the forehead.
   SkinMobility() = default;
   explicit SkinMobility(const FaceLandmarks& face);
 
-  /// Standard deviation of the skin's motion over the bone, mm, at a pixel of the landmarks' picture.
-  double sigma_mm(const Eigen::Vector2d& px) const;
+  /// At a pixel of the landmarks' picture.
+  SkinPart at(const Eigen::Vector2d& px) const;
 
  private:
   bool is_known_ = false;

@@ -21,6 +21,7 @@ constexpr double kPlaceError_px = 0.25;     // of a level: what sampling and sha
 constexpr double kIndependent_px2 = 12.0;   // area over which compressed, smoothed pictures err alike
 constexpr double kLeastUnlike = 0.02;       // 1 - correlation^2 of the best place, at least
 constexpr double kNearest_mm = 50.0;
+constexpr int kMarginWindows = 5;  // half windows round the face that are kept of a look
 constexpr int kColumns = 6, kRows = 7;  // regions of the face's box whose errors are taken as one
 
 const stereo::CameraModel& cameraOf(const stereo::StereoRig& rig, int c) {
@@ -107,7 +108,8 @@ std::optional<SkinMatch> findPoint(const SkinPoint& point, const Sight& before, 
   if (!peak || peak->value < kLeastCorrelation) return std::nullopt;
   SkinMatch match;
   match.correlation = peak->value;
-  match.offset_px = (middle + peak->at - Eigen::Vector2d::Constant(double(reach)) - after_px) / scale;
+  match.px = (middle + peak->at - Eigen::Vector2d::Constant(double(reach))) / scale;
+  match.offset_px = match.px - after_px / scale;
   const double independent = double(window.total()) / kIndependent_px2;
   match.covariance =
       (std::max(kLeastUnlike, 1 - peak->value * peak->value) / independent * peak->curvature.inverse() +
@@ -164,7 +166,8 @@ SkinPoints::SkinPoints(const stereo::StereoRig& rig, const stereo::StereoFrame& 
       const double h = 0.5 * half_window_px_;
       const Eigen::Vector3d across = lift(px + Eigen::Vector2d(h, 0)) - lift(px - Eigen::Vector2d(h, 0)),
                             down = lift(px + Eigen::Vector2d(0, h)) - lift(px - Eigen::Vector2d(0, h));
-      SkinPoint point{lift(px), down.cross(across).normalized(), mobility.sigma_mm(px), 0};
+      const SkinPart part = mobility.at(px);
+      SkinPoint point{lift(px), down.cross(across).normalized(), part.sigma_mm, 0, part.number};
       if (!point.mm.allFinite() || !point.normal.allFinite()) continue;
       point.region = std::clamp(int(kRows * (px.y() - box.y) / box.height), 0, kRows - 1) * kColumns +
                      std::clamp(int(kColumns * (px.x() - box.x) / box.width), 0, kColumns - 1);
@@ -203,6 +206,29 @@ std::vector<SkinMatch> SkinPoints::find(const SkinView& then, const stereo::Ster
     }
   }
   return matches;
+}
+
+
+stereo::StereoFrame SkinPoints::faceOnly(const stereo::StereoFrame& frame, const stereo::StereoRig& rig,
+                                         const Eigen::Isometry3d& camera_T_head) const {
+  stereo::StereoFrame face = frame;
+  const int margin = kMarginWindows * half_window_px_;
+  for (const int c : {0, 1}) {
+    cv::Mat& picture = c == 0 ? face.left : face.right;
+    std::vector<cv::Point> places;
+    for (const auto& point : points_) {
+      const Eigen::Vector2d px = stereo::project(cameraOf(rig, c), seenFrom(rig, c, camera_T_head) * point.mm);
+      places.emplace_back(int(px.x()), int(px.y()));
+    }
+    if (places.empty()) continue;
+    cv::Rect box = cv::boundingRect(places);
+    box = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
+          cv::Rect({}, picture.size());
+    cv::Mat black(picture.size(), picture.type(), cv::Scalar(0));
+    if (box.area() > 0) picture(box).copyTo(black(box));
+    picture = black;
+  }
+  return face;
 }
 
 }  // namespace facenav::tracking

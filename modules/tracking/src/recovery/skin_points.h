@@ -32,13 +32,15 @@ struct RecoveryPictures {
 struct SkinPoint {
   Eigen::Vector3d mm, normal;  // Head; the normal is unit and points towards the cameras
   double mobility_mm = 1.0;    // standard deviation of the skin's motion over the bone
-  int region = 0;              // part of the face, of SkinPoints::regionCount()
+  int region = 0;              // cell of the face's box, of SkinPoints::regionCount()
+  int part = 0;                // SkinPart's number
 };
 
 /// One point found in one camera.
 struct SkinMatch {
   int point = 0, camera = 0;
-  Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();       // from where the pose puts it, full resolution
+  Eigen::Vector2d px = Eigen::Vector2d::Zero();              // where it was found, full resolution
+  Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();       // of that from where the pose puts it
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  // of that, px^2
   Eigen::Matrix<double, 2, 6> jacobian;  // d(px) / d(xi), xi = (w, v) about the points' centre, Head
   double correlation = 0.0;              // of the window at the best place
@@ -81,6 +83,9 @@ class SkinPoints {
   /// Whether point `i` shows in camera `c` of `then` and of the rig at `camera_T_head`.
   bool isSeen(std::size_t i, int c, const SkinView& then, const stereo::StereoRig& rig,
               const Eigen::Isometry3d& camera_T_head) const;
+  /// The pair with all but the face, seen at `camera_T_head`, black.
+  stereo::StereoFrame faceOnly(const stereo::StereoFrame& frame, const stereo::StereoRig& rig,
+                               const Eigen::Isometry3d& camera_T_head) const;
 
  private:
   SkinView reference_;

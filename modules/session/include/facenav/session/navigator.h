@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "facenav/casefile/face_looks.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/session/drift_watchdog.h"
 #include "facenav/session/navigation_state.h"
@@ -26,6 +27,8 @@ struct NavigatorSetup {
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
   /// Of what takes longer than a frame: the drift watchdog, a lost face found anew.
   tracking::Pace pace = tracking::Pace::as_live;
+  /// The patient's face in earlier sessions; used where the head is placed in the MRI.
+  std::vector<casefile::KeptLook> looks = {};
 };
 
 /// The chosen target with the alignment's predicted error there (mm, 0: unknown).
@@ -44,6 +47,8 @@ class Navigator {
   /// In place of the one that the setup's scalp gave; null: none.
   void setWatchdog(std::unique_ptr<DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   const stereo::StereoRig& rig() const { return rig_; }
+  /// The patient's face as this session learnt it, to be kept with the case; empty without an alignment.
+  std::vector<casefile::KeptLook> learntLooks() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
   /// ("camera").
   NavigationState process(std::shared_ptr<const stereo::StereoFrame> frame);

@@ -50,6 +50,8 @@ class Session {
   bool hasEnded() const;
   void setTarget(std::optional<ChosenTarget> target);
   const Recorder* recorder() const;
+  /// After stop(): the patient's face as this session learnt it.
+  std::vector<casefile::KeptLook> learntLooks() const;
 
  private:
   struct Implementation;

@@ -13,6 +13,7 @@
 #include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
 #include "facenav/tracking/face_landmarks.h"
+#include "facenav/tracking/face_look.h"
 #include "facenav/tracking/frame_work.h"
 #include "facenav/tracking/loss_detail.h"
 
@@ -80,6 +81,10 @@ class HeadTracker {
   virtual void leave(const FrameWork& /*work*/) {}
   /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.
   virtual void forgetLearnt() {}
+  /// After start(), before the first frame: other looks of the patient's face, from earlier sessions.
+  virtual void addLooks(const std::vector<FaceLook>& /*looks*/) {}
+  /// Looks learnt since start() that are sure enough to be kept.
+  virtual std::vector<FaceLook> learntLooks() const { return {}; }
 };
 
 /// Each makes its own face detector, or shares the one given (its landmark model takes 100 MB).

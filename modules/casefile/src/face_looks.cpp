@@ -1,0 +1,87 @@
+#include "facenav/casefile/face_looks.h"
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "facenav/geometry/json_transform.h"
+#include "facenav/stereo/rig_file.h"
+#include "private_files.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kVersion = 1;
+
+fs::path folderIn(const fs::path& case_folder) { return case_folder / "face_looks"; }
+
+void writePicture(const cv::Mat& picture, const fs::path& path) {
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".png", picture, bytes)) throw Error("a picture could not be written", path.string());
+  writePrivateFile(path, std::string(bytes.begin(), bytes.end()));
+}
+
+cv::Mat readPicture(const fs::path& path, const stereo::StereoRig& rig) {
+  const cv::Mat picture = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+  if (picture.cols != rig.width_px || picture.rows != rig.height_px)
+    throw Error("this picture of the face is missing, or not of its rig's size", path.string(),
+                "delete the folder face_looks; the next session learns the face anew");
+  return picture;
+}
+
+nlohmann::ordered_json written(const KeptLook& look, const fs::path& folder, std::size_t number) {
+  const std::string name = std::to_string(number);
+  writePicture(look.left, folder / (name + "_left.png"));
+  writePicture(look.right, folder / (name + "_right.png"));
+  stereo::writeRig(look.rig, folder / (name + "_stereo.yml"), {});
+  nlohmann::ordered_json json;
+  json["name"] = name;
+  json["captured_utc"] = look.captured_utc;
+  json["camera_T_mri"] = rowMajor(look.camera_T_mri);
+  json["covariance"] = std::vector<double>(look.covariance.data(), look.covariance.data() + 36);
+  return json;
+}
+
+KeptLook readLook(const JsonReader& json, const fs::path& folder) {
+  KeptLook look;
+  const fs::path name = fs::path(json.at("name").text()).filename();
+  look.rig = stereo::readRig(folder / (name.string() + "_stereo.yml"));
+  look.left = readPicture(folder / (name.string() + "_left.png"), look.rig);
+  look.right = readPicture(folder / (name.string() + "_right.png"), look.rig);
+  look.captured_utc = json.at("captured_utc").text();
+  look.camera_T_mri = readTransform<Camera, Mri>(json.at("camera_T_mri"));
+  const auto values = json.at("covariance").numbers(36);
+  look.covariance = Eigen::Map<const Matrix6d>(values.data());
+  return look;
+}
+
+}  // namespace
+
+std::vector<KeptLook> readFaceLooks(const fs::path& case_folder) {
+  const fs::path folder = folderIn(case_folder);
+  if (!fs::exists(folder)) return {};
+  const JsonReader json = JsonReader::readFile(folder / "looks.json");
+  if (json.at("version").integer() != kVersion) json.at("version").refuse("version 1 was expected");
+  std::vector<KeptLook> looks;
+  for (const auto& look : json.at("looks").elements()) looks.push_back(readLook(look, folder));
+  return looks;
+}
+
+void addFaceLooks(const fs::path& case_folder, std::vector<KeptLook> looks) {
+  if (looks.empty()) return;
+  for (auto& look : looks)
+    if (look.captured_utc.empty()) look.captured_utc = utcNow();
+  std::vector<KeptLook> all = readFaceLooks(case_folder);
+  all.insert(all.end(), looks.begin(), looks.end());
+  if (all.size() > kMostLooks) all.erase(all.begin(), all.end() - std::ptrdiff_t(kMostLooks));
+  const TemporarySibling fresh(folderIn(case_folder));
+  nlohmann::ordered_json json;
+  json["version"] = kVersion;
+  json["looks"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < all.size(); ++i) json["looks"].push_back(written(all[i], fresh.path(), i));
+  writePrivateFile(fresh.path() / "looks.json", json.dump(1) + "\n");
+  makePrivateAndDurable(fresh.path());
+  replaceFolder(fresh.path(), folderIn(case_folder));
+}
+
+}  // namespace facenav::casefile

@@ -1,0 +1,20 @@
+#pragma once
+// FaceLook: the patient's face as one pair of pictures showed it at a known pose: another expression, side or
+// light than the reference's. A lost face is searched for in every look that is known.
+
+#include <Eigen/Geometry>
+
+#include "facenav/geometry/rotation.h"
+#include "facenav/stereo/stereo_frame.h"
+#include "facenav/stereo/stereo_rig.h"
+
+namespace facenav::tracking {
+
+struct FaceLook {
+  stereo::StereoRig rig;      // of the cameras that took it
+  stereo::StereoFrame frame;  // black outside the face
+  Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();  // of that pose, HeadPose's, about the face's centre
+};
+
+}  // namespace facenav::tracking

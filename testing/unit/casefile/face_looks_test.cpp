@@ -1,0 +1,77 @@
+#include "facenav/casefile/face_looks.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "facenav/core/error.h"
+#include "support/matchers.h"
+#include "support/stereo_rigs.h"
+#include "support/test_data.h"
+
+namespace facenav::casefile {
+namespace {
+
+using facenav::testing::PoseNear;
+using facenav::testing::TemporaryFolder;
+
+KeptLook look(int number) {
+  KeptLook made;
+  made.rig = facenav::testing::convergingRig();
+  made.left = cv::Mat(made.rig.height_px, made.rig.width_px, CV_8UC1, cv::Scalar(10 + number));
+  made.right = made.left + 1;
+  made.camera_T_mri = RigidTransform<Camera, Mri>(
+      Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * number + 2, Eigen::Vector3d(1, 2, 3).normalized())),
+      {1.0 * number, -20, 600});
+  made.covariance.setRandom();
+  made.captured_utc = "20261123T08000" + std::to_string(number) + "Z";
+  return made;
+}
+
+TEST(FaceLooks, ComeBackAsTheyWereKept) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(readFaceLooks(folder.path()).empty());
+  const KeptLook kept = look(1);
+  addFaceLooks(folder.path(), {kept});
+  const auto looks = readFaceLooks(folder.path());
+  ASSERT_EQ(looks.size(), 1u);
+  EXPECT_THAT(looks[0].camera_T_mri, PoseNear(kept.camera_T_mri, 1e-9, 1e-9));
+  EXPECT_LT((looks[0].covariance - kept.covariance).norm(), 1e-12);
+  EXPECT_EQ(cv::norm(looks[0].left, kept.left, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(looks[0].right, kept.right, cv::NORM_INF), 0);
+  EXPECT_EQ(looks[0].captured_utc, kept.captured_utc);
+  EXPECT_NEAR(looks[0].rig.baseline_mm(), kept.rig.baseline_mm(), 1e-9);
+}
+
+TEST(FaceLooks, TheOldestGoWhenThereAreTooMany) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 8; ++i) addFaceLooks(folder.path(), {look(i)});
+  const auto looks = readFaceLooks(folder.path());
+  ASSERT_EQ(looks.size(), kMostLooks);
+  EXPECT_EQ(looks.front().captured_utc, look(2).captured_utc);
+  EXPECT_EQ(looks.back().left.at<unsigned char>(0, 0), 17);
+}
+
+TEST(FaceLooks, AreForTheUserAlone) {
+  const TemporaryFolder folder;
+  addFaceLooks(folder.path(), {look(1)});
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+    struct stat status {};
+    ASSERT_EQ(::stat(entry.path().c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, entry.is_directory() ? 0700u : 0600u) << entry.path();
+  }
+}
+
+TEST(FaceLooks, APictureThatIsMissingIsNamed) {
+  const TemporaryFolder folder;
+  addFaceLooks(folder.path(), {look(1)});
+  std::filesystem::remove(folder.path() / "face_looks" / "0_right.png");
+  try {
+    readFaceLooks(folder.path());
+    FAIL() << "read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("0_right.png"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace facenav::casefile

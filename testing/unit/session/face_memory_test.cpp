@@ -1,0 +1,69 @@
+#include "facenav/session/face_memory.h"
+
+#include <gtest/gtest.h>
+
+#include "session_fakes.h"
+#include "support/matchers.h"
+
+namespace facenav::session {
+namespace {
+
+using facenav::testing::PoseNear;
+
+RigidTransform<Camera, Head> moved() {
+  return {Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 1).normalized())), {12, -7, 30}};
+}
+
+/// Learns one look of the face, and notes those that it is given.
+class LearningHead : public fakes::Head {
+ public:
+  explicit LearningHead(std::vector<tracking::FaceLook>& given)
+      : fakes::Head([](auto) { return moved(); }), given_(given) {}
+  void addLooks(const std::vector<tracking::FaceLook>& looks) override { given_ = looks; }
+  std::vector<tracking::FaceLook> learntLooks() const override {
+    tracking::FaceLook look;
+    look.rig = fakes::rig();
+    look.frame = *fakes::frame(1, 0.1);
+    look.camera_T_head = moved().isometry();
+    return {look};
+  }
+
+ private:
+  std::vector<tracking::FaceLook>& given_;
+};
+
+std::vector<casefile::KeptLook> learnt(const NavigatorSetup& setup, std::vector<tracking::FaceLook>& given) {
+  return Navigator(setup, std::make_unique<LearningHead>(given), std::make_unique<fakes::Coil>(std::nullopt))
+      .learntLooks();
+}
+
+TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
+  std::vector<tracking::FaceLook> given;
+  NavigatorSetup first = fakes::setup();
+  const auto kept = learnt(first, given);
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_TRUE(given.empty());
+  EXPECT_THAT(kept[0].camera_T_mri, PoseNear(moved() * fakes::cameraAtReference().reframe<Head, Mri>(), 1e-9, 1e-9));
+
+  NavigatorSetup second = fakes::setup();  // the patient sits elsewhere at this session's reference
+  const RigidTransform<Camera, Mri> there(
+      Eigen::Quaterniond(Eigen::AngleAxisd(-1.0, Eigen::Vector3d(3, 1, 2).normalized())), {-40, 10, 580});
+  second.camera_T_mri_at_reference = there;
+  second.looks = kept;
+  learnt(second, given);
+  ASSERT_EQ(given.size(), 1u);
+  const auto camera_T_mri =
+      RigidTransform<Camera, Head>::fromIsometry(given[0].camera_T_head) * there.reframe<Head, Mri>();
+  EXPECT_THAT(camera_T_mri, PoseNear(kept[0].camera_T_mri, 1e-9, 1e-9));
+  EXPECT_GT(given[0].covariance(3, 3), 0.2) << "two alignments lie between";
+}
+
+TEST(FaceMemory, WithoutAnAlignmentNothingIsKept) {
+  std::vector<tracking::FaceLook> given;
+  NavigatorSetup setup = fakes::setup();
+  setup.camera_T_mri_at_reference.reset();
+  EXPECT_TRUE(learnt(setup, given).empty());
+}
+
+}  // namespace
+}  // namespace facenav::session
