@@ -63,18 +63,22 @@ TEST_F(CompressedFace, IsFoundAgainByAnAnswerThatComesLate) {
 TEST_F(CompressedFace, IsLearntAndKnownInTheNextSession) {
   const auto first = started();
   EXPECT_TRUE(first->learntLooks().empty());
-  const SyntheticView smiling = later(0, 4.0);
-  const auto frame = compressed(face_->render(rig_, smiling));
-  ASSERT_TRUE(first->track(frame).isTracked());
+  SyntheticView smiling = later(0, 14.0);
+  smiling.lamp_x = -0.35, smiling.jaw_drop_mm = 18.0;
+  ASSERT_TRUE(first->track(compressed(face_->render(rig_, smiling))).isTracked());
   const auto looks = first->learntLooks();
   ASSERT_EQ(looks.size(), 1u);
-  EXPECT_LT((looks[0].camera_T_head.translation() - smiling.motion.translation()).norm(), 1.5);
+  EXPECT_LT(poseError(RigidTransform<Camera, Head>::fromIsometry(looks[0].camera_T_head),
+                      RigidTransform<Camera, Head>::fromIsometry(smiling.motion), kCortex)
+                .at_point_mm,
+            1.5);
   EXPECT_EQ(looks[0].frame.left.at<unsigned char>(0, 0), 0) << "all but the face is black";
   const auto second = started();
   second->addLooks(looks);
-  const auto pose = second->track(compressed(face_->render(rig_, later(1, 4.0))));
+  smiling.seed = 77;
+  const auto pose = second->track(compressed(face_->render(rig_, smiling)));
   ASSERT_TRUE(pose.isTracked());
-  EXPECT_LT(errorOf(*pose, later(1, 4.0)).at_point_mm, 1.5);
+  EXPECT_LT(errorOf(*pose, smiling).at_point_mm, 1.5);
   const SyntheticFace other = SyntheticFace::stranger();
   EXPECT_FALSE(second->track(compressed(other.render(rig_, later(2, 4.0)))).isTracked());
 }
@@ -82,13 +86,13 @@ TEST_F(CompressedFace, IsLearntAndKnownInTheNextSession) {
 /// A question whose answer was thrown away must not be the last one.
 TEST_F(CompressedFace, IsAskedAboutAgainAfterWhatWasLearntWasForgotten) {
   const auto tracker = started(tracking::Pace::as_live);
+  tracker->forgetLearnt();  // the first question has been asked, its answer not yet taken
   int questions = 0;
-  for (int i = 3; i < 75; ++i) {
-    tracker->track(compressed(face_->render(rig_, stillView(i))));
+  for (int i = 3; i < 55; ++i) {
+    EXPECT_TRUE(tracker->track(compressed(face_->render(rig_, stillView(i)))).isTracked()) << i;
     questions += tracker->beside_ms() > 0;
-    if (questions == 1 && tracker->beside_ms() > 0) tracker->forgetLearnt();
   }
-  EXPECT_GE(questions, 2);
+  EXPECT_EQ(questions, 1) << "one in a second and a half";
 }
 
 TEST_F(CompressedFace, OfAnotherPersonIsNeverShown) {

@@ -3,6 +3,8 @@
 // right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere. The delay
 // is learnt from the moving head (offset_filter.h).
 
+#include <cmath>
+
 #include "facenav/stereo/stereo_rig.h"
 #include "head_motion.h"
 #include "key_frames.h"
@@ -22,6 +24,8 @@ class LateCamera {
   const stereo::StereoRig& now() const { return now_; }
   double late_s() const { return offset_.late_s(); }
   double sigma_s() const { return offset_.sigma_s(); }
+  /// What the delay is hardly more than.
+  double mostLate_s() const { return std::abs(late_s()) + 2.0 * sigma_s(); }
 
   /// Before a fit by `key` near `pose`, of a head that moves with `steady` (HeadMotion): what the head does
   /// beyond what it did when the key frame's pictures were taken.

@@ -6,6 +6,7 @@
 // milliseconds each.
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "face/stereo_face.h"
 #include "face_search.h"
@@ -79,7 +80,7 @@ class ModelHeadTracker : public HeadTracker {
     guard_.start(reference.frame);
     lost_face_ = std::make_unique<LostFace>(
         std::make_shared<FaceRecovery>(rig, reference.frame, region, surface, face, detector_),
-        LostFace::Learnt{&camera_.rig(), &model_, &both_cameras_}, pace_);
+        LostFace::Learnt{&camera_.rig(), &model_, &both_cameras_, &camera_}, pace_);
   }
 
   Tracked<HeadPose> track(const stereo::StereoFrame& frame) override {
@@ -197,8 +198,11 @@ class ModelHeadTracker : public HeadTracker {
     if (pace_ == Pace::patient)
       if (const auto found = lost_face_->take(frame.captured)) {
         if (result && found->is_other) return notThePatient();
-        if (!result || found->is_out_of_step || found->moment)
+        if (!result || found->is_out_of_step || found->moment) {
           if (const auto answer = answerOf(*found, frame)) return *answer;
+        } else {
+          lost_face_->remember(*found);
+        }
       }
     if (!result && detail_ == LossDetail::doubtful && other_seen_ &&
         std::abs(frame.captured - *other_seen_) < kOtherSeen_s)
@@ -229,11 +233,13 @@ class ModelHeadTracker : public HeadTracker {
     const bool is_fresh = std::abs(frame.captured - found->captured) < kFresh_s;
     if (found->moment && check_.wasGone() && is_fresh && !keys_.isOfMoment())
       return continueFrom(*found, frame);
+    lost_face_->remember(*found);
     return std::nullopt;
   }
 
   void checkIfDue(const stereo::StereoFrame& frame) {
     if (!check_.isDue(frame.captured, last_.speedBehind_mm_s(kCortexDepth_mm))) return;
+    if (lost_face_->isBusy()) lost_face_->take(frame.captured);  // asked before a return: nobody waits for it
     if (lost_face_->isBusy()) return;
     lost_face_->ask(frame, last_.pose());
     beside_ms_ = lost_face_->takeBeside_ms();
@@ -311,12 +317,12 @@ class ModelHeadTracker : public HeadTracker {
     Verdict verdict;
   };
   struct Known {
-    bool is_patient = false;  // the skin need not be asked
-    bool is_rough = false;    // the start is some frames old
+    bool is_patient;  // the skin need not be asked
+    bool is_rough;    // the start is some frames old
   };
 
   Attempt attempt(const stereo::StereoFrame& frame, const std::array<ImagePyramid, 2>& now,
-                  const Eigen::Isometry3d& start, const Known& known = {}) {
+                  const Eigen::Isometry3d& start, const Known& known = {false, false}) {
     const KeyFrame& key = keys_.nearest(start);
     camera_.allowFor(key, start, last_.steady());
     const int level = search_.roughLevel() - 1, first_level = known.is_rough ? kLevels - 1 : level;

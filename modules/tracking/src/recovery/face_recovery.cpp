@@ -62,6 +62,7 @@ RecoveredFace FaceRecovery::tryFrom(const stereo::StereoFrame& frame,
   if (best.pose.is_valid && best.identity.verdict() == Identity::Verdict::undecided)
     if (const auto shape = shape_.fit(rig_, frame, best.pose.camera_T_head))
       best.identity = identityOf(rig_, points_, *best.then, best.pose, shape);
+  if (best.pose.is_valid) best.lines = epipolarOffset(rig_, best.pose.matches);
   if (best.pose.is_valid && best.identity.verdict() != Identity::Verdict::other) best.sides = sidesOf(best);
   return best;
 }

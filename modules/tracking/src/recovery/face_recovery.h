@@ -14,6 +14,7 @@
 #include "facenav/tracking/face_look.h"
 #include "identity.h"
 #include "recovery_pose.h"
+#include "sides.h"
 #include "skin_points.h"
 
 namespace facenav::tracking {
@@ -27,7 +28,8 @@ enum class SidesVerdict {
 
 struct RecoveredFace {
   RecoveryPose pose;
-  SidesVerdict sides = SidesVerdict::agree;
+  SidesVerdict sides = SidesVerdict::agree;  // by each camera's own pose
+  EpipolarOffset lines;                      // of the skin in both pictures
   Identity identity;
   std::shared_ptr<const RecoveryPictures> pictures;  // of the pair that was asked about
   bool is_face_seen = false;                         // by the face detector, there

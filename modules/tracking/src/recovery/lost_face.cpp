@@ -10,6 +10,7 @@ namespace facenav::tracking {
 namespace {
 
 constexpr double kAnswer_s = 0.1;   // a live answer's time, on one core of a small machine
+constexpr double kOneMotion_s = 0.5;  // between two answers that tell how fast the head moves
 constexpr int kThoroughEvery = 4;   // questions: a face at any roll takes ten times longer to look for
 constexpr int kMostSteps = 12, kFirstLevel = 1;
 // How far the patches learnt before may put the cortex from where recovery puts it, in its standard errors:
@@ -22,6 +23,7 @@ constexpr double kAsExpected = 2.0;
 // person's more (two pairs of cameras agree best at 4 to 16 in all, with 4 for the plain pair's shape
 // within); 2 is in between.
 constexpr double kPatchDoubt = 2.0;
+constexpr double kKnownLook = 0.8;     // share of the windows in place: 0.6-0.8 with another expression
 constexpr double kSamePlace_mm = 3.0;  // of the face, all the same
 // Agreement of both cameras on fine detail: 0.73 and more in uncompressed pictures of the room, 0.35 to 0.6
 // in strongly compressed photographs.
@@ -71,6 +73,7 @@ double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_ca
 
 LostFace::LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace)
     : recovery_(std::move(recovery)),
+      learnt_(learnt),
       pace_(pace),
       answers_([recovery = recovery_,
                 learnt](const Question& question) { return answer(*recovery, learnt, question); },
@@ -86,8 +89,9 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   if (!face) return found;
   found.is_patient =
       face->identity.verdict() == Identity::Verdict::patient && face->sides == SidesVerdict::agree;
-  found.is_out_of_step = face->sides == SidesVerdict::out_of_step;
-  found.is_other = face->identity.verdict() == Identity::Verdict::other && face->is_face_seen;
+  found.is_out_of_step = face->sides == SidesVerdict::out_of_step || face->lines.isClearlyOutOfStep();
+  found.is_other = face->identity.verdict() == Identity::Verdict::other && face->is_face_seen &&
+                   !found.is_out_of_step;
   found.camera_T_head = face->pose.camera_T_head;
   found.face = std::move(*face);
   if (!found.is_patient) return found;
@@ -129,7 +133,23 @@ std::optional<LostFace::Found> LostFace::take(Timestamp now) {
   auto found = answers_.take(now.s);
   if (is_to_forget_ && !answers_.isBusy()) recovery_->forgetRemembered(), is_to_forget_ = false;
   if (!found || found->epoch != epoch_) return std::nullopt;
+  if (found->is_patient && found->face.lines.isOutOfStep(allowed_px(*found)))
+    found->is_patient = false, found->is_out_of_step = true, found->moment.reset();
   return found;
+}
+
+// How far untriggered cameras may put the face off its epipolar lines: by its motion between the exposures. The
+// motion is known from the second answer on.
+double LostFace::allowed_px(const Found& found) {
+  const auto before = std::exchange(before_, Before{found.camera_T_head, found.captured});
+  if (!before) return 0.0;
+  const double since_s = std::abs(found.captured - before->captured);
+  if (since_s < 1e-3 || since_s > kOneMotion_s) return 0.0;
+  const Eigen::Vector3d& centre_mm = learnt_.model->centre_mm;
+  const Eigen::Vector3d now_mm = found.camera_T_head * centre_mm;
+  const double moved_mm = (now_mm - before->camera_T_head * centre_mm).norm();
+  const double px_per_mm = learnt_.rig->right.k(1, 1) / std::max(1.0, now_mm.z());
+  return moved_mm / since_s * learnt_.late->mostLate_s() * px_per_mm;
 }
 
 void LostFace::ask(const stereo::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last) {
@@ -143,8 +163,13 @@ void LostFace::ask(const stereo::StereoFrame& frame, const std::optional<Eigen::
   if (pace_ != Pace::live) beside_ms_ += processorTime_ms() - before_ms;
 }
 
+// A look that the reference shows already is not worth a place.
 void LostFace::remember(const Found& found) {
-  if (!answers_.isBusy() && found.moment) recovery_->remember(found.face, found.frame);
+  const bool is_new = found.moment || found.face.identity.looks_share < kKnownLook;
+  if (answers_.isBusy() || !found.is_patient || !is_new) return;
+  RecoveredFace face = found.face;
+  face.pose.camera_T_head = found.camera_T_head;
+  recovery_->remember(face, found.frame);
 }
 
 void LostFace::add(const std::vector<FaceLook>& looks) {

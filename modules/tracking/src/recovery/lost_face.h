@@ -10,6 +10,7 @@
 #include "facenav/core/later_answer.h"
 #include "facenav/tracking/head_tracker.h"
 #include "head/key_frames.h"
+#include "head/late_camera.h"
 #include "head/skin_detail.h"
 
 namespace facenav::tracking {
@@ -21,6 +22,7 @@ class LostFace {
     const stereo::StereoRig* rig;
     const PatchModel* model;
     const DetailAgreement* both_cameras;
+    const LateCamera* late;  // read by the tracker's thread only
   };
   struct Found {
     Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
@@ -43,7 +45,7 @@ class LostFace {
   /// A frame whose face is lost, or is to be checked. `last`: where the head was seen last. Nothing is asked
   /// while an answer is awaited.
   void ask(const stereo::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
-  /// The face is tracked as it was found: its looks are remembered.
+  /// The face is tracked as it was found: how it looks is remembered, where that is new.
   void remember(const Found& found);
   /// Looks from elsewhere, to be searched for, too.
   void add(const std::vector<FaceLook>& looks);
@@ -61,9 +63,16 @@ class LostFace {
     bool is_thorough;  // with a search for faces at any roll
     int epoch;
   };
+  struct Before {
+    Eigen::Isometry3d camera_T_head;
+    Timestamp captured;
+  };
+  double allowed_px(const Found& found);
   static Found answer(const FaceRecovery& recovery, const Learnt& learnt, const Question& question);
 
   std::shared_ptr<FaceRecovery> recovery_;
+  Learnt learnt_;
+  std::optional<Before> before_;  // of the last answer
   Pace pace_;
   int epoch_ = 0, asked_ = 0;
   bool is_to_forget_ = false;

@@ -10,14 +10,19 @@
 namespace facenav::tracking {
 
 struct EpipolarOffset {
-  int points = 0;         // found in both cameras
-  double median_px = 0;   // of the signed distances from the epipolar lines, right camera
-  double spread_px = 0;   // robust standard deviation about that
-  double region_px = 0;   // root mean square of the regions' medians, their noise taken off
+  int points = 0;        // found in both cameras
+  double median_px = 0;  // of the signed distances from the epipolar lines, right camera
+  double spread_px = 0;  // robust standard deviation about that
+
+  /// Whether the face lies off its lines by more than matches err. `allowed_px`: what the head's motion
+  /// between the two exposures of untriggered cameras explains.
+  bool isOutOfStep(double allowed_px = 0.0) const;
+  /// The same of a face that is hardly like the patient's: only what another person's skin, matched by chance,
+  /// cannot show.
+  bool isClearlyOutOfStep() const;
 };
 
 /// Of the last search of a pose (RecoveryPose::matches).
-EpipolarOffset epipolarOffset(const stereo::StereoRig& rig, const SkinPoints& points,
-                              const std::vector<SkinMatch>& matches);
+EpipolarOffset epipolarOffset(const stereo::StereoRig& rig, const std::vector<SkinMatch>& matches);
 
 }  // namespace facenav::tracking
