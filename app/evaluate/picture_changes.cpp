@@ -6,7 +6,8 @@
 namespace facenav::app {
 namespace {
 
-constexpr int kShift_px = 13, kCoarse = 30;  // JPEG quality
+constexpr int kShift_px = 13,  // sideways: nearly a turn of the whole rig
+               kCoarse = 30;  // JPEG quality
 constexpr double kDarker = 0.85;
 
 // As `camera` sees it, turned by `turn` (new axes from the mirrored ones), of what `other` saw.
@@ -27,7 +28,7 @@ cv::Mat mirroredPicture(const stereo::CameraModel& camera, const Eigen::Matrix3d
 
 cv::Mat shifted(const cv::Mat& picture) {
   cv::Mat moved;
-  const cv::Matx23d by(1, 0, 0, 0, 1, kShift_px);
+  const cv::Matx23d by(1, 0, kShift_px, 0, 1, 0);
   cv::warpAffine(picture, moved, by, picture.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return moved;
 }

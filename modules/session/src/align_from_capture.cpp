@@ -97,8 +97,9 @@ void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFra
   const auto diagnosis = stereo::diagnosePair(rig, capture.plain);
   if (diagnosis.isFault()) throw PairError(diagnosis, "not aligned: ");
   if (showsDots(capture)) throw error;
-  throw Error(std::string(error.what()) + "; the capture's picture for the dots shows none", {},
-              "switch the projector on, and make sure that the case is this patient's");
+  throw Error("not aligned: the capture's picture for the dots shows none; without them: " +
+                  std::string(error.what()),
+              {}, "switch the projector on; make sure that the case is this patient's");
 }
 
 registration::AlignmentStart withSharedDepth(registration::AlignmentStart start, const stereo::StereoRig& rig,

@@ -20,9 +20,8 @@ constexpr double kAgree = 1.5;
 // then they are the more exact. 0.6 to 1.5 in the room, 3 to 5 on a real face with another expression.
 constexpr double kAsExpected = 2.0;
 // On the variance of patches that the skin's motion pulls along. The room's grimaces want less, a real
-// person's more (two pairs of cameras agree best at 4 to 16 in all, with 4 for the plain pair's shape
-// within); 2 is in between.
-constexpr double kPatchDoubt = 2.0;
+// person's more: chosen by how two pairs of cameras agree on one person.
+constexpr double kPatchDoubt = 4.0;
 constexpr double kKnownLook = 0.8;     // share of the windows in place: 0.6-0.8 with another expression
 constexpr double kSamePlace_mm = 3.0;  // of the face, all the same
 // Agreement of both cameras on fine detail: 0.73 and more in uncompressed pictures of the room, 0.35 to 0.6

@@ -13,6 +13,7 @@ constexpr double kFreedom = 3.0;       // of Student's t
 constexpr int kRounds = 12;            // of reweighting
 constexpr double kUpperFace_mm = 1.3;  // mobility of skin that tells where the skull is
 constexpr double kLeastScale = 0.3;    // of the errors by those expected
+constexpr double kRig_rad = 0.15 * M_PI / 180, kRig_mm = 0.3;  // of each camera's own pose, by rig and lens
 // Coarse to fine: each level is searched until it has settled.
 constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};
 
@@ -122,8 +123,9 @@ std::vector<Eigen::Matrix2d> precisionOf(const SkinPoints& points, const std::ve
 
 // Each camera's own pose, from where both are searched.
 void compareSides(const SkinPoints& points, const std::vector<SkinMatch>& matches, RecoveryPose& pose) {
-  Vector6d xi[2];
-  Matrix6d covariance = Matrix6d::Zero();
+  Vector6d xi[2], rig_error;
+  rig_error << Eigen::Vector3d::Constant(kRig_rad), Eigen::Vector3d::Constant(kRig_mm);
+  Matrix6d covariance = rig_error.cwiseAbs2().asDiagonal();
   for (int c = 0; c < 2; ++c) {
     std::vector<SkinMatch> own;
     for (const auto& match : matches)
