@@ -97,9 +97,11 @@ void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFra
   const auto diagnosis = stereo::diagnosePair(rig, capture.plain);
   if (diagnosis.isFault()) throw PairError(diagnosis, "not aligned: ");
   if (showsDots(capture)) throw error;
-  throw Error("not aligned: the capture's picture for the dots shows none; without them: " +
-                  std::string(error.what()),
-              {}, "switch the projector on; make sure that the case is this patient's");
+  std::string reason = error.what();
+  const std::string prefix = "not aligned: ";
+  if (reason.rfind(prefix, 0) == 0) reason.erase(0, prefix.size());
+  throw Error(prefix + "the capture's picture for the dots shows none (switch the projector on); without them: " +
+              reason);
 }
 
 registration::AlignmentStart withSharedDepth(registration::AlignmentStart start, const stereo::StereoRig& rig,
