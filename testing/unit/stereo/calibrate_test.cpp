@@ -145,6 +145,19 @@ TEST(Calibrate, RefusesACameraThatLags) {
   }
 }
 
+TEST(Calibrate, RefusesWhereFewerThanEightViewsStoodStill) {
+  const auto views = laggingViews(support::convergingRig(), 12, {1, 3, 6, 8, 10}, 3.0, 11);
+  try {
+    calibrated(views);
+    FAIL() << "a rig was made of 7 views";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the cameras were not triggered together"));
+    EXPECT_THAT(error.what(), HasSubstr("in 5 of 12 views"));
+    EXPECT_THAT(error.what(), HasSubstr("7 views are left and 8 are needed"));
+    EXPECT_THAT(error.what(), HasSubstr("trigger both cameras together"));
+  }
+}
+
 TEST(Calibrate, AsksForAnglesOnlyWhereTheyLack) {
   const auto flat = syntheticViews(support::convergingRig(), 10, 0.1, 19, 0.1);
   EXPECT_THAT(calibrated(flat).warnings, ::testing::Contains(HasSubstr("more angles")));
@@ -198,8 +211,20 @@ TEST(Calibrate, TakesAFullerModelOnlyWhereViewsLeftOutGainByIt) {
   strong.left.distortion = strong.right.distortion = support::distortion({-0.35, 0.35, 0, 0, -0.9});
   const auto fuller = calibrated(syntheticViews(strong, 20, 0.02, 7));
   EXPECT_NE(fuller.model, "k1 k2 p1 p2");
-  EXPECT_EQ(fuller.models.size(), 3u);
+  EXPECT_EQ(fuller.models.size(), 4u);
   for (const auto& model : fuller.models) EXPECT_GT(model.held_out_rms_px, 0);
+}
+
+TEST(Calibrate, TangentialTermsStayWhereTheLensHasThem) {
+  StereoRig rig = support::convergingRig();
+  rig.left.distortion = rig.right.distortion = support::distortion({-0.2, 0.1, 0.003, -0.003});
+  EXPECT_EQ(calibrated(syntheticViews(rig, 14, 0.1, 7)).model, "k1 k2 p1 p2");
+  rig.left.distortion = rig.right.distortion = support::distortion({-0.2, 0.1, 0, 0});
+  const Calibration centred = calibrated(syntheticViews(rig, 14, 0.1, 7));
+  EXPECT_EQ(centred.model, "k1 k2");
+  EXPECT_EQ(centred.rig.left.distortion.at<double>(2), 0);
+  EXPECT_NEAR(centred.rig.left.distortion.at<double>(0), -0.2, 0.02);
+  EXPECT_LT(centred.rms_px, 0.15);
 }
 
 TEST(Calibrate, WarnsOfSwappedSides) {
