@@ -3,12 +3,15 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "facenav/stereo/reduced_pair.h"
 
 namespace facenav::session {
 namespace {
 
 constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;  // the landmarks' centre: all of a face
 constexpr double kAround_mm = 150.0;
+// Plain skin shows little that is finer than this: larger pictures are reduced.
+constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
 constexpr std::int64_t kMostMeasured =
     40;  // frames; more hardly gain, and each takes some tenths of a second
 
@@ -49,6 +52,15 @@ FaceInSpace moved(const FaceInSpace& first, const Eigen::Isometry3d& now_T_first
   return now;
 }
 
+int plainReduction(const stereo::StereoRig& rig, const FaceInSpace& face) {
+  return stereo::reductionFor(rig, face.centre ? face.centre->mm.z() : kUnknownDepth_mm,
+                              kPlainSkin_px_per_mm);
+}
+
+void toWholePicture(stereo::FaceCloud& cloud, int times) {
+  for (auto& px : cloud.left_px) px = stereo::inWholePicture(px, times);
+}
+
 /// False where the frame shows too little to measure.
 bool addFrame(const stereo::StereoRig& rig, const stereo::StereoFrame& frame, const FaceInSpace& first,
               const Eigen::Isometry3d& now_T_first, stereo::CloudFusion& fusion) {
@@ -69,7 +81,10 @@ MeasuredFace measurePair(const stereo::StereoRig& rig, const stereo::StereoFrame
   MeasuredFace result;
   result.landmarks = findFace(rig, plain, detector);
   result.first = std::make_shared<const stereo::StereoFrame>(plain);
-  result.cloud.face = measureNear(rig, measured, has_dots, result.landmarks, monitor);
+  const int times = has_dots ? 1 : plainReduction(rig, result.landmarks);
+  result.cloud.face = measureNear(stereo::reduced(rig, times), stereo::reduced(measured, times), has_dots,
+                                  result.landmarks, monitor);
+  toWholePicture(result.cloud.face, times);
   if (result.cloud.face.cloud.empty()) refuseEmpty();
   result.cloud.frames.assign(result.cloud.face.cloud.size(), 1);
   return result;
@@ -84,19 +99,24 @@ MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::in
   result.landmarks = findFace(rig, *result.first, detector);
   tracker.setPace(tracking::Pace::patient);
   tracker.start(rig, {*result.first, {}, {}});
-  stereo::CloudFusion fusion(rig, stereo::kPlainSkinError_px);
-  fusion.add(measureNear(rig, *result.first, false, result.landmarks, monitor),
+  const int times = plainReduction(rig, result.landmarks);
+  const stereo::StereoRig small = stereo::reduced(rig, times);
+  stereo::CloudFusion fusion(small, stereo::kPlainSkinError_px);
+  fusion.add(measureNear(small, stereo::reduced(*result.first, times), false, result.landmarks, monitor),
              Eigen::Isometry3d::Identity());
-  const std::int64_t step = (last - first) / kMostMeasured + 1;
+  const std::int64_t step =
+      std::min(last - first, film.frameCount().value_or(last - first)) / kMostMeasured + 1;
+  std::int64_t at = 0;
   for (auto frame = film.next(); frame && frame->number <= last; frame = film.next()) {
     monitor.report("frames", double(frame->number - first) / double(last - first));
     const auto pose = tracker.track(*frame);
-    if (pose && (frame->number - first) % step != 0) continue;  // tracked over, not measured
-    const bool is_added =
-        pose && addFrame(rig, *frame, result.landmarks, pose->camera_T_head.isometry(), fusion);
+    if (pose && ++at % step != 0) continue;  // tracked over, not measured
+    const bool is_added = pose && addFrame(small, stereo::reduced(*frame, times), result.landmarks,
+                                           pose->camera_T_head.isometry(), fusion);
     ++(is_added ? result.fused : result.lost);
   }
   result.cloud = fusion.fused();
+  toWholePicture(result.cloud.face, times);
   if (result.cloud.face.cloud.empty()) refuseEmpty();
   return result;
 }

@@ -67,6 +67,20 @@ FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, c
   return face;
 }
 
+// Plain skin shows too little to be searched block by block: its surface is found over the whole picture, to
+// a pixel or so.
+PointCloud<Camera> roughSurface(const Rectification& rectification, const RectifiedPair& pair) {
+  MatchOptions whole;
+  whole.largest_sigma_px = 2.0;  // holes filled, too
+  const cv::Mat disparity = makeDenseMatcher("sgm")->match(rectification, pair, whole).disparity_px;
+  PointCloud<Camera> rough;
+  for (int y = 0; y < disparity.rows; ++y)
+    for (int x = 0; x < disparity.cols; ++x)
+      if (const float d = disparity.at<float>(y, x); !std::isnan(d))
+        rough.points_mm.push_back(rectification.point_mm(x, y, d));
+  return rough;
+}
+
 FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
                       TaskMonitor& monitor) {
   const auto matcher = makeDenseMatcher(options.matcher);
@@ -76,7 +90,10 @@ FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const Face
   const RectifiedPair pair = applyRectification(rectification, frame);
   monitor.report("match", 0.2);
   MatchOptions match = options.match;
-  if (options.expected) match.predicted_px = blocksOf(rectification, pair.left.size(), *options.expected);
+  if (options.expected)
+    match.predicted_px = blocksOf(rectification, pair.left.size(), *options.expected);
+  else if (!options.has_dots)
+    match.predicted_px = blocksOf(rectification, pair.left.size(), roughSurface(rectification, pair));
   const DisparityMap map = matcher->match(rectification, pair, match);
   monitor.report("triangulate", 0.9);
   FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map),
