@@ -42,7 +42,10 @@ stereo::FaceCloud measureNear(const stereo::StereoRig& rig, const stereo::Stereo
 std::shared_ptr<const stereo::StereoFrame> frameOf(capture::FrameSource& film, std::int64_t number) {
   while (auto frame = film.next())
     if (frame->number == number) return frame;
-  throw Error("the film has no frame " + std::to_string(number), {}, "look into timestamps.csv");
+  const auto count = film.frameCount();
+  throw Error("the film has no frame " + std::to_string(number), {},
+              count ? "it has " + std::to_string(*count) + " frames, look into timestamps.csv"
+                    : "look into timestamps.csv");
 }
 
 /// Where the face of the first frame is now.
