@@ -65,7 +65,7 @@ void run(const Arguments& arguments, Context& context) {
   const stereo::Calibration result = stereo::calibrate(pairs, board, context.monitor);
   char board_text[96];
   std::snprintf(board_text, sizeof board_text, "%s, %g mm", arguments.board.c_str(), board.square_mm);
-  stereo::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow()});
+  stereo::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow(), result.at_head});
   for (const auto& warning : result.warnings) logWarning(warning);
   if (!context.is_quiet) {
     printViews(result);

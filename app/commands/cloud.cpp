@@ -1,17 +1,18 @@
-// facenav cloud RECORDING [--frame N] [--plain] -o face.ply: the face as the cameras measure it.
+// facenav cloud RECORDING [--frame N | --frames N..M | --plain] -o face.ply: the face as the cameras measure
+// it.
 
-#include <algorithm>
-#include <cmath>
+#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <opencv2/core.hpp>
 
 #include "commands/commands.h"
-#include "facenav/capture/recording.h"
+#include "facenav/capture/colour_picture.h"
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/session/align_from_capture.h"
-#include "facenav/stereo/face_cloud.h"
+#include "facenav/session/measured_face.h"
+#include "facenav/stereo/cloud_file.h"
 
 namespace facenav::app {
 namespace {
@@ -19,76 +20,92 @@ namespace {
 struct CloudRequest {
   std::filesystem::path recording, output;
   std::optional<std::int64_t> frame;
+  std::string frames;  // "N..M"
   bool is_plain = false;
 };
 
-/// To measure, and to find the face in.
-struct Pictures {
-  stereo::StereoFrame measured, plain;
-  std::string what;  // in words
+struct Measurement {
+  session::MeasuredFace face;
+  cv::Mat colour;    // empty: grey
+  std::string what;  // was measured, in words
 };
 
-Pictures frameOf(const capture::Recording& recording, std::int64_t number) {
-  const auto source = capture::makeSource(recording);
-  while (const auto frame = source->next())
-    if (frame->number == number) return {*frame, *frame, "frame " + std::to_string(number)};
-  throw Error("has no frame " + std::to_string(number), recording.folder.string(),
-              "it has " + std::to_string(recording.frame_count) + " frames");
+std::optional<std::pair<std::int64_t, std::int64_t>> rangeIn(const std::string& text) {
+  const auto dots = text.find("..");
+  if (dots == std::string::npos) return std::nullopt;
+  std::int64_t first = 0, last = 0;
+  const char *begin = text.data(), *middle = begin + dots, *end = begin + text.size();
+  const auto a = std::from_chars(begin, middle, first), b = std::from_chars(middle + 2, end, last);
+  const bool is_whole = a.ec == std::errc() && a.ptr == middle && b.ec == std::errc() && b.ptr == end;
+  if (!is_whole || last < first) return std::nullopt;
+  return std::pair(first, last);
 }
 
-Pictures picturesOf(const capture::Recording& recording, const CloudRequest& request) {
-  if (request.frame) return frameOf(recording, *request.frame);
-  if (request.is_plain && !recording.capture)
+std::string checkRange(const std::string& text) {
+  return rangeIn(text) ? "" : "'" + text + "' is no range of frames: give N..M, 0..20 say";
+}
+
+Measurement ofFilm(Context& context, const CloudRequest& request) {
+  const auto recording = capture::openRecording(request.recording);
+  const auto [first, last] = *rangeIn(request.frames);
+  const auto source = capture::makeSource(recording);
+  const auto detector = context.registrations.face_detector();
+  const auto tracker = context.registrations.head_trackers.create("model");
+  Measurement result{session::measureFilm(*source, first, last, *tracker, *detector, context.monitor),
+                     capture::leftColour(recording, first), ""};
+  result.what = "frames " + request.frames + " (" + std::to_string(result.face.fused) + " fused, " +
+                std::to_string(result.face.lost) + " lost)";
+  return result;
+}
+
+/// One frame of the film; without a number, the first.
+Measurement ofFrame(Context& context, const capture::Recording& recording,
+                    std::optional<std::int64_t> number) {
+  const auto source = capture::makeSource(recording);
+  auto frame = source->next();
+  while (frame && number && frame->number != *number) frame = source->next();
+  if (!frame && number)
+    throw Error("has no frame " + std::to_string(*number), recording.folder.string(),
+                "it has " + std::to_string(recording.frame_count) + " frames");
+  if (!frame)
+    throw Error("has neither a capture/ pair nor frames", recording.folder.string(), "record one first");
+  const auto detector = context.registrations.face_detector();
+  return {session::measurePair(recording.rig, *frame, *frame, false, *detector, context.monitor),
+          capture::leftColour(recording, frame->number),
+          number ? "frame " + std::to_string(*number) : "the film's first frame"};
+}
+
+Measurement ofCapture(Context& context, const capture::Recording& recording, bool is_plain) {
+  const capture::CapturePair& pair = *recording.capture;
+  const bool has_dots = !is_plain && session::showsDots(pair);
+  if (!is_plain && !has_dots) logWarning("capture/ shows no dots: its plain pair is measured, as plain skin");
+  const auto detector = context.registrations.face_detector();
+  return {session::measurePair(recording.rig, has_dots ? pair.pattern : pair.plain, pair.plain, has_dots,
+                               *detector, context.monitor),
+          capture::captureColour(recording), has_dots ? "the pair with dots" : "the plain pair"};
+}
+
+Measurement measured(Context& context, const CloudRequest& request) {
+  if (!request.frames.empty()) return ofFilm(context, request);
+  if (request.frame) return ofFrame(context, capture::openRecording(request.recording), request.frame);
+  const auto recording = capture::openCapture(request.recording);
+  if (recording.capture) return ofCapture(context, recording, request.is_plain);
+  if (request.is_plain)
     throw Error("has no capture/ pair", recording.folder.string(), "choose a frame of the film with --frame");
-  if (request.is_plain) return {recording.capture->plain, recording.capture->plain, "the plain pair"};
-  if (recording.capture) return {recording.capture->pattern, recording.capture->plain, "the pair with dots"};
-  const auto source = capture::makeSource(recording);
-  if (const auto first = source->next()) return {*first, *first, "the film's first frame"};
-  throw Error("has neither a capture/ pair nor frames", recording.folder.string(), "record one first");
-}
-
-/// ASCII PLY, Camera frame, mm; grey of the left image as red, green, blue.
-std::string plyText(const stereo::FaceCloud& face, const cv::Mat& left) {
-  std::string text = "ply\nformat ascii 1.0\ncomment frame: Camera, mm\nelement vertex " +
-                     std::to_string(face.cloud.size()) + "\n";
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    text += std::string("property float ") + name + "\n";
-  for (const char* name : {"red", "green", "blue"}) text += std::string("property uchar ") + name + "\n";
-  text += "property float sigma_mm\nend_header\n";
-  for (std::size_t i = 0; i < face.cloud.size(); ++i) {
-    const Eigen::Vector3d &p = face.cloud.points_mm[i], &n = face.cloud.normals[i];
-    const int column = std::clamp(int(std::lround(face.left_px[i].x())), 0, left.cols - 1);
-    const int row = std::clamp(int(std::lround(face.left_px[i].y())), 0, left.rows - 1);
-    const int grey = left.at<unsigned char>(row, column);
-    char line[200];
-    std::snprintf(line, sizeof line, "%.4f %.4f %.4f %.5f %.5f %.5f %d %d %d %.4f\n", p.x(), p.y(), p.z(),
-                  n.x(), n.y(), n.z(), grey, grey, grey, double(face.sigma_mm[i]));
-    text += line;
-  }
-  return text;
+  if (recording.frame_count == 0)
+    throw Error("has neither a capture/ pair nor frames", recording.folder.string(), "record one first");
+  return ofFrame(context, recording, std::nullopt);
 }
 
 void runCloud(Context& context, const CloudRequest& request) {
-  const auto recording =
-      request.frame ? capture::openRecording(request.recording) : capture::openCapture(request.recording);
-  const Pictures pictures = picturesOf(recording, request);
-  const auto landmarks =
-      session::findFace(recording.rig, pictures.plain, *context.registrations.face_detector());
-  stereo::FaceCloudOptions options;
-  if (landmarks.centre) {  // a hand's breadth and a half before and behind the face
-    options.nearest_mm = std::max(100.0, landmarks.centre->mm.z() - 180.0);
-    options.farthest_mm = landmarks.centre->mm.z() + 220.0;
-  }
-  const auto face = session::cutFace(
-      stereo::measureFace(recording.rig, pictures.measured, options, context.monitor), landmarks);
-  if (face.cloud.empty())
-    throw Error("no point of a face was measured", request.recording.string(),
-                "let the face look towards both cameras, or choose another frame");
-  writeWholeFile(request.output, plyText(face, pictures.plain.left));
-  if (!context.is_quiet)
-    std::printf("%zu points of %s, from %s: %s\n", face.cloud.size(),
-                landmarks.centre ? "the face" : "the nearest surface (no face was found)",
-                pictures.what.c_str(), request.output.c_str());
+  const Measurement result = measured(context, request);
+  const auto& cloud = result.face.cloud;
+  writeWholeFile(request.output,
+                 stereo::plyText(cloud, result.colour.empty() ? result.face.first->left : result.colour));
+  if (context.is_quiet) return;
+  std::printf("%zu points of %s, in %s, from %s: %s\n", cloud.face.cloud.size(),
+              result.face.landmarks.centre ? "the face" : "the nearest surface (no face was found)",
+              result.colour.empty() ? "grey" : "colour", result.what.c_str(), request.output.c_str());
 }
 
 }  // namespace
@@ -99,7 +116,13 @@ void addCloud(CLI::App& app, Context& context) {
   verb->add_option("RECORDING", request->recording, "recording folder with stereo.yml")->required();
   auto* frame =
       verb->add_option("--frame", request->frame, "this frame of the film (default: the capture pair)");
-  verb->add_flag("--plain", request->is_plain, "the capture's pair without dots")->excludes(frame);
+  auto* frames = verb->add_option("--frames", request->frames,
+                                  "these frames of the film, N..M, fused into one face by the head's motion")
+                     ->check(checkRange)
+                     ->excludes(frame);
+  verb->add_flag("--plain", request->is_plain, "the capture's pair without dots")
+      ->excludes(frame)
+      ->excludes(frames);
   verb->add_option("-o,--output", request->output, "face.ply to write (Camera frame, mm)")->required();
   verb->callback([&context, request] { runCloud(context, *request); });
 }

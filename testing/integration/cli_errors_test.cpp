@@ -126,6 +126,15 @@ TEST_F(CommandLine, CloudOfAMissingRecording) {
                 at("face.ply"));
 }
 
+TEST_F(CommandLine, CloudOfWhatIsNoRangeOfFrames) {
+  for (const char* range : {"5", "5..", "..5", "9..5", "a..b"}) {
+    const auto result =
+        runFacenav("cloud " + at("none").string() + " --frames " + range + " -o " + at("face.ply").string());
+    EXPECT_EQ(result.status, 2) << range;
+    EXPECT_THAT(result.errors, HasSubstr("N..M")) << range;
+  }
+}
+
 TEST_F(CommandLine, TrackOfARigWithoutT) {
   fs::create_directories(at("rec/left"));
   fs::create_directories(at("rec/right"));

@@ -47,10 +47,13 @@ double fineContrast(const cv::Mat& image) {
   return cv::norm(grey - smooth, cv::NORM_L2) / std::max(1.0, cv::norm(grey, cv::NORM_L2));
 }
 
-/// The pattern's picture against the plain one.
+}  // namespace
+
 bool showsDots(const capture::CapturePair& capture) {
   return fineContrast(capture.pattern.left) > kDotsContrast * fineContrast(capture.plain.left);
 }
+
+namespace {
 
 /// The calibration does not hold any more: looking elsewhere for the face would not help.
 class CamerasMoved : public Error {

@@ -2,13 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
-#include <random>
 
 #include "facenav/core/error.h"
 #include "support/matchers.h"
 #include "support/stereo_rigs.h"
+#include "synthetic_boards.h"
 
 using namespace facenav;
 using namespace facenav::stereo;
@@ -16,55 +15,6 @@ using ::testing::HasSubstr;
 namespace support = facenav::testing;
 
 namespace {
-
-const Board kBoard{9, 6, 20.0};
-
-// Corners of boards held at random before the rig, with Gaussian noise.
-std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double noise_px, unsigned seed,
-                                      double most_turned_rad = 0.6) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> noise(0, noise_px);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<BoardView> views;
-  while (int(views.size()) < count) {
-    const Eigen::Matrix3d r =
-        expRotation({most_turned_rad * unit(random), most_turned_rad * unit(random), 0.4 * unit(random)});
-    const Eigen::Vector3d t(110 * unit(random), 80 * unit(random), 560 + 150 * unit(random));
-    BoardView view{"view " + std::to_string(views.size()), {}, {}, {}, {}};
-    bool is_inside = true;
-    for (const cv::Point3f& p : boardPoints(kBoard)) {
-      const Eigen::Vector3d q = r * Eigen::Vector3d(p.x - 80, p.y - 50, 0) + t;
-      for (const auto& [camera, point, corners] :
-           {std::tuple(&rig.left, q, &view.left),
-            std::tuple(&rig.right, Eigen::Vector3d(rig.right_T_left.isometry() * q), &view.right)}) {
-        const Eigen::Vector2d pixel = project(*camera, point);
-        is_inside &=
-            pixel.x() > 5 && pixel.y() > 5 && pixel.x() < rig.width_px - 5 && pixel.y() < rig.height_px - 5;
-        corners->emplace_back(float(pixel.x() + noise(random)), float(pixel.y() + noise(random)));
-      }
-    }
-    if (is_inside) views.push_back(view);
-  }
-  return views;
-}
-
-// Pictures whose boards moved by `moved_mm` (and a little turned) before the right camera exposed.
-std::vector<BoardView> laggingViews(const StereoRig& rig, int count, const std::vector<int>& lagging,
-                                    double moved_mm, unsigned seed) {
-  auto views = syntheticViews(rig, count, 0.1, seed);
-  std::mt19937 random(seed + 1);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (const int i : lagging) {
-    cv::Vec3d turn, shift;
-    cv::solvePnP(boardPoints(kBoard), views[std::size_t(i)].right, rig.right.k, rig.right.distortion, turn,
-                 shift);
-    const double angle = M_PI * unit(random);
-    shift += moved_mm * cv::Vec3d(std::cos(angle), std::sin(angle), 0);
-    cv::projectPoints(boardPoints(kBoard), turn + cv::Vec3d(0.003, 0, 0), shift, rig.right.k,
-                      rig.right.distortion, views[std::size_t(i)].right);
-  }
-  return views;
-}
 
 Calibration calibrated(const std::vector<BoardView>& views) {
   TaskMonitor monitor;
@@ -145,6 +95,19 @@ TEST(Calibrate, RefusesACameraThatLags) {
   }
 }
 
+TEST(Calibrate, RefusesWhereFewerThanEightViewsStoodStill) {
+  const auto views = laggingViews(support::convergingRig(), 12, {1, 3, 6, 8, 10}, 3.0, 11);
+  try {
+    calibrated(views);
+    FAIL() << "a rig was made of 7 views";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the cameras were not triggered together"));
+    EXPECT_THAT(error.what(), HasSubstr("in 5 of 12 views"));
+    EXPECT_THAT(error.what(), HasSubstr("7 views are left and 8 are needed"));
+    EXPECT_THAT(error.what(), HasSubstr("trigger both cameras together"));
+  }
+}
+
 TEST(Calibrate, AsksForAnglesOnlyWhereTheyLack) {
   const auto flat = syntheticViews(support::convergingRig(), 10, 0.1, 19, 0.1);
   EXPECT_THAT(calibrated(flat).warnings, ::testing::Contains(HasSubstr("more angles")));
@@ -198,8 +161,20 @@ TEST(Calibrate, TakesAFullerModelOnlyWhereViewsLeftOutGainByIt) {
   strong.left.distortion = strong.right.distortion = support::distortion({-0.35, 0.35, 0, 0, -0.9});
   const auto fuller = calibrated(syntheticViews(strong, 20, 0.02, 7));
   EXPECT_NE(fuller.model, "k1 k2 p1 p2");
-  EXPECT_EQ(fuller.models.size(), 3u);
+  EXPECT_EQ(fuller.models.size(), 4u);
   for (const auto& model : fuller.models) EXPECT_GT(model.held_out_rms_px, 0);
+}
+
+TEST(Calibrate, TangentialTermsStayWhereTheLensHasThem) {
+  StereoRig rig = support::convergingRig();
+  rig.left.distortion = rig.right.distortion = support::distortion({-0.2, 0.1, 0.003, -0.003});
+  EXPECT_EQ(calibrated(syntheticViews(rig, 14, 0.1, 7)).model, "k1 k2 p1 p2");
+  rig.left.distortion = rig.right.distortion = support::distortion({-0.2, 0.1, 0, 0});
+  const Calibration centred = calibrated(syntheticViews(rig, 14, 0.1, 7));
+  EXPECT_EQ(centred.model, "k1 k2");
+  EXPECT_EQ(centred.rig.left.distortion.at<double>(2), 0);
+  EXPECT_NEAR(centred.rig.left.distortion.at<double>(0), -0.2, 0.02);
+  EXPECT_LT(centred.rms_px, 0.15);
 }
 
 TEST(Calibrate, WarnsOfSwappedSides) {

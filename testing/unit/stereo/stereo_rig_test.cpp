@@ -8,6 +8,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/stereo/rig_file.h"
 #include "support/matchers.h"
 #include "support/stereo_rigs.h"
 #include "support/test_data.h"
@@ -168,4 +169,35 @@ TEST(StereoRig, ReadsEveryDistortionLength) {
     const StereoRig read = readRig(folder.path() / "s.yml");
     EXPECT_THAT(project(read.left, {50, 60, 500}), EigenNear(project(rig.left, {50, 60, 500}), 1e-9));
   }
+}
+
+TEST(StereoRig, NotesAndTheEffectAtTheHeadSurviveWritingAndReading) {
+  rigs::TemporaryFolder folder;
+  const auto file = folder.path() / "stereo.yml";
+  const HeadEffect effect{560.5, 0.31, 0.12, 0.07, 0.05, 0.011};
+  writeRig(rigs::convergingRig(), file, {"9x6, 25 mm", 14, "2026-01-02T03:04:05Z", effect});
+  const CalibrationNotes notes = readCalibrationNotes(file);
+  EXPECT_EQ(notes.board, "9x6, 25 mm");
+  EXPECT_EQ(notes.views, 14);
+  EXPECT_EQ(notes.created, "2026-01-02T03:04:05Z");
+  ASSERT_TRUE(notes.at_head);
+  EXPECT_DOUBLE_EQ(notes.at_head->distance_mm, 560.5);
+  EXPECT_DOUBLE_EQ(notes.at_head->point_mm, 0.31);
+  EXPECT_DOUBLE_EQ(notes.at_head->depth_mm, 0.12);
+  EXPECT_DOUBLE_EQ(notes.at_head->length_mm, 0.07);
+  EXPECT_DOUBLE_EQ(notes.at_head->motion_mm, 0.05);
+  EXPECT_DOUBLE_EQ(notes.at_head->motion_deg, 0.011);
+  EXPECT_EQ(readRig(file).width_px, 640);  // keys that it does not know are no error
+}
+
+TEST(StereoRig, AFileWithoutNotesIsReadAsBefore) {
+  rigs::TemporaryFolder folder;
+  const auto file = folder.path() / "stereo.yml";
+  writeRig(rigs::convergingRig(), file);
+  EXPECT_EQ(readWholeFile(file).find("effect"), std::string::npos);
+  const CalibrationNotes notes = readCalibrationNotes(file);
+  EXPECT_TRUE(notes.board.empty());
+  EXPECT_EQ(notes.views, 0);
+  EXPECT_FALSE(notes.at_head);
+  EXPECT_NEAR(readRig(file).baseline_mm(), rigs::convergingRig().baseline_mm(), 1e-9);
 }

@@ -18,6 +18,29 @@ using Corners = std::vector<cv::Point2f>;
 // 0.194, 0.342 px at 0.20, 0.25, 0.30, 0.35, 0.40 (at 0.40 it reaches past the last squares).
 constexpr float kWindowBySpacing = 0.3f;
 
+// Wider pictures are searched at half their size first. Measured on 1024 x 1024: four times as fast.
+constexpr int kLarge_px = 900;
+
+Corners detect(const cv::Mat& image, const Board& board) {
+  Corners corners;
+  const bool is_found =
+      cv::findChessboardCorners(image, {board.columns, board.rows}, corners,
+                                cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
+  return is_found && int(corners.size()) == board.corners() ? corners : Corners();
+}
+
+// Where the corners are, to a pixel or two.
+Corners detectQuickly(const cv::Mat& image, const Board& board) {
+  if (std::max(image.cols, image.rows) > kLarge_px) {
+    cv::Mat half;
+    cv::resize(image, half, {}, 0.5, 0.5, cv::INTER_AREA);
+    Corners corners = detect(half, board);
+    for (auto& corner : corners) corner = 2 * corner + cv::Point2f(0.5f, 0.5f);
+    if (!corners.empty()) return corners;
+  }
+  return detect(image, board);
+}
+
 float leastSpacing_px(const Corners& corners, const Board& board) {
   float least = 1e9f;
   for (int r = 0; r < board.rows; ++r)
@@ -96,11 +119,8 @@ Board boardFromText(const std::string& whole, double square_mm, double marker_mm
 
 std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
   FACENAV_EXPECT(image.type() == CV_8U, "8-bit grey expected");
-  Corners corners;
-  const cv::Size size(board.columns, board.rows);
-  const bool is_found = cv::findChessboardCorners(
-      image, size, corners, cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
-  if (!is_found || int(corners.size()) != board.corners()) return {};
+  Corners corners = detectQuickly(image, board);
+  if (corners.empty()) return {};
   makeRightHanded(board, corners);
   refine(image, board, corners);
   const bool is_order_visible = (board.columns + board.rows) % 2 == 1;

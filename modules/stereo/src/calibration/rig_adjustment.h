@@ -9,14 +9,20 @@
 
 namespace facenav::stereo {
 
+/// Which terms the lens distortion has.
+struct LensTerms {
+  int coefficients = 4;       // 4: k1 k2 p1 p2; 5: and k3; 8: rational
+  bool is_tangential = true;  // false: p1 = p2 = 0
+};
+
 struct RigFit {
   StereoRig rig;
   double focal_sigma_px = 0;  // standard deviations by rig_covariance.h: the larger of fx, fy, both cameras
   double baseline_sigma_mm = 0;
 };
 
-/// `coefficients` of the distortion: 4, 5 or 8. Throws Error when the views do not determine the cameras.
+/// Throws Error when the views do not determine the cameras.
 RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& image_size, const Board& board,
-                 int coefficients);
+                 const LensTerms& lens);
 
 }  // namespace facenav::stereo

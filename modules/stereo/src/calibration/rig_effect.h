@@ -2,7 +2,8 @@
 // What a calibration's covariance means where the head will be: errors in mm and degrees of what the rig
 // measures there.
 
-#include "facenav/stereo/calibrate.h"
+#include "facenav/stereo/head_effect.h"
+#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::stereo {
 

@@ -15,6 +15,8 @@ struct PriorTerms {
   Eigen::MatrixXd jacobian;  // a row per residual, a column per parameter of the rig (order: StereoRig)
 };
 
-PriorTerms priorTerms(const CameraModel& left, const CameraModel& right, const cv::Size& image_size);
+/// `is_tangential` false: p1 and p2 are held at 0.
+PriorTerms priorTerms(const CameraModel& left, const CameraModel& right, const cv::Size& image_size,
+                      bool is_tangential);
 
 }  // namespace facenav::stereo

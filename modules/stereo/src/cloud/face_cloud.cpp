@@ -46,7 +46,8 @@ void requireUsable(const StereoRig& rig, const StereoFrame& frame) {
   }
 }
 
-FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, const cv::Mat& normals) {
+FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, const cv::Mat& normals,
+                  double beside_px) {
   FaceCloud face;
   for (int y = 0; y < map.disparity_px.rows; ++y)
     for (int x = 0; x < map.disparity_px.cols; ++x) {
@@ -61,9 +62,23 @@ FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, c
       face.cloud.normals.push_back(rectification.rectified_R_camera.transpose() *
                                    Eigen::Vector3d(n[0], n[1], n[2]));
       face.left_px.emplace_back(pixel[0], pixel[1]);
-      face.sigma_mm.push_back(float(per_px_mm * map.sigma_px.at<float>(y, x)));
+      face.sigma_mm.push_back(float(per_px_mm * std::hypot(map.sigma_px.at<float>(y, x), beside_px)));
     }
   return face;
+}
+
+// Plain skin shows too little to be searched block by block: its surface is found over the whole picture, to
+// a pixel or so.
+PointCloud<Camera> roughSurface(const Rectification& rectification, const RectifiedPair& pair) {
+  MatchOptions whole;
+  whole.largest_sigma_px = 2.0;  // holes filled, too
+  const cv::Mat disparity = makeDenseMatcher("sgm")->match(rectification, pair, whole).disparity_px;
+  PointCloud<Camera> rough;
+  for (int y = 0; y < disparity.rows; ++y)
+    for (int x = 0; x < disparity.cols; ++x)
+      if (const float d = disparity.at<float>(y, x); !std::isnan(d))
+        rough.points_mm.push_back(rectification.point_mm(x, y, d));
+  return rough;
 }
 
 FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
@@ -75,10 +90,14 @@ FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const Face
   const RectifiedPair pair = applyRectification(rectification, frame);
   monitor.report("match", 0.2);
   MatchOptions match = options.match;
-  if (options.expected) match.predicted_px = blocksOf(rectification, pair.left.size(), *options.expected);
+  if (options.expected)
+    match.predicted_px = blocksOf(rectification, pair.left.size(), *options.expected);
+  else if (!options.has_dots)
+    match.predicted_px = blocksOf(rectification, pair.left.size(), roughSurface(rectification, pair));
   const DisparityMap map = matcher->match(rectification, pair, match);
   monitor.report("triangulate", 0.9);
-  FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map));
+  FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map),
+                           options.has_dots ? 0.0 : kPlainSkinError_px);
   face.epipolar_median_px = epipolarMedian(rectification, pair, map);
   monitor.report("triangulate", 1.0);
   return face;
@@ -98,14 +117,14 @@ void refuseSwapped(const StereoRig& rig, const StereoFrame& frame, const FaceClo
 
 }  // namespace
 
-FaceCloud measureFace(const StereoRig& rig, const StereoFrame& with_dots, const FaceCloudOptions& options,
+FaceCloud measureFace(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
                       TaskMonitor& monitor) {
-  requireUsable(rig, with_dots);
-  FaceCloud face = measureOnce(rig, with_dots, options, monitor);
+  requireUsable(rig, frame);
+  FaceCloud face = measureOnce(rig, frame, options, monitor);
   const bool is_too_few = face.cloud.size() < kFewestPoints;
   if (is_too_few || face.epipolar_median_px > kSuspicious_px)
-    refuseSwapped(rig, with_dots, options, face, monitor);
-  const double row_shift_px = is_too_few ? bestRowShift(rig, with_dots, options) : face.epipolar_median_px;
+    refuseSwapped(rig, frame, options, face, monitor);
+  const double row_shift_px = is_too_few ? bestRowShift(rig, frame, options) : face.epipolar_median_px;
   if (std::abs(row_shift_px) > kMoved_px) {
     char text[96];
     std::snprintf(text, sizeof text, "the images disagree with the calibration by %.1f px across the rows",
@@ -113,8 +132,11 @@ FaceCloud measureFace(const StereoRig& rig, const StereoFrame& with_dots, const 
     throw Error(text, {}, "the cameras have moved: calibrate again");
   }
   if (is_too_few)
-    throw Error("no dots found: only " + std::to_string(face.cloud.size()) + " points match in both images",
-                {}, "check projector, exposure, depth range and calibration");
+    throw Error((options.has_dots ? "no dots found: only " : "too little texture: only ") +
+                    std::to_string(face.cloud.size()) + " points match in both images",
+                {},
+                options.has_dots ? "check projector, exposure, depth range and calibration"
+                                 : "check light, focus, depth range and calibration");
   return face;
 }
 

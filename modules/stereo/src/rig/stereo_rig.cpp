@@ -37,6 +37,10 @@ class RigReader {
     if (!found.isInt() && !found.isReal()) return std::nullopt;
     return double(found);
   }
+  std::string text(const std::string& key) const {
+    const cv::FileNode found = storage_[key];
+    return found.isString() ? std::string(found) : std::string();
+  }
   int size(const std::string& key) const {
     const cv::FileNode found = node(key);
     if (!found.isInt() && !found.isReal()) fail("key '" + key + "' is no number");
@@ -131,10 +135,18 @@ cv::Mat toMat(const Eigen::Matrix3d& m) {
   return mat;
 }
 
+// Key of each figure of the effect at the head.
+const std::pair<const char*, double HeadEffect::*> kEffectKeys[] = {
+    {"effect_distance_mm", &HeadEffect::distance_mm}, {"effect_point_mm", &HeadEffect::point_mm},
+    {"effect_depth_mm", &HeadEffect::depth_mm},       {"effect_length_mm", &HeadEffect::length_mm},
+    {"effect_motion_mm", &HeadEffect::motion_mm},     {"effect_motion_deg", &HeadEffect::motion_deg}};
+
 void writeNotes(cv::FileStorage& storage, const CalibrationNotes& notes) {
   if (!notes.board.empty()) storage << "board" << notes.board;
   if (notes.views > 0) storage << "views" << notes.views;
   if (!notes.created.empty()) storage << "created" << notes.created;
+  if (!notes.at_head) return;
+  for (const auto& [key, figure] : kEffectKeys) storage << key << (*notes.at_head).*figure;
 }
 
 }  // namespace
@@ -153,6 +165,18 @@ StereoRig readRig(const std::filesystem::path& path) {
       rig.covariance.rows != int(14 + rig.left.distortion.total() + rig.right.distortion.total()))
     rig.covariance.release();  // of another model: says nothing about this one
   return rig;
+}
+
+CalibrationNotes readCalibrationNotes(const std::filesystem::path& path) {
+  const RigReader reader(path);
+  CalibrationNotes notes{reader.text("board"), int(reader.number("views").value_or(0)),
+                         reader.text("created"), HeadEffect()};
+  for (const auto& [key, figure] : kEffectKeys) {
+    const auto value = reader.number(key);
+    if (value && notes.at_head) (*notes.at_head).*figure = *value;
+    if (!value) notes.at_head.reset();  // half of it says nothing
+  }
+  return notes;
 }
 
 void writeRig(const StereoRig& rig, const std::filesystem::path& path) {

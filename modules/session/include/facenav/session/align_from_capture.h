@@ -35,6 +35,9 @@ FaceInSpace findFace(const stereo::StereoRig& rig, const stereo::StereoFrame& pl
 /// The face's part of a cloud: near the landmarks where there are any, else the nearest large surface.
 stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& face);
 
+/// False where the pattern's picture shows no more than the plain one: the projector was off.
+bool showsDots(const capture::CapturePair& capture);
+
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 
 struct AlignmentOutcome {

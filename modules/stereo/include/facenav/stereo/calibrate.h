@@ -18,6 +18,7 @@
 
 #include "facenav/core/task_monitor.h"
 #include "facenav/stereo/chessboard.h"
+#include "facenav/stereo/head_effect.h"
 #include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::stereo {
@@ -43,7 +44,7 @@ struct ViewReport {
 };
 
 struct ModelReport {
-  std::string name;            // "k1 k2 p1 p2", "k1 k2 p1 p2 k3", "rational"
+  std::string name;            // "k1 k2 p1 p2", "k1 k2", "k1 k2 p1 p2 k3", "rational"
   double rms_px = 0;           // of the views it was fitted to
   double held_out_rms_px = 0;  // of views left out in turn
 };
@@ -52,15 +53,6 @@ struct ModelReport {
 struct ParameterError {
   std::string name;  // "left fx px", "right k1", "yaw deg", "baseline mm"
   double value = 0, sigma = 0;
-};
-
-/// One standard deviation, by the rig's covariance, of what it measures where the boards were held.
-struct HeadEffect {
-  double distance_mm = 0;                // from the left camera
-  double point_mm = 0;                   // a point's place in Camera
-  double depth_mm = 0;                   // its distance; the rest turns all points alike
-  double length_mm = 0;                  // of 100 mm
-  double motion_mm = 0, motion_deg = 0;  // of a face moved by 20 mm and turned by 5 deg
 };
 
 struct Calibration {
@@ -78,8 +70,8 @@ struct Calibration {
   int usedViews() const;
 };
 
-/// Throws Error: no pairs, sizes differ, board found in too few of them, the board moved between the two
-/// exposures in most of them.
+/// Throws Error: no pairs, sizes differ, board found in too few of them, too few views left in which the
+/// board stood still between the two exposures.
 Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& board, TaskMonitor& monitor);
 /// The same from corners already found.
 Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size& image_size,

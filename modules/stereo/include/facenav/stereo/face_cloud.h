@@ -34,6 +34,24 @@ inline MatchOptions quickSkinOptions() {
   return options;
 }
 
+/// For skin as it is, without dots: a wider window and less detail than with dots. Of the settings tried,
+/// those on which two pairs of cameras agree best about a real face.
+inline MatchOptions plainSkinOptions() {
+  MatchOptions options;
+  options.window_sigma_px = 4.0;
+  options.steps = 3;
+  options.details = 1;
+  options.least_correlation = 0.3;  // sigma decides
+  options.largest_sigma_px = 0.5;
+  options.smallest_patch_px = 1000;
+  return options;
+}
+
+/// Of the disparity of plain skin, one standard deviation, beside what the match predicts: its texture is
+/// coarser than the window, so that neighbours, and frames of one face, share this error (a rendered face of
+/// known shape; a real one under two pairs).
+constexpr double kPlainSkinError_px = 0.15;
+
 struct FaceCloudOptions {
   double nearest_mm = 300.0, farthest_mm = 1500.0;  // depth range searched
   std::optional<cv::Rect> left_roi;                 // in the left image as recorded; empty: the whole image
@@ -44,7 +62,17 @@ struct FaceCloudOptions {
   /// found.
   std::shared_ptr<const PointCloud<Camera>> expected;
   MatchOptions match = skinOptions();  // limits of what is believed
+  /// False: plain skin. The surface is found by "sgm" first, and points are off by more than the match tells.
+  bool has_dots = true;
 };
+
+/// For pictures without dots: what was made for dots takes noise for detail there.
+inline FaceCloudOptions plainFaceOptions() {
+  FaceCloudOptions options;
+  options.match = plainSkinOptions();
+  options.has_dots = false;
+  return options;
+}
 
 struct FaceCloud {
   PointCloud<Camera> cloud;              // one point per matched left pixel; normals unit, towards the camera
@@ -53,9 +81,10 @@ struct FaceCloud {
   double epipolar_median_px = 0.0;  // agreement of matched corners with the calibration, before rectification
 };
 
-/// Measures the scene lit by the dot pattern. Throws Error when the images are black, of the wrong size, or
-/// hold no texture that matches ("no dots found: ...").
-FaceCloud measureFace(const StereoRig& rig, const StereoFrame& with_dots, const FaceCloudOptions& options,
+/// Measures the scene lit by the dot pattern, or plain skin (`has_dots`). Throws Error when the images are
+/// black, of the wrong size, or hold no texture that matches ("no dots found: ...", "too little texture:
+/// ...").
+FaceCloud measureFace(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
                       TaskMonitor& monitor);
 
 }  // namespace facenav::stereo
