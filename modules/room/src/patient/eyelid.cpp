@@ -14,7 +14,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr double kDrawn_mm = 2.2, kDrawnReach_mm = 14.0;  // skin between lid and brow follows the lid
 constexpr double kBulge_mm = 0.8, kBulgeReach_mm = 18.0;  // the lid stands proud of the eye
 constexpr double kSoft_mm = 0.5, kAboveRim_mm = 0.8, kLash_mm = 0.7;
-constexpr float kLidAlbedo = 0.36f, kLashAlbedo = 0.12f;
+constexpr float kLidAlbedo = 0.30f, kLashAlbedo = 0.12f;
 
 /// The first of the eye's six landmarks: a corner, two above, the other corner, two below.
 constexpr std::array<std::size_t, 2> kEyes{36, 42};
