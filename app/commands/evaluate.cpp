@@ -2,8 +2,10 @@
 // the virtual room, or over recordings with truth, against the accuracy goals.
 
 #include <cstdio>
+#include <set>
 
 #include "commands/commands.h"
+#include "commands/option_flags.h"
 #include "evaluate/evaluation_head.h"
 #include "evaluate/evaluation_plan.h"
 #include "evaluate/evaluation_run.h"
@@ -116,27 +118,19 @@ void runEvaluate(Context& context, const EvaluateRequest& request) {
               (fs::absolute(request.output) / "report.html").c_str());
 }
 
-/// Options of the room that all runs share; the plan sets the rest.
-void addRoomFlags(CLI::App& verb, room::ScenarioOptions& options) {
-  verb.add_option("--noise-grey", options.noise_grey, "sensor noise, grey levels")
-      ->check(CLI::Range(0.0, 50.0))
-      ->capture_default_str();
-  verb.add_option("--gamma", options.gamma, "of the cameras' tone curve")
-      ->check(CLI::Range(0.2, 5.0))
-      ->capture_default_str();
-  verb.add_option("--blur-px", options.blur_px, "lens blur")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  verb.add_option("--exposure", options.exposure, "of both cameras")
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
-  verb.add_option("--frames-per-s", options.frames_per_s, "frame rate")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->capture_default_str();
-  verb.add_option("--head-distance-mm", options.head_distance_mm, "from the cameras to the face")
-      ->check(CLI::Range(200.0, 3000.0))
-      ->capture_default_str();
-}
+/// Flags for the options of the room that all runs share; the plan sets the rest.
+struct SharedFlags {
+  CLI::App& verb;
+  template <class Value>
+  void operator()(const Field& field, Value& value) {
+    static const std::set<std::string> shared{
+        "noise_grey",       "gamma",        "blur_px",        "exposure",        "frames_per_s",
+        "head_distance_mm", "jpeg_quality", "gloss",          "haze_grey",       "right_gain",
+        "right_gamma",      "blinks",       "hair_sway_mm",   "skin_contrast",   "bayer",
+        "grey_red",         "grey_blue",    "right_grey_red", "right_grey_blue", "rig"};
+    if (shared.count(field.name)) FlagVisitor{verb}(field, value);
+  }
+};
 
 }  // namespace
 
@@ -174,7 +168,7 @@ void addEvaluate(CLI::App& app, Context& context) {
   verb->add_option("--frames", room.frames, "of each scenario (0: its own length)")
       ->check(CLI::Range(0, 100000));
   verb->add_flag("--quick", room.is_quick, "one seed, few frames, five captures");
-  addRoomFlags(*verb, room.room);
+  room::ScenarioOptions::visit(room.room, SharedFlags{*verb});
   verb->add_option("--recording", request->recordings,
                    "recordings with truth/ instead of the virtual room (with one --case)");
   verb->add_option("--target", request->target,

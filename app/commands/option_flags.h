@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <string>
 
 #include "facenav/core/field.h"
 
@@ -26,6 +27,9 @@ struct FlagVisitor {
   }
   void operator()(const Field& field, bool& value) {
     verb.add_option(flag(field), value, field.help + " (true, false)")->capture_default_str();
+  }
+  void operator()(const Field& field, std::string& value) {
+    verb.add_option(flag(field), value, field.help)->capture_default_str();
   }
   void operator()(const Field& field, std::uint64_t& value) {
     verb.add_option(flag(field), value, field.help)->capture_default_str();

@@ -29,35 +29,25 @@ int framesOf(const EvaluationRequest& request, const std::string& scenario) {
   return scenario == "still" ? 15 : has_parts ? kQuickLost : kQuickFrames;
 }
 
-struct NamedRig {
-  std::string name;
-  room::RigOptions options;
-};
-
-/// The first is the room's own; the others are drawn by number.
-std::vector<NamedRig> rigsOf(const EvaluationRequest& request) {
-  std::vector<NamedRig> rigs;
-  for (int i = 0; i < request.rigs; ++i) {
-    const auto options = i == 0 ? request.room.rig : room::randomRig(std::uint64_t(i));
-    char name[96];
-    std::snprintf(name, sizeof name, "f %.0f b %.0f toe-in %.0f roll %.0f", options.focal_px,
-                  options.baseline_mm, options.convergence_deg, options.roll_deg);
-    rigs.push_back({name, options});
-  }
-  return rigs;
+std::string inWords(const room::RigOptions& rig) {
+  char name[96];
+  std::snprintf(name, sizeof name, "f %.0f b %.0f toe-in %.0f roll %.0f", rig.focal_px, rig.baseline_mm,
+                rig.convergence_deg, rig.roll_deg);
+  return name;
 }
 
-room::ScenarioOptions optionsOf(const EvaluationRequest& request, const NamedRig& rig,
-                                const std::string& scenario, std::uint64_t seed) {
+/// Rig 0 is the room's or the scenario's own; the others are drawn by number.
+PlannedRun planned(const EvaluationRequest& request, int rig, const std::string& scenario,
+                   std::uint64_t seed) {
   room::ScenarioOptions options = request.room;
-  options.rig = rig.options;
+  if (rig > 0) options.rig = room::randomRig(std::uint64_t(rig)), options.rig_name = "room";
   options.name = scenario;
   options.seed = seed;
   const bool is_capture = scenario == kCapture;
   options.frames = is_capture ? 1 : framesOf(request, scenario);
   options.seat_turn_deg = is_capture ? kCaptureTurn_deg : kSeatTurn_deg;
   options.seat_shift_mm = is_capture ? kCaptureShift_mm : kSeatShift_mm;
-  return options;
+  return {options, inWords(room::resolved(options).rig)};
 }
 
 }  // namespace
@@ -77,18 +67,14 @@ std::vector<PlannedRun> plannedRuns(const EvaluationRequest& request) {
   const int captures = !has_captures      ? 0
                        : request.is_quick ? std::min(request.captures, kQuickCaptures)
                                           : request.captures;
-  const auto rigs = rigsOf(request);
   std::vector<PlannedRun> runs;
-  for (int i = 0; i < captures; ++i) {  // the rigs take turns
-    const NamedRig& rig = rigs[std::size_t(i) % rigs.size()];
-    runs.push_back({optionsOf(request, rig, kCapture, std::uint64_t(request.first_seed + i)), rig.name});
-  }
+  for (int i = 0; i < captures; ++i)  // the rigs take turns
+    runs.push_back(planned(request, i % request.rigs, kCapture, std::uint64_t(request.first_seed + i)));
   const int seeds = request.is_quick ? 1 : request.seeds;
-  for (const auto& rig : rigs)
+  for (int rig = 0; rig < request.rigs; ++rig)
     for (int seed = 0; seed < seeds; ++seed)
       for (const auto& scenario : scenarios)
-        runs.push_back(
-            {optionsOf(request, rig, scenario, std::uint64_t(request.first_seed + seed)), rig.name});
+        runs.push_back(planned(request, rig, scenario, std::uint64_t(request.first_seed + seed)));
   return runs;
 }
 

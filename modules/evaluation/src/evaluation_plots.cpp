@@ -104,8 +104,9 @@ void addCoil(const std::vector<RunRecord>& runs, Album& album, const char* file,
 }
 
 void addTimelines(const std::vector<RunRecord>& runs, Album& album) {
-  for (const char* scenario : {"talking", "occlusion", "lighting", "glint", "mask", "mask_on", "other_face",
-                               "lost", "grimace", "grimace_other", "returns", "out_of_step"}) {
+  for (const char* scenario :
+       {"talking", "occlusion", "lighting", "glint", "mask", "mask_on", "other_face", "lost", "grimace",
+        "grimace_other", "returns", "out_of_step", "moments", "moments_other"}) {
     std::vector<Curve> curves;
     double last_s = 0.1;
     for (const auto& run : runs) {

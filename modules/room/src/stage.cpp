@@ -8,6 +8,8 @@
 #include "patient/face_mask.h"
 #include "patient/face_shape.h"
 #include "patient/head_look.h"
+#include "patient/loose_hair.h"
+#include "patient/skin_mesh.h"
 #include "patient/stranger.h"
 #include "props/marker_plate.h"
 
@@ -54,10 +56,17 @@ struct Stage::Implementation {
   RayScene scene;
   std::vector<std::shared_ptr<const Look>> looks;
   int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1;
+  struct Locks {
+    std::unique_ptr<LooseHair> hair;  // grown when hair first is loose
+    int object = -1;                  // -1: none grow here
+    HairPose pose;
+  };
+  Locks locks;  // the patient's
   struct Stranger {
     std::shared_ptr<const VirtualPatient> person;
     std::unique_ptr<FaceShape> face;
     int object = -1;
+    Locks locks;
   };
   std::map<std::uint64_t, Stranger> strangers;  // made when they first come in
   std::array<CameraRays, 2> rays;
@@ -94,6 +103,24 @@ struct Stage::Implementation {
     scene.setPose(mask, (camera_T_room * cast.room_T_mri).isometry());
   }
 
+  void placeLocks(const VirtualPatient& person, std::uint64_t seed, bool is_there, const Cast& cast,
+                  Locks& own) {
+    const bool is_loose = cast.hair.sway_mm > 0.0;
+    if (is_loose && is_there && !own.hair) {
+      own.hair = std::make_unique<LooseHair>(person, seed);
+      if (!own.hair->mesh().triangles.empty())
+        own.object = add(own.hair->mesh(), makeLockLook(own.hair->mesh()));
+    }
+    if (own.object < 0) return;
+    if (is_there && !(own.pose == cast.hair)) {
+      const auto vertices_mm = own.hair->vertices_mm(cast.hair);
+      scene.setVertices(own.object, vertices_mm, vertexNormals(vertices_mm, own.hair->mesh().triangles));
+      own.pose = cast.hair;
+    }
+    scene.setShown(own.object, is_there && is_loose);
+    scene.setPose(own.object, (camera_T_room * cast.room_T_mri).isometry());
+  }
+
   void placeStranger(const Cast& cast) {
     if (cast.stranger != 0 && !strangers.count(cast.stranger)) {
       Stranger& one = strangers[cast.stranger];
@@ -102,11 +129,12 @@ struct Stage::Implementation {
       one.object = add(one.person->visible, makeHeadLook(*one.person, *one.face));
     }
     scene.setShown(head, cast.stranger == 0);
-    for (const auto& [seed, one] : strangers) {
-      if (one.face->set(0.0, 0.0, cast.expression))
+    for (auto& [seed, one] : strangers) {
+      if (one.face->set(cast.jaw_mm, 0.0, cast.expression, cast.hair))
         scene.setVertices(one.object, one.face->vertices_mm(), one.face->normals());
       scene.setShown(one.object, seed == cast.stranger);
       scene.setPose(one.object, (camera_T_room * cast.room_T_mri).isometry());
+      placeLocks(*one.person, seed + 1, seed == cast.stranger, cast, one.locks);
     }
   }
 
@@ -144,6 +172,7 @@ Stage::Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<
   all.plate = all.add(plateMesh(kPlatePerMarker * coil.marker_size_mm, kPlatePerMarker * coil.marker_size_mm),
                       makeMarkerLook(coil.dictionary, coil.marker_id, coil.marker_size_mm));
   all.hand = all.add(handMesh(), makePlainLook(0.40f, 0.02f, 0.08f));
+  all.lighting.has_colour = films[0].needsColour() || films[1].needsColour();
   set(Cast{});
 }
 
@@ -151,11 +180,12 @@ Stage::~Stage() = default;
 
 void Stage::set(const Cast& cast) {
   auto& all = *implementation_;
-  if (all.face.set(cast.jaw_mm, cast.lids, cast.expression))
+  if (all.face.set(cast.jaw_mm, cast.lids, cast.expression, cast.hair))
     all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
   all.placeMask(cast);
   all.placeStranger(cast);
+  all.placeLocks(*all.patient, 0, cast.stranger == 0, cast, all.locks);
   all.scene.setShown(all.coil_body, cast.room_T_coil.has_value());
   all.scene.setShown(all.plate, cast.room_T_coil.has_value());
   if (cast.room_T_coil) {
@@ -183,8 +213,13 @@ stereo::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::u
   frame.number = number;
   frame.captured = Timestamp{time_s};
   const auto& films = implementation_->films;
-  frame.left = develop(views[0].radiance * (is_left_open ? 1.0 : 0.0), films[0], 2 * noise_seed);
-  frame.right = develop(views[1].radiance * (is_right_open ? 1.0 : 0.0), films[1], 2 * noise_seed + 1);
+  const auto picture = [&](std::size_t camera, bool is_open) {
+    const double open = is_open ? 1.0 : 0.0;
+    const cv::Mat red = views[camera].red.empty() ? cv::Mat() : cv::Mat(views[camera].red * open);
+    return develop(views[camera].radiance * open, films[camera], 2 * noise_seed + camera, red);
+  };
+  frame.left = picture(0, is_left_open);
+  frame.right = picture(1, is_right_open);
   return frame;
 }
 

@@ -15,6 +15,7 @@
 #include "optics/film.h"
 #include "optics/renderer.h"
 #include "patient/expression.h"
+#include "patient/hair_pose.h"
 
 namespace facenav::room {
 
@@ -32,6 +33,7 @@ struct Cast {
   std::uint64_t stranger = 0;  // another person sits there instead of the patient: which one (0: the patient)
   double jaw_mm = 0.0, lids = 0.0;  // chin lowered; 0 eyes open .. 1 closed
   Expression expression;            // of whoever sits there
+  HairPose hair;                    // of whoever sits there
 };
 
 class Stage {

@@ -22,10 +22,19 @@ std::array<FilmOptions, 2> filmsOf(const ScenarioOptions& options) {
     film.haze_right = gradient();
     film.haze_down = gradient();
     film.jpeg_quality = options.jpeg_quality;
+    film.is_bayer = options.bayer > 0;
   }
+  films[0].red_share = options.grey_red, films[0].blue_share = options.grey_blue;
+  films[1].red_share = options.right_grey_red, films[1].blue_share = options.right_grey_blue;
   films[1].exposure *= options.right_gain;
   films[1].gamma *= options.right_gamma;
   return films;
+}
+
+std::shared_ptr<const VirtualPatient> seated(const ScenarioOptions& options,
+                                             const std::shared_ptr<const VirtualPatient>& patient) {
+  if (options.skin_contrast == 1.0) return patient;
+  return std::make_shared<const VirtualPatient>(withSkinContrast(*patient, options.skin_contrast));
 }
 
 RoomCoil coilFor(const ScenarioOptions& options, const VirtualPatient& patient,
@@ -50,8 +59,9 @@ struct SyntheticSource::Implementation {
                  const RigidTransform<Mri, frames::Target>& t)
       : options(resolved(o)),
         target(t),
-        stage(makeRig(o.rig), o.rig.roll_deg, patient, coilFor(o, *patient, t), filmsOf(options)),
-        script(makeScript(o, *patient, t, stage.coil().marker_T_coil)) {}
+        stage(makeRig(options.rig), options.rig.roll_deg, seated(options, patient),
+              coilFor(options, *patient, t), filmsOf(options)),
+        script(makeScript(options, *patient, t, stage.coil().marker_T_coil)) {}
 
   stereo::StereoFrame photograph(const Moment& moment) {
     const CameraFault fault = moment.fault;

@@ -79,6 +79,16 @@ TEST(Goals, AReturnThatIsNeverFoundCountsAgainstTheGoal) {
   EXPECT_EQ(row.verdict, Verdict::missed);
 }
 
+TEST(Goals, MomentsOfARealFaceHaveTheirOwnRow) {
+  RunRecord run = perfectRun("moments", 40);
+  for (std::size_t i = 5; i < 10; ++i) {
+    run.frames[i].truth.must_be_lost = i < 7;
+    run.frames[i].head_motion.reset();
+  }
+  EXPECT_EQ(goalNamed(judge({run}), "back as a real face").measured, "1 of 1");
+  EXPECT_EQ(goalNamed(judge({run}), "back with another grimace").verdict, Verdict::not_measured);
+}
+
 TEST(Goals, APoseWhileTheCamerasAreOutOfStepIsCounted) {
   RunRecord run = perfectRun("out_of_step", 4);
   run.frames[2].truth.must_be_lost = run.frames[3].truth.must_be_lost = true;

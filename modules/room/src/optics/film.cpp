@@ -20,18 +20,52 @@ cv::Mat hazeOver(const cv::Size& size, const FilmOptions& options) {
   return haze;
 }
 
-cv::Mat compressed(const cv::Mat& grey, int quality) {
+cv::Mat compressed(const cv::Mat& image, int quality) {
+  if (quality <= 0) return image;
   std::vector<std::uint8_t> file;
-  cv::imencode(".jpg", grey, file, {cv::IMWRITE_JPEG_QUALITY, quality});
-  return cv::imdecode(file, cv::IMREAD_GRAYSCALE);
+  cv::imencode(".jpg", image, file, {cv::IMWRITE_JPEG_QUALITY, quality});
+  return cv::imdecode(file, image.channels() == 1 ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+}
+
+cv::Mat blurred(const cv::Mat& light, double blur_px) {
+  cv::Mat soft = light.clone();  // Mat operators of the caller work in place
+  if (blur_px > 0.0) cv::GaussianBlur(light, soft, {}, blur_px, blur_px, cv::BORDER_REPLICATE);
+  return soft;
+}
+
+/// What each photosite of an RGGB mosaic sees.
+cv::Mat mosaic(const cv::Mat& green, const cv::Mat& red) {
+  cv::Mat seen = green.clone();
+  for (int y = 0; y < seen.rows; ++y)
+    for (int x = y % 2; x < seen.cols; x += 2)
+      seen.at<float>(y, x) += y % 2 ? -red.at<float>(y, x) : red.at<float>(y, x);
+  return seen;
+}
+
+/// Linear light on the sensor, behind the lens.
+cv::Mat onSensor(const cv::Mat& radiance, const cv::Mat& red, const FilmOptions& options) {
+  const cv::Mat light = blurred(radiance, options.blur_px);
+  if (red.empty() || !options.needsColour()) return light;
+  const cv::Mat colour = blurred(red, options.blur_px);
+  if (options.is_bayer) return mosaic(light, colour);
+  return light + (options.red_share - options.blue_share) * colour;
+}
+
+/// Demosaiced, compressed in colour as such cameras do, then grey.
+cv::Mat greyOfMosaic(const cv::Mat& seen, const FilmOptions& options) {
+  cv::Mat colour, grey;
+  cv::cvtColor(seen, colour, cv::COLOR_BayerBG2BGR);  // OpenCV's name for RGGB
+  colour = compressed(colour, options.jpeg_quality);
+  const double red = options.red_share, blue = options.blue_share;
+  cv::transform(colour, grey, cv::Matx13d(blue, 1.0 - red - blue, red));
+  return grey;
 }
 
 }  // namespace
 
-cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed) {
-  cv::Mat light = radiance.clone(), grey;  // Mat operators below work in place
-  if (options.blur_px > 0.0)
-    cv::GaussianBlur(radiance, light, {}, options.blur_px, options.blur_px, cv::BORDER_REPLICATE);
+cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed,
+                const cv::Mat& red) {
+  cv::Mat light = onSensor(radiance, red, options), grey;
   light = light * options.exposure;
   if (options.gamma != 1.0) cv::pow(cv::max(light, 0.0), 1.0 / options.gamma, light);
   light = light * 255.0;
@@ -43,7 +77,7 @@ cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64
     light = light + noise;
   }
   light.convertTo(grey, CV_8U);
-  return options.jpeg_quality > 0 ? compressed(grey, options.jpeg_quality) : grey;
+  return options.is_bayer ? greyOfMosaic(grey, options) : compressed(grey, options.jpeg_quality);
 }
 
 }  // namespace facenav::room

@@ -1,6 +1,6 @@
 #pragma once
-// Film: from linear light to the camera's 8-bit image: lens blur, exposure, tone curve, veiling glare, sensor
-// noise, compression.
+// Film: from linear light to the camera's 8-bit grey image: lens blur, colour sensor, exposure, tone curve,
+// veiling glare, sensor noise, compression.
 
 #include <cstdint>
 #include <opencv2/core.hpp>
@@ -15,9 +15,17 @@ struct FilmOptions {
   double haze_grey = 0.0;                    // veiling glare: grey levels added, the mean over the image
   double haze_right = 0.0, haze_down = 0.0;  // its gradient: share of haze_grey from the middle to the border
   int jpeg_quality = 0;  // 1..100: the image is what a JPEG of this quality gives back; 0: not compressed
+  // How colours become grey; green has the rest. Equal shares of red and blue see no colour here, since a
+  // surface's blue is darker by what its red is brighter.
+  double red_share = 1.0 / 3.0, blue_share = 1.0 / 3.0;
+  bool is_bayer = false;  // each pixel sees red, green or blue (RGGB); the image is demosaiced, then grey
+
+  bool needsColour() const { return is_bayer || red_share != blue_share; }
 };
 
-/// 8-bit, size of `radiance` (float, linear light). `noise_seed`: the same seed gives the same noise.
-cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed);
+/// 8-bit, size of `radiance` (float, linear light). `noise_seed`: the same seed gives the same noise. `red`:
+/// how much brighter red is, and blue darker (float); empty: everything is grey.
+cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed,
+                const cv::Mat& red = {});
 
 }  // namespace facenav::room

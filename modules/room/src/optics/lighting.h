@@ -35,6 +35,7 @@ struct Lighting {
   double gloss = 0.0;  // sheen of the skin's oil: 0 none, 1 a face that shines; differs with the eye's place
   double backdrop = 1.0;  // light on the wall, relative to full light
   std::optional<DotProjector> projector;
+  bool has_colour = false;  // colours are asked for
 };
 
 class LightMeter {

@@ -23,6 +23,9 @@ class Look {
  public:
   virtual ~Look() = default;
   virtual Reflectance at(const SurfacePoint& point) const = 0;
+  /// Colour, for cameras that see it: red is 1 + redness times the grey, blue 1 - redness times; green is the
+  /// grey. Gloss has the lamps' colour.
+  virtual float redness(const SurfacePoint&) const { return 0.f; }
   /// True where the albedo has printed edges: every pixel of it is sampled densely.
   virtual bool isPrinted() const { return false; }
   /// Slope of the fine relief (pores) that tilts the surface's normal for the sheen of `Lighting::gloss`, in

@@ -12,6 +12,15 @@ namespace {
 constexpr int kCoarse = 2, kEdge = 3, kDots = 4, kFine = 6;
 constexpr float kBend_mm = 3.f;  // a larger second difference of depth over one pixel is a silhouette
 
+constexpr float kWallRedness = 0.1f;
+
+/// Light from one place: grey, and by how much red is brighter.
+struct Light {
+  float grey = 0.f, red = 0.f;
+  void operator+=(const Light& other) { grey += other.grey, red += other.red; }
+  Light over(float count) const { return {grey / count, red / count}; }
+};
+
 bool areAlike(const Hit& a, const Hit& b) {
   return a.object == b.object && std::abs(a.distance - b.distance) < kBend_mm &&
          a.normal.dot(b.normal) > 0.98;
@@ -38,10 +47,13 @@ struct Shot {
   const std::vector<std::shared_ptr<const Look>>& looks;
   const LightMeter& meter;
   const cv::Mat& backdrop;
-  bool has_dots, has_gloss;
+  bool has_dots, has_gloss, has_colour;
   float backdrop_scale;
 
-  float wall(int x, int y) const { return backdrop_scale * backdrop.at<float>(y, x); }
+  Light wall(int x, int y) const {
+    const float grey = backdrop_scale * backdrop.at<float>(y, x);
+    return {grey, kWallRedness * grey};
+  }
 
   Eigen::Vector3d toEye(const Eigen::Vector3d& p_mm) const { return (rays.origin_mm() - p_mm).normalized(); }
 
@@ -53,33 +65,35 @@ struct Shot {
     return meter.falling(p_mm, hit.normal, toEye(p_mm), relief_normal);
   }
 
-  float shade(const Hit& hit, const LightMeter::Falling& light, const Eigen::Vector3d& p_world_mm,
+  Light shade(const Hit& hit, const LightMeter::Falling& light, const Eigen::Vector3d& p_world_mm,
               const Eigen::Vector3d& p_object_mm) const {
-    const Reflectance r = looks[hit.object]->at({p_object_mm, hit.triangle, hit.u, hit.v});
+    const SurfacePoint point{p_object_mm, hit.triangle, hit.u, hit.v};
+    const Reflectance r = looks[hit.object]->at(point);
     float diffuse = light.diffuse;
     if (has_dots && light.sees_projector) diffuse += meter.dots(p_world_mm, hit.normal);
-    return r.albedo * diffuse + r.gloss * light.highlight + light.sheen;
+    const float grey = r.albedo * diffuse + r.gloss * light.highlight + light.sheen;
+    return {grey, has_colour ? looks[hit.object]->redness(point) * r.albedo * diffuse : 0.f};
   }
 
   /// Samples on the tangent plane of the centre's hit.
-  float smoothPixel(int x, int y, const Hit& hit, bool is_printed) const {
+  Light smoothPixel(int x, int y, const Hit& hit, bool is_printed) const {
     const int side = is_printed ? kFine : has_dots ? kDots : kCoarse;
     const Eigen::Isometry3d& pose = scene.pose(hit.object);
     const Eigen::Vector3d centre_mm = pose * hit.p_object_mm;
     const LightMeter::Falling light = falling(hit, centre_mm);
     const double height = hit.facet_normal.dot(centre_mm - rays.origin_mm());
-    float sum = 0.f;
+    Light sum;
     for (int sample = 0; sample < side * side; ++sample) {
       const auto [dx, dy] = is_printed || has_dots ? place(sample, side) : middleOfCell(sample, side);
       const Eigen::Vector3d along = rays.direction(x + dx, y + dy);
       const Eigen::Vector3d p_mm = rays.origin_mm() + height / hit.facet_normal.dot(along) * along;
       sum += shade(hit, light, p_mm, pose.linear().transpose() * (p_mm - pose.translation()));
     }
-    return sum / float(side * side);
+    return sum.over(float(side * side));
   }
 
-  float edgePixel(int x, int y) const {
-    float sum = 0.f;
+  Light edgePixel(int x, int y) const {
+    Light sum;
     std::optional<Hit> lit;  // the last hit whose light was measured: its neighbours share it
     LightMeter::Falling light;
     for (int sample = 0; sample < kEdge * kEdge; ++sample) {
@@ -96,7 +110,7 @@ struct Shot {
       }
       sum += shade(*hit, light, p_mm, hit->p_object_mm);
     }
-    return sum / float(kEdge * kEdge);
+    return sum.over(float(kEdge * kEdge));
   }
 };
 
@@ -163,11 +177,19 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
                   backdrop_,
                   lighting.projector.has_value(),
                   lighting.gloss > 0.0,
+                  lighting.has_colour,
                   float(lighting.backdrop)};
   const cv::Rect window = windowOf(scene, int(looks.size()), rays_);
   const Sights sights(scene, rays_, window);
-  View view{backdrop_ * lighting.backdrop, cv::Mat::zeros(height, width, CV_32F),
+  View view{backdrop_ * lighting.backdrop,
+            {},
+            cv::Mat::zeros(height, width, CV_32F),
             cv::Mat::zeros(height, width, CV_8U)};
+  if (lighting.has_colour) view.red = view.radiance * kWallRedness;
+  const auto put = [&view](int x, int y, const Light& light) {
+    view.radiance.at<float>(y, x) = light.grey;
+    if (!view.red.empty()) view.red.at<float>(y, x) = light.red;
+  };
   cv::parallel_for_({window.y, window.br().y}, [&](const cv::Range& rows) {
     for (int y = rows.start; y < rows.end; ++y)
       for (int x = window.x; x < window.br().x; ++x) {
@@ -179,9 +201,9 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
           view.object.at<std::uint8_t>(y, x) = std::uint8_t(hit->object + 1);
         }
         if (sights.isEdge(x, y))
-          view.radiance.at<float>(y, x) = shot.edgePixel(x, y);
+          put(x, y, shot.edgePixel(x, y));
         else if (hit)
-          view.radiance.at<float>(y, x) = shot.smoothPixel(x, y, *hit, looks[hit->object]->isPrinted());
+          put(x, y, shot.smoothPixel(x, y, *hit, looks[hit->object]->isPrinted()));
       }
   });
   return view;

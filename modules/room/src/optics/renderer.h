@@ -16,6 +16,7 @@ namespace facenav::room {
 
 struct View {
   cv::Mat radiance;  // float, linear
+  cv::Mat red;       // float: how much brighter red is than the grey, and blue darker; empty: colours unasked
   cv::Mat depth_mm;  // float, along the camera's z at pixel centres; 0 where nothing is hit
   cv::Mat object;    // 8-bit, object number + 1 at pixel centres; 0: backdrop
 };

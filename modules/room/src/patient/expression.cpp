@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "eyelid.h"
+#include "smooth_step.h"
+
 namespace facenav::room {
 namespace {
 
@@ -11,7 +14,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 // The sizes below are chosen by eye on renderings, after what photographs of grimacing faces show (mouth
 // corners 5-10 mm, brows 1-3 mm); they are not fitted.
-constexpr double kTongueJaw_mm = 9.0;
+constexpr double kTongueJaw_mm = 9.0, kTongueAside_mm = 11.0, kMouthAside_mm = 5.0;
 constexpr float kTongueAlbedo = 0.34f, kTeethAlbedo = 0.62f, kLipAlbedo = 0.28f;
 
 /// One side of the face: its landmarks, and which way is away from the midline.
@@ -23,11 +26,6 @@ struct Side {
 std::array<Side, 2> sides(const Points& l) {
   const double right = l[48].x() > l[54].x() ? 1.0 : -1.0;
   return {{{48, 31, 41, right}, {54, 35, 46, -right}}};
-}
-
-double smoothStep(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
 }
 
 double bump(const Eigen::Vector3d& from_mm, double reach_mm) {
@@ -53,10 +51,12 @@ Eigen::Vector3d smile(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, c
   return shift;
 }
 
-Eigen::Vector3d tongue(const Eigen::Vector3d& p, const Points& l) {
-  const Eigen::Vector3d from = (p - l[57]).cwiseQuotient(Eigen::Vector3d(12.0, 14.0, 9.0));
+Eigen::Vector3d tongue(const Eigen::Vector3d& p, const Points& l, double aside) {
+  const Eigen::Vector3d tip = l[57] + aside * kTongueAside_mm * Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d from = (p - tip).cwiseQuotient(Eigen::Vector3d(12.0, 14.0, 9.0));
   return bump(from, 1.0) * Eigen::Vector3d(0.0, 9.0, -3.0) +
-         lipBump(p - l[51]) * Eigen::Vector3d(0.0, 0.5, 1.0);
+         lipBump(p - l[51]) * Eigen::Vector3d(0.0, 0.5, 1.0) +
+         (lipBump(p - l[51]) + lipBump(p - l[57])) * Eigen::Vector3d(kMouthAside_mm * aside, 0.0, 0.0);
 }
 
 Eigen::Vector3d lipsIn(const Eigen::Vector3d& p, const Points& l) {
@@ -108,19 +108,21 @@ Eigen::Vector3d expressionShift_mm(const Expression& expression, const Eigen::Ve
                                    const Eigen::Vector3d& normal, const Points& l) {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (expression.smile != 0.0) shift += expression.smile * smile(p_mm, normal, l);
-  if (expression.tongue != 0.0) shift += expression.tongue * tongue(p_mm, l);
+  if (expression.tongue != 0.0) shift += expression.tongue * tongue(p_mm, l, expression.aside);
   if (expression.lips_in != 0.0) shift += expression.lips_in * lipsIn(p_mm, l);
   if (expression.cheeks != 0.0) shift += expression.cheeks * cheeks(p_mm, normal, l);
   if (expression.brows != 0.0) shift += expression.brows * brows(p_mm, normal, l);
+  if (expression.blink != 0.0) shift += lidShift_mm(expression.blink, p_mm, normal, l);
   return awayFromBridge(p_mm, l) * shift;
 }
 
-MouthPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm, const Points& l) {
+SkinPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm, const Points& l) {
   const double closed = std::max(expression.lips_in, expression.cheeks);
   const double shown = std::clamp(std::max({expression.tongue, expression.smile, closed}), 0.0, 1.0);
   if (shown == 0.0) return {};
   const bool is_tongue = expression.tongue == shown;
-  const Eigen::Vector3d middle = 0.5 * (l[66] + (is_tongue ? l[57] : l[62]));
+  Eigen::Vector3d middle = 0.5 * (l[66] + (is_tongue ? l[57] : l[62]));
+  if (is_tongue) middle.x() += kTongueAside_mm * expression.aside;
   const double half_width = (is_tongue ? 0.28 : 0.40) * std::abs(l[48].x() - l[54].x());
   const double aside = (p_mm.x() - middle.x()) / half_width,
                up = (p_mm.z() - middle.z()) / (is_tongue ? 5.0 : 3.0);

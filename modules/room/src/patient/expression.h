@@ -5,16 +5,19 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "skin_paint.h"
+
 namespace facenav::room {
 
-/// Weights of the grimaces, 0 none .. 1 full; negative brows frown.
+/// Weights of the grimaces, 0 none .. 1 full; negative brows frown. `aside`: the tongue goes to one side, -1
+/// Mri's -x .. 1 +x. `blink`: 1 the upper lids are down.
 struct Expression {
-  double smile = 0.0, tongue = 0.0, lips_in = 0.0, cheeks = 0.0, brows = 0.0;
+  double smile = 0.0, tongue = 0.0, lips_in = 0.0, cheeks = 0.0, brows = 0.0, aside = 0.0, blink = 0.0;
 
   bool isNone() const { return *this == Expression{}; }
   bool operator==(const Expression& other) const {
     return smile == other.smile && tongue == other.tongue && lips_in == other.lips_in &&
-           cheeks == other.cheeks && brows == other.brows;
+           cheeks == other.cheeks && brows == other.brows && aside == other.aside && blink == other.blink;
   }
 };
 
@@ -27,12 +30,8 @@ Eigen::Vector3d expressionShift_mm(const Expression& expression, const Eigen::Ve
                                    const Eigen::Vector3d& normal,
                                    const std::vector<Eigen::Vector3d>& landmarks_mm);
 
-/// What shows between the lips: the share (0..1) and albedo of tongue, teeth or closed lips at a point of the
-/// skin at rest.
-struct MouthPaint {
-  float share = 0.f, albedo = 0.f;
-};
-MouthPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm,
-                      const std::vector<Eigen::Vector3d>& landmarks_mm);
+/// What shows between the lips: tongue, teeth or closed lips, at a point of the skin at rest.
+SkinPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm,
+                     const std::vector<Eigen::Vector3d>& landmarks_mm);
 
 }  // namespace facenav::room

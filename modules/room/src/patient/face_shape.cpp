@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smooth_step.h"
+
 namespace facenav::room {
 namespace {
-
-double smoothStep(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
-}
 
 /// Shift of a skin point for 1 mm of jaw: full at the chin, none above the mouth line or beyond the cheeks;
 /// the mouth corners are drawn in a little.
@@ -50,13 +47,15 @@ FaceShape::FaceShape(const VirtualPatient& patient)
                           touched_vertices_.end());
 }
 
-bool FaceShape::set(double jaw_mm, double lids, const Expression& expression) {
+bool FaceShape::set(double jaw_mm, double lids, const Expression& expression, const HairPose& hair) {
   lids_ = lids;
-  const bool was_none = expression_.isNone();
-  if ((jaw_mm == jaw_mm_ && expression == expression_) || per_jaw_mm_.empty()) return false;
-  jaw_mm_ = jaw_mm;
-  expression_ = expression;
-  if (!was_none || !expression.isNone()) {
+  const bool was_deformed = isDeformed(), has_face = !per_jaw_mm_.empty();
+  const HairPose before = hair_;
+  hair_ = hair;
+  const bool is_hair_new = !(hair.isAtRest() && before.isAtRest()) && !(hair == before);
+  if (!is_hair_new && ((jaw_mm == jaw_mm_ && expression == expression_) || !has_face)) return false;
+  if (has_face) jaw_mm_ = jaw_mm, expression_ = expression;
+  if (was_deformed || isDeformed()) {
     deform();
     return true;
   }
@@ -82,16 +81,17 @@ void FaceShape::renewNormals(const std::vector<int>& vertices, const std::vector
   for (const int i : vertices) normals_[std::size_t(i)].normalize();
 }
 
-FaceShape::Region FaceShape::expressiveRegion() const {
-  // Front of the head: the fields of all grimaces and of the jaw end inside it.
+FaceShape::Region FaceShape::movingRegion() const {
+  // Front of the head, where the fields of all grimaces and of the jaw end, and all hair.
   constexpr double kReach_mm = 130.0, kBehind_mm = 90.0;
   const Eigen::Vector3d& middle = patient_.face_middle.mm;
+  const bool has_face = !per_jaw_mm_.empty();
   Region region;
   std::vector<bool> is_inside(vertices_mm_.size());
   for (std::size_t i = 0; i < vertices_mm_.size(); ++i) {
     const Eigen::Vector3d& p = patient_.skin.vertices_mm[i];
-    is_inside[i] =
-        per_jaw_mm_[i].norm() > 1e-3 || ((p - middle).norm() < kReach_mm && p.y() > middle.y() - kBehind_mm);
+    is_inside[i] = hair_weight_[i] > 0.0 || (has_face && per_jaw_mm_[i].norm() > 1e-3) ||
+                   (has_face && (p - middle).norm() < kReach_mm && p.y() > middle.y() - kBehind_mm);
     if (is_inside[i]) region.vertices.push_back(int(i));
   }
   for (std::size_t t = 0; t < patient_.visible.triangles.size(); ++t) {
@@ -102,19 +102,30 @@ FaceShape::Region FaceShape::expressiveRegion() const {
   return region;
 }
 
+void FaceShape::prepareRegion() {
+  constexpr double kFull_mm = 3.0;  // hair that stands so far off the skin moves freely
+  hair_weight_.assign(vertices_mm_.size(), 0.0);
+  for (std::size_t i = 0; i < vertices_mm_.size(); ++i)
+    hair_weight_[i] =
+        smoothStep((patient_.visible.vertices_mm[i] - patient_.skin.vertices_mm[i]).norm() / kFull_mm);
+  region_ = movingRegion();
+  shift_mm_.assign(vertices_mm_.size(), Eigen::Vector3d::Zero());
+  is_in_region_.assign(vertices_mm_.size(), false);
+  for (const int i : region_.vertices) is_in_region_[std::size_t(i)] = true;
+}
+
 void FaceShape::deform() {
-  if (region_.vertices.empty()) {
-    region_ = expressiveRegion();
-    shift_mm_.assign(vertices_mm_.size(), Eigen::Vector3d::Zero());
-    is_in_region_.assign(vertices_mm_.size(), false);
-    for (const int i : region_.vertices) is_in_region_[std::size_t(i)] = true;
-  }
+  if (region_.vertices.empty()) prepareRegion();
   const double jaw_mm = jaw_mm_ + jawOf_mm(expression_);
+  const bool has_face = !per_jaw_mm_.empty();
   for (const int vertex : region_.vertices) {
     const auto i = std::size_t(vertex);
-    shift_mm_[i] =
-        jaw_mm * per_jaw_mm_[i] + expressionShift_mm(expression_, patient_.skin.vertices_mm[i],
-                                                     patient_.skin.normals[i], patient_.landmarks68_mm);
+    const Eigen::Vector3d &p_mm = patient_.skin.vertices_mm[i], &normal = patient_.skin.normals[i];
+    shift_mm_[i].setZero();
+    if (has_face)
+      shift_mm_[i] =
+          jaw_mm * per_jaw_mm_[i] + expressionShift_mm(expression_, p_mm, normal, patient_.landmarks68_mm);
+    if (hair_weight_[i] > 0.0) shift_mm_[i] += hair_weight_[i] * hairShift_mm(hair_, p_mm, normal);
     vertices_mm_[i] = patient_.visible.vertices_mm[i] + shift_mm_[i];
   }
   renewNormals(region_.vertices, region_.triangles,
@@ -127,7 +138,7 @@ Eigen::Vector3d FaceShape::shift_mm(int triangle, float u, float v) const {
     return (1.0 - u - v) * of[std::size_t(c[0])] + double(u) * of[std::size_t(c[1])] +
            double(v) * of[std::size_t(c[2])];
   };
-  return expression_.isNone() ? Eigen::Vector3d(jaw_mm_ * mixed(per_jaw_mm_)) : mixed(shift_mm_);
+  return isDeformed() ? mixed(shift_mm_) : Eigen::Vector3d(jaw_mm_ * mixed(per_jaw_mm_));
 }
 
 }  // namespace facenav::room

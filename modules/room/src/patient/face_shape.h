@@ -1,6 +1,6 @@
 #pragma once
-// FaceShape: how the face differs from the MRI's: lowered jaw and drawn mouth corners (talking), closed lids,
-// grimaces.
+// FaceShape: how the head's surface differs from the MRI's: lowered jaw and drawn mouth corners (talking),
+// closed lids, grimaces, blinks, hair that lies otherwise.
 // The skin's texture moves along, since looks ask for the place at rest.
 
 #include <Eigen/Core>
@@ -9,6 +9,7 @@
 
 #include "expression.h"
 #include "facenav/room/virtual_patient.h"
+#include "hair_pose.h"
 
 namespace facenav::room {
 
@@ -16,22 +17,25 @@ class FaceShape {
  public:
   explicit FaceShape(const VirtualPatient& patient);
   /// `jaw_mm`: chin lowered; `lids`: 0 open .. 1 closed. True where the vertices changed.
-  bool set(double jaw_mm, double lids, const Expression& expression = {});
+  bool set(double jaw_mm, double lids, const Expression& expression = {}, const HairPose& hair = {});
 
   const std::vector<Eigen::Vector3d>& vertices_mm() const { return vertices_mm_; }
   const std::vector<Eigen::Vector3d>& normals() const { return normals_; }
-  bool isAtRest() const { return jaw_mm_ == 0.0 && expression_.isNone(); }
+  bool isAtRest() const { return jaw_mm_ == 0.0 && !isDeformed(); }
   const Expression& expression() const { return expression_; }
   float lids() const { return float(lids_); }
   /// Shift of a surface point from its place at rest.
   Eigen::Vector3d shift_mm(int triangle, float u, float v) const;
 
  private:
+  /// By more than the jaw.
+  bool isDeformed() const { return !expression_.isNone() || !hair_.isAtRest(); }
   /// The skin that some part of the face can move, and the triangles whose corners it is.
   struct Region {
     std::vector<int> vertices, triangles;
   };
-  Region expressiveRegion() const;
+  Region movingRegion() const;
+  void prepareRegion();
   void renewNormals(const std::vector<int>& vertices, const std::vector<int>& triangles,
                     const std::function<bool(int)>& moves);
   void deform();
@@ -42,9 +46,11 @@ class FaceShape {
   std::vector<Eigen::Vector3d> vertices_mm_, normals_;
   double jaw_mm_ = 0.0, lids_ = 0.0;
   Expression expression_;
-  Region region_;  // found when the first grimace is made
+  HairPose hair_;
+  Region region_;                    // found at the first grimace
+  std::vector<double> hair_weight_;  // of each vertex: 0 at the hairline .. 1 well inside
   std::vector<bool> is_in_region_;
-  std::vector<Eigen::Vector3d> shift_mm_;  // of each vertex, while there is a grimace
+  std::vector<Eigen::Vector3d> shift_mm_;  // of each vertex, while deformed
 };
 
 }  // namespace facenav::room

@@ -1,7 +1,9 @@
 #include "head_look.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "eyelid.h"
 #include "optics/noise_field.h"
 #include "skin_texture.h"
 
@@ -11,6 +13,10 @@ namespace {
 constexpr float kHairAlbedo = 0.07f;
 // Relief of the skin that the sheen shows: pores and fine lines about 1 mm apart, slopes of 9 degrees (rms).
 constexpr double kPore_mm = 0.6, kPoreSlope = 0.16;
+// Redness of fair skin (red 1.33 times the grey, blue 0.67 times), more where blood shows; a guess from
+// photographs.
+constexpr float kSkinRedness = 0.33f, kFlush = 0.05f, kLipRedness = 0.48f, kHairRedness = 0.25f;
+constexpr double kFlush_mm = 5.0;
 
 class HeadLook : public Look {
  public:
@@ -24,6 +30,14 @@ class HeadLook : public Look {
     if (hair >= 0.98f) return strands;
     const Reflectance bare = skin(point);
     return {bare.albedo + hair * (strands.albedo - bare.albedo), bare.gloss * (1.f - hair)};
+  }
+
+  float redness(const SurfacePoint& seen) const override {
+    const SurfacePoint point = atRest(seen);
+    const float hair = interpolated(patient_.hair, point);
+    const float skin = kSkinRedness + kFlush * sharedNoise().at(point.p_object_mm, kFlush_mm);
+    const float bare = skin + lips(point.p_object_mm) * (kLipRedness - skin);
+    return bare + std::clamp(hair, 0.f, 1.f) * (kHairRedness - bare);
   }
 
   std::optional<Eigen::Vector3d> relief(const SurfacePoint& seen) const override {
@@ -48,11 +62,30 @@ class HeadLook : public Look {
 
   Reflectance skin(const SurfacePoint& point) const {
     const float pores = 1.f + patient_.pore_contrast * sharedNoise().at(point.p_object_mm, 0.5);
-    const float albedo = patient_.texture->at(point.p_object_mm, shape_.lids()) *
-                         interpolated(patient_.tone, point) * pores * patient_.skin_brightness;
+    const float albedo =
+        (shape_.expression().blink > 0.0 ? blinking(point.p_object_mm)
+                                         : patient_.texture->at(point.p_object_mm, shape_.lids())) *
+        interpolated(patient_.tone, point) * pores * patient_.skin_brightness;
     if (shape_.expression().isNone()) return {albedo, 0.03f};
-    const MouthPaint mouth = mouthPaint(shape_.expression(), point.p_object_mm, patient_.landmarks68_mm);
+    const SkinPaint mouth = mouthPaint(shape_.expression(), point.p_object_mm, patient_.landmarks68_mm);
     return {albedo + mouth.share * (mouth.albedo - albedo), 0.03f};
+  }
+
+  float blinking(const Eigen::Vector3d& p_mm) const {
+    const float open = patient_.texture->at(p_mm, shape_.lids());
+    const SkinPaint lid = lidPaint(shape_.expression().blink, p_mm, patient_.landmarks68_mm);
+    return open + lid.share * (lid.albedo - open);
+  }
+
+  /// Share 0..1 of the lips' red at a point; 0 for a patient without a face.
+  float lips(const Eigen::Vector3d& p_mm) const {
+    const auto& l = patient_.landmarks68_mm;
+    if (l.empty()) return 0.f;
+    const Eigen::Vector3d from_mm = p_mm - 0.5 * (l[51] + l[57]);
+    const double half_width_mm = 0.5 * std::abs(l[48].x() - l[54].x()),
+                 half_height_mm = 0.5 * std::abs(l[51].z() - l[57].z());
+    const double away = std::hypot(from_mm.x() / half_width_mm, from_mm.z() / half_height_mm);
+    return from_mm.y() > -30.0 ? float(std::clamp(4.0 * (1.1 - away), 0.0, 1.0)) : 0.f;
   }
 
   Reflectance hairAt(const Eigen::Vector3d& p_mm) const {

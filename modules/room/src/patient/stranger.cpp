@@ -48,7 +48,7 @@ std::shared_ptr<const VirtualPatient> strangerLike(const VirtualPatient& patient
   for (auto& p_mm : stranger->landmarks68_mm) p_mm = deformed(p_mm);
   stranger->head_centre = Point<Mri>(deformed(patient.head_centre.mm));
   stranger->face_middle = Point<Mri>(deformed(patient.face_middle.mm));
-  stranger->tone = complexion(stranger->skin.vertices_mm, seed + 500);
+  stranger->tone = complexion(stranger->skin.vertices_mm, seed + 500, patient.others_contrast);
   stranger->texture = std::make_shared<SkinTexture>(stranger->landmarks68_mm, stranger->head_centre.mm, true);
   return stranger;
 }

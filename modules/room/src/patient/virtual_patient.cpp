@@ -97,6 +97,14 @@ VirtualPatient makePatient(const volume::Volume& mri, const PatientOptions& opti
   return makePatient(makeSkinMesh(mri, monitor), options, monitor);
 }
 
+VirtualPatient withSkinContrast(const VirtualPatient& patient, double contrast) {
+  VirtualPatient other = patient;
+  for (float& tone : other.tone) tone = 1.f + float(contrast) * (tone - 1.f);
+  other.pore_contrast *= float(contrast);
+  other.others_contrast *= contrast;
+  return other;
+}
+
 RigidTransform<Mri, frames::Target> leftHandArea(const VirtualPatient& patient, double gap_mm) {
   RayScene scene;
   scene.add(patient.skin);

@@ -34,6 +34,15 @@ Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, double x_mm) {
 
 }  // namespace
 
+RigOptions closeRig() {
+  RigOptions rig;
+  rig.width_px = rig.height_px = 1024;
+  rig.focal_px = 1550.0;
+  rig.baseline_mm = 114.0;
+  rig.convergence_deg = 20.0;
+  return rig;
+}
+
 RigOptions randomRig(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&random](double low, double high) {

@@ -1,12 +1,53 @@
 #include "facenav/room/scenario.h"
 
+#include "facenav/core/error.h"
 #include "script.h"
 
 namespace facenav::room {
 namespace {
 
-constexpr int kGrimaceFrames = 78, kReturnsFrames = 154, kCoarseJpeg = 50;
+constexpr int kGrimaceFrames = 78, kReturnsFrames = 154, kMomentsFrames = 83, kCoarseJpeg = 50;
 constexpr double kShiningSkin = 0.6;
+// Of "moments": chosen on the pictures of ../shared/data/real_faces.
+constexpr int kRealJpeg = 35;
+constexpr double kRealGloss = 0.8;
+
+struct OwnWhereUsual {
+  template <class Value>
+  void operator()(Value& value, const Value& usual, const Value& own) const {
+    if (value == usual) value = own;
+  }
+};
+
+/// Cameras near the face, where the rig's options are the defaults.
+void moveClose(ScenarioOptions& options) {
+  const ScenarioOptions usual;
+  const RigOptions close = closeRig();
+  const OwnWhereUsual own;
+  own(options.head_distance_mm, usual.head_distance_mm, kCloseHead_mm);
+  own(options.rig.width_px, usual.rig.width_px, close.width_px);
+  own(options.rig.height_px, usual.rig.height_px, close.height_px);
+  own(options.rig.focal_px, usual.rig.focal_px, close.focal_px);
+  own(options.rig.baseline_mm, usual.rig.baseline_mm, close.baseline_mm);
+  own(options.rig.convergence_deg, usual.rig.convergence_deg, close.convergence_deg);
+}
+
+/// Faint skin under glare, hair that moves, colour sensors that differ a little.
+void makeReal(ScenarioOptions& options) {
+  const ScenarioOptions usual;
+  const OwnWhereUsual own;
+  own(options.haze_grey, usual.haze_grey, 80.0);
+  own(options.exposure, usual.exposure, 0.5);
+  own(options.noise_grey, usual.noise_grey, 0.7);
+  own(options.skin_contrast, usual.skin_contrast, 0.12);
+  own(options.grey_red, usual.grey_red, 0.299);
+  own(options.grey_blue, usual.grey_blue, 0.114);
+  own(options.right_grey_red, usual.right_grey_red, 0.34);
+  own(options.right_grey_blue, usual.right_grey_blue, 0.09);
+  own(options.hair_sway_mm, usual.hair_sway_mm, 4.0);
+  own(options.bayer, usual.bayer, 1);
+  own(options.rig_name, usual.rig_name, std::string("close"));
+}
 
 }  // namespace
 
@@ -30,17 +71,24 @@ const std::vector<ScenarioKind>& scenarios() {
       {"grimace",
        "the patient comes back four times, each time after 1.4 s, elsewhere (0.5-5 deg, 3-16 mm) and with "
        "another grimace",
-       kGrimaceFrames, kCoarseJpeg, kShiningSkin},
+       kGrimaceFrames, kCoarseJpeg, kShiningSkin, true},
       {"grimace_other", "the same, and another person sits there at the second return", kGrimaceFrames,
-       kCoarseJpeg, kShiningSkin},
+       kCoarseJpeg, kShiningSkin, true},
       {"returns",
        "the patient walks out of the pictures three times and comes back in other light, with another "
        "grimace, turned by 5-15 deg",
-       kReturnsFrames, kCoarseJpeg, kShiningSkin},
+       kReturnsFrames, kCoarseJpeg, kShiningSkin, true},
       {"out_of_step",
        "from frame 24 on the right camera's picture is older than the left one's: the head moved by 3-10 mm "
        "in between",
        60, kCoarseJpeg, kShiningSkin},
+      {"moments",
+       "five moments some seconds apart as a real face shows them to near cameras: other grimace, other "
+       "place "
+       "(0.5-5 deg, 3-16 mm), other hair, faint skin, blinks, coarse JPEG; the patient is away in between",
+       kMomentsFrames, kRealJpeg, kRealGloss, true, true},
+      {"moments_other", "the same, and another person sits there at the third and the fourth moment",
+       kMomentsFrames, kRealJpeg, kRealGloss, true, true},
   };
   return kinds;
 }
@@ -49,6 +97,15 @@ ScenarioOptions resolved(ScenarioOptions options) {
   const ScenarioKind& kind = kindOf(options.name);
   if (options.jpeg_quality < 0) options.jpeg_quality = kind.jpeg_quality;
   if (options.gloss < 0.0) options.gloss = kind.gloss;
+  if (options.blinks < 0) options.blinks = kind.blinks;
+  if (kind.is_real) makeReal(options);
+  if (options.hair_sway_mm < 0.0) options.hair_sway_mm = 0.0;
+  if (options.bayer < 0) options.bayer = 0;
+  if (options.rig_name.empty()) options.rig_name = "room";
+  if (options.rig_name == "close")
+    moveClose(options);
+  else if (options.rig_name != "room")
+    throw Error("no rig of this name", options.rig_name, "one of: room, close");
   return options;
 }
 

@@ -7,6 +7,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
+#include "habits.h"
 #include "script_setting.h"
 
 namespace facenav::room {
@@ -14,21 +15,30 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// A script made of one function.
+/// A script made of one function, with the patient's habits.
 class FunctionScript : public Script {
  public:
-  FunctionScript(int frames, Cast capture, MomentOf moment)
-      : frames_(frames), capture_(std::move(capture)), moment_(std::move(moment)) {}
+  FunctionScript(const Setting& setting, Cast capture, MomentOf moment)
+      : frames_(setting.frames),
+        options_(setting.options),
+        capture_(std::move(capture)),
+        moment_(std::move(moment)) {}
   int frameCount() const override { return frames_; }
   Moment at(double frame) const override {
     Moment moment = moment_(frame);
-    moment.cast.gloss = capture_.gloss;
+    Cast& cast = moment.cast;
+    cast.gloss = capture_.gloss;
+    if (options_.blinks > 0)
+      cast.expression.blink = lidsDown(options_.seed, frame / options_.frames_per_s + moment.later_s);
+    cast.hair =
+        looseHair(options_.hair_sway_mm, capture_.room_T_mri, cast.room_T_mri, options_.seed, moment.visit);
     return moment;
   }
   Cast capture() const override { return capture_; }
 
  private:
   int frames_;
+  ScenarioOptions options_;  // resolved
   Cast capture_;
   MomentOf moment_;
 };
@@ -43,7 +53,8 @@ MomentOf momentsOf(const Setting& setting) {
       {"mask_on", maskScript},          {"other_face", otherFaceScript},
       {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }},
       {"grimace", grimaceScript},       {"grimace_other", grimaceScript},
-      {"returns", returnsScript},       {"out_of_step", outOfStepScript}};
+      {"returns", returnsScript},       {"out_of_step", outOfStepScript},
+      {"moments", momentsScript},       {"moments_other", momentsScript}};
   return scripts.at(setting.options.name)(setting);
 }
 
@@ -101,8 +112,8 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
                                    const RigidTransform<Marker, Coil>& marker_T_coil) {
   const ScenarioKind& kind = kindOf(options.name);
   Setting setting;
-  setting.options = options;
-  setting.seat = seatedHead(options, patient);
+  setting.options = resolved(options);
+  setting.seat = seatedHead(setting.options, patient);
   setting.pivot = patient.head_centre;
   setting.face_middle = patient.face_middle;
   setting.target = target;
@@ -111,8 +122,9 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
   Cast capture;
   capture.room_T_mri = setting.seat;
   capture.has_mask = kind.name == "mask";
-  capture.gloss = resolved(options).gloss;
-  return std::make_unique<FunctionScript>(setting.frames, capture, momentsOf(setting));
+  capture.gloss = setting.options.gloss;
+  capture.hair.sway_mm = setting.options.hair_sway_mm;
+  return std::make_unique<FunctionScript>(setting, capture, momentsOf(setting));
 }
 
 }  // namespace facenav::room

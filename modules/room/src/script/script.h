@@ -16,6 +16,7 @@ struct Moment {
   CameraFault fault = CameraFault::none;
   std::string label;          // in words: "hold", "approach", "face away" ..
   double later_s = 0.0;       // time that passed without frames until now
+  int visit = 0;              // how often the patient has come back
   double right_behind = 0.0;  // the right camera's picture is older by so many frames
 };
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
+#include "dice.h"
 #include "script_setting.h"
 
 namespace facenav::room {
@@ -36,20 +36,6 @@ Visit visitOf(double frame) {
   const int before = int(since / (kAway + kBack));
   return {1 + before, since - before * (kAway + kBack) < kAway};
 }
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-  double between(double low, double high) { return low + (high - low) * double(random_() >> 11) * 0x1p-53; }
-  Eigen::Vector3d direction() {
-    const double z = between(-1.0, 1.0), about = between(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
-    return {r * std::cos(about), r * std::sin(about), z};
-  }
-  std::uint64_t operator()() { return random_(); }
-
- private:
-  std::mt19937_64 random_;
-};
 
 Dice diceOf(const Setting& setting, int visit) {
   return Dice(setting.options.seed * 9973 + std::uint64_t(visit) * 131 + 7);
@@ -117,6 +103,7 @@ MomentOf grimaceScript(const Setting& setting) {
   return [setting, has_other](double frame) {
     const Visit visit = visitOf(frame);
     Moment moment;
+    moment.visit = visit.number;
     Vector6 by = placeOf(setting, visit.number) + sway(setting.time_s(frame), 0.5 * setting.options.motion);
     if (visit.is_away) by[3] += kAway_mm;
     moment.cast = setting.headMovedBy(by);
@@ -140,6 +127,7 @@ MomentOf returnsScript(const Setting& setting) {
     const double inside = frame + kWalk - number * kVisit;  // since the way in began
     const bool is_coming = inside < kWalk, is_going = inside >= kWalk + kSeated;
     Moment moment;
+    moment.visit = number;
     Vector6 by = sway(setting.time_s(frame), 0.5 * setting.options.motion);
     by += turnedPlaceOf(setting, number);
     if (is_coming) by[3] += kAway_mm * ease(1.0 - inside / kWalk);

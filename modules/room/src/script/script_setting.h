@@ -73,6 +73,9 @@ MomentOf grimaceScript(const Setting& setting);
 MomentOf returnsScript(const Setting& setting);
 MomentOf outOfStepScript(const Setting& setting);
 
+// script_moments.cpp: a real person before real cameras.
+MomentOf momentsScript(const Setting& setting);
+
 /// The patient's small movements while nothing else happens: rotation vector (deg) and shift (mm).
 Eigen::Matrix<double, 6, 1> sway(double time_s, double scale);
 /// Up from 0 to 1 at the middle and back.

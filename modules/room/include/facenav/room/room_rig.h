@@ -36,6 +36,11 @@ struct RigOptions {
   }
 };
 
+/// Cameras near to a face: 1024 x 1024, focal length 1550 px, 114 mm and 20 deg apart; for a head at
+/// kCloseHead_mm.
+RigOptions closeRig();
+constexpr double kCloseHead_mm = 560.0;
+
 /// A rig such as another clinic might build: f 600-1000 px, baseline 60-200 mm, rolled up to 20 degrees, toed
 /// in between half and all of the way to a head at 600 mm, barrel or slight pincushion lenses. Same seed,
 /// same rig.

@@ -1,6 +1,7 @@
 #pragma once
 // Scenario: what happens in the virtual treatment room, by name, as a recording that can be repeated: same
-// options and seed, same images.
+// options and seed, same images. A scenario may have values of its own (cameras, light, skin): they hold
+// where an option has its default value.
 
 #include <cstdint>
 #include <filesystem>
@@ -30,7 +31,14 @@ struct ScenarioOptions {
   double gloss = -1.0;         // of the skin; -1: the scenario's own
   double haze_grey = 0.0;
   double right_gain = 1.0, right_gamma = 1.0;  // of the right camera against the left one
-  RigOptions rig;
+  int blinks = -1;                             // 1: the patient blinks, 0: not, -1: the scenario's own
+  double hair_sway_mm = -1.0;                  // 0: hair stays; -1: the scenario's own
+  double skin_contrast = 1.0;                  // scales the patient's
+  int bayer = -1;                              // 1: colour sensors, turned grey; -1: the scenario's own
+  double grey_red = 1.0 / 3.0, grey_blue = 1.0 / 3.0;  // shares of the left camera's grey
+  double right_grey_red = 1.0 / 3.0, right_grey_blue = 1.0 / 3.0;
+  std::string rig_name;  // "room", "close"; empty: the scenario's own
+  RigOptions rig;        // what differs from its default stands beside rig_name
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -63,6 +71,30 @@ struct ScenarioOptions {
             self.right_gain);
     visitor(Field{"right_gamma", "of the right camera's tone curve, relative to the left one's", 0.2, 5},
             self.right_gamma);
+    visitor(Field{"blinks", "the patient blinks: 1 yes, 0 no, -1: as the scenario says", -1, 1}, self.blinks);
+    visitor(
+        Field{"hair_sway_mm",
+              "how far hair moves against the skull; adds locks at the hairline (0: it stays, none; -1: as "
+              "the scenario says)",
+              -1, 20},
+        self.hair_sway_mm);
+    visitor(Field{"skin_contrast", "scales blotches, freckles and pores of whoever sits there", 0, 3},
+            self.skin_contrast);
+    visitor(
+        Field{"bayer",
+              "colour cameras (RGGB mosaic), demosaiced and turned grey: 1 yes, 0 no, -1: as the scenario "
+              "says",
+              -1, 1},
+        self.bayer);
+    visitor(Field{"grey_red", "share of red in the left camera's grey; green has the rest", 0, 1},
+            self.grey_red);
+    visitor(Field{"grey_blue", "share of blue in it", 0, 1}, self.grey_blue);
+    visitor(Field{"right_grey_red", "share of red in the right camera's grey", 0, 1}, self.right_grey_red);
+    visitor(Field{"right_grey_blue", "share of blue in it", 0, 1}, self.right_grey_blue);
+    visitor(Field{"rig",
+                  "cameras: room (the default ones), close (near the face: 1024 x 1024, f 1550 px, 114 mm "
+                  "and 20 deg apart, head at 560 mm); empty: as the scenario says"},
+            self.rig_name);
     RigOptions::visit(self.rig, visitor);
   }
 };
@@ -72,12 +104,14 @@ struct ScenarioKind {
   int frames;            // its own length
   int jpeg_quality = 0;  // its own compression and gloss
   double gloss = 0.0;
+  bool blinks = false;
+  bool is_real = false;  // seen as a real face in front of two near colour cameras
 };
 
 /// The scenarios there are.
 const std::vector<ScenarioKind>& scenarios();
-/// The options with the scenario's own values where they are left to it. Throws Error for an unknown name,
-/// listing those there are.
+/// The options with the scenario's own values where they are left to it. Throws Error for an unknown scenario
+/// or rig, listing those there are.
 ScenarioOptions resolved(ScenarioOptions options);
 
 }  // namespace facenav::room

@@ -46,6 +46,7 @@ struct VirtualPatient {
   std::vector<float> tone;        // blotches and freckles: factor on the albedo, one per vertex
   float pore_contrast = 0.06f;    // standard deviation of the finest grain, relative to the albedo
   float skin_brightness = 1.f;    // factor on the skin's albedo
+  double others_contrast = 1.0;   // of blotches and freckles of other persons made from this one
   std::shared_ptr<const SkinTexture> texture;
   std::vector<Eigen::Vector3d>
       landmarks68_mm;      // iBUG 68 points on the skin, Mri; empty where the scan has no face
@@ -58,6 +59,9 @@ VirtualPatient makePatient(const volume::Volume& mri, const PatientOptions& opti
 /// The same from a skin mesh (a case's scalp surface).
 VirtualPatient makePatient(const surface::TriangleMesh& skin, const PatientOptions& options,
                            TaskMonitor& monitor);
+
+/// The same head with its blotches, freckles and pores scaled, and those of other persons made from it.
+VirtualPatient withSkinContrast(const VirtualPatient& patient, double contrast);
 
 /// A coil pose over the hand area of the left motor cortex, from the head's outline alone: tangent to the
 /// skin, raised by `gap_mm` (hair), handle 45 degrees to posterior-lateral. For scenarios without a planned

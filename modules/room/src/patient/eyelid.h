@@ -1,0 +1,21 @@
+#pragma once
+// Eyelid: how a blink changes the face. The upper lid slides down over the eye: the skin around the eye is
+// drawn along, and the eye's picture gives way to lid skin with a row of lashes at its rim.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "skin_paint.h"
+
+namespace facenav::room {
+
+/// Shift (Mri, mm) of a skin point with its outward unit normal. `closed`: 0 open .. 1 the upper lid is down.
+/// Zero more than 18 mm from both eyes. `landmarks_mm`: iBUG 68 in Mri.
+Eigen::Vector3d lidShift_mm(double closed, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal,
+                            const std::vector<Eigen::Vector3d>& landmarks_mm);
+
+/// Lid skin and lashes over the eye, at a point of the skin at rest.
+SkinPaint lidPaint(double closed, const Eigen::Vector3d& p_mm,
+                   const std::vector<Eigen::Vector3d>& landmarks_mm);
+
+}  // namespace facenav::room
