@@ -145,8 +145,9 @@ int lowerFace_y(const tracking::FaceDetector& detector, const cv::Mat& picture) 
   return face->points68.size() == 68 ? int(face->points68[33].y()) : face->face.y + face->face.height / 2;
 }
 
-void addChanged(const stereo::StereoFrame& frame,
-                const std::function<void(PairTrial::Kind, const std::string&, const stereo::StereoFrame&)>& add) {
+void addChanged(
+    const stereo::StereoFrame& frame,
+    const std::function<void(PairTrial::Kind, const std::string&, const stereo::StereoFrame&)>& add) {
   static const auto detector = tracking::makeFaceDetector();
   for (const auto& changed :
        changedPairs(frame, lowerFace_y(*detector, frame.left), lowerFace_y(*detector, frame.right)))
@@ -159,7 +160,7 @@ void addTasks(const std::string& name, const stereo::StereoRig& rig, const fs::p
   const Frames own = framesOf(person, name);
   for (const auto& [from, reference] : own) {
     const auto add = [&, from = from, reference = reference](Kind kind, const std::string& to,
-                                                              const stereo::StereoFrame& frame) {
+                                                             const stereo::StereoFrame& frame) {
       PairTrial trial;
       trial.kind = kind, trial.rig = name, trial.person = person.filename().string(), trial.from = from,
       trial.to = to;

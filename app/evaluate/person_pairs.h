@@ -2,7 +2,8 @@
 // `facenav evaluate pairs`: the head tracker on photographs of real people, where no truth is known. A person
 // is tracked at one moment, lost for longer than a second, and comes back as at another moment; is the face
 // found, how fast, and do two pairs of cameras that saw the same moments tell the same motion? Another
-// person's pictures, the person's own mirrored, and pictures of two moments on the two sides must never be shown.
+// person's pictures, the person's own mirrored, and pictures of two moments on the two sides must never be
+// shown.
 
 #include <filesystem>
 #include <functional>

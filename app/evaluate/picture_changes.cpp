@@ -7,7 +7,7 @@ namespace facenav::app {
 namespace {
 
 constexpr int kShift_px = 13,  // sideways: nearly a turn of the whole rig
-               kCoarse = 30;  // JPEG quality
+    kCoarse = 30;              // JPEG quality
 constexpr double kDarker = 0.85;
 
 // As `camera` sees it, turned by `turn` (new axes from the mirrored ones), of what `other` saw.
@@ -16,7 +16,8 @@ cv::Mat mirroredPicture(const stereo::CameraModel& camera, const Eigen::Matrix3d
   cv::Mat2f from(seen.size());
   for (int y = 0; y < seen.rows; ++y)
     for (int x = 0; x < seen.cols; ++x) {
-      Eigen::Vector3d ray = turn.transpose() * stereo::undistort(camera, {double(x), double(y)}).homogeneous();
+      Eigen::Vector3d ray =
+          turn.transpose() * stereo::undistort(camera, {double(x), double(y)}).homogeneous();
       ray.x() = -ray.x();
       const Eigen::Vector2d px = ray.z() > 0 ? stereo::project(other, ray) : Eigen::Vector2d(-1, -1);
       from(y, x) = {float(px.x()), float(px.y())};

@@ -103,8 +103,9 @@ void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFra
   std::string reason = error.what();
   const std::string prefix = "not aligned: ";
   if (reason.rfind(prefix, 0) == 0) reason.erase(0, prefix.size());
-  throw Error(prefix + "the capture's picture for the dots shows none (switch the projector on); without them: " +
-              reason);
+  throw Error(
+      prefix +
+      "the capture's picture for the dots shows none (switch the projector on); without them: " + reason);
 }
 
 registration::AlignmentStart withSharedDepth(registration::AlignmentStart start, const stereo::StereoRig& rig,

@@ -43,7 +43,8 @@ TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
   const auto kept = learnt(first, given);
   ASSERT_EQ(kept.size(), 1u);
   EXPECT_TRUE(given.empty());
-  EXPECT_THAT(kept[0].camera_T_mri, PoseNear(moved() * fakes::cameraAtReference().reframe<Head, Mri>(), 1e-9, 1e-9));
+  EXPECT_THAT(kept[0].camera_T_mri,
+              PoseNear(moved() * fakes::cameraAtReference().reframe<Head, Mri>(), 1e-9, 1e-9));
 
   NavigatorSetup second = fakes::setup();  // the patient sits elsewhere at this session's reference
   const RigidTransform<Camera, Mri> there(

@@ -122,7 +122,7 @@ TEST_F(CompressedFace, WhoComesBackMovingBeforeUntriggeredCamerasIsFound) {
   bool is_found = false;
   for (int i = 0; i < 8 && !is_found; ++i) {
     SyntheticView view = later(i, 4.0), right = view;
-    view.motion.pretranslate(Eigen::Vector3d(0, 2.0 * i, 0));  // 60 mm/s
+    view.motion.pretranslate(Eigen::Vector3d(0, 2.0 * i, 0));         // 60 mm/s
     right.motion.pretranslate(Eigen::Vector3d(0, 2.0 * i + 0.3, 0));  // 5 ms later
     auto frame = compressed(face_->render(rig_, view));
     frame.right = compressed(face_->render(rig_, right)).right;

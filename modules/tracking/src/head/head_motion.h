@@ -1,6 +1,6 @@
 #pragma once
-// HeadMotion: the last pose of the tracked head with its velocity: a constant-velocity model that predicts the
-// next frame's pose. Velocities are (w rad/s, v mm/s), Head's axes, about the model's centre.
+// HeadMotion: the last pose of the tracked head with its velocity: a constant-velocity model that predicts
+// the next frame's pose. Velocities are (w rad/s, v mm/s), Head's axes, about the model's centre.
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 // LateCamera: the rig as it sees a moving head whose right picture is exposed later than the left one. The
-// right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere. The delay
-// is learnt from the moving head (offset_filter.h).
+// right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere. The
+// delay is learnt from the moving head (offset_filter.h).
 
 #include <cmath>
 

@@ -35,9 +35,10 @@ constexpr int kLastingEvery = 20;        // tracked frames, between tries of the
 constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // of a try that is believed
 constexpr double kAsExpected = 2.0;       // or where its errors are no larger, by those expected
 constexpr double kCortexDepth_mm = 80.0;  // from the face to what must not move unseen
-constexpr double kOtherSeen_s = 0.3;      // so long after another face was seen, a doubtful face is called that
-// An answer about a face that was lost: younger than this, its identity holds for the face there now. An older
-// one comes from a slow machine; its pose and looks are a start, and the skin is asked again.
+constexpr double kLongestDoubt_s = 5.0;   // where no answer comes at all
+constexpr double kOtherSeen_s = 0.3;  // so long after another face was seen, a doubtful face is called that
+// An answer about a face that was lost: younger than this, its identity holds for the face there now. An
+// older one comes from a slow machine; its pose and looks are a start, and the skin is asked again.
 constexpr double kFresh_s = 0.35, kOldest_s = 2.5;
 constexpr double kFirstFrame_s = 0.03;
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
@@ -75,7 +76,7 @@ class ModelHeadTracker : public HeadTracker {
     trust_ = PatchTrust(model_.level[0].patches.size());
     words_ = LossWords(model_.centre_mm, model_.noise_grey, key[0], left_box_);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
-    other_seen_.reset();
+    other_seen_.reset(), doubt_.reset();
     check_.start(reference.frame.captured);
     guard_.start(reference.frame);
     lost_face_ = std::make_unique<LostFace>(
@@ -126,6 +127,12 @@ class ModelHeadTracker : public HeadTracker {
   }
 
  private:
+  struct Doubt {
+    LostReason reason;
+    LossDetail detail;
+    Timestamp since;
+    bool is_of_return = false;  // nothing speaks against the face yet, but it looks otherwise than before
+  };
   struct FirstLoss {
     LostReason reason;
     Eigen::Isometry3d motion;
@@ -185,19 +192,24 @@ class ModelHeadTracker : public HeadTracker {
     if (const auto found = lost_face_->take(frame.captured))
       if (const auto answer = answerOf(*found, frame)) return *answer;
     const bool was_gone = last_.isKnown() && !expected;
+    if (doubt_ && std::abs(frame.captured - doubt_->since) > kLongestDoubt_s) doubt_.reset();
     keys_.preferMoment((lost_frames_ % 2 == 0) != was_gone);
-    auto result = searchInFrame(frame, expected);
+    auto result =
+        doubt_ ? Tracked<HeadPose>(lost(doubt_->reason, doubt_->detail)) : searchInFrame(frame, expected);
     keys_.preferMoment(true);
     if (result && !was_gone) return result;
     if (result && pace_ != Pace::patient) {
-      check_.faceReturned();
-      return result;
+      if (fit_scale_ < kAsExpected && lost_face_->picturesKeepDetail()) {
+        check_.faceReturned();
+        return result;
+      }
+      result = doubted({LostReason::no_face, LossDetail::doubtful, frame.captured, true});
     }
     lost_face_->ask(frame, lastPose());
     beside_ms_ = lost_face_->takeBeside_ms();
     if (pace_ == Pace::patient)
       if (const auto found = lost_face_->take(frame.captured)) {
-        if (result && found->is_other) return notThePatient();
+        if (result && found->is_other) return notThePatient(frame.captured);
         if (!result || found->is_out_of_step || found->moment) {
           if (const auto answer = answerOf(*found, frame)) return *answer;
         } else {
@@ -214,7 +226,9 @@ class ModelHeadTracker : public HeadTracker {
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const stereo::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
     if (found.is_other) other_seen_ = frame.captured;
-    if (found.is_out_of_step) return outOfStep();
+    if (found.is_other && doubt_) doubt_->since = frame.captured;
+    if (found.is_out_of_step) return outOfStep(frame.captured);
+    if (doubt_ && !found.is_other && (doubt_->is_of_return || found.is_patient)) doubt_.reset();
     if (!found.is_patient) return std::nullopt;
     return continueFrom(found, frame);
   }
@@ -228,8 +242,8 @@ class ModelHeadTracker : public HeadTracker {
       return std::nullopt;
     }
     check_.end();
-    if (found->is_other) return notThePatient();
-    if (found->is_out_of_step) return outOfStep();
+    if (found->is_other) return notThePatient(frame.captured);
+    if (found->is_out_of_step) return outOfStep(frame.captured);
     const bool is_fresh = std::abs(frame.captured - found->captured) < kFresh_s;
     if (found->moment && check_.wasGone() && is_fresh && !keys_.isOfMoment())
       return continueFrom(*found, frame);
@@ -246,9 +260,19 @@ class ModelHeadTracker : public HeadTracker {
     check_.asked(frame.captured);
   }
 
-  Tracked<HeadPose> notThePatient() { return lost(LostReason::no_face, LossDetail::other_face); }
+  Tracked<HeadPose> notThePatient(Timestamp now) {
+    return doubted({LostReason::no_face, LossDetail::other_face, now});
+  }
 
-  Tracked<HeadPose> outOfStep() { return lost(LostReason::camera, LossDetail::out_of_step); }
+  Tracked<HeadPose> outOfStep(Timestamp now) {
+    return doubted({LostReason::camera, LossDetail::out_of_step, now});
+  }
+
+  // Patches that fit show nothing from here on, until an answer says that it is the patient, in step.
+  Tracked<HeadPose> doubted(const Doubt& doubt) {
+    doubt_ = doubt;
+    return lost(doubt.reason, doubt.detail);
+  }
 
   // From what was found beside the frames, some frames ago.
   Tracked<HeadPose> continueFrom(const LostFace::Found& found, const stereo::StereoFrame& frame) {
@@ -279,8 +303,7 @@ class ModelHeadTracker : public HeadTracker {
                                                    const PoseFit& by_moment) {
     if (!keys_.isOfMoment() || ++since_try_ % kLastingEvery != 0) return std::nullopt;
     const KeyFrame& key = keys_.lasting(by_moment.motion);
-    const PoseFit fit =
-        fitPose(camera_.now(), model_, key.level, now, by_moment.motion, 0, trust_.weights());
+    const PoseFit fit = fitPose(camera_.now(), model_, key.level, now, by_moment.motion, 0, trust_.weights());
     work_.looks += fit.looks;
     const Eigen::Isometry3d off = by_moment.motion.inverse() * fit.motion;
     const bool is_same = (off * model_.centre_mm - model_.centre_mm).norm() < kSamePlace_mm &&
@@ -384,6 +407,7 @@ class ModelHeadTracker : public HeadTracker {
   Tracked<HeadPose> accepted(const stereo::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
     trust_.learn(fit, last_.isKnown() ? frame.captured - last_.captured() : kFirstFrame_s);
     detail_ = LossDetail::unknown;
+    fit_scale_ = fit.scale;
     last_.add(fit.motion, frame.captured);
     lost_frames_ = 0;
     search_.end();
@@ -435,6 +459,8 @@ class ModelHeadTracker : public HeadTracker {
   Pace pace_ = Pace::as_live;
   double beside_ms_ = 0.0;
   FaceCheck check_;
+  std::optional<Doubt> doubt_;           // of whatever the patches find
+  double fit_scale_ = 0.0;               // of the last fit that was accepted
   std::optional<Timestamp> other_seen_;  // another person's face
   int since_try_ = 0;                    // tracked frames by a moment's key frame
   std::unique_ptr<LostFace> lost_face_;  // last: its thread reads what stands above

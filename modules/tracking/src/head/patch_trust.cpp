@@ -6,10 +6,10 @@
 namespace facenav::tracking {
 namespace {
 
-constexpr double kMemory_s = 0.7;       // over which a patch shows whether it moves by itself
-constexpr double kExpected = 4.0;       // square distance that noise explains
-constexpr double kMostAtOnce = 50.0;    // one bad frame says no more
-constexpr double kLongest_s = 0.1;      // between two frames, as it counts
+constexpr double kMemory_s = 0.7;     // over which a patch shows whether it moves by itself
+constexpr double kExpected = 4.0;     // square distance that noise explains
+constexpr double kMostAtOnce = 50.0;  // one bad frame says no more
+constexpr double kLongest_s = 0.1;    // between two frames, as it counts
 
 }  // namespace
 
@@ -24,7 +24,8 @@ void PatchTrust::learn(const PoseFit& fit, double since_s) {
   for (std::size_t i = 0; i < wander_.size(); ++i) {
     double seen = -1.0;
     for (const auto& sight : fit.sights[i])
-      if (sight.is_visible) seen = std::max(seen, std::min(double(sight.distance * sight.distance), kMostAtOnce));
+      if (sight.is_visible)
+        seen = std::max(seen, std::min(double(sight.distance * sight.distance), kMostAtOnce));
     if (seen >= 0) wander_[i] += share * (std::max(0.0, seen - kExpected) - wander_[i]);
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// FaceCheck: when a face that is tracked is asked about all the same, beside the frames (lost_face.h). After a
-// return: a face that was gone may look different now, and that its patches fit is not enough. And now and
+// FaceCheck: when a face that is tracked is asked about all the same, beside the frames (lost_face.h). After
+// a return: a face that was gone may look different now, and that its patches fit is not enough. And now and
 // then: are the pictures still of one moment, is the face the patient's? Asked while the head rests, so that
 // cameras that expose one after the other do no harm.
 

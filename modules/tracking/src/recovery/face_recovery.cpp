@@ -7,10 +7,10 @@ namespace facenav::tracking {
 namespace {
 
 constexpr std::size_t kMostRemembered = 6;  // looks: each costs one more fit where the reference does not do
-constexpr double kTurn_mm = 200.0;  // of difference, that a radian counts as: 3.5 mm a degree
+constexpr double kTurn_mm = 200.0;          // of difference, that a radian counts as: 3.5 mm a degree
 
-// Squared distance of the two cameras' own poses by their covariance. In step: 9 at most (20 pairs of one real
-// person), 24 where both pictures are shifted sideways by 13 px.
+// Squared distance of the two cameras' own poses by their covariance. In step: 9 at most (20 pairs of one
+// real person), 24 where both pictures are shifted sideways by 13 px.
 constexpr double kApart = 35.0;
 constexpr double kUneven = 0.5;      // share of windows in place in one camera, by that in the other
 constexpr double kSideFound = 0.35;  // of one camera's windows: it shows the patient's face

@@ -76,8 +76,8 @@ class FaceRecovery {
   FaceShape shape_;
   std::shared_ptr<const SkinView> reference_;
   std::vector<Remembered> remembered_;
-  std::vector<Eigen::Vector3d> landmarks_mm_;           // of the reference, Head; may be empty
-  double roll_rad_ = 0.0;                               // at which its face was found
+  std::vector<Eigen::Vector3d> landmarks_mm_;  // of the reference, Head; may be empty
+  double roll_rad_ = 0.0;                      // at which its face was found
   std::shared_ptr<const FaceDetector> detector_;
 };
 

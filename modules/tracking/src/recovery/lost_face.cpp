@@ -9,13 +9,10 @@
 namespace facenav::tracking {
 namespace {
 
-constexpr double kAnswer_s = 0.1;   // a live answer's time, on one core of a small machine
+constexpr double kAnswer_s = 0.1;     // a live answer's time, on one core of a small machine
 constexpr double kOneMotion_s = 0.5;  // between two answers that tell how fast the head moves
-constexpr int kThoroughEvery = 4;   // questions: a face at any roll takes ten times longer to look for
+constexpr int kThoroughEvery = 4;     // questions: a face at any roll takes ten times longer to look for
 constexpr int kMostSteps = 12, kFirstLevel = 1;
-// How far the patches learnt before may put the cortex from where recovery puts it, in its standard errors:
-// beyond, the skin has moved over the bone, and the patches, which know nothing of that, are pulled along.
-constexpr double kAgree = 1.5;
 // Patches whose errors are those expected, in place of several times as large, show skin that has not moved:
 // then they are the more exact. 0.6 to 1.5 in the room, 3 to 5 on a real face with another expression.
 constexpr double kAsExpected = 2.0;
@@ -30,14 +27,6 @@ constexpr double kDetailKept = 0.73;
 // Agreement with the reference by that of both cameras, mean and standard deviation: the room's table in
 // skin_detail.h (24 poses of patients, 24 of others).
 constexpr double kOwnDetail = 0.91, kOwnSigma = 0.15, kOtherDetail = 0.14, kOtherSigma = 0.13;
-constexpr double kCortexDepth_mm = 80.0;  // behind the face's centre, away from the cameras
-
-// `off`: (w rad, v mm) about the face's centre, Camera's axes.
-bool agree(const Vector6d& off, const Matrix6d& covariance) {
-  Eigen::Matrix<double, 3, 6> carry;
-  carry << -skew(Eigen::Vector3d(0, 0, kCortexDepth_mm)), Eigen::Matrix3d::Identity();
-  return (carry * off).norm() < kAgree * std::sqrt((carry * covariance * carry.transpose()).trace());
-}
 
 struct Estimate {
   Eigen::Isometry3d camera_T_head;
@@ -89,8 +78,8 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   found.is_patient =
       face->identity.verdict() == Identity::Verdict::patient && face->sides == SidesVerdict::agree;
   found.is_out_of_step = face->sides == SidesVerdict::out_of_step || face->lines.isClearlyOutOfStep();
-  found.is_other = face->identity.verdict() == Identity::Verdict::other && face->is_face_seen &&
-                   !found.is_out_of_step;
+  found.is_other =
+      face->identity.verdict() == Identity::Verdict::other && face->is_face_seen && !found.is_out_of_step;
   found.camera_T_head = face->pose.camera_T_head;
   found.face = std::move(*face);
   if (!found.is_patient) return found;
@@ -111,8 +100,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   off << logRotation(fit.motion.linear() * found.camera_T_head.linear().transpose()),
       fit.motion * model.centre_mm - found.camera_T_head * model.centre_mm;
   const Verdict verdict = judge(model, fit);
-  const bool does_serve =
-      agree(off, covariance) || (fit.scale < kAsExpected && off.tail<3>().norm() < kSamePlace_mm);
+  const bool does_serve = fit.scale < kAsExpected && off.tail<3>().norm() < kSamePlace_mm;
   if (does_serve && verdict.isTracked() && whoseSkin(detail, *learnt.both_cameras) == Whose::patients) {
     found.camera_T_head = fit.motion;
     return found;
@@ -137,8 +125,8 @@ std::optional<LostFace::Found> LostFace::take(Timestamp now) {
   return found;
 }
 
-// How far untriggered cameras may put the face off its epipolar lines: by its motion between the exposures. The
-// motion is known from the second answer on.
+// How far untriggered cameras may put the face off its epipolar lines: by its motion between the exposures.
+// The motion is known from the second answer on.
 double LostFace::allowed_px(const Found& found) {
   const auto before = std::exchange(before_, Before{found.camera_T_head, found.captured});
   if (!before) return 0.0;
@@ -180,6 +168,8 @@ void LostFace::forget() {
   ++epoch_;
   is_to_forget_ = true;
 }
+
+bool LostFace::picturesKeepDetail() const { return learnt_.both_cameras->value() >= kDetailKept; }
 
 double LostFace::takeBeside_ms() { return std::exchange(beside_ms_, 0.0); }
 

@@ -45,6 +45,8 @@ class LostFace {
   /// A frame whose face is lost, or is to be checked. `last`: where the head was seen last. Nothing is asked
   /// while an answer is awaited.
   void ask(const stereo::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
+  /// Whether the pictures hold the skin's fine detail, so that patches alone tell whose skin it is.
+  bool picturesKeepDetail() const;
   /// The face is tracked as it was found: how it looks is remembered, where that is new.
   void remember(const Found& found);
   /// Looks from elsewhere, to be searched for, too.

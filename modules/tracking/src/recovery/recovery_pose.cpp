@@ -79,8 +79,7 @@ Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& ma
   std::vector<Part> parts(std::size_t(points.regionCount()));
   for (std::size_t i = 0; i < matches.size(); ++i) {
     Part& part = parts[std::size_t(points[std::size_t(matches[i].point)].region)];
-    const Eigen::Matrix<double, 6, 2> weighted =
-        s.weight[i] * matches[i].jacobian.transpose() * precision[i];
+    const Eigen::Matrix<double, 6, 2> weighted = s.weight[i] * matches[i].jacobian.transpose() * precision[i];
     part.information.noalias() += weighted * matches[i].jacobian;
     part.pull.noalias() += weighted * s.residual[i];
     ++part.matches;
@@ -98,7 +97,8 @@ Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& ma
   return spread * s.information.inverse() + (clusters - 1.0) / std::max(1, clusters) * jackknife;
 }
 
-// The skin of a part that lies elsewhere over the bone than in the reference: nothing in the pictures shows it.
+// The skin of a part that lies elsewhere over the bone than in the reference: nothing in the pictures shows
+// it.
 Matrix6d skinCovarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
                           const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
   std::array<Eigen::Matrix<double, 6, 3>, SkinMobility::kParts> pull;
@@ -169,8 +169,7 @@ RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& poi
     rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = pose.camera_T_head.linear();
     pose.covariance =
         rotate * covarianceOf(points, matches, precision, s) * rotate.transpose() + then.covariance;
-    pose.skin_covariance =
-        rotate * skinCovarianceOf(points, matches, precision, s) * rotate.transpose();
+    pose.skin_covariance = rotate * skinCovarianceOf(points, matches, precision, s) * rotate.transpose();
     pose.residual_px.clear();
     for (const auto& match : matches)
       pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());

@@ -17,8 +17,8 @@ struct EpipolarOffset {
   /// Whether the face lies off its lines by more than matches err. `allowed_px`: what the head's motion
   /// between the two exposures of untriggered cameras explains.
   bool isOutOfStep(double allowed_px = 0.0) const;
-  /// The same of a face that is hardly like the patient's: only what another person's skin, matched by chance,
-  /// cannot show.
+  /// The same of a face that is hardly like the patient's: only what another person's skin, matched by
+  /// chance, cannot show.
   bool isClearlyOutOfStep() const;
 };
 

@@ -10,7 +10,9 @@ namespace {
 // strongest; a third of that is taken for a moment that nobody posed). Not fitted.
 constexpr double kBridge_mm = 0.25, kForehead_mm = 0.5, kTemple_mm = 0.5, kBrow_mm = 1.2, kEye_mm = 1.2;
 constexpr double kCheek_mm = 1.2, kNoseTip_mm = 0.6, kMouth_mm = 4.0;
-constexpr double kUnknown_mm = 0.6;  // all of it is asked about identity, then
+constexpr double kHair_mm = 3.0;                   // beyond the hairline, and in front of the ears
+constexpr double kHairline = -0.75, kEars = 1.05;  // a forehead is as high as the nose is long (Farkas 1994)
+constexpr double kUnknown_mm = 0.6;                // all of it is asked about identity, then
 
 Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& points, int first, int last) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -38,12 +40,16 @@ SkinPart SkinMobility::at(const Eigen::Vector2d& px) const {
   const Eigen::Vector2d d = px - bridge_px_, across(-down_.y(), down_.x());
   const double below = d.dot(down_) / nose_px_, sideways = d.dot(across) / eyes_px_;
   const double aside = std::abs(sideways);
-  const auto ofSide = [&](int number, double sigma_mm) { return SkinPart{number + (sideways > 0), sigma_mm}; };
+  const auto ofSide = [&](int number, double sigma_mm) {
+    return SkinPart{number + (sideways > 0), sigma_mm};
+  };
   if (below > 1.08) return {1, kMouth_mm};
+  if (below < kHairline || aside > kEars) return ofSide(12, kHair_mm);
   if (below < -0.25) return {2, kForehead_mm};
   if (aside < 0.22)
-    return below < 0.1 ? SkinPart{2, kForehead_mm}
-                       : below < 0.75 ? SkinPart{3, kBridge_mm} : SkinPart{0, kNoseTip_mm};
+    return below < 0.1    ? SkinPart{2, kForehead_mm}
+           : below < 0.75 ? SkinPart{3, kBridge_mm}
+                          : SkinPart{0, kNoseTip_mm};
   if (below < 0.15) return ofSide(4, kBrow_mm);
   if (aside > 0.85 && below < 0.6) return ofSide(6, kTemple_mm);
   return below < 0.55 ? ofSide(8, kEye_mm) : ofSide(10, kCheek_mm);

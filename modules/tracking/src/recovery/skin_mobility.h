@@ -18,7 +18,7 @@ struct SkinPart {
 
 class SkinMobility {
  public:
-  static constexpr int kParts = 12;
+  static constexpr int kParts = 14;
   /// Without landmarks every part is taken to move like the forehead.
   SkinMobility() = default;
   explicit SkinMobility(const FaceLandmarks& face);

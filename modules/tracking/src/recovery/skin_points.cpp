@@ -21,7 +21,7 @@ constexpr double kPlaceError_px = 0.25;     // of a level: what sampling and sha
 constexpr double kIndependent_px2 = 12.0;   // area over which compressed, smoothed pictures err alike
 constexpr double kLeastUnlike = 0.02;       // 1 - correlation^2 of the best place, at least
 constexpr double kNearest_mm = 50.0;
-constexpr int kMarginWindows = 5;  // half windows round the face that are kept of a look
+constexpr int kMarginWindows = 5;       // half windows round the face that are kept of a look
 constexpr int kColumns = 6, kRows = 7;  // regions of the face's box whose errors are taken as one
 
 const stereo::CameraModel& cameraOf(const stereo::StereoRig& rig, int c) {
@@ -208,7 +208,6 @@ std::vector<SkinMatch> SkinPoints::find(const SkinView& then, const stereo::Ster
   return matches;
 }
 
-
 stereo::StereoFrame SkinPoints::faceOnly(const stereo::StereoFrame& frame, const stereo::StereoRig& rig,
                                          const Eigen::Isometry3d& camera_T_head) const {
   stereo::StereoFrame face = frame;
@@ -217,7 +216,8 @@ stereo::StereoFrame SkinPoints::faceOnly(const stereo::StereoFrame& frame, const
     cv::Mat& picture = c == 0 ? face.left : face.right;
     std::vector<cv::Point> places;
     for (const auto& point : points_) {
-      const Eigen::Vector2d px = stereo::project(cameraOf(rig, c), seenFrom(rig, c, camera_T_head) * point.mm);
+      const Eigen::Vector2d px =
+          stereo::project(cameraOf(rig, c), seenFrom(rig, c, camera_T_head) * point.mm);
       places.emplace_back(int(px.x()), int(px.y()));
     }
     if (places.empty()) continue;

@@ -1,7 +1,7 @@
 #pragma once
 // face_looks/ in a case: how the patient's face looked in earlier sessions (turned, lit, smiling), so that it
-// is found at once in the next. Photographs: the folder is 0700 and its files 0600 from the first byte; all but
-// the face is black. Pose and MRI belong together: a case that is prepared anew starts without them.
+// is found at once in the next. Photographs: the folder is 0700 and its files 0600 from the first byte; all
+// but the face is black. Pose and MRI belong together: a case that is prepared anew starts without them.
 
 #include <filesystem>
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-// The looks of the patient's face between sessions: the case keeps them against the MRI (casefile/face_looks.h),
-// the tracker wants them against the head of this session (tracking/face_look.h).
+// The looks of the patient's face between sessions: the case keeps them against the MRI
+// (casefile/face_looks.h), the tracker wants them against the head of this session (tracking/face_look.h).
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace facenav::session {
 
-/// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both alignments err by some tenths of
-/// a millimetre: that is added to the poses' covariance.
+/// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both alignments err by some tenths
+/// of a millimetre: that is added to the poses' covariance.
 std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
                                           const RigidTransform<Head, Mri>& head_T_mri);
 std::vector<casefile::KeptLook> asKept(const std::vector<tracking::FaceLook>& looks,
