@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/guidance/handle.h"
 #include "facenav/surface/closest_point.h"
 
 namespace facenav::ui {
@@ -143,12 +144,7 @@ void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
   const auto* target = active();
   if (!target) return;
   try {
-    const double angle_deg = handleAngle_deg(*target);
-    const Eigen::Vector3d step = target->mri_T_target.rotation() * Eigen::Vector3d(x_mm, y_mm, 0.0);
-    auto moved = guidance::planTarget(target->name, *model_.current().scalp,
-                                      Point<Mri>(target->cortex_point.mm + step), angle_deg * M_PI / 180.0);
-    moved.note = target->note;
-    replaceActive(moved);
+    replaceActive(guidance::movedAlongScalp(*target, *model_.current().scalp, x_mm, y_mm));
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
   }
@@ -177,23 +173,31 @@ void PlanPresenter::redo() {
   emit changed();
 }
 
-double PlanPresenter::handleAngle_deg(const guidance::Target& target) {
-  const Eigen::Vector3d z = target.mri_T_target.rotation().col(2), y = target.mri_T_target.rotation().col(1);
-  const Eigen::Vector3d anterior(0, 1, 0);
-  const Eigen::Vector3d tangent = anterior - anterior.dot(z) * z;
-  if (tangent.norm() < 1e-6) return 0.0;
-  return std::acos(std::clamp(y.dot(tangent.normalized()), -1.0, 1.0)) * 180.0 / M_PI;
+double PlanPresenter::handleAngle_deg(const guidance::Target& target) const {
+  return guidance::handleAngle(target, *model_.current().scalp).angle_rad * 180.0 / M_PI;
 }
 
-QString PlanPresenter::describe(const guidance::Target& target) {
+QString PlanPresenter::handleWords(const guidance::Target& target) const {
+  const auto handle = guidance::handleAngle(target, *model_.current().scalp);
+  const long angle_deg = std::lround(handle.angle_rad * 180.0 / M_PI);
+  const bool is_anterior = handle.reference == guidance::HandleReference::anterior;
+  return tr("handle %1%2\u00b0 from %3 (+ to the midline)")
+      .arg(angle_deg > 0 ? "+" : "")
+      .arg(angle_deg)
+      .arg(is_anterior ? tr("anterior") : tr("superior"));
+}
+
+QString PlanPresenter::describe(const guidance::Target& target) const {
   const Eigen::Vector3d& c = target.cortex_point.mm;
   const auto side = [](double mm, const QString& positive, const QString& negative) {
     return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
   };
-  return tr("%1 %2 %3\n%4 mm below the skin, handle %5\u00b0 from anterior")
+  const double gap_mm = std::max(0.0, guidance::hairGap_mm(target));  // no "-0.0"
+  return tr("%1 %2 %3\n%4 mm below the skin, gap %5 mm\n%6")
       .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
       .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
-      .arg(handleAngle_deg(target), 0, 'f', 0);
+      .arg(gap_mm, 0, 'f', 1)
+      .arg(handleWords(target));
 }
 
 }  // namespace facenav::ui

@@ -25,7 +25,8 @@ class PlanPresenter : public QObject {
   void renameActive(const QString& name);
   /// Turns the handle; > 0 as seen along the coil's z, clockwise.
   void turnActive(double degrees);
-  /// Moves the active target along the scalp (Coil x and y, mm).
+  /// Moves the active target along the scalp (Coil x and y, mm); its handle keeps its direction, the coil its
+  /// gap.
   void nudgeActive(double x_mm, double y_mm);
   void undo();
   void redo();
@@ -36,10 +37,13 @@ class PlanPresenter : public QObject {
   void setActive(const QString& name);
   QString activeName() const { return active_; }
   const guidance::Target* active() const;
-  /// Angle of the handle from anterior in the tangent plane, 0..180 degrees.
-  static double handleAngle_deg(const guidance::Target& target);
-  /// "RAS -37 -21 58   gap 14 mm   handle 45 deg".
-  static QString describe(const guidance::Target& target);
+  /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. Only while a case is open, as
+  /// are those below.
+  double handleAngle_deg(const guidance::Target& target) const;
+  /// "handle +45° from anterior (+ to the midline)".
+  QString handleWords(const guidance::Target& target) const;
+  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", and the handle; one line each.
+  QString describe(const guidance::Target& target) const;
 
  signals:
   void changed();
