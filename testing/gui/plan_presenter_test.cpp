@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "facenav/guidance/handle.h"
 #include "gui_fixtures.h"
 
@@ -107,6 +109,55 @@ TEST_F(PlanPresenterTest, SaysOnWhichSideTheHandleLiesAndHowWideTheGapIs) {
   EXPECT_TRUE(presenter_.describe(targets[1]).contains("gap 0.0 mm"));
   const auto forehead = guidance::planTarget("front", *model_.current().scalp, Point<Mri>(2, 70, 5), 0.0);
   EXPECT_TRUE(presenter_.describe(forehead).contains(QString::fromUtf8("handle 0\u00b0 from superior")));
+}
+
+TEST_F(PlanPresenterTest, AStepThatCouldNotBeWrittenCanStillBeUndoneAndDoneAgain) {
+  presenter_.addTarget(Point<Mri>(-40, 5, 60));
+  presenter_.turnActive(5);
+  const auto folder = model_.current().store.folder(), away = folder.parent_path() / "away";
+  const auto turned_deg = presenter_.handleAngle_deg(*presenter_.active());
+  std::filesystem::rename(folder, away);
+  presenter_.undo();
+  EXPECT_FALSE(refusal_.isEmpty());
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), turned_deg, 1e-9);
+  EXPECT_FALSE(presenter_.canRedo());
+  std::filesystem::rename(away, folder);
+  presenter_.undo();
+  EXPECT_GT(std::abs(presenter_.handleAngle_deg(*presenter_.active()) - turned_deg), 4.0);
+  std::filesystem::rename(folder, away);
+  refusal_.clear();
+  presenter_.redo();
+  EXPECT_FALSE(refusal_.isEmpty());
+  EXPECT_TRUE(presenter_.canRedo());
+  std::filesystem::rename(away, folder);
+  presenter_.redo();
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), turned_deg, 1e-9);
+  presenter_.undo();
+  presenter_.undo();
+  EXPECT_TRUE(storedNames().empty());
+  EXPECT_FALSE(presenter_.canUndo());
+}
+
+TEST_F(PlanPresenterTest, UndoAndRedoMakeTheTargetActiveThatTheyChanged) {
+  presenter_.addTarget(Point<Mri>(-40, 5, 60));
+  const QString first = presenter_.activeName();
+  presenter_.addTarget(Point<Mri>(40, 5, 60));
+  const QString second = presenter_.activeName();
+  presenter_.setActive(first);
+  presenter_.turnActive(5);
+  presenter_.undo();
+  EXPECT_EQ(presenter_.activeName(), first);
+  presenter_.setActive(second);
+  presenter_.redo();
+  EXPECT_EQ(presenter_.activeName(), first);
+  presenter_.renameActive("M1");
+  presenter_.undo();
+  EXPECT_EQ(presenter_.activeName(), first);
+  presenter_.redo();
+  EXPECT_EQ(presenter_.activeName(), "M1");
+  presenter_.removeActive();
+  presenter_.undo();
+  EXPECT_EQ(presenter_.activeName(), "M1");
 }
 
 }  // namespace

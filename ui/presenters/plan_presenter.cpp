@@ -56,17 +56,22 @@ QString PlanPresenter::freeName() const {
   }
 }
 
-void PlanPresenter::apply(const guidance::TreatmentPlan& plan_, const QString& active) {
-  const auto before = plan();
+bool PlanPresenter::store(const guidance::TreatmentPlan& plan, const QString& active) {
   try {
-    model_.setPlan(plan_);
-  } catch (const Error& error) {
+    model_.setPlan(plan);
+  } catch (const std::exception& error) {  // the file system's own errors too
     emit refused(QString::fromUtf8(error.what()));
-    return;
+    return false;
   }
-  undo_.push_back(before);
-  redo_.clear();
   active_ = active;
+  return true;
+}
+
+void PlanPresenter::apply(const guidance::TreatmentPlan& next, const QString& active) {
+  const Step step{plan(), next, active_, active};
+  if (!store(next, active)) return;
+  undo_.push_back(step);
+  redo_.clear();
   emit changed();
 }
 
@@ -151,25 +156,16 @@ void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
 }
 
 void PlanPresenter::undo() {
-  if (undo_.empty()) return;
-  const auto earlier = undo_.back();
-  auto undone = undo_;
-  undone.pop_back();
-  auto redone = redo_;
-  redone.push_back(plan());
-  apply(earlier, earlier.targets.empty() ? QString() : QString::fromStdString(earlier.targets.back().name));
-  undo_ = undone;
-  redo_ = redone;
+  if (undo_.empty() || !store(undo_.back().before, undo_.back().active_before)) return;
+  redo_.push_back(undo_.back());
+  undo_.pop_back();
   emit changed();
 }
 
 void PlanPresenter::redo() {
-  if (redo_.empty()) return;
-  const auto later = redo_.back();
-  auto redone = redo_;
-  redone.pop_back();
-  apply(later, later.targets.empty() ? QString() : QString::fromStdString(later.targets.back().name));
-  redo_ = redone;
+  if (redo_.empty() || !store(redo_.back().after, redo_.back().active_after)) return;
+  undo_.push_back(redo_.back());
+  redo_.pop_back();
   emit changed();
 }
 

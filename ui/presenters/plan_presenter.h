@@ -28,6 +28,8 @@ class PlanPresenter : public QObject {
   /// Moves the active target along the scalp (Coil x and y, mm); its handle keeps its direction, the coil its
   /// gap.
   void nudgeActive(double x_mm, double y_mm);
+  /// The target that the step had changed becomes the active one. Where the case cannot be written nothing
+  /// changes, refused() says why, and the step can be tried again.
   void undo();
   void redo();
 
@@ -50,13 +52,21 @@ class PlanPresenter : public QObject {
   void refused(const QString& words);
 
  private:
+  /// The plan and its active target before and after a step.
+  struct Step {
+    guidance::TreatmentPlan before, after;
+    QString active_before, active_after;
+  };
+  /// Stores a plan as a step that can be undone.
   void apply(const guidance::TreatmentPlan& plan, const QString& active);
+  /// Writes the case; false, with refused(), where that fails.
+  bool store(const guidance::TreatmentPlan& plan, const QString& active);
   void replaceActive(const guidance::Target& target);
   QString freeName() const;
 
   CaseModel& model_;
   QString active_;
-  std::vector<guidance::TreatmentPlan> undo_, redo_;
+  std::vector<Step> undo_, redo_;
 };
 
 }  // namespace facenav::ui
