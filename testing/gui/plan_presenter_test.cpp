@@ -160,5 +160,21 @@ TEST_F(PlanPresenterTest, UndoAndRedoMakeTheTargetActiveThatTheyChanged) {
   EXPECT_EQ(presenter_.activeName(), "M1");
 }
 
+TEST_F(PlanPresenterTest, APlaceOutsideTheHeadBecomesNoTargetAndIsSaidInOneLine) {
+  TaskMonitor monitor;
+  casefile::CaseStore::create(folder_.path() / "brain", fixtures::ballWithBrain(), {}, false);
+  model_.open(loadCase(folder_.path() / "brain", monitor));
+  presenter_.addTargetNear(Point<Mri>(300, 0, 0));
+  EXPECT_TRUE(presenter_.plan().targets.empty());
+  EXPECT_TRUE(refusal_.contains("210 mm outside the head")) << refusal_.toStdString();
+  presenter_.addTarget(Point<Mri>(0, 100, 0));  // under no scalp: the coil would face away from the head
+  EXPECT_TRUE(presenter_.plan().targets.empty());
+  EXPECT_TRUE(refusal_.contains("10 mm outside the head")) << refusal_.toStdString();
+  refusal_.clear();
+  presenter_.addTargetNear(Point<Mri>(110, 0, 0));  // a little off: the cortex nearest to it
+  ASSERT_EQ(presenter_.plan().targets.size(), 1u) << refusal_.toStdString();
+  EXPECT_NEAR(presenter_.plan().targets[0].cortex_point.mm.x(), 40.0, 4.0);
+}
+
 }  // namespace
 }  // namespace facenav::ui

@@ -6,6 +6,7 @@
 #include "facenav/core/error.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/surface/closest_point.h"
+#include "facenav/surface/outside_head.h"
 
 namespace facenav::ui {
 namespace {
@@ -75,8 +76,17 @@ void PlanPresenter::apply(const guidance::TreatmentPlan& next, const QString& ac
   emit changed();
 }
 
+bool PlanPresenter::refusesOutside(const Point<Mri>& point, double limit_mm) {
+  const auto& c = model_.current();
+  const double outside_mm = surface::outsideHead_mm(*c.head_mask, *c.scalp, point);
+  if (outside_mm <= limit_mm) return false;
+  emit refused(tr("no target: the place lies %1 mm outside the head; choose one in the head")
+                   .arg(outside_mm, 0, 'f', 0));
+  return true;
+}
+
 void PlanPresenter::addTarget(const Point<Mri>& cortex_point) {
-  if (!model_.isOpen()) return;
+  if (!model_.isOpen() || refusesOutside(cortex_point, 0.0)) return;
   try {
     auto next = plan();
     const QString name = freeName();
@@ -98,7 +108,7 @@ void PlanPresenter::addTargetAtScalp(const Point<Mri>& scalp_point) {
 }
 
 void PlanPresenter::addTargetNear(const Point<Mri>& point) {
-  if (!model_.isOpen()) return;
+  if (!model_.isOpen() || refusesOutside(point, surface::kFarthestOutside_mm)) return;
   if (!model_.current().brain) return addTarget(point);
   const auto nearest = surface::ClosestPoint(model_.current().brain->mesh).nearest(point);
   addTarget(nearest.is_outside ? nearest.point : point);

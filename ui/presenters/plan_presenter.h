@@ -15,11 +15,12 @@ class PlanPresenter : public QObject {
   explicit PlanPresenter(CaseModel& model, QObject* parent = nullptr);
 
   /// A new target under the scalp at a point of the cortex, the handle at 45 degrees; it becomes the active
-  /// one.
+  /// one. Refused for a point outside the head.
   void addTarget(const Point<Mri>& cortex_point);
   /// A click on the scalp means the brain surface nearest below it.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
-  /// At the point itself where it lies in the brain, else at the place of the cortex nearest to it.
+  /// At the point itself where it lies in the brain, else at the place of the cortex nearest to it. Refused
+  /// where the point lies more than surface::kFarthestOutside_mm outside the head.
   void addTargetNear(const Point<Mri>& point);
   void removeActive();
   void renameActive(const QString& name);
@@ -61,6 +62,8 @@ class PlanPresenter : public QObject {
   void apply(const guidance::TreatmentPlan& plan, const QString& active);
   /// Writes the case; false, with refused(), where that fails.
   bool store(const guidance::TreatmentPlan& plan, const QString& active);
+  /// Says so where the point lies farther outside the head.
+  bool refusesOutside(const Point<Mri>& point, double limit_mm);
   void replaceActive(const guidance::Target& target);
   QString freeName() const;
 
