@@ -44,11 +44,18 @@ void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
   QObject::connect(poll, &QTimer::timeout, &window, [&window, arguments, poll] {
     if (!window.isSettled()) return;
     poll->stop();
-    if (!arguments.step.empty()) window.setPrepareStep(stepNamed(arguments.step));
     QTimer::singleShot(int(arguments.after_s * 1000), &window,
                        [&window, arguments] { saveScreenshot(window, arguments.screenshot); });
   });
   poll->start(30);
+}
+
+/// A case comes up at the step asked for, else at Check.
+void openWhatIsAsked(ui::MainWindow& window, const Arguments& arguments) {
+  if (!arguments.case_folder.empty())
+    return window.openCaseAt(QString::fromStdString(arguments.case_folder),
+                             stepNamed(arguments.step.empty() ? "check" : arguments.step));
+  if (!arguments.step.empty()) window.setPrepareStep(stepNamed(arguments.step));
 }
 
 /// The queue kept in the settings holds paths, which may hold a patient's name: for this user's eyes only.
@@ -78,7 +85,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!arguments.override_reason.empty())
     window.overrideSignOff(QString::fromStdString(arguments.by),
                            QString::fromStdString(arguments.override_reason));
-  if (!arguments.case_folder.empty()) window.openCase(QString::fromStdString(arguments.case_folder));
+  openWhatIsAsked(window, arguments);
   if (!arguments.recording.empty()) window.play(QString::fromStdString(arguments.recording));
   if (arguments.workspace == "plan") window.setWorkspace(ui::Workspace::plan);
   if (arguments.workspace == "treat" || (arguments.workspace.empty() && !arguments.recording.empty()))

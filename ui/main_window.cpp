@@ -103,9 +103,9 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connect(&treat_, &TreatPresenter::refused, this,
           [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(&model_, &CaseModel::opened, this, [this] {
-    if (step_to_restore_ || is_to_check_)
-      prepare_workspace_->setStep(step_to_restore_.value_or(PrepareStep::check));
-    step_to_restore_.reset();
+    const auto step = step_to_restore_ ? step_to_restore_ : step_on_open_;
+    step_to_restore_.reset();  // before the new step, which is remembered then
+    if (step) prepare_workspace_->setStep(*step);
     if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
     to_override_.reset();
   });
@@ -218,6 +218,7 @@ Workspace MainWindow::workspace() const { return Workspace(stack_->currentIndex(
 PrepareStep MainWindow::prepareStep() const { return prepare_workspace_->step(); }
 
 void MainWindow::setPrepareStep(PrepareStep step) {
+  if (step_to_restore_) step_to_restore_ = step;  // the case of last time is still being opened
   setWorkspace(Workspace::prepare);
   prepare_workspace_->setStep(step);
 }
@@ -231,9 +232,11 @@ void MainWindow::overrideSignOff(const QString& by, const QString& reason) {
 /// Preparing takes every core; a treatment must not feel it.
 void MainWindow::holdQueue() { queue_.setHeld(treat_.isRunning()); }
 
-void MainWindow::openCase(const QString& folder) {
+void MainWindow::openCase(const QString& folder) { openCaseAt(folder, PrepareStep::check); }
+
+void MainWindow::openCaseAt(const QString& folder, PrepareStep step) {
   QSettings().setValue(kCase, QFileInfo(folder).absoluteFilePath());
-  is_to_check_ = true;
+  step_on_open_ = step;
   step_to_restore_.reset();
   prepare_.openCase(folder);
 }

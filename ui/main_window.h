@@ -46,7 +46,10 @@ class MainWindow : public QMainWindow {
   void setCasesFolder(const QString& folder);
   /// Recorded in the case, once it is open: it may be treated without a sign-off.
   void overrideSignOff(const QString& by, const QString& reason);
+  /// Opens a case to be checked.
   void openCase(const QString& folder);
+  /// Opens a case on a step of Prepare.
+  void openCaseAt(const QString& folder, PrepareStep step);
   /// Opens a recording once the case is there, aligns and starts guidance.
   void play(const QString& recording);
   /// What was open when the window was last open, closed or not (QSettings). Says so where guidance was
@@ -96,9 +99,9 @@ class MainWindow : public QMainWindow {
   StatusChip *cameras_, *face_, *coil_;
   TaskBar* task_bar_;
   QString to_play_, recording_to_restore_, target_to_restore_;
-  std::optional<PrepareStep> step_to_restore_;
+  std::optional<PrepareStep> step_to_restore_, step_on_open_;
   std::optional<Override> to_override_;
-  bool is_starting_ = false, is_to_check_ = false, is_remembering_ = false, was_guiding_ = false;
+  bool is_starting_ = false, is_remembering_ = false, was_guiding_ = false;
 };
 
 }  // namespace facenav::ui

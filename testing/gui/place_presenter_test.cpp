@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gui_fixtures.h"
+#include "presenters/typed_coordinates.h"
 
 namespace facenav::ui {
 namespace {
@@ -77,6 +78,47 @@ TEST_F(PlacePresenterTest, WithoutAnAtlasItSaysSoAndTakesRasOnly) {
   EXPECT_FALSE(place_.read("1 2 3", true, why));
   EXPECT_TRUE(why.contains("RAS"));
   EXPECT_TRUE(place_.read("1 2 3", false, why));
+}
+
+TEST_F(PlacePresenterTest, RefusesAPlaceFarOutsideTheHeadInOneLineThatSaysHowFar) {
+  open(true);
+  QString why;
+  EXPECT_FALSE(place_.read("MNI 300 0 0", false, why));  // the ball's skin lies at 90 mm, MNI is shifted by 2
+  EXPECT_TRUE(why.contains("208 mm outside the head")) << why.toStdString();
+  EXPECT_FALSE(why.contains('\n'));
+  why.clear();
+  EXPECT_FALSE(place_.read("RAS 0 -125 0", false, why));
+  EXPECT_TRUE(why.contains("35 mm outside")) << why.toStdString();
+  why.clear();
+  EXPECT_TRUE(place_.read("RAS 0 -115 0", false, why));
+  EXPECT_TRUE(why.isEmpty());
+}
+
+TEST(TypedCoordinates, AreReadWithADecimalPointOrComma) {
+  const Eigen::Vector3d wanted(12.5, -3.0, 40.0);
+  for (const char* typed : {"12,5; -3,0; 40", "12.5, -3.0, 40", "12.5 -3 40", "12,5 -3,0 40", "12,5;-3;40",
+                            "12,5, -3,0, 40", "12.5,-3.0,40", " +12.5 ,-3 , 40.0 ", "12,5\t-3\t40"}) {
+    const auto read = readCoordinates(typed);
+    ASSERT_TRUE(read.mm) << typed << ": " << read.fault.toStdString();
+    EXPECT_LT((*read.mm - wanted).norm(), 1e-9) << typed;
+    EXPECT_TRUE(read.fault.isEmpty()) << typed;
+  }
+  EXPECT_EQ(readCoordinates("-38,5,60").mm->x(), -38.0);
+  EXPECT_EQ(readCoordinates(QString(QChar(0x2212)) + "38, 5, 60").mm->x(), -38.0);
+}
+
+TEST(TypedCoordinates, ThatCanBeReadInTwoWaysAreRefusedInOneLine) {
+  for (const char* typed :
+       {"12,5,-3,0,40", "12,5 40", "12,5,3,40", "1.234,5; 0; 0", "12,5; 3.2; 40", "1,2,3 4 5", "12,5; 40"}) {
+    const auto read = readCoordinates(typed);
+    EXPECT_FALSE(read.mm) << typed;
+    EXPECT_TRUE(read.fault.contains("comma")) << typed;
+    EXPECT_FALSE(read.fault.contains('\n'));
+  }
+  for (const char* typed : {"", "1 2", "1 2 3 4", "a,b,c", "nan 0 0"}) {
+    EXPECT_FALSE(readCoordinates(typed).mm) << typed;
+    EXPECT_TRUE(readCoordinates(typed).fault.contains("three numbers")) << typed;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "facenav/guidance/handle.h"
 #include "gui_fixtures.h"
 
 namespace facenav::ui {
@@ -19,6 +22,14 @@ class PlanPresenterTest : public ::testing::Test {
     for (const auto& t : model_.current().store.targets().targets) names.push_back(t.name);
     return names;
   }
+  /// A target of the ball's left side, made elsewhere; it becomes the active one.
+  void plan(const std::string& name, double handle_deg, double gap_mm) {
+    auto plan = model_.current().plan;
+    plan.targets.push_back(guidance::planTarget(name, *model_.current().scalp, Point<Mri>(-40, 5, 60),
+                                                handle_deg * M_PI / 180, gap_mm));
+    model_.setPlan(plan);
+    presenter_.setActive(QString::fromStdString(name));
+  }
   testing::TemporaryFolder folder_;
   CaseModel model_;
   PlanPresenter presenter_;
@@ -30,7 +41,7 @@ TEST_F(PlanPresenterTest, AClickMakesATargetThatIsStoredAtOnce) {
   ASSERT_NE(presenter_.active(), nullptr);
   EXPECT_EQ(storedNames(), std::vector<std::string>{presenter_.activeName().toStdString()});
   EXPECT_NEAR(presenter_.active()->scalp_point.mm.norm(), 90.0, 1.0);
-  EXPECT_NEAR(PlanPresenter::handleAngle_deg(*presenter_.active()), 45.0, 1.0);
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), 45.0, 1.0);
 }
 
 TEST_F(PlanPresenterTest, EveryStepCanBeUndoneAndDoneAgain) {
@@ -73,6 +84,96 @@ TEST_F(PlanPresenterTest, RefusesASecondTargetOfTheSameNameAndAPointOutsideTheHe
   presenter_.addTarget(Point<Mri>(0, 0, 300));
   EXPECT_FALSE(refusal_.isEmpty());
   EXPECT_EQ(storedNames().size(), 2u);
+}
+
+TEST_F(PlanPresenterTest, ANudgeKeepsHandleAndGap) {
+  for (const double planned_deg : {-90.0, -45.0, -10.0, 45.0}) {
+    plan("spot " + std::to_string(planned_deg), planned_deg, 4.0);
+    const Eigen::Vector3d before = presenter_.active()->mri_T_target.rotation().col(1);
+    presenter_.nudgeActive(1, 0);
+    const auto& moved = *presenter_.active();
+    EXPECT_NEAR(presenter_.handleAngle_deg(moved), planned_deg, 5.0);  // the ball's facets are 6 degrees wide
+    EXPECT_GT(before.dot(moved.mri_T_target.rotation().col(1)), std::cos(10 * M_PI / 180));
+    EXPECT_NEAR(guidance::hairGap_mm(moved), 4.0, 1e-9);
+  }
+}
+
+TEST_F(PlanPresenterTest, SaysOnWhichSideTheHandleLiesAndHowWideTheGapIs) {
+  plan("to", 60, 4.0);
+  plan("fro", -60, 0.0);
+  const auto& targets = presenter_.plan().targets;
+  EXPECT_TRUE(presenter_.describe(targets[0]).contains(QString::fromUtf8("handle +60\u00b0 from anterior")))
+      << presenter_.describe(targets[0]).toStdString();
+  EXPECT_TRUE(presenter_.describe(targets[0]).contains("gap 4.0 mm"));
+  EXPECT_TRUE(presenter_.describe(targets[1]).contains(QString::fromUtf8("handle -60\u00b0 from anterior")));
+  EXPECT_TRUE(presenter_.describe(targets[1]).contains("gap 0.0 mm"));
+  const auto forehead = guidance::planTarget("front", *model_.current().scalp, Point<Mri>(2, 70, 5), 0.0);
+  EXPECT_TRUE(presenter_.describe(forehead).contains(QString::fromUtf8("handle 0\u00b0 from superior")));
+}
+
+TEST_F(PlanPresenterTest, AStepThatCouldNotBeWrittenCanStillBeUndoneAndDoneAgain) {
+  presenter_.addTarget(Point<Mri>(-40, 5, 60));
+  presenter_.turnActive(5);
+  const auto folder = model_.current().store.folder(), away = folder.parent_path() / "away";
+  const auto turned_deg = presenter_.handleAngle_deg(*presenter_.active());
+  std::filesystem::rename(folder, away);
+  presenter_.undo();
+  EXPECT_FALSE(refusal_.isEmpty());
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), turned_deg, 1e-9);
+  EXPECT_FALSE(presenter_.canRedo());
+  std::filesystem::rename(away, folder);
+  presenter_.undo();
+  EXPECT_GT(std::abs(presenter_.handleAngle_deg(*presenter_.active()) - turned_deg), 4.0);
+  std::filesystem::rename(folder, away);
+  refusal_.clear();
+  presenter_.redo();
+  EXPECT_FALSE(refusal_.isEmpty());
+  EXPECT_TRUE(presenter_.canRedo());
+  std::filesystem::rename(away, folder);
+  presenter_.redo();
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), turned_deg, 1e-9);
+  presenter_.undo();
+  presenter_.undo();
+  EXPECT_TRUE(storedNames().empty());
+  EXPECT_FALSE(presenter_.canUndo());
+}
+
+TEST_F(PlanPresenterTest, UndoAndRedoMakeTheTargetActiveThatTheyChanged) {
+  presenter_.addTarget(Point<Mri>(-40, 5, 60));
+  const QString first = presenter_.activeName();
+  presenter_.addTarget(Point<Mri>(40, 5, 60));
+  const QString second = presenter_.activeName();
+  presenter_.setActive(first);
+  presenter_.turnActive(5);
+  presenter_.undo();
+  EXPECT_EQ(presenter_.activeName(), first);
+  presenter_.setActive(second);
+  presenter_.redo();
+  EXPECT_EQ(presenter_.activeName(), first);
+  presenter_.renameActive("M1");
+  presenter_.undo();
+  EXPECT_EQ(presenter_.activeName(), first);
+  presenter_.redo();
+  EXPECT_EQ(presenter_.activeName(), "M1");
+  presenter_.removeActive();
+  presenter_.undo();
+  EXPECT_EQ(presenter_.activeName(), "M1");
+}
+
+TEST_F(PlanPresenterTest, APlaceOutsideTheHeadBecomesNoTargetAndIsSaidInOneLine) {
+  TaskMonitor monitor;
+  casefile::CaseStore::create(folder_.path() / "brain", fixtures::ballWithBrain(), {}, false);
+  model_.open(loadCase(folder_.path() / "brain", monitor));
+  presenter_.addTargetNear(Point<Mri>(300, 0, 0));
+  EXPECT_TRUE(presenter_.plan().targets.empty());
+  EXPECT_TRUE(refusal_.contains("210 mm outside the head")) << refusal_.toStdString();
+  presenter_.addTarget(Point<Mri>(0, 100, 0));  // under no scalp: the coil would face away from the head
+  EXPECT_TRUE(presenter_.plan().targets.empty());
+  EXPECT_TRUE(refusal_.contains("10 mm outside the head")) << refusal_.toStdString();
+  refusal_.clear();
+  presenter_.addTargetNear(Point<Mri>(110, 0, 0));  // a little off: the cortex nearest to it
+  ASSERT_EQ(presenter_.plan().targets.size(), 1u) << refusal_.toStdString();
+  EXPECT_NEAR(presenter_.plan().targets[0].cortex_point.mm.x(), 40.0, 4.0);
 }
 
 }  // namespace

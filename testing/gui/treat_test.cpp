@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <QPushButton>
+#include <QtTest/QTest>
 #include <fstream>
 
 #include "facenav/scene/display.h"
@@ -147,6 +149,43 @@ TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {
   ASSERT_TRUE(fixtures::waitFor([&] { return figures->instruction().contains("ENDED"); }));
   EXPECT_EQ(figures->figures(), (std::array<QString, 4>{dash, dash, dash, dash}));
   EXPECT_FALSE(scene_view->scene().showsCoil());
+}
+
+/// The button whose tooltip names the key.
+QPushButton* buttonOf(MainWindow& window, const QString& key) {
+  for (auto* button : window.findChildren<QPushButton*>())
+    if (button->isVisible() && button->toolTip().contains("(" + key + ")")) return button;
+  return nullptr;
+}
+
+TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidance) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  const auto case_folder = plannedCase(folder.path(), true);
+  MainWindow window(fakeServices());
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 600).string()));
+  window.setWorkspace(Workspace::treat);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }));
+  QApplication::setActiveWindow(&window);
+  auto* cameras = buttonOf(window, "Ctrl+R");
+  ASSERT_NE(cameras, nullptr);
+  for (const bool is_shown : {true, false}) {
+    QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier);
+    EXPECT_TRUE(fixtures::waitFor([&] { return cameras->isChecked() == is_shown; }, 2000)) << is_shown;
+  }
+  cameras->setFocus();  // a button with the focus must not swallow the stop key
+  QTest::keyClick(cameras, Qt::Key_Space);
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.treat().isRunning(); }, 2000));
+  EXPECT_FALSE(cameras->isChecked());
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().canAlign() && !window.tasks().isRunning(); }));
+  bool has_aligned = false;
+  QObject::connect(&window.tasks(), &TaskRunner::started, [&] { has_aligned = true; });
+  QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
+  EXPECT_TRUE(fixtures::waitFor([&] { return has_aligned && !window.tasks().isRunning(); }, 5000));
+  QTest::keyClick(&window, Qt::Key_Space);
+  EXPECT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 5000));
 }
 
 }  // namespace

@@ -125,6 +125,27 @@ TEST(MainWindow, ComesBackWithCaseWorkspaceStepAndLookEvenAfterACrash) {
   QSettings().clear();
 }
 
+TEST(MainWindow, OpensACaseAtTheStepAskedFor) {
+  FACENAV_NEEDS_DISPLAY();
+  QSettings().clear();
+  testing::TemporaryFolder folder;
+  const QString case_folder = QString::fromStdString(fixtures::writeBallCase(folder.path()).string());
+  MainWindow window{Services{}};
+  window.show();
+  for (const auto step : {PrepareStep::sign_off, PrepareStep::worklist, PrepareStep::check}) {
+    window.openCaseAt(case_folder, step);
+    ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+    EXPECT_EQ(window.prepareStep(), step);
+  }
+  MainWindow again{Services{}};  // and where the case is that of last time
+  again.show();
+  again.restoreLast();
+  again.setPrepareStep(PrepareStep::sign_off);
+  ASSERT_TRUE(fixtures::waitFor([&] { return !again.tasks().isRunning(); }));
+  EXPECT_EQ(again.prepareStep(), PrepareStep::sign_off);
+  QSettings().clear();
+}
+
 TEST(MainWindow, EveryButtonSaysWhatItDoes) {
   FACENAV_NEEDS_DISPLAY();
   MainWindow window{Services{}};

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <QLineEdit>
+#include <QPointer>
 #include <QSettings>
+#include <QTableView>
+#include <QtTest/QTest>
 #include <fstream>
 
+#include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "presenters/sign_off_presenter.h"
+#include "workspaces/prepare/worklist_page.h"
 
 namespace facenav::ui {
 namespace {
@@ -92,6 +98,52 @@ TEST_F(WorklistTest, ACaseIsLabelledInPlaceAndFoundByItsLabel) {
   table_.setData(name, QString(200, 'x'), Qt::EditRole);
   EXPECT_TRUE(refusal.contains("longer than 120")) << refusal.toStdString();
   EXPECT_EQ(store.label(), "Doe, Jane");
+}
+
+TEST_F(WorklistTest, TheRestKeepsItsPlaceWhenALineComesOrGoes) {
+  makeCase("one");
+  makeCase("two");
+  ASSERT_TRUE(show(2));
+  const QPersistentModelIndex kept(table_.index(1, WorklistTable::name));
+  const QString folder = table_.row(1).case_folder;
+  makeCase("three");
+  ASSERT_TRUE(fixtures::waitFor([&] { return table_.rowCount() == 3; }));
+  fs::remove_all(table_.row(kept.row() == 0 ? 1 : 0).case_folder.toStdString());
+  ASSERT_TRUE(fixtures::waitFor([&] { return table_.rowCount() == 2; }));
+  ASSERT_TRUE(kept.isValid());
+  EXPECT_EQ(table_.row(kept.row()).case_folder, folder);
+}
+
+TEST_F(WorklistTest, ALabelBeingTypedOutlivesTheListsRefreshAndReturnOnlyStoresIt) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto store = makeCase("one");
+  ASSERT_TRUE(show(1));
+  WorklistPage page(worklist_, queue_);
+  page.resize(900, 400);
+  page.show();
+  QApplication::processEvents();
+  QApplication::setActiveWindow(&page);
+  int openings = 0;
+  QObject::connect(&page, &WorklistPage::caseChosen, [&] { ++openings; });
+  auto* view = page.findChild<QTableView*>();
+  view->setFocus();
+  view->selectRow(0);
+  QTest::keyClick(view, Qt::Key_F2);
+  const QPointer<QLineEdit> editor = view->viewport()->findChild<QLineEdit*>();
+  ASSERT_TRUE(editor);
+  QTest::keyClicks(editor, "Doe");
+  emit queue_.changed();  // as every 30 s
+  EXPECT_EQ(editor->text(), "Doe");
+  fs::create_directories(folder_.path() / "dropped");
+  queue_.add(QString::fromStdString((folder_.path() / "dropped").string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return view->model()->rowCount() == 2; }));
+  ASSERT_TRUE(editor);
+  QTest::keyClicks(editor, " J");
+  QTest::keyClick(editor, Qt::Key_Return);
+  EXPECT_EQ(openings, 0);
+  EXPECT_EQ(store.label(), "Doe J");
+  QTest::keyClick(view, Qt::Key_Return);
+  EXPECT_EQ(openings, 1);
 }
 
 TEST_F(WorklistTest, AFolderThatCannotBeReadIsSaid) {

@@ -1,15 +1,12 @@
 #include "presenters/place_presenter.h"
 
-#include <QRegularExpression>
-#include <cmath>
-
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/surface/outside_head.h"
+#include "presenters/typed_coordinates.h"
 
 namespace facenav::ui {
 namespace {
-
-constexpr double kFarthest_mm = 400.0;  // no head is larger
 
 QString nameAt(const atlas::LabelMap& map, const Point<Mni>& p) {
   const auto label = atlas::labelAt(map, p);
@@ -70,20 +67,27 @@ std::optional<Point<Mri>> PlacePresenter::read(const QString& typed, bool is_mni
     is_mni = text.startsWith('M', Qt::CaseInsensitive);
     text = text.mid(3);
   }
-  const QStringList parts = text.split(QRegularExpression("[\\s,;]+"), Qt::SkipEmptyParts);
-  Eigen::Vector3d mm;
-  bool is_number = parts.size() == 3;
-  for (int i = 0; i < 3 && is_number; ++i) mm[i] = parts[i].toDouble(&is_number);
-  if (!is_number || !mm.allFinite() || mm.cwiseAbs().maxCoeff() > kFarthest_mm) {
-    words = tr("three numbers in mm are expected, such as -38 -22 56");
+  const TypedCoordinates read = readCoordinates(text);
+  if (!read.mm) {
+    words = read.fault;
     return std::nullopt;
   }
-  if (!is_mni) return Point<Mri>(mm);
-  if (!hasAtlas()) {
+  if (is_mni && !hasAtlas()) {
     words = tr("the case has no atlas: type RAS coordinates");
     return std::nullopt;
   }
-  return model_.current().atlas->toMri(Point<Mni>(mm));
+  const auto place = is_mni ? model_.current().atlas->toMri(Point<Mni>(*read.mm)) : Point<Mri>(*read.mm);
+  words = outsideWords(place);
+  return words.isEmpty() ? std::optional(place) : std::nullopt;
+}
+
+QString PlacePresenter::outsideWords(const Point<Mri>& place) const {
+  if (!model_.isOpen()) return {};
+  const double outside_mm =
+      surface::outsideHead_mm(*model_.current().head_mask, *model_.current().scalp, place);
+  if (outside_mm <= surface::kFarthestOutside_mm) return {};
+  return tr("%1 mm outside the head: check the numbers, and whether they are MNI or RAS")
+      .arg(outside_mm, 0, 'f', 0);
 }
 
 }  // namespace facenav::ui

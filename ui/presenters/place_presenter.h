@@ -25,13 +25,15 @@ class PlacePresenter : public QObject {
   Place at(const Point<Mri>& ras) const;
   /// "RAS  -37.2  -21.0  58.1" / "MNI  -38  -22  56" / "Precentral_L, BA 4 (2 mm away)".
   QString describe(const Point<Mri>& ras) const;
-  /// "-37 -21 58", "RAS -37,-21,58", "MNI -38 -22 56"; `is_mni` where neither word is typed. Nothing, with
-  /// `words` saying why, where it cannot be read or the case has no atlas.
+  /// "-37 -21 58", "RAS -37,-21,58", "MNI -38 -22 56", as readCoordinates reads them; `is_mni` where neither
+  /// word is typed. Nothing, with `words` saying why, where it cannot be read, the case has no atlas or the
+  /// place lies more than surface::kFarthestOutside_mm outside the head.
   std::optional<Point<Mri>> read(const QString& typed, bool is_mni, QString& words) const;
   bool hasAtlas() const { return model_.isOpen() && model_.current().atlas; }
 
  private:
   const atlas::BrainTemplate* labels() const;
+  QString outsideWords(const Point<Mri>& place) const;
 
   const Services& services_;
   CaseModel& model_;

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/guidance/handle.h"
 #include "facenav/surface/closest_point.h"
+#include "facenav/surface/outside_head.h"
 
 namespace facenav::ui {
 namespace {
@@ -55,22 +57,36 @@ QString PlanPresenter::freeName() const {
   }
 }
 
-void PlanPresenter::apply(const guidance::TreatmentPlan& plan_, const QString& active) {
-  const auto before = plan();
+bool PlanPresenter::store(const guidance::TreatmentPlan& plan, const QString& active) {
   try {
-    model_.setPlan(plan_);
-  } catch (const Error& error) {
+    model_.setPlan(plan);
+  } catch (const std::exception& error) {  // the file system's own errors too
     emit refused(QString::fromUtf8(error.what()));
-    return;
+    return false;
   }
-  undo_.push_back(before);
-  redo_.clear();
   active_ = active;
+  return true;
+}
+
+void PlanPresenter::apply(const guidance::TreatmentPlan& next, const QString& active) {
+  const Step step{plan(), next, active_, active};
+  if (!store(next, active)) return;
+  undo_.push_back(step);
+  redo_.clear();
   emit changed();
 }
 
+bool PlanPresenter::refusesOutside(const Point<Mri>& point, double limit_mm) {
+  const auto& c = model_.current();
+  const double outside_mm = surface::outsideHead_mm(*c.head_mask, *c.scalp, point);
+  if (outside_mm <= limit_mm) return false;
+  emit refused(tr("no target: the place lies %1 mm outside the head; choose one in the head")
+                   .arg(outside_mm, 0, 'f', 0));
+  return true;
+}
+
 void PlanPresenter::addTarget(const Point<Mri>& cortex_point) {
-  if (!model_.isOpen()) return;
+  if (!model_.isOpen() || refusesOutside(cortex_point, 0.0)) return;
   try {
     auto next = plan();
     const QString name = freeName();
@@ -92,7 +108,7 @@ void PlanPresenter::addTargetAtScalp(const Point<Mri>& scalp_point) {
 }
 
 void PlanPresenter::addTargetNear(const Point<Mri>& point) {
-  if (!model_.isOpen()) return;
+  if (!model_.isOpen() || refusesOutside(point, surface::kFarthestOutside_mm)) return;
   if (!model_.current().brain) return addTarget(point);
   const auto nearest = surface::ClosestPoint(model_.current().brain->mesh).nearest(point);
   addTarget(nearest.is_outside ? nearest.point : point);
@@ -143,57 +159,51 @@ void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
   const auto* target = active();
   if (!target) return;
   try {
-    const double angle_deg = handleAngle_deg(*target);
-    const Eigen::Vector3d step = target->mri_T_target.rotation() * Eigen::Vector3d(x_mm, y_mm, 0.0);
-    auto moved = guidance::planTarget(target->name, *model_.current().scalp,
-                                      Point<Mri>(target->cortex_point.mm + step), angle_deg * M_PI / 180.0);
-    moved.note = target->note;
-    replaceActive(moved);
+    replaceActive(guidance::movedAlongScalp(*target, *model_.current().scalp, x_mm, y_mm));
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
   }
 }
 
 void PlanPresenter::undo() {
-  if (undo_.empty()) return;
-  const auto earlier = undo_.back();
-  auto undone = undo_;
-  undone.pop_back();
-  auto redone = redo_;
-  redone.push_back(plan());
-  apply(earlier, earlier.targets.empty() ? QString() : QString::fromStdString(earlier.targets.back().name));
-  undo_ = undone;
-  redo_ = redone;
+  if (undo_.empty() || !store(undo_.back().before, undo_.back().active_before)) return;
+  redo_.push_back(undo_.back());
+  undo_.pop_back();
   emit changed();
 }
 
 void PlanPresenter::redo() {
-  if (redo_.empty()) return;
-  const auto later = redo_.back();
-  auto redone = redo_;
-  redone.pop_back();
-  apply(later, later.targets.empty() ? QString() : QString::fromStdString(later.targets.back().name));
-  redo_ = redone;
+  if (redo_.empty() || !store(redo_.back().after, redo_.back().active_after)) return;
+  undo_.push_back(redo_.back());
+  redo_.pop_back();
   emit changed();
 }
 
-double PlanPresenter::handleAngle_deg(const guidance::Target& target) {
-  const Eigen::Vector3d z = target.mri_T_target.rotation().col(2), y = target.mri_T_target.rotation().col(1);
-  const Eigen::Vector3d anterior(0, 1, 0);
-  const Eigen::Vector3d tangent = anterior - anterior.dot(z) * z;
-  if (tangent.norm() < 1e-6) return 0.0;
-  return std::acos(std::clamp(y.dot(tangent.normalized()), -1.0, 1.0)) * 180.0 / M_PI;
+double PlanPresenter::handleAngle_deg(const guidance::Target& target) const {
+  return guidance::handleAngle(target, *model_.current().scalp).angle_rad * 180.0 / M_PI;
 }
 
-QString PlanPresenter::describe(const guidance::Target& target) {
+QString PlanPresenter::handleWords(const guidance::Target& target) const {
+  const auto handle = guidance::handleAngle(target, *model_.current().scalp);
+  const long angle_deg = std::lround(handle.angle_rad * 180.0 / M_PI);
+  const bool is_anterior = handle.reference == guidance::HandleReference::anterior;
+  return tr("handle %1%2\u00b0 from %3 (+ to the midline)")
+      .arg(angle_deg > 0 ? "+" : "")
+      .arg(angle_deg)
+      .arg(is_anterior ? tr("anterior") : tr("superior"));
+}
+
+QString PlanPresenter::describe(const guidance::Target& target) const {
   const Eigen::Vector3d& c = target.cortex_point.mm;
   const auto side = [](double mm, const QString& positive, const QString& negative) {
     return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
   };
-  return tr("%1 %2 %3\n%4 mm below the skin, handle %5\u00b0 from anterior")
+  const double gap_mm = std::max(0.0, guidance::hairGap_mm(target));  // no "-0.0"
+  return tr("%1 %2 %3\n%4 mm below the skin, gap %5 mm\n%6")
       .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
       .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
-      .arg(handleAngle_deg(target), 0, 'f', 0);
+      .arg(gap_mm, 0, 'f', 1)
+      .arg(handleWords(target));
 }
 
 }  // namespace facenav::ui

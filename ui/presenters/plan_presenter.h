@@ -15,18 +15,22 @@ class PlanPresenter : public QObject {
   explicit PlanPresenter(CaseModel& model, QObject* parent = nullptr);
 
   /// A new target under the scalp at a point of the cortex, the handle at 45 degrees; it becomes the active
-  /// one.
+  /// one. Refused for a point outside the head.
   void addTarget(const Point<Mri>& cortex_point);
   /// A click on the scalp means the brain surface nearest below it.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
-  /// At the point itself where it lies in the brain, else at the place of the cortex nearest to it.
+  /// At the point itself where it lies in the brain, else at the place of the cortex nearest to it. Refused
+  /// where the point lies more than surface::kFarthestOutside_mm outside the head.
   void addTargetNear(const Point<Mri>& point);
   void removeActive();
   void renameActive(const QString& name);
   /// Turns the handle; > 0 as seen along the coil's z, clockwise.
   void turnActive(double degrees);
-  /// Moves the active target along the scalp (Coil x and y, mm).
+  /// Moves the active target along the scalp (Coil x and y, mm); its handle keeps its direction, the coil its
+  /// gap.
   void nudgeActive(double x_mm, double y_mm);
+  /// The target that the step had changed becomes the active one. Where the case cannot be written nothing
+  /// changes, refused() says why, and the step can be tried again.
   void undo();
   void redo();
 
@@ -36,23 +40,36 @@ class PlanPresenter : public QObject {
   void setActive(const QString& name);
   QString activeName() const { return active_; }
   const guidance::Target* active() const;
-  /// Angle of the handle from anterior in the tangent plane, 0..180 degrees.
-  static double handleAngle_deg(const guidance::Target& target);
-  /// "RAS -37 -21 58   gap 14 mm   handle 45 deg".
-  static QString describe(const guidance::Target& target);
+  /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. Only while a case is open, as
+  /// are those below.
+  double handleAngle_deg(const guidance::Target& target) const;
+  /// "handle +45° from anterior (+ to the midline)".
+  QString handleWords(const guidance::Target& target) const;
+  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", and the handle; one line each.
+  QString describe(const guidance::Target& target) const;
 
  signals:
   void changed();
   void refused(const QString& words);
 
  private:
+  /// The plan and its active target before and after a step.
+  struct Step {
+    guidance::TreatmentPlan before, after;
+    QString active_before, active_after;
+  };
+  /// Stores a plan as a step that can be undone.
   void apply(const guidance::TreatmentPlan& plan, const QString& active);
+  /// Writes the case; false, with refused(), where that fails.
+  bool store(const guidance::TreatmentPlan& plan, const QString& active);
+  /// Says so where the point lies farther outside the head.
+  bool refusesOutside(const Point<Mri>& point, double limit_mm);
   void replaceActive(const guidance::Target& target);
   QString freeName() const;
 
   CaseModel& model_;
   QString active_;
-  std::vector<guidance::TreatmentPlan> undo_, redo_;
+  std::vector<Step> undo_, redo_;
 };
 
 }  // namespace facenav::ui

@@ -34,6 +34,18 @@ QVariant sortKey(const WorklistRow& row, int column) {
   return textOf(row, column).toString().toLower();
 }
 
+bool isSame(const WorklistRow& a, const WorklistRow& b) {
+  return a.job_id == b.job_id && a.case_folder == b.case_folder;
+}
+
+/// Whether `all` holds every one of `some`, in the same order.
+bool isInOrderOf(const std::vector<WorklistRow>& some, const std::vector<WorklistRow>& all) {
+  auto next = some.begin();
+  for (const auto& row : all)
+    if (next != some.end() && isSame(*next, row)) ++next;
+  return next == some.end();
+}
+
 }  // namespace
 
 WorklistTable::WorklistTable(WorklistPresenter& presenter, QObject* parent)
@@ -41,15 +53,13 @@ WorklistTable::WorklistTable(WorklistPresenter& presenter, QObject* parent)
   connect(&presenter_, &WorklistPresenter::changed, this, &WorklistTable::update);
 }
 
-/// Rows are told apart by job or folder, so that the view keeps its selection while figures change.
+/// Rows come and go one by one, so that the view keeps its selection, and a label being typed, while the list
+/// changes.
 void WorklistTable::update() {
   const auto& fresh = presenter_.rows();
-  const bool is_same_list =
-      fresh.size() == rows_.size() &&
-      std::equal(fresh.begin(), fresh.end(), rows_.begin(), [](const auto& a, const auto& b) {
-        return a.job_id == b.job_id && a.case_folder == b.case_folder;
-      });
-  if (is_same_list) {
+  removeMissing(fresh);
+  if (isInOrderOf(rows_, fresh)) {
+    insertNew(fresh);
     rows_ = fresh;
     if (!rows_.empty()) emit dataChanged(index(0, 0), index(int(rows_.size()) - 1, columns - 1));
     return;
@@ -57,6 +67,28 @@ void WorklistTable::update() {
   beginResetModel();
   rows_ = fresh;
   endResetModel();
+}
+
+void WorklistTable::removeMissing(const std::vector<WorklistRow>& fresh) {
+  for (int line = int(rows_.size()) - 1; line >= 0; --line) {
+    const auto& row = rows_[std::size_t(line)];
+    const auto is_it = [&](const WorklistRow& other) { return isSame(row, other); };
+    if (std::any_of(fresh.begin(), fresh.end(), is_it)) continue;
+    beginRemoveRows({}, line, line);
+    rows_.erase(rows_.begin() + line);
+    endRemoveRows();
+  }
+}
+
+/// Where `rows_` holds some of `fresh`, in its order.
+void WorklistTable::insertNew(const std::vector<WorklistRow>& fresh) {
+  for (int line = 0; line < int(fresh.size()); ++line) {
+    const auto& row = fresh[std::size_t(line)];
+    if (line < int(rows_.size()) && isSame(rows_[std::size_t(line)], row)) continue;
+    beginInsertRows({}, line, line);
+    rows_.insert(rows_.begin() + line, row);
+    endInsertRows();
+  }
 }
 
 int WorklistTable::rowCount(const QModelIndex& parent) const {

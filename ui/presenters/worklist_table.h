@@ -28,6 +28,8 @@ class WorklistTable : public QAbstractTableModel {
 
  private:
   void update();
+  void removeMissing(const std::vector<WorklistRow>& fresh);
+  void insertNew(const std::vector<WorklistRow>& fresh);
 
   WorklistPresenter& presenter_;
   std::vector<WorklistRow> rows_;

@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "widgets/words_of_button.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -126,7 +128,7 @@ void CamerasPanel::showState() {
   }
   state_->setText(fault.isEmpty() ? cameras_.words() : fault);
   open_->setEnabled(cameras_.canOpen() && !presenter_.isRunning());
-  open_->setText(cameras_.isLive() ? tr("Open the cameras anew") : tr("Open the cameras"));
+  setWords(*open_, cameras_.isLive() ? tr("Open the cameras anew") : tr("Open the cameras"));
   const bool is_live = cameras_.isLive() && !presenter_.isRunning();
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());

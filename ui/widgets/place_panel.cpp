@@ -25,7 +25,9 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   frame_->setToolTip(tr("what the typed numbers are"));
   typed_ = new QLineEdit(this);
   typed_->setPlaceholderText(tr("x y z, mm"));
-  typed_->setToolTip(tr("type coordinates, Return: the crosshair goes there (Ctrl+G)"));
+  typed_->setToolTip(
+      tr("type coordinates, such as -38 -22 56 or -38,5; -22; 56; Return: the crosshair goes there "
+         "(Ctrl+G)"));
   target_ = new QPushButton(tr("Target at the crosshair"), this);
   target_->setToolTip(tr("a target at the cortex under it (T)"));
   target_->setShortcut(Qt::Key_T);

@@ -1,5 +1,6 @@
 #include "widgets/worklist_delegate.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
 
@@ -8,6 +9,8 @@
 
 namespace facenav::ui {
 namespace {
+
+const char* const kIsFilled = "is_filled";  // property of an editor
 
 QColor colourOf(Mark mark) {
   if (mark == Mark::done) return colourOf(Level::good);
@@ -51,6 +54,22 @@ void WorklistDelegate::paint(QPainter* painter, const QStyleOptionViewItem& give
   drawMark(*painter, Mark(index.data(WorklistTable::kMarkRole).toInt()),
            QPointF(given.rect.left() + 14, given.rect.center().y() + 0.5));
   painter->restore();
+}
+
+void WorklistDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+  if (editor->property(kIsFilled).toBool()) return;
+  editor->setProperty(kIsFilled, true);
+  QStyledItemDelegate::setEditorData(editor, index);
+}
+
+bool WorklistDelegate::eventFilter(QObject* watched, QEvent* event) {
+  auto* editor = qobject_cast<QWidget*>(watched);
+  if (!editor || event->type() != QEvent::KeyPress) return QStyledItemDelegate::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key != Qt::Key_Return && key != Qt::Key_Enter) return QStyledItemDelegate::eventFilter(watched, event);
+  emit commitData(editor);
+  emit closeEditor(editor, SubmitModelCache);
+  return true;
 }
 
 }  // namespace facenav::ui

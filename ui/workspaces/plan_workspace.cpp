@@ -74,6 +74,9 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   detail_ = new QLabel(panel);
   detail_->setWordWrap(true);
   detail_->setObjectName("figures_text");
+  detail_->setToolTip(tr(
+      "mm and degrees; gap: between coil and skin, for hair; handle: 0\u00b0 points straight back, + turns "
+      "its front to the midline; over forehead and occiput it is measured from superior"));
   auto* hint = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target."), panel);
   hint->setObjectName("muted");
   hint->setWordWrap(true);
@@ -181,7 +184,7 @@ void PlanWorkspace::showPlan() {
   }
   is_filling_ = false;
   const auto* active = presenter_.active();
-  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + PlanPresenter::describe(*active)
+  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + presenter_.describe(*active)
                           : tr("no target chosen"));
   undo_->setEnabled(presenter_.canUndo());
   redo_->setEnabled(presenter_.canRedo());

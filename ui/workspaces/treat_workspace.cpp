@@ -15,6 +15,7 @@
 #include "widgets/elided_label.h"
 #include "widgets/figures_panel.h"
 #include "widgets/override_panel.h"
+#include "widgets/words_of_button.h"
 
 namespace facenav::ui {
 namespace {
@@ -157,14 +158,14 @@ void TreatWorkspace::showSession() {
 
 void TreatWorkspace::showSteps() {
   const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
-  cameras_->setText(tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
-  align_->setText(tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
+  setWords(*cameras_, tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
+  setWords(*align_, tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
   const bool has_begun = presenter_.isRunning() && !shows_running_;
   shows_running_ = presenter_.isRunning();
   if (has_begun) showStage(false);
-  guide_->setText(shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
+  setWords(*guide_, shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
   align_->setEnabled(presenter_.canAlign());
-  guide_->setEnabled(presenter_.isAligned() && presenter_.mayTreat());
+  guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));  // stop always can
   words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                               : tr("open a case first (Ctrl+O)"));
   target_->clear();

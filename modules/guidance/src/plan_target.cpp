@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "facenav/guidance/target.h"
+#include "tangent_directions.h"
 
 namespace facenav::guidance {
 namespace {
@@ -43,28 +43,13 @@ Eigen::Vector3d nearestOnScalp(const surface::TriangleMesh& mesh, const Eigen::V
   return nearest;
 }
 
-/// x of the head's mid-sagittal plane: the middle of the scalp's extent (the world origin may lie anywhere).
-double midline_x_mm(const surface::TriangleMesh& mesh) {
-  const auto [low, high] = std::minmax_element(mesh.vertices_mm.begin(), mesh.vertices_mm.end(),
-                                               [](const auto& a, const auto& b) { return a.x() < b.x(); });
-  return 0.5 * (low->x() + high->x());
-}
-
-/// Axes of the coil: z inwards, y at the angle from anterior in the tangent plane, turning towards the
-/// midline.
-Eigen::Matrix3d coilAxes(const Eigen::Vector3d& z, double handle_angle_rad, double to_midline_mm) {
-  const Eigen::Vector3d anterior =
-      std::abs(z.y()) > 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d forward = (anterior - anterior.dot(z) * z).normalized();
-  Eigen::Vector3d medial = z.cross(forward);
-  // Over the vertex x tells which way is medial; over the side of the head, where x is nearly along z, up
-  // does.
-  const double sign = to_midline_mm > 0 ? 1.0 : -1.0;
-  const bool has_superior = std::abs(z.y()) <= 0.9;
-  if (medial.dot(Eigen::Vector3d(sign, 0, has_superior ? 1 : 0)) < 0) medial = -medial;
+/// Axes of the coil: z inwards, y at the angle from the reference in the tangent plane.
+Eigen::Matrix3d coilAxes(const TangentDirections& directions, const Eigen::Vector3d& z,
+                         double handle_angle_rad) {
   Eigen::Matrix3d axes;
   axes.col(2) = z;
-  axes.col(1) = std::cos(handle_angle_rad) * forward + std::sin(handle_angle_rad) * medial;
+  axes.col(1) =
+      std::cos(handle_angle_rad) * directions.forward + std::sin(handle_angle_rad) * directions.medial;
   axes.col(0) = axes.col(1).cross(z);
   return axes;
 }
@@ -81,9 +66,8 @@ Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, c
                     " mm from the scalp",
                 "target " + name, "choose a point on the cortex");
   const Eigen::Vector3d z = (cortex_point.mm - scalp_mm) / depth_mm;
-  const double to_midline_mm = midline_x_mm(scalp.mesh) - cortex_point.mm.x();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = coilAxes(z, handle_angle_rad, to_midline_mm);
+  pose.linear() = coilAxes(tangentDirections(scalp.mesh, z, cortex_point), z, handle_angle_rad);
   pose.translation() = scalp_mm - gap_mm * z;
   return {name, RigidTransform<Mri, frames::Target>::fromIsometry(pose), cortex_point, Point<Mri>(scalp_mm),
           ""};

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "widgets/words_of_button.h"
 #include "workspaces/prepare/archive_page.h"
 #include "workspaces/prepare/check_page.h"
 #include "workspaces/prepare/series_page.h"
@@ -89,8 +90,7 @@ void PrepareWorkspace::showSteps() {
   for (int i = 0; i < 4; ++i) {
     auto* button = steps_->button(i);
     const bool is_done = i == 3 && sign_off_.holds();
-    button->setText(is_done ? names[i] + "  \u2713" : names[i]);
-    button->setShortcut(QKeySequence(Qt::ALT + Qt::Key_1 + i));  // a new text takes the shortcut away
+    setWords(*button, is_done ? names[i] + "  \u2713" : names[i]);
     button->setEnabled(i < 2 || model_.isOpen());
   }
   steps_->button(step() == PrepareStep::archive ? 1 : pages_->currentIndex())->setChecked(true);

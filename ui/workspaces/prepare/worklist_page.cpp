@@ -34,9 +34,11 @@ WorklistPage::WorklistPage(WorklistPresenter& presenter, PrepareQueue& queue, QW
   column->addWidget(makeActions());
   connect(&presenter_, &WorklistPresenter::changed, this, &WorklistPage::showState);
   connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, &WorklistPage::showState);
-  connect(filter_, &QAbstractItemModel::modelReset, this, [this] {
+  const auto chooseOne = [this] {
     if (!view_->currentIndex().isValid() && filter_->rowCount() > 0) view_->selectRow(0);
-  });
+  };
+  connect(filter_, &QAbstractItemModel::modelReset, this, chooseOne);
+  connect(filter_, &QAbstractItemModel::rowsInserted, this, chooseOne);
   showState();
 }
 

@@ -29,8 +29,8 @@ struct TreatmentPlan {
 /// the cortex point, y in the tangent plane at `handle_angle_rad` from anterior, turning towards the midline
 /// (45 degrees: the usual posterior-lateral handle over M1). Over the side of the head "towards the midline"
 /// is upwards; on the midline itself it is towards the patient's left; over forehead and occiput superior
-/// stands in for anterior. `gap_mm`: between contact face and scalp (hair). Throws Error for a scalp without
-/// triangles or a cortex point that does not lie 1 to 80 mm under it.
+/// stands in for anterior (where: handle.h). `gap_mm`: between contact face and scalp (hair). Throws Error
+/// for a scalp without triangles or a cortex point that does not lie 1 to 80 mm under it.
 Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
                   double handle_angle_rad, double gap_mm = 0.0);
 

@@ -1,0 +1,64 @@
+#include "facenav/guidance/handle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tangent_directions.h"
+
+namespace facenav::guidance {
+namespace {
+
+/// Beyond it anterior's projection onto the coil's plane is shorter than 0.436 = sqrt(1 - 0.9^2).
+constexpr double kMostAlongAnterior = 0.9;
+
+/// x of the head's mid-sagittal plane: the middle of the scalp's extent (the world origin may lie anywhere).
+double midline_x_mm(const surface::TriangleMesh& mesh) {
+  const auto [low, high] = std::minmax_element(mesh.vertices_mm.begin(), mesh.vertices_mm.end(),
+                                               [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  return 0.5 * (low->x() + high->x());
+}
+
+}  // namespace
+
+TangentDirections tangentDirections(const surface::TriangleMesh& scalp, const Eigen::Vector3d& z,
+                                    const Point<Mri>& cortex_point) {
+  TangentDirections directions;
+  const bool has_anterior = std::abs(z.y()) <= kMostAlongAnterior;
+  directions.reference = has_anterior ? HandleReference::anterior : HandleReference::superior;
+  const Eigen::Vector3d wanted = has_anterior ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  directions.forward = (wanted - wanted.dot(z) * z).normalized();
+  directions.medial = z.cross(directions.forward);
+  // Over the vertex x tells which way is medial; over the side of the head, where x is nearly along z, up
+  // does.
+  const double sign = midline_x_mm(scalp) > cortex_point.mm.x() ? 1.0 : -1.0;
+  if (directions.medial.dot(Eigen::Vector3d(sign, 0, has_anterior ? 1 : 0)) < 0)
+    directions.medial = -directions.medial;
+  return directions;
+}
+
+HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp) {
+  const Eigen::Matrix3d axes = target.mri_T_target.rotation();
+  const auto directions = tangentDirections(scalp.mesh, axes.col(2), target.cortex_point);
+  return {std::atan2(axes.col(1).dot(directions.medial), axes.col(1).dot(directions.forward)),
+          directions.reference};
+}
+
+double hairGap_mm(const Target& target) {
+  return (target.scalp_point.mm - target.mri_T_target.translation_mm())
+      .dot(target.mri_T_target.rotation().col(2));
+}
+
+Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp, double x_mm, double y_mm) {
+  const Eigen::Matrix3d axes = target.mri_T_target.rotation();
+  const Eigen::Vector3d step = axes * Eigen::Vector3d(x_mm, y_mm, 0.0);
+  Target moved =
+      planTarget(target.name, scalp, Point<Mri>(target.cortex_point.mm + step), 0.0, hairGap_mm(target));
+  const Eigen::Quaterniond transport =
+      Eigen::Quaterniond::FromTwoVectors(axes.col(2), Eigen::Vector3d(moved.mri_T_target.rotation().col(2)));
+  moved.mri_T_target = RigidTransform<Mri, frames::Target>(transport * Eigen::Quaterniond(axes),
+                                                           moved.mri_T_target.translation_mm());
+  moved.note = target.note;
+  return moved;
+}
+
+}  // namespace facenav::guidance

@@ -1,0 +1,19 @@
+#pragma once
+// The directions that a handle's angle is measured in: reference and medial, unit, in the plane tangent to
+// the scalp. Mri frame.
+
+#include "facenav/guidance/handle.h"
+#include "facenav/surface/triangle_mesh.h"
+
+namespace facenav::guidance {
+
+struct TangentDirections {
+  Eigen::Vector3d forward, medial;  // angle 0, and +90 degrees
+  HandleReference reference = HandleReference::anterior;
+};
+
+/// For a coil whose axis `z` (unit) points into the head at `cortex_point`.
+TangentDirections tangentDirections(const surface::TriangleMesh& scalp, const Eigen::Vector3d& z,
+                                    const Point<Mri>& cortex_point);
+
+}  // namespace facenav::guidance

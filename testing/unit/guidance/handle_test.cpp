@@ -1,0 +1,80 @@
+#include "facenav/guidance/handle.h"
+
+#include <gtest/gtest.h>
+
+#include "made_targets.h"
+#include "support/matchers.h"
+
+namespace facenav::guidance {
+namespace {
+using namespace guidance::testing;
+using facenav::testing::EigenNear;
+
+const Eigen::Vector3d kCentre_mm(12, -30, 25);
+
+const surface::ScalpSurface& roundHead() {
+  static const surface::ScalpSurface kHead = [] {
+    surface::ScalpSurface scalp;
+    scalp.mesh = sphere(kCentre_mm, 90);
+    return scalp;
+  }();
+  return kHead;
+}
+
+Target over(const Eigen::Vector3d& direction, double angle_deg, double gap_mm = 0) {
+  return planTarget("spot", roundHead(), Point<Mri>(kCentre_mm + 70 * direction.normalized()), rad(angle_deg),
+                    gap_mm);
+}
+
+double angle_deg(const Target& target) { return handleAngle(target, roundHead()).angle_rad * 180 / M_PI; }
+
+const Eigen::Vector3d kForehead(0.1, 1, 0.1), kOcciput(-0.1, -1, 0.2), kVertex(0.05, 0, 1), kLeft(-1, 0, 0.1),
+    kM1Left(-1, 0.2, 1), kM1Right(1, 0.2, 1);
+
+TEST(HandleAngle, IsTheSignedAngleThatTheTargetWasPlannedWith) {
+  for (const auto& place : {kForehead, kOcciput, kVertex, kLeft, kM1Left, kM1Right})
+    for (const double planned_deg : {-170.0, -60.0, -45.0, -10.0, 0.0, 14.0, 45.0, 60.0, 90.0, 179.0})
+      EXPECT_NEAR(angle_deg(over(place, planned_deg)), planned_deg, 1e-6) << place.transpose();
+}
+
+TEST(HandleAngle, IsMeasuredFromSuperiorOnlyOverForeheadAndOcciput) {
+  for (const auto& place : {kForehead, kOcciput})
+    EXPECT_EQ(handleAngle(over(place, 20), roundHead()).reference, HandleReference::superior);
+  for (const auto& place : {kVertex, kLeft, kM1Left, kM1Right})
+    EXPECT_EQ(handleAngle(over(place, 20), roundHead()).reference, HandleReference::anterior);
+}
+
+TEST(HairGap, IsTheOnePlanned) {
+  EXPECT_NEAR(hairGap_mm(over(kM1Left, 45)), 0.0, 1e-9);
+  EXPECT_NEAR(hairGap_mm(over(kForehead, -45, 4.5)), 4.5, 1e-9);
+}
+
+TEST(MovedAlongScalp, KeepsTheSignedAngleOfTheHandleGapDepthNameAndNote) {
+  for (const auto& place : {kForehead, kOcciput, kVertex, kLeft, kM1Left, kM1Right})
+    for (const double planned_deg : {-90.0, -45.0, -10.0, 0.0, 45.0, 120.0}) {
+      Target target = over(place, planned_deg, 4.0);
+      target.note = "hotspot";
+      const Target moved = movedAlongScalp(target, roundHead(), 1, 0);
+      EXPECT_NEAR(angle_deg(moved), planned_deg, 2.5) << place.transpose();
+      EXPECT_NEAR(hairGap_mm(moved), 4.0, 1e-9);
+      EXPECT_NEAR((moved.cortex_point.mm - target.cortex_point.mm).norm(), 1.0, 1e-9);
+      EXPECT_NEAR((moved.cortex_point.mm - moved.scalp_point.mm).norm(), 20.0, 0.2);
+      EXPECT_EQ(moved.name, "spot");
+      EXPECT_EQ(moved.note, "hotspot");
+    }
+}
+
+TEST(MovedAlongScalp, NeverTurnsTheHandleRoundOnTheWayFromForeheadToCrown) {
+  Target target = over({0, 1, 0}, 0.0);
+  for (int step = 0; step < 60; ++step) {
+    const Target moved = movedAlongScalp(target, roundHead(), 0, 1);
+    const Eigen::Vector3d before = target.mri_T_target.rotation().col(1);
+    EXPECT_GT(before.dot(moved.mri_T_target.rotation().col(1)), std::cos(rad(4))) << step;
+    target = moved;
+  }
+  EXPECT_GT(target.cortex_point.mm.z(), kCentre_mm.z() + 40);    // it went up
+  EXPECT_NEAR(target.mri_T_target.rotation()(0, 1), 0.0, 0.05);  // and stayed in the midline's plane
+}
+
+}  // namespace
+}  // namespace facenav::guidance
