@@ -31,8 +31,8 @@ cv::Mat readPicture(const fs::path& path, const stereo::StereoRig& rig) {
 
 nlohmann::ordered_json written(const KeptLook& look, const fs::path& folder, std::size_t number) {
   const std::string name = std::to_string(number);
-  writePicture(look.left, folder / (name + "_left.png"));
-  writePicture(look.right, folder / (name + "_right.png"));
+  writePicture(look.frame.left, folder / (name + "_left.png"));
+  writePicture(look.frame.right, folder / (name + "_right.png"));
   stereo::writeRig(look.rig, folder / (name + "_stereo.yml"), {});
   nlohmann::ordered_json json;
   json["name"] = name;
@@ -46,8 +46,8 @@ KeptLook readLook(const JsonReader& json, const fs::path& folder) {
   KeptLook look;
   const fs::path name = fs::path(json.at("name").text()).filename();
   look.rig = stereo::readRig(folder / (name.string() + "_stereo.yml"));
-  look.left = readPicture(folder / (name.string() + "_left.png"), look.rig);
-  look.right = readPicture(folder / (name.string() + "_right.png"), look.rig);
+  look.frame.left = readPicture(folder / (name.string() + "_left.png"), look.rig);
+  look.frame.right = readPicture(folder / (name.string() + "_right.png"), look.rig);
   look.captured_utc = json.at("captured_utc").text();
   look.camera_T_mri = readTransform<Camera, Mri>(json.at("camera_T_mri"));
   const auto values = json.at("covariance").numbers(36);

@@ -17,7 +17,7 @@ std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>&
   for (const auto& look : looks) {
     tracking::FaceLook t;
     t.rig = look.rig;
-    t.frame.left = look.left, t.frame.right = look.right;
+    t.frame = look.frame;
     t.camera_T_head = (look.camera_T_mri * head_T_mri.inverse()).isometry();
     t.covariance = look.covariance + of_two_alignments;
     tracked.push_back(std::move(t));
@@ -31,7 +31,7 @@ std::vector<casefile::KeptLook> asKept(const std::vector<tracking::FaceLook>& lo
   for (const auto& look : looks) {
     casefile::KeptLook k;
     k.rig = look.rig;
-    k.left = look.frame.left, k.right = look.frame.right;
+    k.frame = look.frame;
     k.camera_T_mri = RigidTransform<Camera, Head>::fromIsometry(look.camera_T_head) * head_T_mri;
     k.covariance = look.covariance;
     kept.push_back(std::move(k));

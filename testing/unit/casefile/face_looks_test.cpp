@@ -17,8 +17,8 @@ using facenav::testing::TemporaryFolder;
 KeptLook look(int number) {
   KeptLook made;
   made.rig = facenav::testing::convergingRig();
-  made.left = cv::Mat(made.rig.height_px, made.rig.width_px, CV_8UC1, cv::Scalar(10 + number));
-  made.right = made.left + 1;
+  made.frame.left = cv::Mat(made.rig.height_px, made.rig.width_px, CV_8UC1, cv::Scalar(10 + number));
+  made.frame.right = made.frame.left + 1;
   made.camera_T_mri = RigidTransform<Camera, Mri>(
       Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * number + 2, Eigen::Vector3d(1, 2, 3).normalized())),
       {1.0 * number, -20, 600});
@@ -36,8 +36,8 @@ TEST(FaceLooks, ComeBackAsTheyWereKept) {
   ASSERT_EQ(looks.size(), 1u);
   EXPECT_THAT(looks[0].camera_T_mri, PoseNear(kept.camera_T_mri, 1e-9, 1e-9));
   EXPECT_LT((looks[0].covariance - kept.covariance).norm(), 1e-12);
-  EXPECT_EQ(cv::norm(looks[0].left, kept.left, cv::NORM_INF), 0);
-  EXPECT_EQ(cv::norm(looks[0].right, kept.right, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(looks[0].frame.left, kept.frame.left, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(looks[0].frame.right, kept.frame.right, cv::NORM_INF), 0);
   EXPECT_EQ(looks[0].captured_utc, kept.captured_utc);
   EXPECT_NEAR(looks[0].rig.baseline_mm(), kept.rig.baseline_mm(), 1e-9);
 }
@@ -48,7 +48,7 @@ TEST(FaceLooks, TheOldestGoWhenThereAreTooMany) {
   const auto looks = readFaceLooks(folder.path());
   ASSERT_EQ(looks.size(), kMostLooks);
   EXPECT_EQ(looks.front().captured_utc, look(2).captured_utc);
-  EXPECT_EQ(looks.back().left.at<unsigned char>(0, 0), 17);
+  EXPECT_EQ(looks.back().frame.left.at<unsigned char>(0, 0), 17);
 }
 
 TEST(FaceLooks, AreForTheUserAlone) {

@@ -150,7 +150,7 @@ class ModelHeadTracker : public HeadTracker {
     const auto now = boxed(frame, predicted);
     const PoseFit fit = fitPose(camera_.now(), model_, key.level, now, predicted, 0, trust_.weights());
     work_.looks += fit.looks;
-    const Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
+    const Verdict verdict = verdictOf(key, fit);
     if (!verdict.isTracked() || isAnothers(key, now, fit)) {
       first_loss_ = {verdict.lost.value_or(LostReason::no_face), fit.motion};
       return std::nullopt;
@@ -161,6 +161,12 @@ class ModelHeadTracker : public HeadTracker {
     auto pose = accepted(frame, fit, whole);
     checkIfDue(frame);
     return pose;
+  }
+
+  Verdict verdictOf(const KeyFrame& key, const PoseFit& fit) const {
+    Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
+    verdict.skin_covariance = key.skin_covariance;
+    return verdict;
   }
 
   // Level 0 of the parts of both images where the face is expected.
@@ -309,7 +315,7 @@ class ModelHeadTracker : public HeadTracker {
     const bool is_same = (off * model_.centre_mm - model_.centre_mm).norm() < kSamePlace_mm &&
                          rotationAngle(off.linear()) < kSameTurn_rad;
     if (!is_same && fit.scale > kAsExpected) return std::nullopt;
-    const Verdict verdict = judge(model_, fit, key.covariance);
+    const Verdict verdict = verdictOf(key, fit);
     if (!verdict.isTracked() || whose(key, now, fit) != Whose::patients) return std::nullopt;
     keys_.endMoment();
     return accepted(frame, fit, verdict);
@@ -355,7 +361,7 @@ class ModelHeadTracker : public HeadTracker {
     PoseFit fit = fitPose(camera_.now(), model_, key.level, finest, nearly.motion, 0, trust_.weights(), 0,
                           work_.stepsLeft(model_));
     work_.looks += fit.looks;
-    Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
+    Verdict verdict = verdictOf(key, fit);
     if (!known.is_patient && verdict.isTracked() && whose(key, finest, fit) != Whose::patients)
       verdict.lost = LostReason::no_face;
     return {std::move(fit), std::move(verdict)};
@@ -413,7 +419,7 @@ class ModelHeadTracker : public HeadTracker {
     search_.end();
     HeadPose pose;
     pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
-    pose.covariance = verdict.covariance;
+    pose.covariance = verdict.covariance + verdict.skin_covariance;
     pose.face_centre = Point<Camera>(fit.motion * model_.centre_mm);
     pose.features = featuresOf(fit);
     pose.between_exposures_mm =

@@ -111,7 +111,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   found.camera_T_head = estimate.camera_T_head;
   const Matrix6d skin = recovery.carried(found.face.pose, found.face.pose.skin_covariance, model.centre_mm);
   found.moment = KeyFrames::ofMoment(*learnt.rig, model, question.frame, estimate.camera_T_head,
-                                     estimate.covariance + skin);
+                                     estimate.covariance, skin);
   found.is_patient = found.moment.has_value();
   return found;
 }

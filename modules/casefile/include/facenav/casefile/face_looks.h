@@ -4,19 +4,19 @@
 // but the face is black. Pose and MRI belong together: a case that is prepared anew starts without them.
 
 #include <filesystem>
-#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
 #include "facenav/geometry/rigid_transform.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/stereo/stereo_frame.h"
 #include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::casefile {
 
 struct KeptLook {
   stereo::StereoRig rig;
-  cv::Mat left, right;  // 8-bit grey, of the rig's size, as recorded
+  stereo::StereoFrame frame;  // the pictures only, as recorded
   RigidTransform<Camera, Mri> camera_T_mri;
   Matrix6d covariance = Matrix6d::Zero();  // of (w rad, v mm) about the face's centre, Camera's axes
   std::string captured_utc;                // 20100412T134501Z
