@@ -216,6 +216,9 @@ class ModelHeadTracker : public HeadTracker {
     if (pace_ == Pace::patient)
       if (const auto found = lost_face_->take(frame.captured)) {
         if (result && found->is_other) return notThePatient(frame.captured);
+        if (result && !found->is_patient && !found->is_out_of_step && fit_scale_ >= kAsExpected &&
+            found->face.identity.isAnswered())
+          return doubted({LostReason::no_face, LossDetail::doubtful, frame.captured, true});
         if (!result || found->is_out_of_step || found->moment) {
           if (const auto answer = answerOf(*found, frame)) return *answer;
         } else {
@@ -234,7 +237,8 @@ class ModelHeadTracker : public HeadTracker {
     if (found.is_other) other_seen_ = frame.captured;
     if (found.is_other && doubt_) doubt_->since = frame.captured;
     if (found.is_out_of_step) return outOfStep(frame.captured);
-    if (doubt_ && !found.is_other && (doubt_->is_of_return || found.is_patient)) doubt_.reset();
+    const bool says_nothing = !found.face.identity.isAnswered();
+    if (doubt_ && (found.is_patient || (doubt_->is_of_return && says_nothing))) doubt_.reset();
     if (!found.is_patient) return std::nullopt;
     return continueFrom(found, frame);
   }

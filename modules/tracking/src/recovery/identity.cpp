@@ -26,8 +26,10 @@ double logNormal(double x, double mean, double sigma) {
 
 }  // namespace
 
+bool Identity::isAnswered() const { return windows >= kFewestWindows; }
+
 Identity::Verdict Identity::verdict() const {
-  if (windows < kFewestWindows) return Verdict::undecided;
+  if (!isAnswered()) return Verdict::undecided;
   if (log_likelihood_ratio > kSure) return Verdict::patient;
   return log_likelihood_ratio < -kSure ? Verdict::other : Verdict::undecided;
 }

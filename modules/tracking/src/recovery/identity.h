@@ -23,6 +23,8 @@ struct Identity {
 
   enum class Verdict { patient, other, undecided };
   Verdict verdict() const;
+  /// Whether enough is in view for an answer at all.
+  bool isAnswered() const;
 };
 
 /// Of a pose that fitRecoveryPose found. `shape`: where it was measured.

@@ -20,6 +20,10 @@ constexpr double kAsExpected = 2.0;
 // skin and hair have moved so far that the pose is not sure. 0.50 and more on one real person (60 returns);
 // 0.39 in a room's moment whose pose was 3.8 mm off. Fitted on these.
 constexpr double kLeastShare = 0.45;
+// Where even the patches' errors are so many times those expected, skin and hair have moved too far for any
+// pose: 6.5 at most on one real person (40 returns), 7.6 and more in the same moment of the room. Fitted on
+// these.
+constexpr double kTooFarOff = 7.0;
 // On the variance of patches that the skin's motion pulls along. The room's grimaces want less, a real
 // person's more: chosen by how two pairs of cameras agree on one person.
 constexpr double kPatchDoubt = 4.0;
@@ -105,6 +109,8 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   off << logRotation(fit.motion.linear() * found.camera_T_head.linear().transpose()),
       fit.motion * model.centre_mm - found.camera_T_head * model.centre_mm;
   const Verdict verdict = judge(model, fit);
+  found.is_patient = fit.scale < kTooFarOff;
+  if (!found.is_patient) return found;
   const bool does_serve = fit.scale < kAsExpected && off.tail<3>().norm() < kSamePlace_mm;
   if (does_serve && verdict.isTracked() && whoseSkin(detail, *learnt.both_cameras) == Whose::patients) {
     found.camera_T_head = fit.motion;
@@ -125,7 +131,8 @@ std::optional<LostFace::Found> LostFace::take(Timestamp now) {
   auto found = answers_.take(now.s);
   if (is_to_forget_ && !answers_.isBusy()) recovery_->forgetRemembered(), is_to_forget_ = false;
   if (!found || found->epoch != epoch_) return std::nullopt;
-  if (found->is_patient && found->face.lines.isOutOfStep(allowed_px(*found)))
+  const bool is_own_face = found->face.identity.verdict() == Identity::Verdict::patient;
+  if (is_own_face && found->face.lines.isOutOfStep(allowed_px(*found)))
     found->is_patient = false, found->is_out_of_step = true, found->moment.reset();
   return found;
 }
