@@ -3,8 +3,9 @@
 namespace facenav::session {
 namespace {
 
-// Of one alignment at the face: 0.4-0.6 mm on rooms that were not used for its making, and some 0.3 deg.
-constexpr double kAlignment_mm = 0.5, kAlignment_rad = 0.005;
+// Of one alignment at the face, each axis: 0.4-0.6 mm in all on rooms that were not used for its making, and
+// some 0.3 deg.
+constexpr double kAlignment_mm = 0.3, kAlignment_rad = 0.003;
 
 }  // namespace
 
@@ -19,7 +20,7 @@ std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>&
     t.rig = look.rig;
     t.frame = look.frame;
     t.camera_T_head = (look.camera_T_mri * head_T_mri.inverse()).isometry();
-    t.covariance = look.covariance + of_two_alignments;
+    t.covariance = look.covariance, t.between_sessions = of_two_alignments;
     tracked.push_back(std::move(t));
   }
   return tracked;

@@ -119,7 +119,7 @@ void FaceRecovery::add(const FaceLook& look) {
   view->rig = look.rig;
   view->pictures = RecoveryPictures(look.frame);
   view->camera_T_head = look.camera_T_head;
-  view->covariance = look.covariance;
+  view->covariance = look.covariance, view->between_sessions = look.between_sessions;
   add(Remembered{view, std::nullopt, true});
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kAnswer_s = 0.1;     // a live answer's time, on one core of a small machine
 constexpr double kOneMotion_s = 0.5;  // between two answers that tell how fast the head moves
+constexpr double kJitter_mm = 0.5;    // of two answers about a head at rest: no motion
 constexpr int kThoroughEvery = 4;     // questions: a face at any roll takes ten times longer to look for
 constexpr int kMostSteps = 12, kFirstLevel = 1;
 // Patches whose errors are those expected, in place of several times as large, show skin that has not moved:
@@ -146,7 +147,7 @@ double LostFace::allowed_px(const Found& found) {
   if (since_s < 1e-3 || since_s > kOneMotion_s) return 0.0;
   const Eigen::Vector3d& centre_mm = learnt_.model->centre_mm;
   const Eigen::Vector3d now_mm = found.camera_T_head * centre_mm;
-  const double moved_mm = (now_mm - before->camera_T_head * centre_mm).norm();
+  const double moved_mm = std::max(0.0, (now_mm - before->camera_T_head * centre_mm).norm() - kJitter_mm);
   const double px_per_mm = learnt_.rig->right.k(1, 1) / std::max(1.0, now_mm.z());
   return moved_mm / since_s * learnt_.late->mostLate_s() * px_per_mm;
 }

@@ -169,7 +169,8 @@ RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& poi
     rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = pose.camera_T_head.linear();
     pose.covariance =
         rotate * covarianceOf(points, matches, precision, s) * rotate.transpose() + then.covariance;
-    pose.skin_covariance = rotate * skinCovarianceOf(points, matches, precision, s) * rotate.transpose();
+    pose.skin_covariance =
+        rotate * skinCovarianceOf(points, matches, precision, s) * rotate.transpose() + then.between_sessions;
     pose.residual_px.clear();
     for (const auto& match : matches)
       pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());

@@ -18,7 +18,7 @@ struct RecoveryPose {
   /// Of xi = (w rad, v mm) as HeadPose's, about the points' centre, Camera's axes.
   Matrix6d covariance = Matrix6d::Identity() * 1e6;
   /// The same, of what no picture shows: skin that has moved over the bone as a whole part of the face, by
-  /// skin_mobility.h. Not within `covariance`.
+  /// skin_mobility.h, and what lies between two sessions. Not within `covariance`.
   Matrix6d skin_covariance = Matrix6d::Zero();
   std::vector<SkinMatch> matches;   // of the last search; offsets are from the pose before the last step
   std::vector<double> residual_px;  // of each match, after the last step

@@ -57,7 +57,8 @@ struct SkinView {
   stereo::StereoRig rig;
   RecoveryPictures pictures;
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
-  Matrix6d covariance = Matrix6d::Zero();  // of that pose, HeadPose's; zero for the reference
+  Matrix6d covariance = Matrix6d::Zero();        // of that pose, HeadPose's; zero for the reference
+  Matrix6d between_sessions = Matrix6d::Zero();  // FaceLook's
 };
 
 class SkinPoints {

@@ -10,7 +10,7 @@
 namespace facenav::session {
 
 /// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both alignments err by some tenths
-/// of a millimetre: that is added to the poses' covariance.
+/// of a millimetre: that is stated with the poses.
 std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
                                           const RigidTransform<Head, Mri>& head_T_mri);
 std::vector<casefile::KeptLook> asKept(const std::vector<tracking::FaceLook>& looks,

@@ -15,6 +15,9 @@ struct FaceLook {
   stereo::StereoFrame frame;  // black outside the face
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();  // of that pose, HeadPose's, about the face's centre
+  /// The same, of what lies between its session and this one: stated with poses found by it, no reason to
+  /// refuse them.
+  Matrix6d between_sessions = Matrix6d::Zero();
 };
 
 }  // namespace facenav::tracking
