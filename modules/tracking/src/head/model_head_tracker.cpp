@@ -234,6 +234,7 @@ class ModelHeadTracker : public HeadTracker {
   // What an answer about a lost face says of this frame; nothing where it says too little, or is too old.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const stereo::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
+    if (last_.isKnown() && found.captured.s < last_.captured().s) return std::nullopt;  // of before the loss
     if (found.is_other) other_seen_ = frame.captured;
     if (found.is_other && doubt_) doubt_->since = frame.captured;
     if (found.is_out_of_step) return outOfStep(frame.captured);
