@@ -130,7 +130,7 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
                       const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving) {
   Unfinished fresh = unfinishedAt(rig, model, frame, fit.motion);
   fresh.key.covariance = verdict.covariance;
-  fresh.key.skin_covariance = verdict.skin_covariance;
+  fresh.key.unseen_covariance = verdict.unseen_covariance;
   fresh.key.moving = moving;
   fresh.key.generation = keys_[chosen_].generation + 1;
   fresh.key.is_of_moment = keys_[chosen_].is_of_moment;
@@ -141,12 +141,11 @@ void KeyFrames::begin(const stereo::StereoRig& rig, const PatchModel& model, con
 
 std::optional<KeyFrame> KeyFrames::ofMoment(const stereo::StereoRig& rig, const PatchModel& model,
                                             const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion,
-                                            const Matrix6d& covariance,
-                                            const Matrix6d& skin_covariance) {
+                                            const Matrix6d& covariance, const Matrix6d& unseen_covariance) {
   KeyFrames keys(model);
   Unfinished fresh = unfinishedAt(rig, model, frame, motion);
   if (fresh.image[0].empty() || fresh.image[1].empty()) return std::nullopt;
-  fresh.key.covariance = covariance, fresh.key.skin_covariance = skin_covariance;
+  fresh.key.covariance = covariance, fresh.key.unseen_covariance = unseen_covariance;
   fresh.key.generation = 1;
   fresh.key.is_of_moment = true;
   fresh.is_good.assign(model.level[0].patches.size(), {true, true});

@@ -25,7 +25,7 @@ struct KeyMotion {
 struct KeyFrame {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head there
   Matrix6d covariance = Matrix6d::Zero();                    // of that, HeadPose's
-  Matrix6d skin_covariance = Matrix6d::Zero();               // besides: skin moved over the bone, unseen
+  Matrix6d unseen_covariance = Matrix6d::Zero();             // besides: what no picture shows
   int generation = 0;                                        // 0: the reference
   bool is_of_moment =
       false;          // learnt where the face was found anew: as it looks now, whatever it looked like
@@ -52,7 +52,7 @@ class KeyFrames {
   /// where too few can be seen.
   static std::optional<KeyFrame> ofMoment(const stereo::StereoRig& rig, const PatchModel& model,
                                           const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion,
-                                          const Matrix6d& covariance, const Matrix6d& skin_covariance);
+                                          const Matrix6d& covariance, const Matrix6d& unseen_covariance);
   /// The head is tracked by `key` from now on, in place of an earlier moment's.
   void startMoment(KeyFrame key);
   /// The face looks again as it did before: key frames of the moment go.

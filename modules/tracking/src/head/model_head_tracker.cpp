@@ -15,6 +15,7 @@
 #include "key_frames.h"
 #include "late_camera.h"
 #include "loss_words.h"
+#include "patch_doubt.h"
 #include "patch_model.h"
 #include "patch_placement.h"
 #include "patch_trust.h"
@@ -32,13 +33,11 @@ constexpr double kGettingThere = 0.8;    // likeness of a fit that had not settl
 constexpr int kLearnBelow_looks = 3400;  // at patches, in a frame
 constexpr std::size_t kAskedParts = 8;   // of the patches, one a tracked frame: whose skin it is
 constexpr int kLastingEvery = 20;        // tracked frames, between tries of the key frames from before a loss
-constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // of a try that is believed
-constexpr double kAsExpected = 2.0;       // or where its errors are no larger, by those expected
+constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // between two kinds of key frames
+constexpr double kAsExpected = 2.0;       // errors of patches, by those expected, on skin that has not moved
 constexpr double kCortexDepth_mm = 80.0;  // from the face to what must not move unseen
-constexpr double kLongestDoubt_s = 5.0;   // where no answer comes at all
-constexpr double kOtherSeen_s = 0.3;  // so long after another face was seen, a doubtful face is called that
-// An answer about a face that was lost: younger than this, its identity holds for the face there now. An
-// older one comes from a slow machine; its pose and looks are a start, and the skin is asked again.
+// Age of an answer about a lost face. Its identity holds for the face there now up to kFresh_s. An older one
+// (slow machine) gives pose and looks to start from, and the skin's identity is checked again.
 constexpr double kFresh_s = 0.35, kOldest_s = 2.5;
 constexpr double kFirstFrame_s = 0.03;
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
@@ -76,7 +75,7 @@ class ModelHeadTracker : public HeadTracker {
     trust_ = PatchTrust(model_.level[0].patches.size());
     words_ = LossWords(model_.centre_mm, model_.noise_grey, key[0], left_box_);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
-    other_seen_.reset(), doubt_.reset();
+    doubt_.clear();
     check_.start(reference.frame.captured);
     guard_.start(reference.frame);
     lost_face_ = std::make_unique<LostFace>(
@@ -127,12 +126,6 @@ class ModelHeadTracker : public HeadTracker {
   }
 
  private:
-  struct Doubt {
-    LostReason reason;
-    LossDetail detail;
-    Timestamp since;
-    bool is_of_return = false;  // nothing speaks against the face yet, but it looks otherwise than before
-  };
   struct FirstLoss {
     LostReason reason;
     Eigen::Isometry3d motion;
@@ -165,7 +158,7 @@ class ModelHeadTracker : public HeadTracker {
 
   Verdict verdictOf(const KeyFrame& key, const PoseFit& fit) const {
     Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
-    verdict.skin_covariance = key.skin_covariance;
+    verdict.unseen_covariance = key.unseen_covariance;
     return verdict;
   }
 
@@ -198,48 +191,52 @@ class ModelHeadTracker : public HeadTracker {
     if (const auto found = lost_face_->take(frame.captured))
       if (const auto answer = answerOf(*found, frame)) return *answer;
     const bool was_gone = last_.isKnown() && !expected;
-    if (doubt_ && std::abs(frame.captured - doubt_->since) > kLongestDoubt_s) doubt_.reset();
-    keys_.preferMoment((lost_frames_ % 2 == 0) != was_gone);
-    auto result =
-        doubt_ ? Tracked<HeadPose>(lost(doubt_->reason, doubt_->detail)) : searchInFrame(frame, expected);
-    keys_.preferMoment(true);
+    auto result = searchUnlessDoubted(frame, expected, was_gone);
     if (result && !was_gone) return result;
     if (result && pace_ != Pace::patient) {
       if (fit_scale_ < kAsExpected && lost_face_->picturesKeepDetail()) {
         check_.faceReturned();
         return result;
       }
-      result = doubted({LostReason::no_face, LossDetail::doubtful, frame.captured, true});
+      result = doubted(PatchDoubt::kReturn, frame.captured);
     }
     lost_face_->ask(frame, lastPose());
     beside_ms_ = lost_face_->takeBeside_ms();
     if (pace_ == Pace::patient)
-      if (const auto found = lost_face_->take(frame.captured)) {
-        if (result && found->is_other) return notThePatient(frame.captured);
-        if (result && !found->is_patient && !found->is_out_of_step && fit_scale_ >= kAsExpected &&
-            found->face.identity.isAnswered())
-          return doubted({LostReason::no_face, LossDetail::doubtful, frame.captured, true});
-        if (!result || found->is_out_of_step || found->moment) {
-          if (const auto answer = answerOf(*found, frame)) return *answer;
-        } else {
-          lost_face_->remember(*found);
-        }
-      }
-    if (!result && detail_ == LossDetail::doubtful && other_seen_ &&
-        std::abs(frame.captured - *other_seen_) < kOtherSeen_s)
+      if (const auto found = lost_face_->take(frame.captured)) result = answeredAtOnce(*found, frame, result);
+    if (!result && detail_ == LossDetail::doubtful && doubt_.wasOtherSeen(frame.captured))
       detail_ = LossDetail::other_face;
+    return result;
+  }
+
+  Tracked<HeadPose> searchUnlessDoubted(const stereo::StereoFrame& frame,
+                                        const std::optional<Eigen::Isometry3d>& expected, bool was_gone) {
+    if (const auto fault = doubt_.at(frame.captured)) return lost(fault->reason, fault->detail);
+    keys_.preferMoment((lost_frames_ % 2 == 0) != was_gone);
+    auto result = searchInFrame(frame, expected);
+    keys_.preferMoment(true);
+    return result;
+  }
+
+  // Pace::patient: the answer about this frame. `result`: what the patches found in it.
+  Tracked<HeadPose> answeredAtOnce(const LostFace::Found& found, const stereo::StereoFrame& frame,
+                                   const Tracked<HeadPose>& result) {
+    if (!result || found.is_out_of_step || found.moment) return answerOf(found, frame).value_or(result);
+    if (found.is_other) return doubted(PatchDoubt::kOtherFace, frame.captured);
+    if (found.is_step_unsure) return doubted(PatchDoubt::kReturn, frame.captured);
+    if (!found.is_patient && fit_scale_ >= kAsExpected && found.face.identity.isAnswered())
+      return doubted(PatchDoubt::kReturn, frame.captured);
+    lost_face_->remember(found);
     return result;
   }
 
   // What an answer about a lost face says of this frame; nothing where it says too little, or is too old.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const stereo::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
-    if (last_.isKnown() && found.captured.s < last_.captured().s) return std::nullopt;  // of before the loss
-    if (found.is_other) other_seen_ = frame.captured;
-    if (found.is_other && doubt_) doubt_->since = frame.captured;
-    if (found.is_out_of_step) return outOfStep(frame.captured);
-    const bool says_nothing = !found.face.identity.isAnswered();
-    if (doubt_ && (found.is_patient || (doubt_->is_of_return && says_nothing))) doubt_.reset();
+    const bool is_before_the_loss = last_.isKnown() && found.captured.s < last_.captured().s;
+    if (is_before_the_loss) return std::nullopt;
+    doubt_.hear(found, frame.captured);
+    if (found.is_out_of_step) return doubted(PatchDoubt::kOutOfStep, frame.captured);
     if (!found.is_patient) return std::nullopt;
     return continueFrom(found, frame);
   }
@@ -253,8 +250,12 @@ class ModelHeadTracker : public HeadTracker {
       return std::nullopt;
     }
     check_.end();
-    if (found->is_other) return notThePatient(frame.captured);
-    if (found->is_out_of_step) return outOfStep(frame.captured);
+    if (found->is_other) return doubted(PatchDoubt::kOtherFace, frame.captured);
+    if (found->is_out_of_step) return doubted(PatchDoubt::kOutOfStep, frame.captured);
+    if (found->is_step_unsure) {
+      check_.askAgain();
+      return std::nullopt;
+    }
     const bool is_fresh = std::abs(frame.captured - found->captured) < kFresh_s;
     if (found->moment && check_.wasGone() && is_fresh && !keys_.isOfMoment())
       return continueFrom(*found, frame);
@@ -264,25 +265,17 @@ class ModelHeadTracker : public HeadTracker {
 
   void checkIfDue(const stereo::StereoFrame& frame) {
     if (!check_.isDue(frame.captured, last_.speedBehind_mm_s(kCortexDepth_mm))) return;
-    if (lost_face_->isBusy()) lost_face_->take(frame.captured);  // asked before a return: nobody waits for it
+    if (lost_face_->isBusy()) lost_face_->drop(frame.captured);  // asked before a return
     if (lost_face_->isBusy()) return;
     lost_face_->ask(frame, last_.pose());
     beside_ms_ = lost_face_->takeBeside_ms();
     check_.asked(frame.captured);
   }
 
-  Tracked<HeadPose> notThePatient(Timestamp now) {
-    return doubted({LostReason::no_face, LossDetail::other_face, now});
-  }
-
-  Tracked<HeadPose> outOfStep(Timestamp now) {
-    return doubted({LostReason::camera, LossDetail::out_of_step, now});
-  }
-
-  // Patches that fit show nothing from here on, until an answer says that it is the patient, in step.
-  Tracked<HeadPose> doubted(const Doubt& doubt) {
-    doubt_ = doubt;
-    return lost(doubt.reason, doubt.detail);
+  // From here on the patches show nothing until an answer clears the face.
+  Tracked<HeadPose> doubted(const PatchDoubt::Fault& fault, Timestamp now) {
+    doubt_.start(fault, now);
+    return lost(fault.reason, fault.detail);
   }
 
   // From what was found beside the frames, some frames ago.
@@ -290,7 +283,7 @@ class ModelHeadTracker : public HeadTracker {
     const double since_s = std::max(0.0, frame.captured - last_.captured());
     if (last_.isKnown() && (found.camera_T_head * model_.centre_mm - last_.pose() * model_.centre_mm).norm() >
                                kReach_mm + kWalk_mm_s * since_s)
-      return lost(LostReason::no_face, LossDetail::doubtful);  // nobody moves so fast
+      return lost(LostReason::no_face, LossDetail::doubtful);  // faster than a person moves
     if (found.moment)
       keys_.startMoment(*found.moment);
     else
@@ -372,7 +365,7 @@ class ModelHeadTracker : public HeadTracker {
     return {std::move(fit), std::move(verdict)};
   }
 
-  // In words only, as all of the four below.
+  // Only words follow: no function below up to wordOfFirst() changes the track.
   LossDetail detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now,
                       Timestamp captured) const {
     return words_.circumstance(there.fit.motion, now[0], left_box_, last_, captured)
@@ -424,7 +417,7 @@ class ModelHeadTracker : public HeadTracker {
     search_.end();
     HeadPose pose;
     pose.camera_T_head = RigidTransform<Camera, Head>::fromIsometry(fit.motion);
-    pose.covariance = verdict.covariance + verdict.skin_covariance;
+    pose.covariance = verdict.covariance + verdict.unseen_covariance;
     pose.face_centre = Point<Camera>(fit.motion * model_.centre_mm);
     pose.features = featuresOf(fit);
     pose.between_exposures_mm =
@@ -470,9 +463,8 @@ class ModelHeadTracker : public HeadTracker {
   Pace pace_ = Pace::as_live;
   double beside_ms_ = 0.0;
   FaceCheck check_;
-  std::optional<Doubt> doubt_;           // of whatever the patches find
+  PatchDoubt doubt_;
   double fit_scale_ = 0.0;               // of the last fit that was accepted
-  std::optional<Timestamp> other_seen_;  // another person's face
   int since_try_ = 0;                    // tracked frames by a moment's key frame
   std::unique_ptr<LostFace> lost_face_;  // last: its thread reads what stands above
 };

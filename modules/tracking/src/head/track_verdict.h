@@ -14,8 +14,8 @@ namespace facenav::tracking {
 struct Verdict {
   std::optional<LostReason> lost;
   double quality = 0.0;
-  Matrix6d covariance = Matrix6d::Zero();  // HeadPose's, of what the pictures show
-  Matrix6d skin_covariance = Matrix6d::Zero();  // besides: the key frame's; stated, not judged
+  Matrix6d covariance = Matrix6d::Zero();         // HeadPose's, of what the pictures show
+  Matrix6d unseen_covariance = Matrix6d::Zero();  // the key frame's; stated with the pose, not judged
   std::array<double, 2> good_share = {0, 0};
   bool isTracked() const { return !lost; }
 };

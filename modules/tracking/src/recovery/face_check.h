@@ -26,6 +26,8 @@ class FaceCheck {
   }
   void asked(Timestamp now) { state_ = State::asked, asked_ = now; }
   bool isAwaited() const { return state_ == State::asked; }
+  /// The answer decided nothing.
+  void askAgain() { state_ = State::wanted; }
   /// The question has come to its end, with or without an answer.
   void end() { state_ = State::none; }
   /// Of the question: whether the face had been gone before it.

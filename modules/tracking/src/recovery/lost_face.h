@@ -30,10 +30,13 @@ class LostFace {
     bool is_patient = false;         // else the face there is another's, or nobody's, or not sure
     bool is_other = false;
     bool is_out_of_step = false;  // the two pictures show the face at two poses
+    bool is_step_unsure = false;  // they may do so: the next answer decides
     RecoveredFace face;
     Timestamp captured;         // of the pair it was found in
     stereo::StereoFrame frame;  // that pair, where it is the patient's
     int epoch = 0;
+
+    void identify();  // is_patient, is_other and is_out_of_step from `face`
   };
 
   LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace);
@@ -41,6 +44,8 @@ class LostFace {
   /// The answer about an earlier frame (with Pace::patient, about this one), if there is one and nothing was
   /// forgotten since. On a slow machine it may be seconds old: `captured` says of when it is.
   std::optional<Found> take(Timestamp now);
+  /// An answer that has come is thrown away.
+  void drop(Timestamp now) { answers_.take(now.s); }
   bool isBusy() const { return answers_.isBusy(); }
   /// A frame whose face is lost, or is to be checked. `last`: where the head was seen last. Nothing is asked
   /// while an answer is awaited.
@@ -71,10 +76,12 @@ class LostFace {
   };
   double allowed_px(const Found& found);
   static Found answer(const FaceRecovery& recovery, const Learnt& learnt, const Question& question);
+  static void learnMoment(const FaceRecovery& recovery, const Learnt& learnt, Found& found);
 
   std::shared_ptr<FaceRecovery> recovery_;
   Learnt learnt_;
   std::optional<Before> before_;  // of the last answer
+  StepWatch step_;
   Pace pace_;
   int epoch_ = 0, asked_ = 0;
   bool is_to_forget_ = false;

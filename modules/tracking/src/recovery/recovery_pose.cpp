@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skin_field.h"
+
 namespace facenav::tracking {
 namespace {
 
@@ -13,6 +15,9 @@ constexpr double kFreedom = 3.0;       // of Student's t
 constexpr int kRounds = 12;            // of reweighting
 constexpr double kUpperFace_mm = 1.3;  // mobility of skin that tells where the skull is
 constexpr double kLeastScale = 0.3;    // of the errors by those expected
+// By how much more than their covariances the poses of two pairs of cameras differ: rig and shape. Fitted on
+// one real person (60 comparisons of three pairs of cameras).
+constexpr double kUnseen = 0.5;
 constexpr double kRig_rad = 0.15 * M_PI / 180, kRig_mm = 0.3;  // of each camera's own pose, by rig and lens
 // Coarse to fine: each level is searched until it has settled.
 constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};
@@ -30,12 +35,6 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-// What a match's offset errs by: its window, and the skin's own motion over the bone.
-Eigen::Matrix2d errorOf(const SkinMatch& match, double mobility_mm) {
-  const Eigen::Matrix<double, 2, 3> d_p = match.jacobian.rightCols<3>();
-  return match.covariance + mobility_mm * mobility_mm * d_p * d_p.transpose();
 }
 
 Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::Matrix2d>& precision) {
@@ -97,23 +96,6 @@ Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& ma
   return spread * s.information.inverse() + (clusters - 1.0) / std::max(1, clusters) * jackknife;
 }
 
-// The skin of a part that lies elsewhere over the bone than in the reference: nothing in the pictures shows
-// it.
-Matrix6d skinCovarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
-                          const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
-  std::array<Eigen::Matrix<double, 6, 3>, SkinMobility::kParts> pull;
-  pull.fill(Eigen::Matrix<double, 6, 3>::Zero());
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    const SkinPoint& point = points[std::size_t(matches[i].point)];
-    pull[std::size_t(point.part)] += point.mobility_mm * s.weight[i] * matches[i].jacobian.transpose() *
-                                     precision[i] * matches[i].jacobian.rightCols<3>();
-  }
-  Matrix6d sum = Matrix6d::Zero();
-  for (const auto& part : pull) sum += part * part.transpose();
-  const Matrix6d inverse = s.information.inverse();
-  return inverse * sum * inverse;
-}
-
 std::vector<Eigen::Matrix2d> precisionOf(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
   std::vector<Eigen::Matrix2d> precision;
   for (const auto& match : matches)
@@ -162,15 +144,16 @@ RecoveryPose fitRecoveryPose(const stereo::StereoRig& rig, const SkinPoints& poi
     const auto precision = precisionOf(points, matches);
     const Solution s = solve(matches, precision);
     if (s.weight.empty()) return pose;
-    const Eigen::Isometry3d before = pose.camera_T_head;
-    pose.camera_T_head = before * about(points.centre_mm(), s.xi);
-    if (&search != std::end(kSearches) - 1) continue;
+    const bool is_last = &search == std::end(kSearches) - 1;
+    const auto field = search.level == 0 ? solveWithSkinField(points, matches) : std::nullopt;
+    if (is_last && !field) return pose;
+    pose.camera_T_head = pose.camera_T_head * about(points.centre_mm(), field ? field->xi : s.xi);
+    if (!is_last) continue;
     Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
     rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = pose.camera_T_head.linear();
-    pose.covariance =
-        rotate * covarianceOf(points, matches, precision, s) * rotate.transpose() + then.covariance;
-    pose.skin_covariance =
-        rotate * skinCovarianceOf(points, matches, precision, s) * rotate.transpose() + then.between_sessions;
+    pose.covariance = rotate * field->covariance * rotate.transpose() + then.covariance;
+    pose.unseen_covariance = kUnseen * pose.covariance + then.between_sessions;
+    // Identity counts windows in their place by the pose that most windows agree on.
     pose.residual_px.clear();
     for (const auto& match : matches)
       pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());

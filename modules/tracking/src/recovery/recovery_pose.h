@@ -1,8 +1,8 @@
 #pragma once
 // The head's pose from skin matches (skin_points.h): robust least squares over both cameras, coarse to fine.
 // Skin that moves over the bone counts by how far it usually does (skin_mobility.h), outliers by Student's t
-// (Lange, Little, Taylor 1989). The covariance holds for errors that a whole cell of the face shares (a
-// jackknife over cells).
+// (Lange, Little, Taylor 1989). At the finest level the skin's motion is estimated with the pose
+// (skin_field.h), and the covariance includes it.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -17,9 +17,9 @@ struct RecoveryPose {
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
   /// Of xi = (w rad, v mm) as HeadPose's, about the points' centre, Camera's axes.
   Matrix6d covariance = Matrix6d::Identity() * 1e6;
-  /// The same, of what no picture shows: skin that has moved over the bone as a whole part of the face, by
-  /// skin_mobility.h, and what lies between two sessions. Not within `covariance`.
-  Matrix6d skin_covariance = Matrix6d::Zero();
+  /// The same, of what no picture shows: rig, shape and what lies between two sessions. Not within
+  /// `covariance`.
+  Matrix6d unseen_covariance = Matrix6d::Zero();
   std::vector<SkinMatch> matches;   // of the last search; offsets are from the pose before the last step
   std::vector<double> residual_px;  // of each match, after the last step
   /// How far both cameras, each alone, put the head from each other: squared, by their covariance (chi-square

@@ -9,10 +9,12 @@ namespace {
 
 constexpr double kSigmaOfMad = 1.4826, kMedianNoise = 1.25;  // of a median, by that of a mean
 constexpr int kFewest = 40;
-// In step: 0.19 px at most, spread 0.74 at most (60 pairs of one real person, three rigs, five moments), 0.26
-// where both pictures are shifted sideways by 13 px; two moments 1 mm apart: 0.15 to 0.50 px; all others 2 px
-// and more. Fitted on these.
-constexpr double kBias_px = 0.22, kSigmas = 2.2;
+// In step: 0.13 px at most (60 pairs of one real person, three rigs, five moments), 0.21 where both pictures
+// are shifted sideways by 13 px. Two moments 1 mm apart: 0.23 to 0.50 px. All other moments: 2 px and more.
+// Fitted on these.
+constexpr double kBias_px = 0.20, kSigmas = 1.5;
+constexpr double kSureAlone = 2.0;   // times the limit
+constexpr double kOneFault_s = 1.0;  // between two answers that are judged together
 constexpr double kClear_px = 1.0, kClearSigmas = 8.0, kClearSpread_px = 2.0;
 
 double median(std::vector<double> values) {
@@ -44,6 +46,22 @@ bool EpipolarOffset::isOutOfStep(double allowed_px) const {
 bool EpipolarOffset::isClearlyOutOfStep() const {
   return points >= kFewest && spread_px < kClearSpread_px &&
          std::abs(median_px) > kClear_px + kClearSigmas * sigmaOf(*this);
+}
+
+StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Timestamp captured) {
+  const bool has_before = before_ && std::abs(captured - captured_) < kOneFault_s;
+  const auto before = has_before ? before_ : std::nullopt;
+  before_ = offset, captured_ = captured;
+  EpipolarOffset both = offset;
+  if (before) {
+    both.median_px = 0.5 * (offset.median_px + before->median_px);
+    both.points = offset.points + before->points;
+  }
+  const bool is_out = offset.isOutOfStep(allowed_px);
+  if (is_out && std::abs(offset.median_px) > kSureAlone * (kBias_px + allowed_px + kSigmas * sigmaOf(offset)))
+    return StepVerdict::out_of_step;
+  if (before && both.isOutOfStep(allowed_px)) return StepVerdict::out_of_step;
+  return is_out ? StepVerdict::unsure : StepVerdict::in_step;
 }
 
 EpipolarOffset epipolarOffset(const stereo::StereoRig& rig, const std::vector<SkinMatch>& matches) {

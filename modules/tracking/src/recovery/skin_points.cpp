@@ -108,8 +108,9 @@ std::optional<SkinMatch> findPoint(const SkinPoint& point, const Sight& before, 
   if (!peak || peak->value < kLeastCorrelation) return std::nullopt;
   SkinMatch match;
   match.correlation = peak->value;
-  match.px = (middle + peak->at - Eigen::Vector2d::Constant(double(reach))) / scale;
-  match.offset_px = match.px - after_px / scale;
+  // The window shows what the pose puts at `middle`, a whole pixel: the point itself lies beside it.
+  match.offset_px = (peak->at - Eigen::Vector2d::Constant(double(reach))) / scale;
+  match.px = after_px / scale + match.offset_px;
   const double independent = double(window.total()) / kIndependent_px2;
   match.covariance =
       (std::max(kLeastUnlike, 1 - peak->value * peak->value) / independent * peak->curvature.inverse() +
@@ -120,6 +121,11 @@ std::optional<SkinMatch> findPoint(const SkinPoint& point, const Sight& before, 
 }
 
 }  // namespace
+
+Eigen::Matrix2d errorOf(const SkinMatch& match, double mobility_mm) {
+  const Eigen::Matrix<double, 2, 3> d_p = match.jacobian.rightCols<3>();
+  return match.covariance + mobility_mm * mobility_mm * d_p * d_p.transpose();
+}
 
 RecoveryPictures::RecoveryPictures(const stereo::StereoFrame& frame) {
   for (int c = 0; c < 2; ++c) {

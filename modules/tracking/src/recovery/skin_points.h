@@ -46,6 +46,10 @@ struct SkinMatch {
   double correlation = 0.0;              // of the window at the best place
 };
 
+/// Covariance of a match's offset, px^2: of its window, and of skin that moves over the bone by
+/// `mobility_mm`.
+Eigen::Matrix2d errorOf(const SkinMatch& match, double mobility_mm);
+
 struct SkinSearch {
   int level = 0;
   int reach_px = 4;  // of the level, to each side
