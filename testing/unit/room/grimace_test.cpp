@@ -3,10 +3,9 @@
 
 #include <set>
 
-#include "egg_patient.h"
-#include "facenav/room/synthetic_source.h"
 #include "patient/expression.h"
 #include "patient/face_shape.h"
+#include "played_scenario.h"
 #include "script/script.h"
 #include "support/matchers.h"
 
@@ -89,35 +88,13 @@ TEST(FaceShape, AGrimaceMovesTextureWithTheSkinAndGoesWithoutTrace) {
     EXPECT_EQ(face.vertices_mm()[i], patient.visible.vertices_mm[i]);
 }
 
-ScenarioOptions small(const char* name, int frames = 0) {
-  ScenarioOptions options;
-  options.name = name;
-  options.frames = frames;
-  options.rig = testing::smallRig();
-  return options;
-}
-
-struct Shown {
-  std::vector<stereo::StereoFrame> frames;
-  std::vector<GroundTruth> truths;
-};
-
-Shown played(const ScenarioOptions& options) {
-  SyntheticSource source(options, testing::eggPatient());
-  Shown shown;
-  while (const auto frame = source.next()) {
-    shown.frames.push_back(*frame);
-    shown.truths.push_back(source.truth());
-  }
-  return shown;
-}
-
 double difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
 TEST(Compression, ChangesPixelsAndNotTheTruth) {
-  auto coarse = small("free_motion", 2);
+  auto coarse = testing::smallScenario("free_motion", 2);
   coarse.jpeg_quality = 40;
-  const Shown plain = played(small("free_motion", 2)), squeezed = played(coarse);
+  const auto plain = testing::playedToEnd(testing::smallScenario("free_motion", 2)),
+             squeezed = testing::playedToEnd(coarse);
   EXPECT_GT(difference(plain.frames[1].left, squeezed.frames[1].left), 3.0);
   EXPECT_GT(difference(plain.frames[1].right, squeezed.frames[1].right), 3.0);
   EXPECT_EQ(plain.truths[1].camera_T_mri.matrix(), squeezed.truths[1].camera_T_mri.matrix());
@@ -125,23 +102,24 @@ TEST(Compression, ChangesPixelsAndNotTheTruth) {
 }
 
 TEST(CameraOptions, NeutralValuesAreTheDefaultsBitForBit) {
-  auto neutral = small("treatment", 1);
+  auto neutral = testing::smallScenario("treatment", 1);
   neutral.jpeg_quality = 0;
   neutral.gloss = 0.0;
   neutral.haze_grey = 0.0;
   neutral.right_gain = neutral.right_gamma = 1.0;
-  const Shown a = played(small("treatment", 1)), b = played(neutral);
+  const auto a = testing::playedToEnd(testing::smallScenario("treatment", 1)),
+             b = testing::playedToEnd(neutral);
   EXPECT_EQ(difference(a.frames[0].left, b.frames[0].left), 0.0);
   EXPECT_EQ(difference(a.frames[0].right, b.frames[0].right), 0.0);
 }
 
 TEST(CameraOptions, HazeLiftsBothCamerasAndTheRightOnesResponseIsItsOwn) {
-  auto options = small("still", 1);
+  auto options = testing::smallScenario("still", 1);
   options.noise_grey = 0.0;
-  const Shown plain = played(options);
+  const auto plain = testing::playedToEnd(options);
   options.haze_grey = 20.0;
   options.right_gain = 0.8;
-  const Shown hazy = played(options);
+  const auto hazy = testing::playedToEnd(options);
   const double left = cv::mean(hazy.frames[0].left)[0] - cv::mean(plain.frames[0].left)[0];
   EXPECT_NEAR(left, 20.0, 1.0);
   EXPECT_NEAR(cv::mean(hazy.frames[0].right)[0], 0.8 * cv::mean(plain.frames[0].right)[0] + 20.0, 1.0);
@@ -165,11 +143,11 @@ Added addedBy(const cv::Mat& glossy, const cv::Mat& plain) {
 }
 
 TEST(Gloss, LiesElsewhereOnTheSkinForEachCamera) {
-  auto options = small("still", 1);
+  auto options = testing::smallScenario("still", 1);
   options.noise_grey = 0.0;
-  const Shown plain = played(options);
+  const auto plain = testing::playedToEnd(options);
   options.gloss = 1.0;
-  const Shown glossy = played(options);
+  const auto glossy = testing::playedToEnd(options);
   const Added left = addedBy(glossy.frames[0].left, plain.frames[0].left),
               right = addedBy(glossy.frames[0].right, plain.frames[0].right);
   EXPECT_GT(left.grey, 500.0);
@@ -186,8 +164,8 @@ TEST(Gloss, LiesElsewhereOnTheSkinForEachCamera) {
 }
 
 TEST(Grimace, ComesBackFourTimesElsewhereAfterMoreThanASecond) {
-  auto options = small("grimace");
-  const Shown a = played(options);
+  auto options = testing::smallScenario("grimace");
+  const auto a = testing::playedToEnd(options);
   ASSERT_EQ(a.frames.size(), 78u);
   std::set<std::string> labels;
   int returns = 0;
@@ -214,19 +192,20 @@ TEST(Grimace, ComesBackFourTimesElsewhereAfterMoreThanASecond) {
 }
 
 TEST(Grimace, SameSeedSameFrames) {
-  const Shown a = played(small("grimace", 14)), b = played(small("grimace", 14));
+  const auto a = testing::playedToEnd(testing::smallScenario("grimace", 14)),
+             b = testing::playedToEnd(testing::smallScenario("grimace", 14));
   EXPECT_EQ(difference(a.frames.back().left, b.frames.back().left), 0.0);
   EXPECT_EQ(difference(a.frames.back().right, b.frames.back().right), 0.0);
 }
 
 TEST(GrimaceOther, PutsAnotherPersonThereAtTheSecondReturnOnly) {
-  const Shown shown = played(small("grimace_other"));
+  const auto shown = testing::playedToEnd(testing::smallScenario("grimace_other"));
   for (std::size_t i = 0; i < shown.truths.size(); ++i)
     EXPECT_EQ(shown.truths[i].is_patient_there, i < 27 || i >= 44) << i;
 }
 
 TEST(Returns, PatientComesBackThreeTimesTurnedAndInOtherLight) {
-  const auto options = small("returns");
+  const auto options = testing::smallScenario("returns");
   const auto patient = testing::eggPatient();
   const auto script = makeScript(options, *patient, leftHandArea(*patient), {});
   const auto seat = script->at(0).cast;
@@ -247,7 +226,7 @@ TEST(Returns, PatientComesBackThreeTimesTurnedAndInOtherLight) {
 }
 
 TEST(Returns, TheHeadIsOutOfThePicturesBetweenTwoVisits) {
-  const Shown shown = played(small("returns", 48));
+  const auto shown = testing::playedToEnd(testing::smallScenario("returns", 48));
   EXPECT_FALSE(shown.truths[0].must_be_lost);
   EXPECT_TRUE(shown.truths[30].must_be_lost && shown.truths[31].must_be_lost);
   EXPECT_FALSE(shown.truths[47].must_be_lost);
@@ -255,7 +234,7 @@ TEST(Returns, TheHeadIsOutOfThePicturesBetweenTwoVisits) {
 }
 
 TEST(OutOfStep, HeadMovedByThreeToTenMillimetresBetweenTheCameras) {
-  const auto options = small("out_of_step");
+  const auto options = testing::smallScenario("out_of_step");
   const auto patient = testing::eggPatient();
   const auto script = makeScript(options, *patient, leftHandArea(*patient), {});
   for (int frame = 0; frame < script->frameCount(); ++frame) {
@@ -268,7 +247,7 @@ TEST(OutOfStep, HeadMovedByThreeToTenMillimetresBetweenTheCameras) {
     EXPECT_GT(apart_mm, 3.0) << frame;
     EXPECT_LT(apart_mm, 10.0) << frame;
   }
-  const Shown shown = played(small("out_of_step", 26));
+  const auto shown = testing::playedToEnd(testing::smallScenario("out_of_step", 26));
   EXPECT_FALSE(shown.truths[23].is_out_of_step);
   EXPECT_TRUE(shown.truths[25].is_out_of_step && shown.truths[25].must_be_lost);
 }

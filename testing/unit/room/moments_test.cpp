@@ -4,10 +4,9 @@
 #include <opencv2/core.hpp>
 #include <set>
 
-#include "egg_patient.h"
 #include "facenav/core/error.h"
-#include "facenav/room/synthetic_source.h"
 #include "optics/film.h"
+#include "played_scenario.h"
 #include "script/script.h"
 #include "support/matchers.h"
 
@@ -87,26 +86,10 @@ TEST(Film, SharesWeighRedGreenAndBlue) {
 }
 
 ScenarioOptions small(const char* name, std::uint64_t seed = 1) {
-  auto options = named(name);
+  auto options = testing::smallScenario(name);
   options.seed = seed;
-  options.rig = testing::smallRig();
   options.rig_name = "room";
   return options;
-}
-
-struct Shown {
-  std::vector<stereo::StereoFrame> frames;
-  std::vector<GroundTruth> truths;
-};
-
-Shown played(const ScenarioOptions& options) {
-  SyntheticSource source(options, testing::eggPatient());
-  Shown shown;
-  while (const auto frame = source.next()) {
-    shown.frames.push_back(*frame);
-    shown.truths.push_back(source.truth());
-  }
-  return shown;
 }
 
 TEST(Moments, BringCamerasLightAndSkinOfTheirOwnUnlessAskedFor) {
@@ -157,7 +140,7 @@ TEST(Moments, AreFiveSomeSecondsApartWithOtherFacesPlacesAndHair) {
 TEST(Moments, AreTheSameForTheSameSeedAndTheHeadIsAwayInBetween) {
   auto options = small("moments", 3);
   options.frames = 20;
-  const Shown a = played(options), b = played(options);
+  const auto a = testing::playedToEnd(options), b = testing::playedToEnd(options);
   for (const std::size_t frame : {std::size_t(0), std::size_t(19)}) {
     EXPECT_EQ(cv::norm(a.frames[frame].left, b.frames[frame].left, cv::NORM_INF), 0.0);
     EXPECT_EQ(cv::norm(a.frames[frame].right, b.frames[frame].right, cv::NORM_INF), 0.0);
@@ -167,7 +150,7 @@ TEST(Moments, AreTheSameForTheSameSeedAndTheHeadIsAwayInBetween) {
     EXPECT_TRUE(a.truths[i].is_patient_there);
   }
   options.seed = 4;
-  EXPECT_GT(cv::norm(a.frames[19].left, played(options).frames[19].left, cv::NORM_INF), 0.0);
+  EXPECT_GT(cv::norm(a.frames[19].left, testing::playedToEnd(options).frames[19].left, cv::NORM_INF), 0.0);
 }
 
 TEST(MomentsOther, PutsAnotherPersonThereAtTheThirdAndFourthMoment) {

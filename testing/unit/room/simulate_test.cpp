@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "egg_patient.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/room/synthetic_source.h"
+#include "played_scenario.h"
 #include "support/frame_source_contract.h"
 #include "support/matchers.h"
 #include "support/test_data.h"
@@ -16,31 +16,23 @@
 namespace facenav::room {
 namespace {
 
-ScenarioOptions small(const char* name, int frames) {
-  ScenarioOptions options;
-  options.name = name;
-  options.frames = frames;
-  options.rig = testing::smallRig();
-  return options;
-}
-
 TEST(SyntheticSource, KeepsTheContractOfFrameSources) {
   const auto patient = testing::eggPatient();
   testing::expectFrameSourceContract(
-      [&] { return std::make_unique<SyntheticSource>(small("treatment", 4), patient); });
+      [&] { return std::make_unique<SyntheticSource>(testing::smallScenario("treatment", 4), patient); });
 }
 
 TEST(SyntheticSource, AnotherSeedGivesOtherImages) {
   const auto patient = testing::eggPatient();
-  auto other = small("free_motion", 2);
+  auto other = testing::smallScenario("free_motion", 2);
   other.seed = 2;
-  SyntheticSource a(small("free_motion", 2), patient), b(other, patient);
+  SyntheticSource a(testing::smallScenario("free_motion", 2), patient), b(other, patient);
   EXPECT_GT(cv::norm(a.next()->left, b.next()->left, cv::NORM_INF), 0.0);
 }
 
 TEST(SyntheticSource, DepthAgreesWithTheTruePose) {
   const auto patient = testing::eggPatient();
-  SyntheticSource source(small("free_motion", 3), patient);
+  SyntheticSource source(testing::smallScenario("free_motion", 3), patient);
   while (source.next()) {
     const DepthMaps depth = source.depth();
     const auto mri_T_camera = source.truth().camera_T_mri.inverse();
@@ -62,7 +54,7 @@ TEST(SyntheticSource, DepthAgreesWithTheTruePose) {
 }
 
 TEST(SyntheticSource, SaysWhenTheHeadCannotBeKnown) {
-  SyntheticSource source(small("lost", 60), testing::eggPatient());
+  SyntheticSource source(testing::smallScenario("lost", 60), testing::eggPatient());
   std::map<std::string, int> lost, seen;
   while (source.next()) ++(source.truth().must_be_lost ? lost : seen)[source.truth().label];
   EXPECT_EQ(lost.count("face in view"), 0u);
@@ -76,7 +68,7 @@ TEST(SyntheticSource, SaysWhenTheHeadCannotBeKnown) {
 }
 
 TEST(SyntheticSource, FrozenCamerasRepeatAndBlackOnesAreBlack) {
-  SyntheticSource source(small("lost", 60), testing::eggPatient());
+  SyntheticSource source(testing::smallScenario("lost", 60), testing::eggPatient());
   std::shared_ptr<const stereo::StereoFrame> last;
   while (const auto frame = source.next()) {
     if (source.truth().label == "cameras frozen") {
@@ -90,7 +82,7 @@ TEST(SyntheticSource, FrozenCamerasRepeatAndBlackOnesAreBlack) {
 }
 
 TEST(SyntheticSource, OcclusionHidesPartOfTheFaceAndShowsItAgain) {
-  SyntheticSource source(small("occlusion", 40), testing::eggPatient());
+  SyntheticSource source(testing::smallScenario("occlusion", 40), testing::eggPatient());
   double least = 1.0, first = -1.0;
   while (source.next()) {
     if (first < 0.0) first = source.truth().face_visible_fraction;
@@ -105,7 +97,7 @@ TEST(Simulate, WritesARecordingWhoseTruthEndsOnTheTarget) {
   const auto patient = testing::eggPatient();
   const auto target = leftHandArea(*patient, 4.0);
   TaskMonitor monitor;
-  simulate(small("treatment", 6), patient, target, folder.path() / "r", monitor);
+  simulate(testing::smallScenario("treatment", 6), patient, target, folder.path() / "r", monitor);
   const auto recording = capture::openRecording(folder.path() / "r");
   EXPECT_EQ(recording.frame_count, 6);
   EXPECT_TRUE(recording.capture.has_value());
@@ -131,8 +123,9 @@ TEST(Simulate, CancelledLeavesNothingBehind) {
     if (fraction > 0.4) handle->cancel();
   });
   handle = &monitor;
-  EXPECT_THROW(simulate(small("still", 6), testing::eggPatient(), {}, folder.path() / "r", monitor),
-               Cancelled);
+  EXPECT_THROW(
+      simulate(testing::smallScenario("still", 6), testing::eggPatient(), {}, folder.path() / "r", monitor),
+      Cancelled);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
