@@ -245,6 +245,29 @@ void addFailures(const PairsResult& result, std::string& text) {
   }
 }
 
+// Which moments are hard: how often each was found, and how far two pairs of cameras are apart there.
+void addMoments(const PairsResult& result, std::string& text) {
+  struct Moment {
+    int tried = 0, found = 0;
+    std::vector<double> off_deg, off_mm;
+  };
+  std::map<std::string, Moment> moments;
+  for (const auto& trial : result.trials) {
+    if (trial.kind != PairTrial::Kind::same_person) continue;
+    Moment& moment = moments[trial.person + " " + trial.to];
+    ++moment.tried, moment.found += trial.shown > 0;
+  }
+  for (const auto& a : result.agreements) {
+    Moment& moment = moments[a.person + " " + a.to];
+    moment.off_deg.push_back(a.off_deg), moment.off_mm.push_back(a.off_mm);
+  }
+  text += "| back at moment | found | pairs apart, median | largest |\n|---|---|---|---|\n";
+  for (const auto& [name, m] : moments)
+    add(text, "| %s | %d of %d | %.2f deg, %.2f mm | %.2f deg, %.2f mm |\n", name.c_str(), m.found, m.tried,
+        quantile(m.off_deg, 0.5), quantile(m.off_mm, 0.5), quantile(m.off_deg, 1.0), quantile(m.off_mm, 1.0));
+  text += "\n";
+}
+
 }  // namespace
 
 std::string pairsTable(const PairsResult& result) {
@@ -274,6 +297,7 @@ std::string pairsTable(const PairsResult& result) {
   add(text, "| the person mirrored, shown | 0 | %d of %d |\n", mirrored.shown, mirrored.tried);
   add(text, "| sides of two moments: shown | 0 | %d of %d (named in %d) |\n\n", step.shown, step.tried,
       step.named);
+  addMoments(result, text);
   addFailures(result, text);
   for (const auto& a : result.agreements)
     if (!a.is_inside)

@@ -46,7 +46,7 @@ PairsResult evaluatePairs(const std::vector<std::filesystem::path>& people, cons
                           const std::function<std::unique_ptr<tracking::HeadTracker>()>& make,
                           TaskMonitor& monitor);
 
-/// As Markdown: the goals' table, then every trial that went wrong.
+/// As Markdown: the goals' table, a table by moment, then every trial that went wrong.
 std::string pairsTable(const PairsResult& result);
 
 }  // namespace facenav::app
