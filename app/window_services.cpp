@@ -1,30 +1,14 @@
 #include "window_services.h"
 
-#include "case_pictures.h"
-#include "context.h"
 #include "facenav/capture/camera_pair_source.h"
-#include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
-#include "pipeline.h"
-#include "prepare_case.h"
-#include "stored_capture.h"
+#include "facenav/workflow/align_case.h"
+#include "facenav/workflow/case_pictures.h"
+#include "facenav/workflow/prepare_case.h"
+#include "facenav/workflow/software_version.h"
+#include "registrations.h"
 
 namespace facenav::app {
-namespace {
-
-Context makeContext(TaskMonitor& monitor) {
-  return Context{makeRegistrations(), monitor, std::filesystem::read_symlink("/proc/self/exe"), false};
-}
-
-capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording) {
-  if (recording.capture) return *recording.capture;
-  if (auto stored = readStoredCapture(store.folder(), recording.rig)) return *stored;
-  throw Error("not aligned: the recording has no capture pair", recording.folder.string(),
-              "record one with the dots projected (capture/ in the recording)");
-}
-
-}  // namespace
-
 ui::Services windowServices() {
   ui::Services services;
   services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
@@ -44,24 +28,24 @@ ui::Services windowServices() {
     return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
   };
   services.readTemplate = [] { return atlas::readColin27(); };
-  services.software_version = softwareVersion();
+  services.software_version = workflow::softwareVersion();
   services.prepareCase = [](const ui::PrepareOrder& order, TaskMonitor& monitor) {
-    auto context = makeContext(monitor);
-    PrepareRequest request;
+    const auto methods = makeRegistrations();
+    workflow::PrepareRequest request;
     request.input = order.input;
     request.case_folder = order.case_folder;
     request.series_uid = order.series_uid;
     request.is_labelled_by_patient = order.is_labelled_by_patient;
-    request.head_segmenter = context.registrations.head_segmenters.defaultName();
-    request.brain_segmenter = context.registrations.brain_segmenters.defaultName();
+    request.head_segmenter = methods.head_segmenters.defaultName();
+    request.brain_segmenter = methods.brain_segmenters.defaultName();
     request.replace = std::filesystem::exists(order.case_folder / "case.json");
-    prepareCase(context, request);
+    workflow::prepareCase(methods, request, monitor);
   };
   services.align = [](const casefile::CaseStore& store, const capture::Recording& recording,
                       TaskMonitor& monitor) {
-    auto context = makeContext(monitor);
-    return alignCase(context, store, recording.rig, captureOf(store, recording),
-                     context.registrations.aligners.defaultName());
+    const auto methods = makeRegistrations();
+    return workflow::alignCase(methods, store, recording.rig, workflow::captureOf(store, recording),
+                               methods.aligners.defaultName(), monitor);
   };
   services.makeNavigator = [](const session::NavigatorSetup& setup) {
     const auto all = makeRegistrations();
@@ -73,7 +57,7 @@ ui::Services windowServices() {
   services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
     return capture::openCameraPair(rig, left, right);
   };
-  services.drawSurfaceDistance = writeSurfaceDistance;
+  services.drawSurfaceDistance = workflow::writeSurfaceDistance;
   services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
   return services;
 }

@@ -7,7 +7,7 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
-#include "place_on_brain.h"
+#include "facenav/workflow/place_on_brain.h"
 
 namespace facenav::app {
 namespace {
@@ -96,7 +96,7 @@ void addTarget(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->callback([&context, place, request] {
     const auto store = casefile::CaseStore::open(place->case_folder);
-    const auto cortex_point = onBrain(store, toMri(store, *place));
+    const auto cortex_point = workflow::onBrain(store, toMri(store, *place));
     const auto target = guidance::planTarget(request->name, store.scalp(), cortex_point,
                                              request->handle_deg * M_PI / 180, request->gap_mm);
     auto plan = store.targets();

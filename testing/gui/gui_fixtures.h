@@ -5,7 +5,7 @@
 #include <QElapsedTimer>
 #include <functional>
 
-#include "facenav/session/preparation.h"
+#include "facenav/workflow/preparation.h"
 #include "presenters/case_model.h"
 #include "support/ball_mesh.h"
 #include "support/test_data.h"

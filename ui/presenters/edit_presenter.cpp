@@ -10,7 +10,7 @@
 #include "facenav/editing/region_grow.h"
 #include "facenav/editing/slice_interpolation.h"
 #include "facenav/editing/whole_mask_tools.h"
-#include "facenav/session/brain_surfaces.h"
+#include "facenav/workflow/brain_surfaces.h"
 
 namespace facenav::ui {
 namespace {
@@ -304,7 +304,7 @@ void EditPresenter::save() {
   tasks_.start(tr("Saving the corrected brain"),
                [this, revision, mask = editor_->mask(), mri = model_.current().mri,
                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto surfaces = session::buildBrainSurfaces(*mri, mask, monitor);
+                 auto surfaces = workflow::buildBrainSurfaces(*mri, mask, monitor);
                  auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
                  casefile::saveEditedBrainMask(store, mask);  // void is the sign-off from here on
                  casefile::saveBrainModel(store, *brain, &surfaces.cortex);

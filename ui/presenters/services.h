@@ -18,9 +18,9 @@
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
 #include "facenav/pacs/pacs.h"
-#include "facenav/session/align_from_capture.h"
 #include "facenav/session/session.h"
 #include "facenav/surface/detailed_cortex.h"
+#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::ui {
 
@@ -47,8 +47,8 @@ struct Services {
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Aligns from a recording's capture pair, or the one stored with the case, and stores the result in the
   /// case.
-  std::function<session::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
-                                          TaskMonitor&)>
+  std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
+                                           TaskMonitor&)>
       align;
   /// Cameras that are plugged in; quick.
   std::function<std::vector<capture::CameraDevice>()> listCameras;

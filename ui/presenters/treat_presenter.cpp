@@ -118,7 +118,7 @@ void TreatPresenter::align(bool then_start) {
        recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
         requireSignOff(store, is_overridden);
         auto outcome =
-            std::make_shared<session::AlignmentOutcome>(services_.align(store, recording, monitor));
+            std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
         return [this, outcome, then_start] {
           outcome_ = outcome;
           model_.setAlignment(outcome->stored());
