@@ -224,7 +224,6 @@ Services trueServices(const std::string& folder, std::shared_ptr<std::atomic<boo
   const auto head = readTruth<Camera, Mri>(folder, "head");
   const auto coil = readTruth<Camera, Marker>(folder, "coil");
   Services services = exampleServices();
-  services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
   services.align = [head](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
     workflow::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = head.front();

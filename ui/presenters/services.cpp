@@ -1,16 +1,13 @@
-#include "window_services.h"
+#include "presenters/services.h"
 
 #include "facenav/capture/camera_pair_source.h"
 #include "facenav/dicom/patient.h"
 #include "facenav/workflow/align_case.h"
-#include "facenav/workflow/case_pictures.h"
 #include "facenav/workflow/prepare_case.h"
-#include "facenav/workflow/software_version.h"
-#include "registrations.h"
 
-namespace facenav::app {
-ui::Services windowServices() {
-  ui::Services services;
+namespace facenav::ui {
+Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
+  Services services;
   services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
     return dicom::listSeries(folder, monitor);
   };
@@ -28,9 +25,8 @@ ui::Services windowServices() {
     return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
   };
   services.readTemplate = [] { return atlas::readColin27(); };
-  services.software_version = workflow::softwareVersion();
-  services.prepareCase = [](const ui::PrepareOrder& order, TaskMonitor& monitor) {
-    const auto methods = makeRegistrations();
+  services.prepareCase = [makeMethods](const PrepareOrder& order, TaskMonitor& monitor) {
+    const auto methods = makeMethods();
     workflow::PrepareRequest request;
     request.input = order.input;
     request.case_folder = order.case_folder;
@@ -41,14 +37,14 @@ ui::Services windowServices() {
     request.replace = std::filesystem::exists(order.case_folder / "case.json");
     workflow::prepareCase(methods, request, monitor);
   };
-  services.align = [](const casefile::CaseStore& store, const capture::Recording& recording,
-                      TaskMonitor& monitor) {
-    const auto methods = makeRegistrations();
+  services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
+                                 TaskMonitor& monitor) {
+    const auto methods = makeMethods();
     return workflow::alignCase(methods, store, recording.rig, workflow::captureOf(store, recording),
                                methods.aligners.defaultName(), monitor);
   };
-  services.makeNavigator = [](const session::NavigatorSetup& setup) {
-    const auto all = makeRegistrations();
+  services.makeNavigator = [makeMethods](const session::NavigatorSetup& setup) {
+    const auto all = makeMethods();
     return std::make_unique<session::Navigator>(setup,
                                                 all.head_trackers.create(all.head_trackers.defaultName()),
                                                 all.coil_trackers.create(all.coil_trackers.defaultName()));
@@ -57,9 +53,7 @@ ui::Services windowServices() {
   services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
     return capture::openCameraPair(rig, left, right);
   };
-  services.drawSurfaceDistance = workflow::writeSurfaceDistance;
-  services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
   return services;
 }
 
-}  // namespace facenav::app
+}  // namespace facenav::ui
