@@ -57,6 +57,7 @@ int runCommandLine(int argc, char** argv) {
   app::addPacs(cli, context);
   app::addPrepare(cli, context);
   app::addCheck(cli, context);
+  app::addBrain(cli, context);
   app::addWorklist(cli, context);
   app::addLabel(cli, context);
   app::addCalibrate(cli, context);
