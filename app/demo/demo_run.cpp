@@ -12,7 +12,7 @@
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
 #include "facenav/workflow/guide_poses.h"
-#include "facenav/workflow/place_on_brain.h"
+#include "facenav/workflow/plan_edits.h"
 #include "facenav/workflow/prepare_case.h"
 #include "facenav/workflow/track_recording.h"
 #include "result_folder.h"
@@ -61,7 +61,8 @@ guidance::Target planHandArea(const casefile::CaseStore& store) {
     throw Error("the demo's patient has no brain model", store.folder().string(), "report this, please");
   const auto atlas = store.atlas();
   const Point<Mri> hand_area =
-      atlas ? workflow::onBrain(store, atlas->toMri(guidance::handKnob(guidance::Side::left)))
+      atlas ? workflow::cortexNear(workflow::plannedHead(store),
+                                   atlas->toMri(guidance::handKnob(guidance::Side::left)))
             : guidance::handKnobGuess(*brain, guidance::Side::left);
   auto target = guidance::planTarget(kTarget, store.scalp(), hand_area, kHandleAngle_rad, kHairGap_mm);
   store.setTargets({{target}});

@@ -6,6 +6,7 @@
 #include "facenav/workflow/prepare_case.h"
 
 namespace facenav::ui {
+
 Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   Services services;
   services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
