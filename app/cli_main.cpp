@@ -11,6 +11,7 @@
 #include "commands/commands.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/workflow/software_version.h"
 #include "terminal_progress.h"
 
 namespace {
@@ -50,12 +51,13 @@ int runCommandLine(int argc, char** argv) {
 
   app::Context context{app::makeRegistrations(), monitor, programPath(), is_quiet};
   CLI::App cli("FaceNav: markerless neuronavigation for rTMS", "facenav");
-  cli.set_version_flag("--version", app::softwareVersion());
+  cli.set_version_flag("--version", workflow::softwareVersion());
   cli.require_subcommand(0, 1);
   app::addSeries(cli, context);
   app::addPacs(cli, context);
   app::addPrepare(cli, context);
   app::addCheck(cli, context);
+  app::addBrain(cli, context);
   app::addWorklist(cli, context);
   app::addLabel(cli, context);
   app::addCalibrate(cli, context);

@@ -11,6 +11,4 @@ std::filesystem::path Context::cacheFolder() const {
          "cache";  // <build>/release/bin/facenav -> <build>/cache
 }
 
-std::string softwareVersion() { return FACENAV_VERSION; }
-
 }  // namespace facenav::app

@@ -10,7 +10,7 @@
 namespace facenav::app {
 
 struct Context {
-  Registrations registrations;
+  workflow::Registrations registrations;
   TaskMonitor& monitor;           // progress on a terminal; cancelled by Ctrl-C
   std::filesystem::path program;  // full path of the running facenav
   bool is_quiet = false;
@@ -18,8 +18,5 @@ struct Context {
   /// FACENAV_CACHE, else the build folder's cache beside the program.
   std::filesystem::path cacheFolder() const;
 };
-
-/// FaceNav's version as written into provenance.
-std::string softwareVersion();
 
 }  // namespace facenav::app

@@ -1,4 +1,4 @@
-// facenav-gui: the workstation window, with the services of app/window_services.h.
+// facenav-gui: the workstation window, by the methods of app/registrations.h.
 
 #include <sys/stat.h>
 
@@ -14,7 +14,7 @@
 #include "facenav/scene/display.h"
 #include "main_window.h"
 #include "presenters/worklist_presenter.h"
-#include "window_services.h"
+#include "registrations.h"
 #include "workspaces/prepare/prepare_workspace.h"
 
 namespace {
@@ -77,7 +77,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   keepFilesPrivate();
   ui::applyAppearance(application);
   runOnWorkers(coreCount(), [](std::size_t) {});  // shared threads begin at the window's own priority
-  ui::MainWindow window(app::windowServices());
+  ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
     window.restoreLast();
   window.setCasesFolder(arguments.cases_folder.empty() ? ui::WorklistPresenter::rememberedFolder()

@@ -25,8 +25,8 @@ void addExporters(Registry<casefile::Exporter>& exporters) {
 
 }  // namespace
 
-Registrations makeRegistrations() {
-  Registrations all;
+workflow::Registrations makeRegistrations() {
+  workflow::Registrations all;
   all.face_detector = madeOnce();
   all.head_segmenters.add("head", "everything inside the skin", segmentation::makeHeadSegmenter);
   all.brain_segmenters.add("brain", "tissue classes on a deformable surface",

@@ -46,7 +46,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       archive_(services_, queue_),
       prepare_(services_, model_, tasks_, queue_),
       sign_off_(model_, tasks_),
-      edit_(services_, model_, tasks_),
+      edit_(model_, tasks_),
       cortex_(model_),
       place_(services_, model_),
       plan_(model_),

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "commands/commands.h"
-#include "pipeline.h"
+#include "facenav/workflow/align_case.h"
 
 namespace facenav::app {
 namespace {
@@ -65,7 +65,8 @@ void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto [rig, pair] = request.recording ? fromRecording(*request.recording) : fromFiles(request);
-  const auto outcome = alignCase(context, store, rig, pair, request.aligner);
+  const auto outcome =
+      workflow::alignCase(context.registrations, store, rig, pair, request.aligner, context.monitor);
   const auto stored = outcome.stored();
   if (request.output) casefile::writeAlignment(stored, *request.output);
   if (context.is_quiet) return;
@@ -91,7 +92,8 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("--left", request->left, "left image with dots, then the one without");
   verb->add_option("--right", request->right, "right image with dots, then the one without");
   verb->add_option("-o,--output", request->output, "also write alignment.json here");
-  verb->add_option("--aligner", request->aligner, "method: " + namesOf(context.registrations.aligners))
+  verb->add_option("--aligner", request->aligner,
+                   "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();
   verb->callback([&context, request] { runAlign(context, *request); });
 }

@@ -21,6 +21,7 @@ void addSimulate(CLI::App& app, Context& context);
 void addWorklist(CLI::App& app, Context& context);
 void addLabel(CLI::App& app, Context& context);
 void addCheck(CLI::App& app, Context& context);
+void addBrain(CLI::App& app, Context& context);
 void addLocate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);

@@ -12,6 +12,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/evaluation/evaluation_report.h"
 #include "facenav/guidance/hand_knob.h"
+#include "facenav/workflow/software_version.h"
 #include "result_folder.h"
 
 namespace facenav::app {
@@ -110,7 +111,7 @@ void runEvaluate(Context& context, const EvaluateRequest& request) {
   const std::string about =
       (is_recorded ? std::to_string(runs.size()) + " recordings with truth." : inWords(request.room)) +
       " Aligner " + request.methods.aligner + ", head tracker " + request.methods.head_tracker +
-      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + softwareVersion() + ".";
+      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + workflow::softwareVersion() + ".";
   evaluation::writeEvaluation(runs, about, result.path());
   result.finish();
   if (context.is_quiet) return;
@@ -174,13 +175,13 @@ void addEvaluate(CLI::App& app, Context& context) {
   verb->add_option("--target", request->target,
                    "target of the case to measure at, with --recording (default: the first)");
   verb->add_option("--aligner", request->methods.aligner,
-                   "method: " + namesOf(context.registrations.aligners))
+                   "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();
   verb->add_option("--head-tracker", request->methods.head_tracker,
-                   "method: " + namesOf(context.registrations.head_trackers))
+                   "method: " + workflow::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
   verb->add_option("--coil-tracker", request->methods.coil_tracker,
-                   "method: " + namesOf(context.registrations.coil_trackers))
+                   "method: " + workflow::namesOf(context.registrations.coil_trackers))
       ->capture_default_str();
   verb->add_option("-o,--output", request->output, "folder for report.html, evaluation.csv, evaluation.md")
       ->capture_default_str();

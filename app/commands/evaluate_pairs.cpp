@@ -19,7 +19,7 @@ void addEvaluatePairs(CLI::App& evaluate, Context& context) {
       ->check(CLI::ExistingDirectory);
   verb->add_option("--rigs", *rigs, "folder of <a><b>_stereo.yml (default: the first person's)")
       ->check(CLI::ExistingDirectory);
-  verb->add_option("--head-tracker", *method, "method: " + namesOf(context.registrations.head_trackers))
+  verb->add_option("--head-tracker", *method, "method: " + workflow::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
   verb->callback([&context, people, rigs, method] {
     const auto result = evaluatePairs(

@@ -17,7 +17,7 @@ void addExport(CLI::App& app, Context& context) {
   };
   auto request = std::make_shared<Request>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
-  verb->add_option("--as", request->formats, "one or more of: " + namesOf(context.registrations.exporters))
+  verb->add_option("--as", request->formats, "one or more of: " + workflow::namesOf(context.registrations.exporters))
       ->required();
   verb->add_option("-o,--output", request->output, "folder to write into")->required();
   verb->add_flag("--replace", request->replace, "overwrite files of the same name");

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "commands/commands.h"
-#include "pipeline.h"
+#include "facenav/workflow/guide_poses.h"
 
 namespace facenav::app {
 
@@ -22,7 +22,7 @@ void addGuide(CLI::App& app, Context& context) {
   verb->add_option("-o,--output", request->output, "guidance.csv to write")->required();
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
-    const auto rows = guidePoses(store, casefile::readPoses(request->poses), request->target);
+    const auto rows = workflow::guidePoses(store, casefile::readPoses(request->poses), request->target);
     guidance::writeGuidanceCsv(rows, request->output);
     if (context.is_quiet) return;
     const auto on_target = std::count_if(rows.begin(), rows.end(), [](const auto& row) {

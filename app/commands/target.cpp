@@ -7,7 +7,7 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
-#include "place_on_brain.h"
+#include "facenav/workflow/plan_edits.h"
 
 namespace facenav::app {
 namespace {
@@ -57,12 +57,6 @@ void print(const casefile::CaseStore& store, const Point<Mri>& p) {
   printLabel(colin.brodmann, mni);
 }
 
-void put(guidance::TreatmentPlan& plan, const guidance::Target& target) {
-  for (auto& known : plan.targets)
-    if (known.name == target.name) return void(known = target);
-  plan.targets.push_back(target);
-}
-
 }  // namespace
 
 void addLocate(CLI::App& app, Context&) {
@@ -96,12 +90,10 @@ void addTarget(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->callback([&context, place, request] {
     const auto store = casefile::CaseStore::open(place->case_folder);
-    const auto cortex_point = onBrain(store, toMri(store, *place));
+    const auto cortex_point = workflow::cortexNear(workflow::plannedHead(store), toMri(store, *place));
     const auto target = guidance::planTarget(request->name, store.scalp(), cortex_point,
                                              request->handle_deg * M_PI / 180, request->gap_mm);
-    auto plan = store.targets();
-    put(plan, target);
-    store.setTargets(plan);
+    store.setTargets(workflow::with(store.targets(), target.name, target));
     if (context.is_quiet) return;
     print(store, target.cortex_point);
     std::printf("scalp     %.1f mm above it\n", (target.scalp_point.mm - target.cortex_point.mm).norm());

@@ -4,13 +4,13 @@
 #include <cstdio>
 
 #include "commands/commands.h"
-#include "pipeline.h"
+#include "facenav/workflow/track_recording.h"
 
 namespace facenav::app {
 
 void addTrack(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("track", "recording -> poses of head and coil, frame by frame");
-  auto request = std::make_shared<TrackRequest>();
+  auto request = std::make_shared<workflow::TrackRequest>();
   auto output = std::make_shared<std::filesystem::path>();
   request->aligner = context.registrations.aligners.defaultName();
   request->head_tracker = context.registrations.head_trackers.defaultName();
@@ -23,15 +23,16 @@ void addTrack(CLI::App& app, Context& context) {
                  "keep with the case how the face looked, so that it is found at once in the next session");
   verb->add_option("-o,--output", *output, "poses.csv to write")->required();
   verb->add_option("--head-tracker", request->head_tracker,
-                   "method: " + namesOf(context.registrations.head_trackers))
+                   "method: " + workflow::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
   verb->add_option("--coil-tracker", request->coil_tracker,
-                   "method: " + namesOf(context.registrations.coil_trackers))
+                   "method: " + workflow::namesOf(context.registrations.coil_trackers))
       ->capture_default_str();
-  verb->add_option("--aligner", request->aligner, "method: " + namesOf(context.registrations.aligners))
+  verb->add_option("--aligner", request->aligner,
+                   "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();
   verb->callback([&context, request, output] {
-    const auto outcome = trackRecording(context, *request);
+    const auto outcome = workflow::trackRecording(context.registrations, *request, context.monitor);
     casefile::writePoses(outcome.poses, *output);
     if (context.is_quiet) return;
     std::printf("%d frames: head tracked in %d, coil in %d; %.1f ms a frame (median), %.1f ms (p99)\n",

@@ -9,8 +9,8 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/evaluation/html_report.h"
-#include "facenav/session/align_from_capture.h"
 #include "facenav/session/navigation_state.h"
+#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 
@@ -28,7 +28,7 @@ std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input,
 
 /// Three cross-sections of the MRI through the face with the face cloud in red.
 std::vector<evaluation::ReportFigure> drawAlignment(const casefile::CaseStore& store,
-                                                    const session::AlignmentOutcome& outcome,
+                                                    const workflow::AlignmentOutcome& outcome,
                                                     const std::filesystem::path& folder);
 
 }  // namespace facenav::app

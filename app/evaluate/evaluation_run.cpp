@@ -2,8 +2,8 @@
 
 #include "evaluate/timed_trackers.h"
 #include "facenav/core/processor_time.h"
-#include "facenav/session/align_from_capture.h"
 #include "facenav/session/navigator.h"
+#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 namespace {
@@ -52,8 +52,8 @@ std::optional<AlignedCapture> align(Context& context, const EvaluationSequence& 
     AlignedCapture aligned;
     aligned.pattern_left = sequence.capture->pattern.left;
     aligned.outcome =
-        session::alignFromCapture(sequence.source->rig(), *sequence.capture, scalp, *aligner,
-                                  *context.registrations.face_detector(), {target}, context.monitor);
+        workflow::alignFromCapture(sequence.source->rig(), *sequence.capture, scalp, *aligner,
+                                   *context.registrations.face_detector(), {target}, context.monitor);
     const auto& result = aligned.outcome.result;
     run.alignment->measure_ms = processorTime_ms() - start_ms - fit.ms;
     run.alignment->fit_ms = fit.ms;

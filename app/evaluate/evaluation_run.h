@@ -13,8 +13,8 @@
 #include "facenav/evaluation/cloud_evaluation.h"
 #include "facenav/evaluation/run_record.h"
 #include "facenav/room/scenario.h"
-#include "facenav/session/align_from_capture.h"
 #include "facenav/tracking/coil_tracker.h"
+#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 
@@ -46,7 +46,7 @@ EvaluationSequence recordedSequence(const std::filesystem::path& recording);
 /// measured once.
 struct AlignedCapture {
   cv::Mat pattern_left;  // which capture
-  session::AlignmentOutcome outcome;
+  workflow::AlignmentOutcome outcome;
   evaluation::AlignmentRecord record;
   std::optional<evaluation::CloudFigures> cloud;
 };

@@ -37,6 +37,7 @@ const std::map<std::string, std::set<std::string>> kMayUse{
     {"evaluation", {"casefile", "capture"}},
     {"scene", {"volume", "surface", "guidance"}},
     {"room", {"capture", "surface"}},
+    {"workflow", {"session", "scene", "dicom", "editing", "registration"}},
 };
 
 std::set<std::string> reachable(const std::string& module) {

@@ -14,8 +14,8 @@
 #include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
+#include "registrations.h"
 #include "support/orthanc.h"
-#include "window_services.h"
 #include "workspaces/prepare/archive_page.h"
 #include "workspaces/prepare/prepare_workspace.h"
 
@@ -75,7 +75,7 @@ TEST(ArchiveInTheWindow, ASeriesIsFoundFetchedAndBecomesACase) {
   TaskMonitor monitor;
   const int sent = pacs::store(archive.node(), folder.path() / "in", monitor);
 
-  MainWindow window(app::windowServices());
+  MainWindow window(servicesWith(app::makeRegistrations));
   window.show();
   window.setCasesFolder(QString::fromStdString((folder.path() / "cases").string()));
   window.setPrepareStep(PrepareStep::archive);

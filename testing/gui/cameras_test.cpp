@@ -48,7 +48,7 @@ class CamerasTest : public ::testing::Test {
     };
     services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
       aligned_with_ = recording;
-      session::AlignmentOutcome outcome;
+      workflow::AlignmentOutcome outcome;
       outcome.result.camera_T_mri = fakes::cameraAtReference();
       outcome.reference.frame = *fakes::frame(0, 0);
       return outcome;

@@ -11,11 +11,7 @@ namespace {
 
 class EditPresenterTest : public ::testing::Test {
  protected:
-  EditPresenterTest() : edit_(services_, model_, tasks_) {
-    services_.drawSurfaceDistance = [this](const auto& cortex, const auto&, const auto& case_folder) {
-      EXPECT_FALSE(cortex.mesh.triangles.empty());
-      drawn_in_ = case_folder;
-    };
+  EditPresenterTest() : edit_(model_, tasks_) {
     casefile::CaseStore::create(folder_.path() / "case", fixtures::ballWithBrain(), {}, false);
     open();
     plane_ =
@@ -41,8 +37,6 @@ class EditPresenterTest : public ::testing::Test {
     fixtures::waitFor([&] { return !tasks_.isRunning(); });
   }
   testing::TemporaryFolder folder_;
-  std::filesystem::path drawn_in_;  // the folder of the last distance picture
-  Services services_;
   CaseModel model_;
   TaskRunner tasks_;
   EditPresenter edit_;
@@ -105,7 +99,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   EXPECT_EQ(model_.current().brain_mask->voxels, edit_.mask()->voxels);
   EXPECT_EQ(casefile::automaticBrainMask(model_.current().store)->voxels, before.voxels);
   EXPECT_EQ(model_.current().shown_sha256, casefile::seenFiles(model_.current().store));
-  EXPECT_EQ(drawn_in_, model_.current().store.folder());
+  EXPECT_TRUE(std::filesystem::exists(model_.current().store.folder() / "surface_distance.png"));
   edit_.resetToAutomatic();
   EXPECT_EQ(edit_.mask()->voxels, before.voxels);
   edit_.undo();
@@ -114,7 +108,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
 
 TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {
   {
-    EditPresenter other(services_, model_, tasks_);
+    EditPresenter other(model_, tasks_);
     open();
     other.setTool(EditTool::brush);
     other.press(plane_, pixel(60, 0), false);

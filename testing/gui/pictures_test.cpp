@@ -224,9 +224,8 @@ Services trueServices(const std::string& folder, std::shared_ptr<std::atomic<boo
   const auto head = readTruth<Camera, Mri>(folder, "head");
   const auto coil = readTruth<Camera, Marker>(folder, "coil");
   Services services = exampleServices();
-  services.readCoil = [](const std::filesystem::path& path) { return tracking::readCoil(path); };
   services.align = [head](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
-    session::AlignmentOutcome outcome;
+    workflow::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = head.front();
     outcome.result.rms_mm = 0.41, outcome.result.points = 16000;
     outcome.reference.frame = recording.capture.value().plain;

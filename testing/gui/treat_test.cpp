@@ -22,7 +22,7 @@ const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20
 Services fakeServices() {
   Services services;
   services.align = [](const casefile::CaseStore&, const capture::Recording&, TaskMonitor&) {
-    session::AlignmentOutcome outcome;
+    workflow::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = fakes::cameraAtReference();
     outcome.reference.frame = *fakes::frame(0, 0);
     return outcome;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "support/ball_case.h"
 #include "support/command_line.h"
 
 namespace facenav::testing {
@@ -48,8 +49,8 @@ TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
   for (const char* verb :
-       {"series", "pacs", "prepare", "check", "worklist", "label", "locate", "target", "export", "calibrate",
-        "align", "cloud", "track", "guide", "simulate", "marker", "demo"}) {
+       {"series", "pacs", "prepare", "check", "brain", "worklist", "label", "locate", "target", "export",
+        "calibrate", "align", "cloud", "track", "guide", "simulate", "marker", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
@@ -108,6 +109,30 @@ TEST_F(CommandLine, CheckExportAndWorklistOfWhatIsNotThere) {
   expectRefused(runFacenav("label " + at("none").string() + " words"), "none");
   expectRefused(runFacenav("locate " + at("none").string() + " --mni 0 0 0"), "none");
   expectRefused(runFacenav("target " + at("none").string() + " --name M1 --ras 0 0 0"), "none");
+}
+
+TEST_F(CommandLine, BrainOfWhatIsNotThereOrIsNoPlace) {
+  expectRefused(runFacenav("brain " + at("none").string()), "none");
+  for (const char* words : {"1,2,3", "1,2,3,x", "1,2,3,0", "1,2,3,4,5", "''"})
+    expectRefused(runFacenav("brain " + at("none").string() + " --add-sphere " + words), "RADIUS");
+  expectRefused(runFacenav("brain " + at("none").string() + " --grow 1,2"), "R,A,S");
+}
+
+TEST_F(CommandLine, BrainIsCorrectedAndTheCorrectionTakenBack) {
+  casefile::CaseStore::create(at("case"), ballWithBrain(), {}, false);
+  const std::string brain = "brain " + at("case").string();
+  const auto store = casefile::CaseStore::open(at("case"));
+  const auto prepared = store.brainMask()->voxels;
+  EXPECT_THAT(runFacenav(brain).output, HasSubstr("as prepared"));
+  const auto result =
+      runFacenav(brain + " --add-sphere -42,2,2,10 --add-sphere 42,2,2,10 --remove-sphere=2,2,2,6");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("must be checked anew"));
+  EXPECT_NE(store.brainMask()->voxels, prepared);
+  EXPECT_THAT(runFacenav(brain).output, HasSubstr("corrected by hand"));
+  EXPECT_EQ(runFacenav(brain + " --automatic").status, 0);
+  EXPECT_EQ(store.brainMask()->voxels, prepared);
+  EXPECT_TRUE(isClean());
 }
 
 TEST_F(CommandLine, CalibrateWithoutImages) {

@@ -1,6 +1,6 @@
 #include "support/room_film.h"
 
-#include "facenav/session/align_from_capture.h"
+#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::testing {
 namespace {
@@ -18,8 +18,8 @@ tracking::CoilModel modelOf(const room::RoomCoil& coil) {
 tracking::HeadReference referenceOf(const stereo::StereoRig& rig, const capture::CapturePair& pair,
                                     const tracking::FaceDetector& detector) {
   TaskMonitor monitor;
-  const auto landmarks = session::findFace(rig, pair.plain, detector);
-  const auto face = session::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
+  const auto landmarks = workflow::findFace(rig, pair.plain, detector);
+  const auto face = workflow::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
   return {pair.plain, face.cloud, face.left_px};
 }
 

@@ -10,13 +10,12 @@
 #include "facenav/editing/region_grow.h"
 #include "facenav/editing/slice_interpolation.h"
 #include "facenav/editing/whole_mask_tools.h"
-#include "facenav/session/brain_surfaces.h"
+#include "facenav/workflow/correct_brain.h"
 
 namespace facenav::ui {
 namespace {
 
 constexpr double kLeastRadius_mm = 0.5, kMostRadius_mm = 40.0, kSizeStep = 1.15;
-constexpr double kGrowReach_mm = 20.0, kSmooth_mm = 1.5;
 constexpr int kAutosave_ms = 500, kFollow_ms = 400;
 
 Direction<Mri> normalOf(const volume::SlicePlane& plane) {
@@ -32,17 +31,10 @@ int sliceAxis(const volume::VoxelGrid& grid, const volume::SlicePlane& plane) {
   return int(axis);
 }
 
-volume::Mask emptyMask(const volume::VoxelGrid& grid) {
-  volume::Mask mask;
-  mask.grid = grid;
-  mask.voxels.assign(grid.count(), 0);
-  return mask;
-}
-
 }  // namespace
 
-EditPresenter::EditPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
-    : QObject(parent), services_(services), model_(model), tasks_(tasks) {
+EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)
+    : QObject(parent), model_(model), tasks_(tasks) {
   connect(&model_, &CaseModel::opened, this, &EditPresenter::open);
   autosave_timer_.setInterval(kAutosave_ms);
   connect(&autosave_timer_, &QTimer::timeout, this, &EditPresenter::autosave);
@@ -89,12 +81,9 @@ void EditPresenter::open() {
   outline_.clear();
   tool_ = EditTool::none;
   try {
-    auto automatic = casefile::automaticBrainMask(c.store);
-    auto draft = casefile::brainDraft(c.store);
-    has_draft_ = draft.has_value();
-    if (!draft && c.brain_mask) draft = *c.brain_mask;
-    editor_ = std::make_shared<editing::MaskEditor>(
-        automatic ? std::move(*automatic) : emptyMask(c.mri->grid), std::move(draft));
+    const auto correction = workflow::beginCorrection(c.store, c.mri->grid, c.brain_mask.get());
+    editor_ = correction.editor;
+    has_draft_ = correction.has_draft;
     saved_revision_ = editor_->revision();
     followed_revision_ = has_draft_ ? ~editor_->revision() : editor_->revision();
     autosave_ = makeAutosave();
@@ -147,8 +136,8 @@ void EditPresenter::press(const volume::SlicePlane& plane, const Eigen::Vector2d
       outline_ = {at_px};
     } else if (tool_ == EditTool::grow) {
       finish(tr("region grow"),
-             editing::growRegion(editor_->mask(), mri, place, editing::rangeAround(mri, place), kGrowReach_mm,
-                                 !is_inverse));
+             editing::growRegion(editor_->mask(), mri, place, editing::rangeAround(mri, place),
+                                 workflow::kGrowReach_mm, !is_inverse));
     } else {
       if (tool_ == EditTool::threshold) range_ = editing::rangeAround(mri, place);
       editor_->beginStroke((tool_ == EditTool::eraser      ? tr("eraser")
@@ -247,7 +236,7 @@ void EditPresenter::follow() {
 }
 
 void EditPresenter::smooth() {
-  guarded([&] { finish(tr("smooth"), editing::smooth(editor_->mask(), kSmooth_mm)); });
+  guarded([&] { finish(tr("smooth"), editing::smooth(editor_->mask(), workflow::kSmooth_mm)); });
 }
 
 void EditPresenter::fillHoles() {
@@ -304,12 +293,8 @@ void EditPresenter::save() {
   tasks_.start(tr("Saving the corrected brain"),
                [this, revision, mask = editor_->mask(), mri = model_.current().mri,
                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto surfaces = session::buildBrainSurfaces(*mri, mask, monitor);
+                 auto surfaces = workflow::saveCorrection(store, *mri, mask, monitor);
                  auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
-                 casefile::saveEditedBrainMask(store, mask);  // void is the sign-off from here on
-                 casefile::saveBrainModel(store, *brain, &surfaces.cortex);
-                 services_.drawSurfaceDistance(surfaces.cortex, surfaces.distance, store.folder());
-                 casefile::removeBrainDraft(store);
                  const auto shown = casefile::seenFiles(store);
                  const auto status = casefile::signOffStatus(store);
                  auto saved = std::make_shared<volume::Mask>(mask);

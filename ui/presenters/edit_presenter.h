@@ -10,7 +10,6 @@
 #include "facenav/editing/mask_autosave.h"
 #include "facenav/editing/scalpel.h"
 #include "presenters/case_model.h"
-#include "presenters/services.h"
 #include "presenters/task_runner.h"
 #include "views/slice_tool.h"
 
@@ -23,7 +22,7 @@ class EditPresenter : public QObject, public SliceTool {
   Q_OBJECT
 
  public:
-  EditPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
+  EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
   ~EditPresenter() override;
 
   /// A case is open that has a brain mask, or a grid for one.
@@ -98,7 +97,6 @@ class EditPresenter : public QObject, public SliceTool {
   template <class Action>
   void guarded(Action action);
 
-  const Services& services_;
   CaseModel& model_;
   TaskRunner& tasks_;
   std::shared_ptr<editing::MaskEditor> editor_;

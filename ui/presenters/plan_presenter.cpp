@@ -3,33 +3,43 @@
 #include <algorithm>
 #include <cmath>
 
-#include "facenav/core/error.h"
 #include "facenav/guidance/handle.h"
-#include "facenav/surface/closest_point.h"
-#include "facenav/surface/outside_head.h"
 
 namespace facenav::ui {
 namespace {
 
-constexpr double kUsualHandle_rad = M_PI / 4;
-
-Point<Mri> nearestVertex(const surface::TriangleMesh& mesh, const Point<Mri>& p) {
-  Eigen::Vector3d best = p.mm;
-  double least = 1e300;
-  for (const auto& v : mesh.vertices_mm)
-    if (const double d = (v - p.mm).squaredNorm(); d < least) least = d, best = v;
-  return Point<Mri>(best);
+/// The refusal in the window's language; other errors in their own words.
+QString wordsOf(const workflow::PlanRefused& refused, const QString& name) {
+  switch (refused.refusal()) {
+    case workflow::PlanRefusal::outside_head:
+      return PlanPresenter::tr("no target: the place lies %1 mm outside the head; choose one in the head")
+          .arg(refused.outside_mm(), 0, 'f', 0);
+    case workflow::PlanRefusal::name_taken:
+      return PlanPresenter::tr("there is a target '%1' already").arg(name);
+    case workflow::PlanRefusal::no_brain:
+      return PlanPresenter::tr("no brain model: click on the slice where the target lies");
+  }
+  return {};
 }
 
 }  // namespace
 
-PlanPresenter::PlanPresenter(CaseModel& model, QObject* parent) : QObject(parent), model_(model) {
+PlanPresenter::PlanPresenter(CaseModel& model, QObject* parent)
+    : QObject(parent), model_(model), editor_(planned()) {
   connect(&model_, &CaseModel::opened, this, [this] {
-    undo_.clear();
-    redo_.clear();
-    active_ = plan().targets.empty() ? QString() : QString::fromStdString(plan().targets.front().name);
+    editor_.begin();
     emit changed();
   });
+}
+
+workflow::PlannedCase PlanPresenter::planned() {
+  return {[this]() -> const guidance::TreatmentPlan& { return plan(); },
+          [this] {
+            const auto& c = model_.current();
+            return workflow::PlannedHead{c.scalp, c.head_mask, c.brain};
+          },
+          [this](const guidance::TreatmentPlan& next) { model_.setPlan(next); },
+          [](int n) { return tr("Target %1").arg(n).toStdString(); }};
 }
 
 const guidance::TreatmentPlan& PlanPresenter::plan() const {
@@ -37,146 +47,69 @@ const guidance::TreatmentPlan& PlanPresenter::plan() const {
   return model_.isOpen() ? model_.current().plan : kNone;
 }
 
-const guidance::Target* PlanPresenter::active() const {
-  for (const auto& target : plan().targets)
-    if (target.name == active_.toStdString()) return &target;
-  return nullptr;
-}
+const guidance::Target* PlanPresenter::active() const { return editor_.active(); }
 
 void PlanPresenter::setActive(const QString& name) {
-  if (name == active_) return;
-  active_ = name;
+  if (name == activeName()) return;
+  editor_.setActive(name.toStdString());
   emit changed();
 }
 
-QString PlanPresenter::freeName() const {
-  for (int n = 1;; ++n) {
-    const QString name = tr("Target %1").arg(n);
-    const auto has = [&](const guidance::Target& t) { return t.name == name.toStdString(); };
-    if (std::none_of(plan().targets.begin(), plan().targets.end(), has)) return name;
-  }
-}
-
-bool PlanPresenter::store(const guidance::TreatmentPlan& plan, const QString& active) {
+template <class Edit>
+void PlanPresenter::attempt(Edit edit, const QString& name) {
+  if (!model_.isOpen()) return;
   try {
-    model_.setPlan(plan);
+    edit();
+    emit changed();
+  } catch (const workflow::PlanRefused& refusal) {
+    emit refused(wordsOf(refusal, name));
+    if (refusal.refusal() == workflow::PlanRefusal::name_taken)
+      emit changed();                      // the old name is shown again
   } catch (const std::exception& error) {  // the file system's own errors too
     emit refused(QString::fromUtf8(error.what()));
-    return false;
   }
-  active_ = active;
-  return true;
-}
-
-void PlanPresenter::apply(const guidance::TreatmentPlan& next, const QString& active) {
-  const Step step{plan(), next, active_, active};
-  if (!store(next, active)) return;
-  undo_.push_back(step);
-  redo_.clear();
-  emit changed();
-}
-
-bool PlanPresenter::refusesOutside(const Point<Mri>& point, double limit_mm) {
-  const auto& c = model_.current();
-  const double outside_mm = surface::outsideHead_mm(*c.head_mask, *c.scalp, point);
-  if (outside_mm <= limit_mm) return false;
-  emit refused(tr("no target: the place lies %1 mm outside the head; choose one in the head")
-                   .arg(outside_mm, 0, 'f', 0));
-  return true;
 }
 
 void PlanPresenter::addTarget(const Point<Mri>& cortex_point) {
-  if (!model_.isOpen() || refusesOutside(cortex_point, 0.0)) return;
-  try {
-    auto next = plan();
-    const QString name = freeName();
-    next.targets.push_back(
-        guidance::planTarget(name.toStdString(), *model_.current().scalp, cortex_point, kUsualHandle_rad));
-    apply(next, name);
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-  }
+  attempt([&] { editor_.addTarget(cortex_point); });
 }
 
 void PlanPresenter::addTargetAtScalp(const Point<Mri>& scalp_point) {
-  if (!model_.isOpen()) return;
-  if (!model_.current().brain) {
-    emit refused(tr("no brain model: click on the slice where the target lies"));
-    return;
-  }
-  addTarget(nearestVertex(model_.current().brain->mesh, scalp_point));
+  attempt([&] { editor_.addTargetAtScalp(scalp_point); });
 }
 
 void PlanPresenter::addTargetNear(const Point<Mri>& point) {
-  if (!model_.isOpen() || refusesOutside(point, surface::kFarthestOutside_mm)) return;
-  if (!model_.current().brain) return addTarget(point);
-  const auto nearest = surface::ClosestPoint(model_.current().brain->mesh).nearest(point);
-  addTarget(nearest.is_outside ? nearest.point : point);
+  attempt([&] { editor_.addTargetNear(point); });
 }
 
 void PlanPresenter::removeActive() {
-  if (!active()) return;
-  auto next = plan();
-  const auto is_active = [&](const guidance::Target& t) { return t.name == active_.toStdString(); };
-  next.targets.erase(std::remove_if(next.targets.begin(), next.targets.end(), is_active), next.targets.end());
-  apply(next, next.targets.empty() ? QString() : QString::fromStdString(next.targets.back().name));
+  if (active()) attempt([&] { editor_.remove(); });
 }
 
 void PlanPresenter::replaceActive(const guidance::Target& target) {
-  auto next = plan();
-  for (auto& t : next.targets)
-    if (t.name == active_.toStdString()) t = target;
-  apply(next, QString::fromStdString(target.name));
+  if (active()) attempt([&] { editor_.replace(target); });
 }
 
 void PlanPresenter::renameActive(const QString& name) {
-  const auto* target = active();
   const QString wanted = name.trimmed();
-  if (!target || wanted.isEmpty() || wanted == active_) return;
-  for (const auto& other : plan().targets)
-    if (other.name == wanted.toStdString()) {
-      emit refused(tr("there is a target '%1' already").arg(wanted));
-      emit changed();
-      return;
-    }
-  auto renamed = *target;
-  renamed.name = wanted.toStdString();
-  replaceActive(renamed);
+  if (!active() || wanted.isEmpty() || wanted == activeName()) return;
+  attempt([&] { editor_.rename(wanted.toStdString()); }, wanted);
 }
 
 void PlanPresenter::turnActive(double degrees) {
-  const auto* target = active();
-  if (!target) return;
-  auto turned = *target;
-  const RigidTransform<Target, Target> about_z(
-      Eigen::Quaterniond(Eigen::AngleAxisd(degrees * M_PI / 180.0, Eigen::Vector3d::UnitZ())),
-      Eigen::Vector3d::Zero());
-  turned.mri_T_target = target->mri_T_target * about_z;
-  replaceActive(turned);
+  if (active()) attempt([&] { editor_.turn(degrees * M_PI / 180.0); });
 }
 
 void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
-  const auto* target = active();
-  if (!target) return;
-  try {
-    replaceActive(guidance::movedAlongScalp(*target, *model_.current().scalp, x_mm, y_mm));
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-  }
+  if (active()) attempt([&] { editor_.nudge(x_mm, y_mm); });
 }
 
 void PlanPresenter::undo() {
-  if (undo_.empty() || !store(undo_.back().before, undo_.back().active_before)) return;
-  redo_.push_back(undo_.back());
-  undo_.pop_back();
-  emit changed();
+  if (canUndo()) attempt([&] { editor_.undo(); });
 }
 
 void PlanPresenter::redo() {
-  if (redo_.empty() || !store(redo_.back().after, redo_.back().active_after)) return;
-  undo_.push_back(redo_.back());
-  redo_.pop_back();
-  emit changed();
+  if (canRedo()) attempt([&] { editor_.redo(); });
 }
 
 double PlanPresenter::handleAngle_deg(const guidance::Target& target) const {

@@ -1,9 +1,10 @@
 #pragma once
-// PlanPresenter: targets on the cortex: made by a click, turned, renamed, removed; every step can be undone
-// and is saved in the case at once.
+// PlanPresenter: binds the window to workflow/plan_editor.h: targets on the cortex, made by a click, turned,
+// renamed, removed; every step can be undone and is saved in the case at once.
 
 #include <QObject>
 
+#include "facenav/workflow/plan_editor.h"
 #include "presenters/case_model.h"
 
 namespace facenav::ui {
@@ -34,11 +35,11 @@ class PlanPresenter : public QObject {
   void undo();
   void redo();
 
-  bool canUndo() const { return !undo_.empty(); }
-  bool canRedo() const { return !redo_.empty(); }
+  bool canUndo() const { return editor_.canUndo(); }
+  bool canRedo() const { return editor_.canRedo(); }
   const guidance::TreatmentPlan& plan() const;
   void setActive(const QString& name);
-  QString activeName() const { return active_; }
+  QString activeName() const { return QString::fromStdString(editor_.activeName()); }
   const guidance::Target* active() const;
   /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. Only while a case is open, as
   /// are those below.
@@ -53,23 +54,14 @@ class PlanPresenter : public QObject {
   void refused(const QString& words);
 
  private:
-  /// The plan and its active target before and after a step.
-  struct Step {
-    guidance::TreatmentPlan before, after;
-    QString active_before, active_after;
-  };
-  /// Stores a plan as a step that can be undone.
-  void apply(const guidance::TreatmentPlan& plan, const QString& active);
-  /// Writes the case; false, with refused(), where that fails.
-  bool store(const guidance::TreatmentPlan& plan, const QString& active);
-  /// Says so where the point lies farther outside the head.
-  bool refusesOutside(const Point<Mri>& point, double limit_mm);
+  workflow::PlannedCase planned();
+  /// changed(), or refused() with the reason; `name`: what the edit was to be called.
+  template <class Edit>
+  void attempt(Edit edit, const QString& name = {});
   void replaceActive(const guidance::Target& target);
-  QString freeName() const;
 
   CaseModel& model_;
-  QString active_;
-  std::vector<Step> undo_, redo_;
+  workflow::PlanEditor editor_;
 };
 
 }  // namespace facenav::ui

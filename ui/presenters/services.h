@@ -1,7 +1,7 @@
 #pragma once
-// Services: the steps that the window asks for, as functions handed in by app/gui_main (the only place that
-// names implementations). They run on worker threads, throw Error, and are the same code as the command
-// line's verbs.
+// Services: the steps that the window has done on worker threads, bound to the modules that the command
+// line's verbs call too. The program hands in the methods (workflow/registrations.h); a test puts stand-ins
+// in place of single functions. They throw Error.
 
 #include <QString>
 #include <filesystem>
@@ -18,9 +18,9 @@
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
 #include "facenav/pacs/pacs.h"
-#include "facenav/session/align_from_capture.h"
 #include "facenav/session/session.h"
-#include "facenav/surface/detailed_cortex.h"
+#include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/registrations.h"
 
 namespace facenav::ui {
 
@@ -47,8 +47,8 @@ struct Services {
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Aligns from a recording's capture pair, or the one stored with the case, and stores the result in the
   /// case.
-  std::function<session::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
-                                          TaskMonitor&)>
+  std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
+                                           TaskMonitor&)>
       align;
   /// Cameras that are plugged in; quick.
   std::function<std::vector<capture::CameraDevice>()> listCameras;
@@ -56,15 +56,12 @@ struct Services {
   std::function<std::unique_ptr<capture::FrameSource>(const stereo::StereoRig&, int left, int right)>
       openCameras;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
-  std::function<tracking::CoilModel(const std::filesystem::path&)> readCoil;
-  /// The picture beside a brain model that was corrected by hand, in its case folder.
-  std::function<void(const surface::DetailedCortex&, const surface::ModelDistance&,
-                     const std::filesystem::path& case_folder)>
-      drawSurfaceDistance;
   /// The labelled atlas; throws Error where it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;
-  /// Written into provenance.
-  std::string software_version;
 };
+
+/// Everything as the programs do it. `makeMethods` is called for each task: methods are not shared between
+/// threads.
+Services servicesWith(std::function<workflow::Registrations()> makeMethods);
 
 }  // namespace facenav::ui

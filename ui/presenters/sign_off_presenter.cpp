@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/workflow/sign_off_gate.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -61,10 +63,23 @@ std::vector<VolumeLine> SignOffPresenter::volumes() const {
 
 QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
-  if (holds()) return tr("signed off already");
-  const auto open = std::count(seen_.begin(), seen_.end(), false);
-  if (open > 0) return tr("%1 of %2 still to be ticked").arg(open).arg(seen_.size());
-  if (name_.trimmed().isEmpty()) return tr("your name or initials are missing");
+  workflow::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds()};
+  if (!seen_.empty()) {  // the outlines are the first item
+    claim.outlines_seen = seen_.front();
+    claim.findings_seen.erase(claim.findings_seen.begin());
+  }
+  const auto missing = workflow::missingForSignOff(claim);
+  if (missing.empty()) return {};
+  switch (missing.front().gap) {
+    case workflow::SignOffGap::signed_already:
+      return tr("signed off already");
+    case workflow::SignOffGap::unsaved_correction:
+      return tr("a correction of the brain is not saved: save or discard it first (step 3)");
+    case workflow::SignOffGap::unseen:
+      return tr("%1 of %2 still to be ticked").arg(missing.front().open).arg(missing.front().all);
+    case workflow::SignOffGap::no_name:
+      return tr("your name or initials are missing");
+  }
   return {};
 }
 

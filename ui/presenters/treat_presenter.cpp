@@ -5,6 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/workflow/software_version.h"
 
 namespace facenav::ui {
 namespace {
@@ -78,7 +79,7 @@ void TreatPresenter::openRecording(const QString& folder) {
     auto recording = std::make_shared<capture::Recording>(capture::openRecording(path));
     const auto coil_file = path / "coil.json";
     auto coil = std::make_shared<tracking::CoilModel>(
-        std::filesystem::exists(coil_file) ? services_.readCoil(coil_file) : tracking::defaultCoil());
+        std::filesystem::exists(coil_file) ? tracking::readCoil(coil_file) : tracking::defaultCoil());
     return [this, recording, coil] {
       stop();
       recording_ = *recording;
@@ -118,7 +119,7 @@ void TreatPresenter::align(bool then_start) {
        recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
         requireSignOff(store, is_overridden);
         auto outcome =
-            std::make_shared<session::AlignmentOutcome>(services_.align(store, recording, monitor));
+            std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
         return [this, outcome, then_start] {
           outcome_ = outcome;
           model_.setAlignment(outcome->stored());
@@ -173,7 +174,7 @@ void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
   if (!model_.isOpen()) return;
   try {
     casefile::recordOverride(model_.current().store, by.trimmed().toStdString(),
-                             reason.trimmed().toStdString(), services_.software_version);
+                             reason.trimmed().toStdString(), workflow::softwareVersion());
     model_.setOverride({by.trimmed(), reason.trimmed()});
     emit changed();
   } catch (const Error& error) {

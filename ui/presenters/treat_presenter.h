@@ -87,7 +87,7 @@ class TreatPresenter : public QObject {
   bool is_live_ = false;
   mutable QString rig_fault_;
   tracking::CoilModel coil_;
-  std::shared_ptr<const session::AlignmentOutcome> outcome_;
+  std::shared_ptr<const workflow::AlignmentOutcome> outcome_;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;  // goes before the session
   std::filesystem::path treated_;               // the case of the session

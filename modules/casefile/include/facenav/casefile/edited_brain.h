@@ -18,7 +18,7 @@ void requireNoEditsIn(const std::filesystem::path& folder);
 void saveEditedBrainMask(const CaseStore& store, const volume::Mask& mask);
 /// The automatic mask is in force again; the edited one is gone. Nothing happens where there is none.
 void revertToAutomaticBrainMask(const CaseStore& store);
-/// brain.vtp, brain_texture.png and cortex.vtp anew, for the mask in force (session/brain_surfaces.h makes
+/// brain.vtp, brain_texture.png and cortex.vtp anew, for the mask in force (workflow/brain_surfaces.h makes
 /// them). Without a cortex the old one is removed, and surface_distance.png always (draw it anew): they show
 /// another mask.
 void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,

@@ -4,7 +4,8 @@
 // hand), with a scale.
 
 #include "facenav/core/rgb_image.h"
-#include "facenav/session/align_from_capture.h"
+#include "facenav/registration/aligner.h"
+#include "facenav/stereo/face_cloud.h"
 
 namespace facenav::session {
 

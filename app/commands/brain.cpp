@@ -1,0 +1,111 @@
+// facenav brain CASE: what the case's brain mask is, and its correction from the command line, with the
+// window's own edits.
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "commands/commands.h"
+#include "facenav/casefile/edited_brain.h"
+#include "facenav/core/error.h"
+#include "facenav/workflow/correct_brain.h"
+
+namespace facenav::app {
+namespace {
+
+constexpr double kMostRadius_mm = 40.0;  // as in the window
+
+struct BrainRequest {
+  std::filesystem::path case_folder;
+  workflow::BrainEdits edits;
+  std::vector<std::string> added, removed, grown;  // as typed
+};
+
+/// "-37,-21,58.5": `count` numbers. Throws Error naming the form wanted.
+std::vector<double> numbersOf(const std::string& typed, std::size_t count, const std::string& form) {
+  std::vector<double> numbers;
+  std::istringstream text(typed);
+  text.imbue(std::locale::classic());
+  for (double number; text >> number && std::isfinite(number); text.ignore()) {
+    numbers.push_back(number);
+    if (text.peek() != ',') break;
+  }
+  if (numbers.size() == count && text.eof()) return numbers;
+  throw Error("'" + typed + "' is not " + form, {}, "give numbers in mm with commas between them");
+}
+
+Point<Mri> placeOf(const std::vector<double>& p) { return Point<Mri>(Eigen::Vector3d(p[0], p[1], p[2])); }
+
+std::vector<editing::Ball> ballsOf(const std::vector<std::string>& typed) {
+  std::vector<editing::Ball> balls;
+  for (const auto& words : typed) {
+    const auto numbers = numbersOf(words, 4, "R,A,S,RADIUS");
+    if (!(numbers[3] > 0 && numbers[3] <= kMostRadius_mm))
+      throw Error("the sphere's radius must lie between 0 and 40 mm", words, "give R,A,S,RADIUS");
+    balls.push_back({placeOf(numbers), numbers[3]});
+  }
+  return balls;
+}
+
+bool hasEdits(const workflow::BrainEdits& edits) {
+  return edits.starts_automatic || edits.drawn || !edits.added.empty() || !edits.removed.empty() ||
+         !edits.grown.empty() || edits.fills_holes || edits.smooths;
+}
+
+void printState(const casefile::CaseStore& store) {
+  const auto mask = store.brainMask();
+  if (!mask) return void(std::printf("no brain mask: the case holds the scalp alone\n"));
+  std::printf("brain: %.0f ml, %s\n", mask->volume_ml(),
+              casefile::hasEditedBrainMask(store) ? "corrected by hand" : "as prepared");
+  if (casefile::brainDraft(store)) std::printf("an unfinished correction is kept (--discard removes it)\n");
+}
+
+void print(const workflow::CorrectedBrain& result) {
+  if (result.had_draft) std::printf("went on from the unfinished correction\n");
+  if (!result.isChanged()) return void(std::printf("brain: %.0f ml, unchanged\n", result.after_ml));
+  std::printf(
+      "brain: %.0f ml (before %.0f ml), %zu voxels added, %zu removed; the case must be checked anew\n",
+      result.after_ml, result.before_ml, result.added_voxels, result.removed_voxels);
+}
+
+void runBrain(Context& context, BrainRequest request) {
+  request.edits.added = ballsOf(request.added);
+  request.edits.removed = ballsOf(request.removed);
+  for (const auto& typed : request.grown)
+    request.edits.grown.push_back(placeOf(numbersOf(typed, 3, "R,A,S")));
+  const auto store = casefile::CaseStore::open(request.case_folder);
+  if (hasEdits(request.edits)) {
+    const auto result = workflow::correctBrain(store, request.edits, context.monitor);
+    if (!context.is_quiet) print(result);
+    return;
+  }
+  if (request.edits.discards_draft) casefile::removeBrainDraft(store);
+  if (!context.is_quiet) printState(store);
+}
+
+}  // namespace
+
+void addBrain(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand(
+      "brain", "show or correct a case's brain mask; the brain's surfaces are made anew, a sign-off is void");
+  auto request = std::make_shared<BrainRequest>();
+  verb->add_option("CASE", request->case_folder, "case folder")->required();
+  verb->add_flag("--discard", request->edits.discards_draft,
+                 "throw an unfinished correction away; without it the edits go on from there");
+  verb->add_flag("--automatic", request->edits.starts_automatic, "back to the mask that prepare made");
+  verb->add_option("--import", request->edits.drawn,
+                   "a mask drawn elsewhere (NIfTI, on the grid of the case's mri.nii.gz)");
+  verb->add_option("--add-sphere", request->added, "R,A,S,RADIUS in mm; may be given more than once")
+      ->allow_extra_args(false);
+  verb->add_option("--remove-sphere", request->removed, "R,A,S,RADIUS in mm; may be given more than once")
+      ->allow_extra_args(false);
+  verb->add_option("--grow", request->grown,
+                   "R,A,S in mm: add what hangs together with this place and looks like it, within 20 mm")
+      ->allow_extra_args(false);
+  verb->add_flag("--fill-holes", request->edits.fills_holes, "holes inside the mask become brain");
+  verb->add_flag("--smooth", request->edits.smooths, "take spikes off and fill notches (1.5 mm)");
+  verb->footer("Edits are done in the order of the list above.");
+  verb->callback([&context, request] { runBrain(context, *request); });
+}
+
+}  // namespace facenav::app

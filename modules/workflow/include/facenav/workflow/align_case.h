@@ -1,0 +1,24 @@
+#pragma once
+// ALIGN: the third step of the data flow, as the verb, the window and the demo run it: the capture pair and
+// the case's scalp -> alignment.json and what it rests on, in the case.
+
+#include <string>
+
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/registrations.h"
+
+namespace facenav::workflow {
+
+/// Aligns by the method registered as `aligner`, and writes alignment.json, the map of the skin's fit and the
+/// capture pair into the case. Throws Error ("not aligned: ..").
+AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
+                           const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                           const std::string& aligner, TaskMonitor& monitor);
+
+/// The recording's own capture pair, else the one that the case was aligned with. Throws Error where there is
+/// none, or where the case's was taken with another rig.
+capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording);
+
+}  // namespace facenav::workflow

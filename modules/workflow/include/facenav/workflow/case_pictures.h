@@ -1,0 +1,19 @@
+#pragma once
+// The pictures that a case keeps. They show the patient's face and brain: for this user's eyes only (0600).
+
+#include <filesystem>
+
+#include "facenav/core/rgb_image.h"
+#include "facenav/surface/detailed_cortex.h"
+
+namespace facenav::workflow {
+
+void writePrivatePng(const RgbImage& image, const std::filesystem::path& path);
+
+/// How far the phi-theta surface lies from the cortex.
+RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures);
+/// The same as surface_distance.png in the case.
+void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
+                          const std::filesystem::path& case_folder);
+
+}  // namespace facenav::workflow

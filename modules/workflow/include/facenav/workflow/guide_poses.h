@@ -1,0 +1,22 @@
+#pragma once
+// GUIDE: poses of head and coil (poses.csv) and the case's plan -> distance, tilt and twist, frame by frame.
+
+#include <string>
+#include <vector>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/casefile/poses_csv.h"
+#include "facenav/guidance/guidance_csv.h"
+
+namespace facenav::workflow {
+
+/// What alignment.json says of a target, mm; 0 where it says nothing.
+double predictedError_mm(const casefile::CaseStore& store, const std::string& target);
+
+/// guidance.csv's rows from poses and the case's plan. Throws Error: no such target, or poses that are not
+/// placed in the MRI.
+std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
+                                              const std::vector<casefile::PoseRow>& poses,
+                                              const std::string& target_name);
+
+}  // namespace facenav::workflow

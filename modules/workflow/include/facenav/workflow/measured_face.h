@@ -1,0 +1,35 @@
+#pragma once
+// The face as the cameras measure it, without a scan: from one pair of pictures with dots or without, or from
+// several frames of a film, carried together by the head tracker's motion. Camera frame of the (first) frame,
+// mm.
+
+#include <memory>
+#include <utility>
+
+#include "facenav/capture/frame_source.h"
+#include "facenav/stereo/cloud_fusion.h"
+#include "facenav/workflow/align_from_capture.h"
+
+namespace facenav::workflow {
+
+struct MeasuredFace {
+  stereo::FusedCloud cloud;
+  FaceInSpace landmarks;  // of the (first) frame
+  std::shared_ptr<const stereo::StereoFrame> first;
+  int fused = 1, lost = 0;  // frames
+};
+
+/// One pair. `plain`: in which the face is looked for; the same as `measured` where there are no dots. Throws
+/// Error as stereo::measureFace does, and where no point of a face was found.
+MeasuredFace measurePair(const stereo::StereoRig& rig, const stereo::StereoFrame& measured,
+                         const stereo::StereoFrame& plain, bool has_dots,
+                         const tracking::FaceDetector& detector, TaskMonitor& monitor);
+
+/// The film's frames `first` to `last` (both included). `tracker` is started on the first. Frames in which
+/// the face is lost, or cannot be measured, are left out and counted. Of a long film, some 40 frames are
+/// measured, evenly. Throws Error: no such frame, no face in the first.
+MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
+                         tracking::HeadTracker& tracker, const tracking::FaceDetector& detector,
+                         TaskMonitor& monitor);
+
+}  // namespace facenav::workflow

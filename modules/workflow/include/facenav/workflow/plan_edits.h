@@ -1,0 +1,56 @@
+#pragma once
+// PLAN: where a place that was clicked or typed is aimed at, and edits of a treatment plan as plain
+// functions. The window (PlanEditor) and `facenav target` use the same ones. Places are Mri, mm.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/core/error.h"
+
+namespace facenav::workflow {
+
+/// What targets are placed on. `brain` is null where the case holds the scalp alone.
+struct PlannedHead {
+  std::shared_ptr<const surface::ScalpSurface> scalp;
+  std::shared_ptr<const volume::Mask> head_mask;
+  std::shared_ptr<const surface::BrainModel> brain;
+};
+/// Throws Error as the store's readers do.
+PlannedHead plannedHead(const casefile::CaseStore& store);
+
+enum class PlanRefusal { outside_head, name_taken, no_brain };
+/// An edit that was asked for and refused; nothing has changed.
+class PlanRefused : public Error {
+ public:
+  PlanRefused(PlanRefusal refusal, const std::string& what_happened, const std::string& remedy,
+              double outside_mm = 0)
+      : Error(what_happened, {}, remedy), refusal_(refusal), outside_mm_(outside_mm) {}
+  PlanRefusal refusal() const { return refusal_; }
+  double outside_mm() const { return outside_mm_; }  // of outside_head
+
+ private:
+  PlanRefusal refusal_;
+  double outside_mm_;
+};
+
+/// Throws PlanRefused where `p` lies more than `limit_mm` outside the head.
+void requireInHead(const PlannedHead& head, const Point<Mri>& p, double limit_mm);
+/// `p` itself inside the brain model or where there is none; else the nearest point of the model. Throws
+/// PlanRefused for a place more than surface::kFarthestOutside_mm outside the head.
+Point<Mri> cortexNear(const PlannedHead& head, const Point<Mri>& p);
+/// The vertex of the brain model nearest to a place on the scalp. Throws PlanRefused where there is no model.
+Point<Mri> cortexUnder(const PlannedHead& head, const Point<Mri>& scalp_point);
+
+/// The target turned about its own z, > 0 clockwise as seen along it.
+guidance::Target turned(const guidance::Target& target, double angle_rad);
+/// `target` in place of the one called `name`; added at the end where there is none.
+guidance::TreatmentPlan with(guidance::TreatmentPlan plan, const std::string& name,
+                             const guidance::Target& target);
+guidance::TreatmentPlan without(guidance::TreatmentPlan plan, const std::string& name);
+const guidance::Target* find(const guidance::TreatmentPlan& plan, const std::string& name);
+/// The first of "Target 1", "Target 2", .. that no target has; `numbered` gives the name of a number.
+std::string freeName(const guidance::TreatmentPlan& plan, const std::function<std::string(int)>& numbered);
+
+}  // namespace facenav::workflow

@@ -1,0 +1,34 @@
+#pragma once
+// The methods that the steps can be done by, under their names. The program fills it (app/registrations.cpp);
+// a step asks for a method by name and knows no implementation.
+
+#include "facenav/casefile/exporter.h"
+#include "facenav/core/registry.h"
+#include "facenav/registration/aligner.h"
+#include "facenav/segmentation/segmenter.h"
+#include "facenav/tracking/coil_tracker.h"
+#include "facenav/tracking/face_landmarks.h"
+#include "facenav/tracking/head_tracker.h"
+
+namespace facenav::workflow {
+
+struct Registrations {
+  Registry<segmentation::Segmenter> head_segmenters{"head segmentation"};
+  Registry<segmentation::Segmenter> brain_segmenters{"brain segmentation"};
+  Registry<registration::Aligner> aligners{"aligner"};
+  Registry<tracking::HeadTracker> head_trackers{"head tracker"};
+  Registry<tracking::CoilTracker> coil_trackers{"coil tracker"};
+  Registry<casefile::Exporter> exporters{"export format"};
+  /// The program's one face detector (its landmark model takes 100 MB), made when first asked for.
+  std::function<std::shared_ptr<const tracking::FaceDetector>()> face_detector;
+};
+
+/// "model, features7": for help texts.
+template <class Interface>
+std::string namesOf(const Registry<Interface>& registry) {
+  std::string names;
+  for (const auto& entry : registry.entries()) names += (names.empty() ? "" : ", ") + entry.name;
+  return names;
+}
+
+}  // namespace facenav::workflow

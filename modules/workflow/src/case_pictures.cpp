@@ -1,0 +1,28 @@
+#include "facenav/workflow/case_pictures.h"
+
+#include "facenav/scene/cortex_picture.h"
+#include "facenav/scene/png.h"
+#include "facenav/session/surface_distance_picture.h"
+
+namespace facenav::workflow {
+
+namespace fs = std::filesystem;
+
+void writePrivatePng(const RgbImage& image, const fs::path& path) {
+  scene::writePng(image, path);
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex,
+                                const surface::ModelDistance& figures) {
+  const double full_mm = scene::distanceScale_mm(figures.cortex_to_model);
+  const auto colour = [full_mm](double mm) { return scene::distanceColour(mm, full_mm); };
+  return session::drawSurfaceDistance(cortex, figures, full_mm, colour);
+}
+
+void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
+                          const fs::path& case_folder) {
+  writePrivatePng(surfaceDistancePicture(cortex, figures), case_folder / "surface_distance.png");
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,59 @@
+#include "facenav/workflow/guide_poses.h"
+
+#include <map>
+
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+
+namespace facenav::workflow {
+namespace {
+
+/// Guidance needs camera_T_mri and camera_T_coil; rows that say they are something else must not pass for
+/// these.
+void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
+  bool has_marker_poses = false;
+  for (const auto& row : poses) {
+    if (row.of_frame == "head")
+      throw Error("the head's poses are not placed in the MRI", {}, "track again with --case");
+    has_marker_poses |= row.of_frame == "marker";
+  }
+  if (has_marker_poses)
+    logWarning("the coil's poses are the marker's (no --coil was given): the marker is guided, not the coil");
+}
+
+}  // namespace
+
+double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
+  const auto alignment = store.alignment();
+  if (!alignment) return 0.0;
+  const auto found = alignment->predicted_tre_mm.find(target);
+  return found == alignment->predicted_tre_mm.end() ? 0.0 : found->second;
+}
+
+std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
+                                              const std::vector<casefile::PoseRow>& poses,
+                                              const std::string& target_name) {
+  requirePlacedPoses(poses);
+  const auto plan = store.targets();
+  const auto& target = plan.find(target_name);
+  const double predicted_mm = predictedError_mm(store, target_name);
+
+  std::map<std::int64_t, std::pair<const casefile::PoseRow*, const casefile::PoseRow*>> frames;
+  for (const auto& row : poses)
+    (row.object == casefile::PoseObject::head ? frames[row.frame].first : frames[row.frame].second) = &row;
+  std::vector<guidance::GuidanceRow> rows;
+  guidance::GuidanceState previous;
+  for (const auto& [frame, pair] : frames) {
+    const auto [head, coil] = pair;
+    const Tracked<RigidTransform<Camera, Mri>> camera_T_mri =
+        head ? head->tracked<Camera, Mri>() : Tracked<RigidTransform<Camera, Mri>>(Lost{LostReason::no_face});
+    const Tracked<RigidTransform<Camera, Coil>> camera_T_coil =
+        coil ? coil->tracked<Camera, Coil>()
+             : Tracked<RigidTransform<Camera, Coil>>(Lost{LostReason::no_marker});
+    previous = guidance::evaluate(target, camera_T_mri, camera_T_coil, {}, predicted_mm, previous);
+    rows.push_back({frame, (head ? head : coil)->t_s, target_name, previous});
+  }
+  return rows;
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,127 @@
+#include "facenav/workflow/measured_face.h"
+
+#include <algorithm>
+
+#include "facenav/core/error.h"
+#include "facenav/stereo/reduced_pair.h"
+
+namespace facenav::workflow {
+namespace {
+
+constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;  // the landmarks' centre: all of a face
+constexpr double kAround_mm = 150.0;
+// Plain skin shows little that is finer than this: larger pictures are reduced.
+constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
+constexpr std::int64_t kMostMeasured =
+    40;  // frames; more hardly gain, and each takes some tenths of a second
+
+cv::Rect roiAround(const stereo::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
+  const Eigen::Vector2d px = stereo::project(rig.left, centre_mm);
+  const double reach_px = kAround_mm * rig.left.k(0, 0) / centre_mm.z();
+  return cv::Rect(cv::Point(int(px.x() - reach_px), int(px.y() - reach_px)),
+                  cv::Point(int(px.x() + reach_px), int(px.y() + reach_px))) &
+         cv::Rect(0, 0, rig.width_px, rig.height_px);
+}
+
+stereo::FaceCloud measureNear(const stereo::StereoRig& rig, const stereo::StereoFrame& frame, bool has_dots,
+                              const FaceInSpace& face, TaskMonitor& monitor) {
+  stereo::FaceCloudOptions options = has_dots ? stereo::FaceCloudOptions() : stereo::plainFaceOptions();
+  if (face.centre) {
+    options.nearest_mm = std::max(100.0, face.centre->mm.z() - kBefore_mm);
+    options.farthest_mm = face.centre->mm.z() + kBehind_mm;
+    options.left_roi = roiAround(rig, face.centre->mm);
+  }
+  return cutFace(stereo::measureFace(rig, frame, options, monitor), face);
+}
+
+[[noreturn]] void refuseEmpty() {
+  throw Error("no point of a face was measured", {},
+              "let the face look towards both cameras, or choose another frame");
+}
+
+std::shared_ptr<const stereo::StereoFrame> frameOf(capture::FrameSource& film, std::int64_t number) {
+  while (auto frame = film.next())
+    if (frame->number == number) return frame;
+  const auto count = film.frameCount();
+  throw Error("the film has no frame " + std::to_string(number), {},
+              count ? "it has " + std::to_string(*count) + " frames, look into timestamps.csv"
+                    : "look into timestamps.csv");
+}
+
+/// Where the face of the first frame is now.
+FaceInSpace moved(const FaceInSpace& first, const Eigen::Isometry3d& now_T_first) {
+  FaceInSpace now;
+  if (first.centre) now.centre = Point<Camera>(Eigen::Vector3d(now_T_first * first.centre->mm));
+  return now;
+}
+
+int plainReduction(const stereo::StereoRig& rig, const FaceInSpace& face) {
+  return stereo::reductionFor(rig, face.centre ? face.centre->mm.z() : kUnknownDepth_mm,
+                              kPlainSkin_px_per_mm);
+}
+
+void toWholePicture(stereo::FaceCloud& cloud, int times) {
+  for (auto& px : cloud.left_px) px = stereo::inWholePicture(px, times);
+}
+
+/// False where the frame shows too little to measure.
+bool addFrame(const stereo::StereoRig& rig, const stereo::StereoFrame& frame, const FaceInSpace& first,
+              const Eigen::Isometry3d& now_T_first, stereo::CloudFusion& fusion) {
+  TaskMonitor silent;
+  try {
+    fusion.add(measureNear(rig, frame, false, moved(first, now_T_first), silent), now_T_first.inverse());
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+MeasuredFace measurePair(const stereo::StereoRig& rig, const stereo::StereoFrame& measured,
+                         const stereo::StereoFrame& plain, bool has_dots,
+                         const tracking::FaceDetector& detector, TaskMonitor& monitor) {
+  MeasuredFace result;
+  result.landmarks = findFace(rig, plain, detector);
+  result.first = std::make_shared<const stereo::StereoFrame>(plain);
+  const int times = has_dots ? 1 : plainReduction(rig, result.landmarks);
+  result.cloud.face = measureNear(stereo::reduced(rig, times), stereo::reduced(measured, times), has_dots,
+                                  result.landmarks, monitor);
+  toWholePicture(result.cloud.face, times);
+  if (result.cloud.face.cloud.empty()) refuseEmpty();
+  result.cloud.frames.assign(result.cloud.face.cloud.size(), 1);
+  return result;
+}
+
+MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
+                         tracking::HeadTracker& tracker, const tracking::FaceDetector& detector,
+                         TaskMonitor& monitor) {
+  const stereo::StereoRig& rig = film.rig();
+  MeasuredFace result;
+  result.first = frameOf(film, first);
+  result.landmarks = findFace(rig, *result.first, detector);
+  tracker.setPace(tracking::Pace::patient);
+  tracker.start(rig, {*result.first, {}, {}});
+  const int times = plainReduction(rig, result.landmarks);
+  const stereo::StereoRig small = stereo::reduced(rig, times);
+  stereo::CloudFusion fusion(small, stereo::kPlainSkinError_px);
+  fusion.add(measureNear(small, stereo::reduced(*result.first, times), false, result.landmarks, monitor),
+             Eigen::Isometry3d::Identity());
+  const std::int64_t step =
+      std::min(last - first, film.frameCount().value_or(last - first)) / kMostMeasured + 1;
+  std::int64_t at = 0;
+  for (auto frame = film.next(); frame && frame->number <= last; frame = film.next()) {
+    monitor.report("frames", double(frame->number - first) / double(last - first));
+    const auto pose = tracker.track(*frame);
+    if (pose && ++at % step != 0) continue;  // tracked over, not measured
+    const bool is_added = pose && addFrame(small, stereo::reduced(*frame, times), result.landmarks,
+                                           pose->camera_T_head.isometry(), fusion);
+    ++(is_added ? result.fused : result.lost);
+  }
+  result.cloud = fusion.fused();
+  toWholePicture(result.cloud.face, times);
+  if (result.cloud.face.cloud.empty()) refuseEmpty();
+  return result;
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,108 @@
+#include "facenav/workflow/prepare_case.h"
+
+#include <future>
+
+#include "facenav/casefile/edited_brain.h"
+#include "facenav/casefile/sha256.h"
+#include "facenav/core/error.h"
+#include "facenav/dicom/import_volume.h"
+#include "facenav/dicom/patient.h"
+#include "facenav/session/face_measures_picture.h"
+#include "facenav/workflow/case_pictures.h"
+#include "facenav/workflow/preparation.h"
+#include "facenav/workflow/software_version.h"
+
+namespace facenav::workflow {
+namespace fs = std::filesystem;
+namespace {
+
+/// The atlas, or a warning that there is none: a case without MNI coordinates is still a case.
+std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
+  try {
+    return atlas::readColin27();
+  } catch (const Error& error) {
+    warnings.push_back(std::string("no MNI coordinates: ") + error.what());
+    return std::nullopt;
+  }
+}
+
+/// Empty where the face was not measured.
+RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
+  const auto& check = prepared.navigation_check;
+  if (!check || check->landmarks.points.empty()) return {};
+  return session::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
+}
+
+/// Empty where there is no cortex.
+RgbImage distancePicture(const casefile::PreparedCase& prepared) {
+  if (!prepared.cortex || !prepared.brain_quality) return {};
+  const auto& q = *prepared.brain_quality;
+  return surfaceDistancePicture(
+      *prepared.cortex, {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}});
+}
+
+/// At most `most` bytes of UTF-8 text, no character cut in two.
+std::string shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
+/// Empty where nobody asked for a label, or where there is none to be had (then said in the description).
+std::string labelOf(const PrepareRequest& request, dicom::ImportedVolume& imported) {
+  if (!request.is_labelled_by_patient) return casefile::asLabel(request.label);
+  const std::string name = imported.series ? dicom::nameInWords(dicom::patientOf(*imported.series)) : "";
+  if (name.empty()) imported.description.push_back("no patient is named: the case has no label");
+  return casefile::asLabel(shortened(name, casefile::kLongestLabel));
+}
+
+}  // namespace
+
+PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& request,
+                           TaskMonitor& monitor) {
+  if (fs::exists(request.case_folder) && !request.replace)
+    throw Error(
+        "exists already", request.case_folder.string(),
+        "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
+  if (!request.discard_edits) casefile::requireNoEditsIn(request.case_folder);  // said before the work
+  const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
+  if (!fs::is_directory(parent))  // said before the work, not after it
+    throw Error("no such folder to make the case in", parent.string(), "create it first");
+  const auto head = methods.head_segmenters.create(request.head_segmenter);
+  const auto brain = methods.brain_segmenters.create(request.brain_segmenter);
+  std::vector<std::string> atlas_warnings;
+  const std::shared_future<std::optional<atlas::BrainTemplate>> colin =
+      std::async(std::launch::async, [&atlas_warnings] { return installedAtlas(atlas_warnings); });
+  auto imported = dicom::importVolume(request.input, request.series_uid, monitor,
+                                      volume::niftiTransformNamed(request.nifti_transform));
+  casefile::requireTargetsStay(request.case_folder, imported.volume);  // said before the work
+  const std::string label = labelOf(request, imported);
+  auto prepared = prepare(imported.volume, *head, *brain, monitor,
+                          [&colin] { return colin.get() ? &*colin.get() : nullptr; });
+  colin.wait();  // asked for or not
+  imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
+  prepared.label = label;
+  prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
+  monitor.report("writing the case", 0.0);
+  casefile::Provenance step{"prepare",
+                            softwareVersion(),
+                            {{"head", request.head_segmenter},
+                             {"brain", request.brain_segmenter},
+                             {"nifti_transform", request.nifti_transform}},
+                            {{"input", casefile::sha256OfInput(request.input)}}};
+  // Drawn beside the writing.
+  auto face_picture = std::async(std::launch::async, [&prepared] { return faceMeasuresPicture(prepared); });
+  auto distance_picture = std::async(std::launch::async, [&prepared] { return distancePicture(prepared); });
+  auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,
+                                           request.discard_edits);
+  if (const RgbImage picture = distance_picture.get(); !picture.empty())
+    writePrivatePng(picture, store.folder() / "surface_distance.png");
+  if (const RgbImage picture = face_picture.get(); !picture.empty())
+    writePrivatePng(picture, store.folder() / "face_measures.png");
+  std::optional<double> brain_ml;
+  if (prepared.brain_mask) brain_ml = prepared.brain_mask->volume_ml();
+  return {std::move(store), imported.description, prepared.findings, brain_ml,
+          std::move(prepared.navigation_check)};
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,50 @@
+#include "facenav/workflow/stored_capture.h"
+
+#include "facenav/geometry/pose_error.h"
+
+namespace facenav::workflow {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path folderIn(const fs::path& case_folder) { return case_folder / "alignment_capture"; }
+
+bool isSameRig(const stereo::StereoRig& a, const stereo::StereoRig& b) {
+  const auto motion = poseError(a.right_T_left, b.right_T_left);
+  return a.width_px == b.width_px && a.height_px == b.height_px && cv::norm(a.left.k - b.left.k) < 1e-3 &&
+         cv::norm(a.right.k - b.right.k) < 1e-3 && motion.rotation_rad < 1e-6 && motion.translation_mm < 1e-4;
+}
+
+// Photographs of the patient's face.
+void keepPrivate(const fs::path& folder) {
+  fs::permissions(folder, fs::perms::owner_all);
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    fs::permissions(entry.path(), entry.is_directory() ? fs::perms::owner_all
+                                                       : fs::perms::owner_read | fs::perms::owner_write);
+}
+
+}  // namespace
+
+void writeStoredCapture(const fs::path& case_folder, const stereo::StereoRig& rig,
+                        const capture::CapturePair& pair) {
+  const fs::path folder = folderIn(case_folder);
+  const fs::path previous = case_folder / ".previous_alignment_capture";
+  fs::remove_all(previous);
+  if (fs::exists(folder)) fs::rename(folder, previous);
+  capture::RecordingWriter writer(folder, rig);
+  writer.setCapture(pair);
+  writer.close();
+  keepPrivate(folder);
+  fs::remove_all(previous);
+}
+
+std::optional<capture::CapturePair> readStoredCapture(const fs::path& case_folder,
+                                                      const stereo::StereoRig& rig) {
+  if (!fs::exists(folderIn(case_folder))) return std::nullopt;
+  const auto stored = capture::openCapture(folderIn(case_folder));
+  if (!isSameRig(stored.rig, rig))
+    throw Error("the case was aligned with another camera rig than this recording's", case_folder.string(),
+                "align again with a capture of this rig");
+  return stored.capture;
+}
+
+}  // namespace facenav::workflow

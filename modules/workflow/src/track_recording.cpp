@@ -1,0 +1,161 @@
+#include "facenav/workflow/track_recording.h"
+
+#include <algorithm>
+
+#include "facenav/core/log.h"
+#include "facenav/session/navigator.h"
+#include "facenav/session/pair_fault.h"
+#include "facenav/workflow/guide_poses.h"
+#include "facenav/workflow/stored_capture.h"
+
+namespace facenav::workflow {
+namespace fs = std::filesystem;
+namespace {
+
+/// What the head tracker starts from, and where the head was then.
+struct Start {
+  tracking::HeadReference reference;
+  std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
+  std::shared_ptr<const registration::ScalpField> scalp = nullptr;  // aligned to, where it was done now
+};
+
+/// The first frame in which both cameras see a face; tracking without an alignment starts there.
+std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(const Registrations& methods,
+                                                              const capture::Recording& recording,
+                                                              TaskMonitor& monitor) {
+  const auto detector = methods.face_detector();
+  const auto source = capture::makeSource(recording);
+  std::shared_ptr<const stereo::StereoFrame> first;
+  for (std::int64_t i = 0; auto frame = source->next(); ++i) {
+    if (!first) first = frame;
+    monitor.report("looking for a face",
+                   double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
+    if (detector->detect(frame->left) && detector->detect(frame->right)) return frame;
+  }
+  if (first) {
+    const auto diagnosis = stereo::diagnosePair(recording.rig, *first);
+    if (diagnosis.isFault()) throw session::PairError(diagnosis);
+  }
+  throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
+              recording.folder.string(), "check that both cameras see the whole face, upright and lit");
+}
+
+Start startWithoutCase(const Registrations& methods, const capture::Recording& recording,
+                       TaskMonitor& monitor) {
+  return {{*firstFrameWithFace(methods, recording, monitor), {}, {}}, std::nullopt};
+}
+
+/// An alignment.json of another tool, without the images it was made from: nothing ties it to this recording
+/// but the user's word that the head sits in the first frame as it sat then.
+Start startFromStoredPose(const Registrations& methods, const casefile::CaseStore& store,
+                          const capture::Recording& recording, TaskMonitor& monitor) {
+  const auto alignment = store.alignment();
+  if (!alignment)
+    throw Error("case is not aligned and the recording has no capture/ pair to align from",
+                store.folder().string(), "run 'facenav align' with a capture first");
+  logWarning("no capture pair: the head is taken to sit in the first frame as it sat at the alignment");
+  Start start = startWithoutCase(methods, recording, monitor);
+  start.camera_T_mri = alignment->camera_T_mri;
+  return start;
+}
+
+Start startOf(const Registrations& methods, const TrackRequest& request, const capture::Recording& recording,
+              TrackOutcome& outcome, TaskMonitor& monitor) {
+  if (!request.case_folder) return startWithoutCase(methods, recording, monitor);
+  const auto store = casefile::CaseStore::open(*request.case_folder);
+  std::optional<capture::CapturePair> capture = recording.capture;
+  if (!capture) capture = readStoredCapture(store.folder(), recording.rig);
+  if (!capture) return startFromStoredPose(methods, store, recording, monitor);
+  outcome.alignment = alignCase(methods, store, recording.rig, *capture, request.aligner, monitor);
+  return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri, outcome.alignment->scalp};
+}
+
+session::Navigator makeNavigator(const Registrations& methods, const TrackRequest& request,
+                                 const capture::Recording& recording, Start start,
+                                 const tracking::CoilModel& coil) {
+  session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
+                                start.scalp};
+  setup.pace = tracking::Pace::patient;  // nobody waits for a recording's frames
+  if (request.case_folder) setup.looks = casefile::readFaceLooks(*request.case_folder);
+  session::Navigator navigator(setup, methods.head_trackers.create(request.head_tracker),
+                               methods.coil_trackers.create(request.coil_tracker));
+  if (!request.target.empty()) {
+    const auto store = casefile::CaseStore::open(request.case_folder.value());
+    navigator.setTarget(session::ChosenTarget{store.targets().find(request.target),
+                                              predictedError_mm(store, request.target)});
+  }
+  return navigator;
+}
+
+void addRows(const session::NavigationState& state, bool is_aligned, bool has_coil_file,
+             std::vector<casefile::PoseRow>& rows) {
+  using casefile::PoseObject;
+  const double t_s = state.captured.s;
+  if (is_aligned) {
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::head, state.camera_T_mri));
+  } else {
+    using HeadMotion = Tracked<RigidTransform<Camera, Head>>;
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::head,
+                                     state.head ? HeadMotion(state.head->camera_T_head, state.head.quality())
+                                                : HeadMotion(Lost{state.head.reason()})));
+  }
+  rows.back().detail = session::lossWord(state);
+  if (has_coil_file) {
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::coil, state.camera_T_coil));
+  } else {
+    using MarkerPose = Tracked<RigidTransform<Camera, Marker>>;
+    rows.push_back(casefile::poseRow(state.frame, t_s, PoseObject::coil,
+                                     state.coil
+                                         ? MarkerPose(state.coil->camera_T_marker, state.coil.quality())
+                                         : MarkerPose(Lost{state.coil.reason()})));
+  }
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, std::size_t(fraction * double(values.size())))];
+}
+
+}  // namespace
+
+TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& request, TaskMonitor& monitor,
+                            const std::function<void(const session::NavigationState&)>& on_frame) {
+  const auto recording = capture::openRecording(request.recording);
+  const auto coil = request.coil_file ? tracking::readCoil(*request.coil_file) : tracking::defaultCoil();
+  TrackOutcome outcome;
+  Start start = startOf(methods, request, recording, outcome, monitor);
+  const bool is_aligned = start.camera_T_mri.has_value();
+  auto navigator = makeNavigator(methods, request, recording, std::move(start), coil);
+  const auto source = capture::makeSource(recording);
+  std::vector<double> processing_ms;
+  while (auto frame = source->next()) {
+    monitor.report("tracking", double(outcome.frames) / double(recording.frame_count));
+    const auto state = navigator.process(frame);
+    addRows(state, is_aligned, request.coil_file.has_value(), outcome.poses);
+    ++outcome.frames;
+    outcome.head_tracked += state.head.isTracked();
+    outcome.coil_tracked += state.coil.isTracked();
+    processing_ms.push_back(state.processing_ms);
+    outcome.rig_fault_frames += !state.rig_fault.empty();
+    if (!state.rig_fault.empty()) outcome.rig_fault = state.rig_fault;
+    outcome.right_late_ms = 1e3 * state.exposure_offset.right_late_s;
+    if (on_frame) on_frame(state);
+  }
+  if (request.case_folder && request.keeps_looks)
+    casefile::addFaceLooks(*request.case_folder, navigator.learntLooks());
+  if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames > 0)
+    throw Error(outcome.rig_fault, request.recording.string());
+  if (outcome.head_tracked == 0 && outcome.coil_tracked == 0)
+    throw Error(
+        "neither the face nor a marker was found in any of " + std::to_string(outcome.frames) + " frames",
+        request.recording.string(), "check that both cameras see them, lit and in focus");
+  if (outcome.rig_fault_frames > 0)
+    logWarning(outcome.rig_fault + " (in " + std::to_string(outcome.rig_fault_frames) + " of " +
+               std::to_string(outcome.frames) + " frames every pose is refused)");
+  outcome.processing_ms_median = quantile(processing_ms, 0.5);
+  outcome.processing_ms_p99 = quantile(processing_ms, 0.99);
+  return outcome;
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,60 @@
+#include "presenters/services.h"
+
+#include "facenav/capture/camera_pair_source.h"
+#include "facenav/dicom/patient.h"
+#include "facenav/workflow/align_case.h"
+#include "facenav/workflow/prepare_case.h"
+
+namespace facenav::ui {
+
+Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
+  Services services;
+  services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
+    return dicom::listSeries(folder, monitor);
+  };
+  services.makeThumbnail = [](const dicom::SeriesInfo& series) { return dicom::makeThumbnail(series); };
+  services.whoseSeries = [](const dicom::SeriesInfo& series) {
+    return dicom::inWords(dicom::patientOf(series));
+  };
+  services.callArchive = [](const pacs::PacsNode& node) { pacs::echo(node); };
+  services.findInArchive = [](const pacs::PacsNode& node, const pacs::PacsQuery& query,
+                              TaskMonitor& monitor) { return pacs::findSeries(node, query, monitor); };
+  services.fetchFromArchive = [](const pacs::PacsNode& node, const pacs::PacsSeries& series,
+                                 const std::filesystem::path& folder, pacs::Retrieval how,
+                                 TaskMonitor& monitor) {
+    std::filesystem::create_directories(folder.parent_path());
+    return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
+  };
+  services.readTemplate = [] { return atlas::readColin27(); };
+  services.prepareCase = [makeMethods](const PrepareOrder& order, TaskMonitor& monitor) {
+    const auto methods = makeMethods();
+    workflow::PrepareRequest request;
+    request.input = order.input;
+    request.case_folder = order.case_folder;
+    request.series_uid = order.series_uid;
+    request.is_labelled_by_patient = order.is_labelled_by_patient;
+    request.head_segmenter = methods.head_segmenters.defaultName();
+    request.brain_segmenter = methods.brain_segmenters.defaultName();
+    request.replace = std::filesystem::exists(order.case_folder / "case.json");
+    workflow::prepareCase(methods, request, monitor);
+  };
+  services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
+                                 TaskMonitor& monitor) {
+    const auto methods = makeMethods();
+    return workflow::alignCase(methods, store, recording.rig, workflow::captureOf(store, recording),
+                               methods.aligners.defaultName(), monitor);
+  };
+  services.makeNavigator = [makeMethods](const session::NavigatorSetup& setup) {
+    const auto all = makeMethods();
+    return std::make_unique<session::Navigator>(setup,
+                                                all.head_trackers.create(all.head_trackers.defaultName()),
+                                                all.coil_trackers.create(all.coil_trackers.defaultName()));
+  };
+  services.listCameras = [] { return capture::listCameras(); };
+  services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
+    return capture::openCameraPair(rig, left, right);
+  };
+  return services;
+}
+
+}  // namespace facenav::ui
