@@ -7,9 +7,9 @@
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/monitoring/pair_fault.h"
+#include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/session/navigator.h"
-#include "facenav/session/pair_fault.h"
-#include "facenav/session/skin_fit_picture.h"
 #include "facenav/tracking/face_landmarks.h"
 #include "stored_capture.h"
 
@@ -38,7 +38,7 @@ std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(Context& context,
   }
   if (first) {
     const auto diagnosis = stereo::diagnosePair(recording.rig, *first);
-    if (diagnosis.isFault()) throw session::PairError(diagnosis);
+    if (diagnosis.isFault()) throw monitoring::PairError(diagnosis);
   }
   throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
               recording.folder.string(), "check that both cameras see the whole face, upright and lit");
@@ -152,7 +152,7 @@ session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore&
                                 *detector, store.targets().targets, context.monitor, store.scalpField());
   writeStoredCapture(store.folder(), rig, capture);
   casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
-  writePrivatePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+  writePrivatePng(pictures::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
                   store.folder() / "skin_fit.png");
   store.setAlignment(outcome.stored());
   return outcome;

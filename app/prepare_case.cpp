@@ -8,7 +8,7 @@
 #include "facenav/core/error.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/dicom/patient.h"
-#include "facenav/session/face_measures_picture.h"
+#include "facenav/pictures/face_measures_picture.h"
 #include "facenav/session/preparation.h"
 
 namespace facenav::app {
@@ -29,7 +29,7 @@ std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& war
 RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
   const auto& check = prepared.navigation_check;
   if (!check || check->landmarks.points.empty()) return {};
-  return session::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
+  return pictures::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
 }
 
 /// Empty where there is no cortex.

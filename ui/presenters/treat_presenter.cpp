@@ -268,10 +268,11 @@ std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
 }
 
-session::CameraOverlay TreatPresenter::overlay(const session::NavigationState& state) const {
+pictures::CameraOverlay TreatPresenter::overlay(const session::NavigationState& state) const {
   if (!recording_) return {};
   const auto* t = target();
-  return session::drawOverlay(recording_->rig, state, t ? std::optional<guidance::Target>(*t) : std::nullopt);
+  return pictures::drawOverlay(recording_->rig, state,
+                               t ? std::optional<guidance::Target>(*t) : std::nullopt);
 }
 
 }  // namespace facenav::ui

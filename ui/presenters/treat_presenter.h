@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "facenav/session/camera_overlay.h"
+#include "facenav/pictures/camera_overlay.h"
 #include "facenav/session/treatment_log.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
@@ -66,7 +66,7 @@ class TreatPresenter : public QObject {
 
   /// The newest state; everything lost when nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
-  session::CameraOverlay overlay(const session::NavigationState& state) const;
+  pictures::CameraOverlay overlay(const session::NavigationState& state) const;
 
  signals:
   void changed();
