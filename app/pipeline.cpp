@@ -73,12 +73,10 @@ Start startOf(Context& context, const TrackRequest& request, const capture::Reco
   return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri, outcome.alignment->scalp};
 }
 
-/// What alignment.json says of a target; 0 where it says nothing.
+/// At a target as it is planned now; 0 where alignment.json does not say.
 double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
   const auto alignment = store.alignment();
-  if (!alignment) return 0.0;
-  const auto found = alignment->predicted_tre_mm.find(target);
-  return found == alignment->predicted_tre_mm.end() ? 0.0 : found->second;
+  return alignment ? alignment->predictedError_mm(store.targets().find(target)).value_or(0.0) : 0.0;
 }
 
 session::Navigator makeNavigator(Context& context, const TrackRequest& request,
