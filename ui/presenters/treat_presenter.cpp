@@ -84,10 +84,10 @@ void TreatPresenter::openRecording(const QString& folder) {
       recording_ = *recording;
       is_live_ = false;
       rig_fault_.clear();
-      cameras_.show(*recording);
       coil_ = *coil;
       outcome_.reset();
       emit changed();
+      cameras_.show(*recording);  // last: it is refused where the folder has gone in the meantime
     };
   });
 }
@@ -152,19 +152,22 @@ void TreatPresenter::start() {
       });
 }
 
+/// A session that ended by itself is still there, with its log: it ends first.
 void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator,
                                     std::unique_ptr<capture::FrameSource> source) {
+  if (session_) endSession();
   navigator->setTarget(chosen());
   session::SessionOptions options;
   options.is_paced = !is_live_;
-  session_ = std::make_unique<session::Session>(
+  auto session = std::make_shared<session::Session>(
       std::move(source), std::make_unique<session::Navigator>(std::move(*navigator)), options);
-  treated_ = model_.current().store.folder();
-  log_ = std::make_unique<session::TreatmentLog>(*session_, treated_);
+  const auto folder = model_.current().store.folder();
+  log_ = std::make_unique<session::TreatmentLog>(session, folder);  // or nothing has started
+  session_ = std::move(session);
+  treated_ = folder;
   if (const auto& given = model_.override())
     log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
   log_->addEvent("target", target_.toStdString());
-  since_start_.start();
   session_->start();
   emit changed();
 }
@@ -187,7 +190,7 @@ void TreatPresenter::countPulse() {
 
 QString TreatPresenter::sessionTime() const {
   if (!session_) return {};
-  return QTime(0, 0).addMSecs(int(since_start_.elapsed())).toString("hh:mm:ss");
+  return QTime(0, 0).addMSecs(int(1e3 * session_->elapsed_s())).toString("hh:mm:ss");
 }
 
 QString TreatPresenter::logFailure() const {
@@ -202,8 +205,7 @@ void TreatPresenter::stop() {
 /// From here on nothing is shown of it. A well camera ends within a picture, the log with what is left.
 void TreatPresenter::endSession() {
   retirement_.add(
-      [session = std::shared_ptr(std::move(session_)), log = std::shared_ptr(std::move(log_)),
-       folder = treated_]() mutable {
+      [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_]() mutable {
         session->stop();
         keepLooks(*session, folder);
         log.reset();

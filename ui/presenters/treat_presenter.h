@@ -41,7 +41,7 @@ class TreatPresenter : public QObject {
 
   bool mayTreat() const { return model_.mayBeTreated(); }
   int pulses() const { return log_ ? log_->pulses() : 0; }
-  /// Since guidance was started, "00:07:31"; empty before.
+  /// Since guidance was started, "00:07:31", until it ended; empty before.
   QString sessionTime() const;
   /// Why the session's log stopped; empty while all is well.
   QString logFailure() const;
@@ -88,11 +88,10 @@ class TreatPresenter : public QObject {
   mutable QString rig_fault_;
   tracking::CoilModel coil_;
   std::shared_ptr<const session::AlignmentOutcome> outcome_;
-  std::unique_ptr<session::Session> session_;
-  std::unique_ptr<session::TreatmentLog> log_;  // goes before the session
-  std::filesystem::path treated_;               // the case of the session
+  std::shared_ptr<session::Session> session_;
+  std::unique_ptr<session::TreatmentLog> log_;
+  std::filesystem::path treated_;  // the case of the session
   Retirement retirement_;
-  QElapsedTimer since_start_;
   QString target_;
 };
 
