@@ -3,14 +3,18 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <fstream>
+#include <future>
 #include <mutex>
+#include <set>
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
 #include "unit/session/session_fakes.h"
 #include "views/scene_view.h"
+#include "widgets/camera_row.h"
 #include "widgets/figures_panel.h"
+#include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {
@@ -207,6 +211,49 @@ TEST_F(TreatPresenterTest, TheSessionClockStopsWithTheRecordingWhichIsAnEvent) {
   fixtures::waitFor([] { return false; }, 1300);  // the clock shows whole seconds
   EXPECT_EQ(treat_.sessionTime(), at_end);
   EXPECT_NE(events().find("recording ended"), std::string::npos);
+}
+
+TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  std::promise<void> may_draw;
+  const std::shared_future<void> gate(may_draw.get_future());
+  std::mutex mutex;
+  std::set<std::thread::id> drew;
+  const Services services = fakeServices();
+  CaseModel model;
+  TaskRunner tasks;
+  TreatPresenter treat(services, model, tasks, nullptr, [&](const pictures::OverlayOrder& order) {
+    gate.wait_for(std::chrono::seconds(20));
+    const std::lock_guard lock(mutex);
+    drew.insert(std::this_thread::get_id());
+    return pictures::drawOverlay(order.rig, *order.state, order.target);
+  });
+  TreatWorkspace workspace(treat, model);
+  workspace.resize(1400, 900);
+  workspace.show();
+  TaskMonitor monitor;
+  model.open(loadCase(plannedCase(folder.path(), true), monitor));
+  const auto settle = [&] { fixtures::waitFor([&] { return !tasks.isRunning(); }); };
+  treat.openRecording(QString::fromStdString(writeRecording(folder.path(), 800).string()));
+  settle();
+  treat.align(true);
+  settle();
+  settle();
+  const auto* figures = workspace.findChild<FiguresPanel*>();
+  const auto* row = workspace.findChild<CameraRow*>();
+  ASSERT_TRUE(fixtures::waitFor([&] { return figures->figures()[0] == "0.0"; }));  // while one is drawn
+  const auto first = treat.state()->frame;
+  EXPECT_TRUE(fixtures::waitFor([&] { return treat.state()->frame > first + 20; }));
+  EXPECT_EQ(row->shown(), nullptr);
+  may_draw.set_value();
+  ASSERT_TRUE(fixtures::waitFor([&] { return row->shown() != nullptr; }));
+  EXPECT_GT(row->shown()->state->frame, first) << "the picture begun long ago was too old";
+  EXPECT_DOUBLE_EQ(row->shown()->captured.s, row->shown()->state->captured.s);
+  treat.stop();
+  const std::lock_guard lock(mutex);
+  EXPECT_FALSE(drew.empty());
+  EXPECT_EQ(drew.count(std::this_thread::get_id()), 0u);
 }
 
 TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {

@@ -38,13 +38,20 @@ void keepLooks(const session::Session& session, const std::filesystem::path& cas
 
 }  // namespace
 
-TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
+TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent,
+                               pictures::OverlayWorker::Draw draw)
     : QObject(parent),
       services_(services),
       model_(model),
       tasks_(tasks),
       cameras_(services, tasks),
-      coil_(tracking::defaultCoil()) {
+      coil_(tracking::defaultCoil()),
+      overlays_(
+          [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
+            QMetaObject::invokeMethod(
+                this, [this, drawn] { emit overlayDrawn(drawn); }, Qt::QueuedConnection);
+          },
+          std::move(draw)) {
   connect(&model_, &CaseModel::opened, this, [this] {
     stop();
     outcome_.reset();
@@ -270,11 +277,10 @@ std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
 }
 
-pictures::CameraOverlay TreatPresenter::overlay(const session::NavigationState& state) const {
-  if (!recording_) return {};
+void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> state) {
+  if (!recording_ || !state->images) return;
   const auto* t = target();
-  return pictures::drawOverlay(recording_->rig, state,
-                               t ? std::optional<guidance::Target>(*t) : std::nullopt);
+  overlays_.ask({recording_->rig, std::move(state), t ? std::optional<guidance::Target>(*t) : std::nullopt});
 }
 
 }  // namespace facenav::ui

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "facenav/pictures/camera_overlay.h"
+#include "facenav/pictures/overlay_worker.h"
 #include "facenav/session/treatment_log.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
@@ -21,7 +21,9 @@ class TreatPresenter : public QObject {
   Q_OBJECT
 
  public:
-  TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
+  /// `draw`: the camera overlays, on a thread of their own; empty: as pictures/camera_overlay.h does.
+  TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr,
+                 pictures::OverlayWorker::Draw draw = {});
   ~TreatPresenter() override;
 
   /// Step 1: two live cameras.
@@ -66,11 +68,13 @@ class TreatPresenter : public QObject {
 
   /// The newest state; everything lost when nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
-  pictures::CameraOverlay overlay(const session::NavigationState& state) const;
+  /// Has both camera pictures of `state` drawn beside the window; overlayDrawn() brings them.
+  void askOverlay(std::shared_ptr<const session::NavigationState> state);
 
  signals:
   void changed();
   void refused(const QString& words);
+  void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);
 
  private:
   void startNavigator(std::shared_ptr<session::Navigator> navigator,
@@ -93,6 +97,7 @@ class TreatPresenter : public QObject {
   std::filesystem::path treated_;  // the case of the session
   Retirement retirement_;
   QString target_;
+  pictures::OverlayWorker overlays_;
 };
 
 }  // namespace facenav::ui
