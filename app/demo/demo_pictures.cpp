@@ -11,9 +11,9 @@
 
 #include "facenav/core/whole_file.h"
 #include "facenav/evaluation/cross_section.h"
+#include "facenav/pictures/camera_overlay.h"
 #include "facenav/scene/navigation_display.h"
 #include "facenav/scene/png.h"
-#include "facenav/session/camera_overlay.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ scene::StatusWords statusOf(const char* what, bool is_tracked) {
 }
 
 scene::NavigationDisplayContent contentOf(const PictureInput& input, const session::NavigationState& state) {
-  auto overlay = session::drawOverlay(input.rig, state, input.target);
+  auto overlay = pictures::drawOverlay(input.rig, state, input.target);
   char timing[96];
   std::snprintf(timing, sizeof timing, "frame %ld   %.2f s   %.1f ms", long(state.frame), state.captured.s,
                 state.processing_ms);

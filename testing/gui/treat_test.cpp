@@ -3,13 +3,18 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <fstream>
+#include <future>
+#include <mutex>
+#include <set>
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
 #include "unit/session/session_fakes.h"
 #include "views/scene_view.h"
+#include "widgets/camera_row.h"
 #include "widgets/figures_panel.h"
+#include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {
@@ -59,12 +64,18 @@ class TreatPresenterTest : public ::testing::Test {
   TreatPresenterTest() : services_(fakeServices()), treat_(services_, model_, tasks_) {
     QObject::connect(&tasks_, &TaskRunner::failed, [this](const QString& words) { failure_ = words; });
   }
-  void openAll(bool is_signed_off) {
+  void openAll(bool is_signed_off, int frames = 100) {
     case_folder_ = plannedCase(folder_.path(), is_signed_off);
     TaskMonitor monitor;
     model_.open(loadCase(case_folder_, monitor));
-    treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), 100).string()));
+    treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), frames).string()));
     settle();
+  }
+  void guide() {
+    treat_.align(true);
+    settle();  // aligned
+    settle();  // started
+    ASSERT_TRUE(treat_.isRunning());
   }
   void settle() {
     fixtures::waitFor([&] { return !tasks_.isRunning(); });
@@ -125,6 +136,124 @@ TEST_F(TreatPresenterTest, AModelThatChangedOnDiskSinceItWasOpenedIsRefused) {
   EXPECT_FALSE(treat_.isAligned());
   EXPECT_TRUE(failure_.contains("not signed off"));
   EXPECT_TRUE(failure_.contains("scalp.vtp"));
+}
+
+/// Says when it goes: with the session that it tracks for.
+class WatchedHead : public fakes::Head {
+ public:
+  explicit WatchedHead(std::function<void()> on_gone)
+      : Head([](auto) { return RigidTransform<Camera, facenav::Head>(); }), on_gone_(std::move(on_gone)) {}
+  ~WatchedHead() override { on_gone_(); }
+
+ private:
+  std::function<void()> on_gone_;
+};
+
+TEST_F(TreatPresenterTest, AfterTheRecordingVanishedAndCameBackTheOldSessionEndsBeforeTheNextStarts) {
+  std::mutex mutex;
+  std::vector<bool> had_log_ended;  // when each session went
+  services_.makeNavigator = [&](const session::NavigatorSetup& setup) {
+    return std::make_unique<session::Navigator>(
+        setup, std::make_unique<WatchedHead>([&] {
+          const std::lock_guard lock(mutex);
+          had_log_ended.push_back(events().find("session ended") != std::string::npos);
+        }),
+        std::make_unique<fakes::Coil>(kMarker));
+  };
+  openAll(true, 600);
+  guide();
+  const auto recording = folder_.path() / "recording", elsewhere = folder_.path() / "elsewhere";
+  std::filesystem::rename(recording, elsewhere);
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.hasEnded(); }));
+  EXPECT_NE(treat_.state()->failure, "");
+  treat_.start();
+  settle();
+  EXPECT_FALSE(treat_.isRunning());
+  EXPECT_NE(failure_, "");
+  std::filesystem::rename(elsewhere, recording);
+  had_log_ended.clear();  // the tracker that found no recording has gone
+  treat_.start();
+  settle();
+  EXPECT_TRUE(treat_.isRunning());
+  {
+    const std::lock_guard lock(mutex);
+    ASSERT_EQ(had_log_ended.size(), 1u);
+    EXPECT_TRUE(had_log_ended[0]) << "the log still read a session that had gone";
+  }
+  treat_.stop();
+  EXPECT_TRUE(fixtures::waitFor([&] {
+    const std::lock_guard lock(mutex);
+    return had_log_ended.size() == 2;
+  }));
+  EXPECT_NE(events().find("fault"), std::string::npos);
+}
+
+TEST_F(TreatPresenterTest, WhereTheLogCannotBeWrittenNothingRunsAndItIsSaid) {
+  openAll(true, 600);
+  std::ofstream(case_folder_ / "sessions") << "no folder";
+  treat_.align(true);
+  settle();
+  settle();
+  EXPECT_FALSE(treat_.isRunning());
+  EXPECT_NE(failure_, "");
+  std::filesystem::remove(case_folder_ / "sessions");
+  treat_.start();
+  settle();
+  EXPECT_TRUE(treat_.isRunning());
+}
+
+TEST_F(TreatPresenterTest, TheSessionClockStopsWithTheRecordingWhichIsAnEvent) {
+  openAll(true, 50);
+  EXPECT_EQ(treat_.sessionTime(), "");
+  guide();
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.hasEnded(); }));
+  const QString at_end = treat_.sessionTime();
+  fixtures::waitFor([] { return false; }, 1300);  // the clock shows whole seconds
+  EXPECT_EQ(treat_.sessionTime(), at_end);
+  EXPECT_NE(events().find("recording ended"), std::string::npos);
+}
+
+TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  std::promise<void> may_draw;
+  const std::shared_future<void> gate(may_draw.get_future());
+  std::mutex mutex;
+  std::set<std::thread::id> drew;
+  const Services services = fakeServices();
+  CaseModel model;
+  TaskRunner tasks;
+  TreatPresenter treat(services, model, tasks, nullptr, [&](const pictures::OverlayOrder& order) {
+    gate.wait_for(std::chrono::seconds(20));
+    const std::lock_guard lock(mutex);
+    drew.insert(std::this_thread::get_id());
+    return pictures::drawOverlay(order.rig, *order.state, order.target);
+  });
+  TreatWorkspace workspace(treat, model);
+  workspace.resize(1400, 900);
+  workspace.show();
+  TaskMonitor monitor;
+  model.open(loadCase(plannedCase(folder.path(), true), monitor));
+  const auto settle = [&] { fixtures::waitFor([&] { return !tasks.isRunning(); }); };
+  treat.openRecording(QString::fromStdString(writeRecording(folder.path(), 800).string()));
+  settle();
+  treat.align(true);
+  settle();
+  settle();
+  const auto* figures = workspace.findChild<FiguresPanel*>();
+  const auto* row = workspace.findChild<CameraRow*>();
+  ASSERT_TRUE(fixtures::waitFor([&] { return figures->figures()[0] == "0.0"; }));  // while one is drawn
+  const auto first = treat.state()->frame;
+  EXPECT_TRUE(fixtures::waitFor([&] { return treat.state()->frame > first + 20; }));
+  EXPECT_EQ(row->shown(), nullptr);
+  may_draw.set_value();
+  ASSERT_TRUE(fixtures::waitFor([&] { return row->shown() != nullptr; }));
+  EXPECT_GT(row->shown()->state->frame, first) << "the picture begun long ago was too old";
+  EXPECT_DOUBLE_EQ(row->shown()->captured.s, row->shown()->state->captured.s);
+  treat.stop();
+  const std::lock_guard lock(mutex);
+  EXPECT_FALSE(drew.empty());
+  EXPECT_EQ(drew.count(std::this_thread::get_id()), 0u);
 }
 
 TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {

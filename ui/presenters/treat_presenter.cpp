@@ -39,13 +39,20 @@ void keepLooks(const session::Session& session, const std::filesystem::path& cas
 
 }  // namespace
 
-TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent)
+TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent,
+                               pictures::OverlayWorker::Draw draw)
     : QObject(parent),
       services_(services),
       model_(model),
       tasks_(tasks),
       cameras_(services, tasks),
-      coil_(tracking::defaultCoil()) {
+      coil_(tracking::defaultCoil()),
+      overlays_(
+          [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
+            QMetaObject::invokeMethod(
+                this, [this, drawn] { emit overlayDrawn(drawn); }, Qt::QueuedConnection);
+          },
+          std::move(draw)) {
   connect(&model_, &CaseModel::opened, this, [this] {
     stop();
     outcome_.reset();
@@ -85,10 +92,10 @@ void TreatPresenter::openRecording(const QString& folder) {
       recording_ = *recording;
       is_live_ = false;
       rig_fault_.clear();
-      cameras_.show(*recording);
       coil_ = *coil;
       outcome_.reset();
       emit changed();
+      cameras_.show(*recording);  // last: it is refused where the folder has gone in the meantime
     };
   });
 }
@@ -153,19 +160,22 @@ void TreatPresenter::start() {
       });
 }
 
+/// A session that ended by itself is still there, with its log: it ends first.
 void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator,
                                     std::unique_ptr<capture::FrameSource> source) {
+  if (session_) endSession();
   navigator->setTarget(chosen());
   session::SessionOptions options;
   options.is_paced = !is_live_;
-  session_ = std::make_unique<session::Session>(
+  auto session = std::make_shared<session::Session>(
       std::move(source), std::make_unique<session::Navigator>(std::move(*navigator)), options);
-  treated_ = model_.current().store.folder();
-  log_ = std::make_unique<session::TreatmentLog>(*session_, treated_);
+  const auto folder = model_.current().store.folder();
+  log_ = std::make_unique<session::TreatmentLog>(session, folder);  // or nothing has started
+  session_ = std::move(session);
+  treated_ = folder;
   if (const auto& given = model_.override())
     log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
   log_->addEvent("target", target_.toStdString());
-  since_start_.start();
   session_->start();
   emit changed();
 }
@@ -188,7 +198,7 @@ void TreatPresenter::countPulse() {
 
 QString TreatPresenter::sessionTime() const {
   if (!session_) return {};
-  return QTime(0, 0).addMSecs(int(since_start_.elapsed())).toString("hh:mm:ss");
+  return QTime(0, 0).addMSecs(int(1e3 * session_->elapsed_s())).toString("hh:mm:ss");
 }
 
 QString TreatPresenter::logFailure() const {
@@ -203,8 +213,7 @@ void TreatPresenter::stop() {
 /// From here on nothing is shown of it. A well camera ends within a picture, the log with what is left.
 void TreatPresenter::endSession() {
   retirement_.add(
-      [session = std::shared_ptr(std::move(session_)), log = std::shared_ptr(std::move(log_)),
-       folder = treated_]() mutable {
+      [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_]() mutable {
         session->stop();
         keepLooks(*session, folder);
         log.reset();
@@ -269,10 +278,10 @@ std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
 }
 
-session::CameraOverlay TreatPresenter::overlay(const session::NavigationState& state) const {
-  if (!recording_) return {};
+void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> state) {
+  if (!recording_ || !state->images) return;
   const auto* t = target();
-  return session::drawOverlay(recording_->rig, state, t ? std::optional<guidance::Target>(*t) : std::nullopt);
+  overlays_.ask({recording_->rig, std::move(state), t ? std::optional<guidance::Target>(*t) : std::nullopt});
 }
 
 }  // namespace facenav::ui

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "facenav/session/camera_overlay.h"
+#include "facenav/pictures/overlay_worker.h"
 #include "facenav/session/treatment_log.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
@@ -21,7 +21,9 @@ class TreatPresenter : public QObject {
   Q_OBJECT
 
  public:
-  TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
+  /// `draw`: the camera overlays, on a thread of their own; empty: as pictures/camera_overlay.h does.
+  TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr,
+                 pictures::OverlayWorker::Draw draw = {});
   ~TreatPresenter() override;
 
   /// Step 1: two live cameras.
@@ -41,7 +43,7 @@ class TreatPresenter : public QObject {
 
   bool mayTreat() const { return model_.mayBeTreated(); }
   int pulses() const { return log_ ? log_->pulses() : 0; }
-  /// Since guidance was started, "00:07:31"; empty before.
+  /// Since guidance was started, "00:07:31", until it ended; empty before.
   QString sessionTime() const;
   /// Why the session's log stopped; empty while all is well.
   QString logFailure() const;
@@ -66,11 +68,13 @@ class TreatPresenter : public QObject {
 
   /// The newest state; everything lost when nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
-  session::CameraOverlay overlay(const session::NavigationState& state) const;
+  /// Has both camera pictures of `state` drawn beside the window; overlayDrawn() brings them.
+  void askOverlay(std::shared_ptr<const session::NavigationState> state);
 
  signals:
   void changed();
   void refused(const QString& words);
+  void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);
 
  private:
   void startNavigator(std::shared_ptr<session::Navigator> navigator,
@@ -88,12 +92,12 @@ class TreatPresenter : public QObject {
   mutable QString rig_fault_;
   tracking::CoilModel coil_;
   std::shared_ptr<const workflow::AlignmentOutcome> outcome_;
-  std::unique_ptr<session::Session> session_;
-  std::unique_ptr<session::TreatmentLog> log_;  // goes before the session
-  std::filesystem::path treated_;               // the case of the session
+  std::shared_ptr<session::Session> session_;
+  std::unique_ptr<session::TreatmentLog> log_;
+  std::filesystem::path treated_;  // the case of the session
   Retirement retirement_;
-  QElapsedTimer since_start_;
   QString target_;
+  pictures::OverlayWorker overlays_;
 };
 
 }  // namespace facenav::ui

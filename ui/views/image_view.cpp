@@ -19,8 +19,9 @@ ImageView::ImageView(const QString& when_empty, QWidget* parent) : QWidget(paren
   setMinimumSize(200, 150);
 }
 
-void ImageView::set(const QImage& image) {
+void ImageView::set(const QImage& image, const QString& why_empty) {
   image_ = image;
+  why_empty_ = why_empty;
   update();
 }
 
@@ -29,7 +30,8 @@ void ImageView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), QColor(11, 13, 16));
   if (image_.isNull()) {
     painter.setPen(QColor(158, 171, 184));
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, when_empty_);
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     why_empty_.isEmpty() ? when_empty_ : why_empty_);
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);

@@ -17,14 +17,15 @@ class ImageView : public QWidget {
 
  public:
   explicit ImageView(const QString& when_empty, QWidget* parent = nullptr);
-  void set(const QImage& image);
+  /// `why_empty` stands in place of the picture where there is none; empty: the words of the constructor.
+  void set(const QImage& image, const QString& why_empty = {});
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   QImage image_;
-  QString when_empty_;
+  QString when_empty_, why_empty_;
 };
 
 }  // namespace facenav::ui

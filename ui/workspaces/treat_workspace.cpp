@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 
 #include "views/bulls_eye_view.h"
-#include "views/image_view.h"
 #include "views/scene_view.h"
+#include "widgets/camera_row.h"
 #include "widgets/cameras_panel.h"
 #include "widgets/elided_label.h"
 #include "widgets/figures_panel.h"
@@ -26,12 +26,16 @@ constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
 }  // namespace
 
 TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
-    : QWidget(parent), presenter_(presenter), model_(model), scene_(new SceneView(this)) {
+    : QWidget(parent),
+      presenter_(presenter),
+      model_(model),
+      scene_(new SceneView(this)),
+      pictures_(new CameraRow(this)) {
   setObjectName("treat");  // text to be read from two metres
   auto* row = new QHBoxLayout;
   auto* middle = new QVBoxLayout;
   middle->addWidget(scene_, 3);
-  middle->addWidget(makeCameraRow(), 2);
+  middle->addWidget(pictures_, 2);
   row->addLayout(middle, 3);
   row->addWidget(makeSide(), 2);
   auto* column = new QVBoxLayout(this);
@@ -42,6 +46,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   timer_.setInterval(kRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, &TreatWorkspace::refresh);
   connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
+  connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
   const auto markOutdated = [this] {
     is_outdated_ = true;
     if (isVisible()) showCase();
@@ -51,17 +56,6 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&model_, &CaseModel::signOffChanged, this, &TreatWorkspace::showSteps);
   showSteps();
   showStage(!presenter_.hasRecording());
-}
-
-QWidget* TreatWorkspace::makeCameraRow() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  left_ = new ImageView(tr("left camera"), box);
-  right_ = new ImageView(tr("right camera"), box);
-  row->addWidget(left_);
-  row->addWidget(right_);
-  return box;
 }
 
 QWidget* TreatWorkspace::makeSide() {
@@ -143,8 +137,7 @@ void TreatWorkspace::showPreview() {
   const auto frame = presenter_.cameras().picture();
   if (!frame || frame->number == previewed_) return;
   previewed_ = frame->number;
-  left_->set(toQImage(frame->left.data, frame->left.cols, frame->left.rows, int(frame->left.step)));
-  right_->set(toQImage(frame->right.data, frame->right.cols, frame->right.rows, int(frame->right.step)));
+  pictures_->showPlain(*frame);
 }
 
 void TreatWorkspace::showSession() {
@@ -210,6 +203,7 @@ void TreatWorkspace::refresh() {
   const bool shows_cameras = side_->currentIndex() == 1;
   if (shows_cameras && !presenter_.isRunning()) {
     showPreview();
+    if (previewed_ < 0) pictures_->follow(state);  // nothing to be seen yet, and nothing old either
     emit shown(read_out);
     return;
   }
@@ -226,6 +220,7 @@ void TreatWorkspace::refresh() {
                                 .join('|');
   const bool is_new = signature != signature_;
   signature_ = signature;
+  pictures_->follow(state);
   if (is_new) {
     auto& scene = scene_->scene();
     if (was_started) {
@@ -238,9 +233,7 @@ void TreatWorkspace::refresh() {
     const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
     scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
     was_started ? scene_->refreshMoving() : scene_->refresh();
-    const auto overlay = presenter_.overlay(*state);
-    left_->set(toQImage(overlay.left));
-    right_->set(toQImage(overlay.right));
+    presenter_.askOverlay(state);
     bulls_eye_->set(state->guidance);
     figures_->set(read_out);
     const bool has_just_lost =

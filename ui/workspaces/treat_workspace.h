@@ -16,9 +16,9 @@ class QStackedWidget;
 namespace facenav::ui {
 
 class BullsEyeView;
+class CameraRow;
 class ElidedLabel;
 class FiguresPanel;
-class ImageView;
 class SceneView;
 
 class TreatWorkspace : public QWidget {
@@ -38,7 +38,6 @@ class TreatWorkspace : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QWidget* makeCameraRow();
   QWidget* makeSide();
   QWidget* makeSteps();
   void showCase();
@@ -51,7 +50,7 @@ class TreatWorkspace : public QWidget {
   TreatPresenter& presenter_;
   CaseModel& model_;
   SceneView* scene_;
-  ImageView *left_, *right_;
+  CameraRow* pictures_;
   BullsEyeView* bulls_eye_;
   FiguresPanel* figures_;
   QComboBox* target_;

@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
 #include "facenav/casefile/case_store.h"
@@ -13,24 +14,52 @@ double atLeastZero(const JsonReader& json) {
   return value;
 }
 
+const char* const kCovariance = "pose_covariance_deg_mm";
+const char* const kFreedom = "pose_freedom";
+
+/// Of (rotation, translation): files have degrees where the program has radians.
+Vector6d degreesPerRadian() {
+  Vector6d units;
+  units << Eigen::Vector3d::Constant(180.0 / M_PI), Eigen::Vector3d::Ones();
+  return units;
+}
+
+std::vector<double> asInFile(const Matrix6d& covariance) {
+  const Vector6d units = degreesPerRadian();
+  const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> in_file =
+      units.asDiagonal() * covariance * units.asDiagonal();
+  return {in_file.data(), in_file.data() + in_file.size()};
+}
+
+Matrix6d readCovariance(const JsonReader& json) {
+  const auto values = json.numbers(36);
+  const Vector6d units = degreesPerRadian().cwiseInverse();
+  const Matrix6d covariance = units.asDiagonal() *
+                              Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(values.data()) *
+                              units.asDiagonal();
+  constexpr double kRounding = 1e-9;  // relative
+  const double size = covariance.norm();
+  if ((covariance - covariance.transpose()).norm() > kRounding * size)
+    json.refuse("a symmetric matrix was expected");
+  if (Eigen::SelfAdjointEigenSolver<Matrix6d>(covariance).eigenvalues().minCoeff() < -kRounding * size)
+    json.refuse("a covariance has no negative eigenvalue");
+  return 0.5 * (covariance + covariance.transpose());
+}
+
+std::optional<registration::PoseUncertainty> readUncertainty(const JsonReader& json) {
+  if (!json.has(kCovariance)) return std::nullopt;
+  registration::PoseUncertainty uncertainty;
+  uncertainty.covariance = readCovariance(json.at(kCovariance));
+  if (json.has(kFreedom)) uncertainty.freedom = atLeastZero(json.at(kFreedom));
+  return uncertainty;
+}
+
 }  // namespace
 
-StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan) {
-  StoredAlignment stored{result.camera_T_mri,
-                         result.rms_mm,
-                         result.max_mm,
-                         result.inlier_fraction,
-                         result.points,
-                         {},
-                         {},
-                         result.face_scale,
-                         result.face_scale_sigma,
-                         result.cautions};
-  for (const guidance::Target& target : plan.targets) {
-    stored.predicted_tre_mm[target.name] = result.predictedError_mm(target.cortex_point);
-    stored.predicted_tre_p95_mm[target.name] = result.errorBound_mm(target.cortex_point);
-  }
-  return stored;
+std::optional<double> StoredAlignment::predictedError_mm(const guidance::Target& target) const {
+  if (uncertainty) return uncertainty->predictedError_mm(camera_T_mri, target.cortex_point);
+  const auto found = predicted_tre_mm.find(target.name);
+  return found == predicted_tre_mm.end() ? std::nullopt : std::optional(found->second);
 }
 
 void writeAlignment(const StoredAlignment& alignment, const std::filesystem::path& path) {
@@ -42,6 +71,10 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
   json["points"] = alignment.points;
   json["predicted_tre_mm"] = alignment.predicted_tre_mm;
   if (!alignment.predicted_tre_p95_mm.empty()) json["predicted_tre_p95_mm"] = alignment.predicted_tre_p95_mm;
+  if (alignment.uncertainty) {
+    json[kCovariance] = asInFile(alignment.uncertainty->covariance);
+    json[kFreedom] = alignment.uncertainty->freedom;
+  }
   if (alignment.face_scale_sigma > 0) {
     json["face_scale"] = alignment.face_scale;
     json["face_scale_sigma"] = alignment.face_scale_sigma;
@@ -63,6 +96,7 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
                                  std::pair{"predicted_tre_p95_mm", &alignment.predicted_tre_p95_mm}})
     if (json.has(key))
       for (const auto& [name, value] : json.at(key).members()) (*map)[name] = atLeastZero(value);
+  alignment.uncertainty = readUncertainty(json);
   if (json.has("face_scale")) alignment.face_scale = atLeastZero(json.at("face_scale"));
   if (json.has("face_scale_sigma")) alignment.face_scale_sigma = atLeastZero(json.at("face_scale_sigma"));
   if (json.has("cautions"))

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "facenav/monitoring/pair_fault.h"
 #include "facenav/session/face_memory.h"
-#include "facenav/session/pair_fault.h"
 
 namespace facenav::session {
 namespace {
@@ -32,16 +32,17 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
   head_->setPace(setup.pace);
-  withPairFault(rig_, setup.reference.frame, [&] { head_->start(rig_, setup.reference); });
+  monitoring::withPairFault(rig_, setup.reference.frame, [&] { head_->start(rig_, setup.reference); });
   if (head_T_mri_) head_->addLooks(asTracked(setup.looks, *head_T_mri_));
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
-    const auto check = std::make_shared<const DriftCheck>(rig_, setup.scalp, setup.reference,
-                                                          *setup.camera_T_mri_at_reference);
-    watchdog_ = std::make_unique<DriftWatchdog>(
+    const auto check = std::make_shared<const monitoring::DriftCheck>(rig_, setup.scalp, setup.reference,
+                                                                      *setup.camera_T_mri_at_reference);
+    watchdog_ = std::make_unique<monitoring::DriftWatchdog>(
         [check](const auto& frame, const auto& camera_T_mri) { return check->measure(frame, camera_T_mri); },
-        setup.pace == tracking::Pace::live ? DriftWatchdog::Mode::own_thread : DriftWatchdog::Mode::in_line);
+        setup.pace == tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
+                                           : monitoring::DriftWatchdog::Mode::in_line);
   }
 }
 

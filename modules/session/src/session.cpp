@@ -25,17 +25,20 @@ struct Session::Implementation {
   std::unique_ptr<Recorder> recorder;
   LatestValue<ArrivedFrame> frames;
   LatestValue<NavigationState> states;
-  std::atomic<bool> is_stopping{false}, has_ended{false};
-  std::mutex mutex;  // of what follows
+  std::atomic<bool> is_stopping{false}, has_ended{false}, is_source_empty{false};
+  mutable std::mutex mutex;  // of what follows
   std::condition_variable stop_requested;
   std::optional<std::optional<ChosenTarget>> new_target;
   std::string failure;
+  std::optional<Timestamp> started, ended;
+  SessionEnd end = SessionEnd::none;
   std::thread capture_thread, tracking_thread;
 
   void capture();
   void track();
   void publishFailure();
   void requestStop();
+  void noteEnd();
   void waitUntil(double steady_s);
   template <class Body>
   void guarded(Body body);
@@ -64,6 +67,14 @@ void Session::Implementation::publishFailure() {
   states.publish(std::make_shared<NavigationState>(blanked(state, LostReason::camera)));
 }
 
+/// Before the states are closed: who sees that can ask why.
+void Session::Implementation::noteEnd() {
+  std::lock_guard lock(mutex);
+  ended = Timestamp::now();
+  end = !failure.empty() ? SessionEnd::fault : is_source_empty ? SessionEnd::source : SessionEnd::stop;
+  has_ended = true;
+}
+
 void Session::Implementation::requestStop() {
   {
     std::lock_guard lock(mutex);
@@ -86,7 +97,10 @@ void Session::Implementation::capture() {
   const double begin_s = Timestamp::now().s;
   while (!is_stopping) {
     auto frame = source->next();
-    if (!frame) break;
+    if (!frame) {
+      is_source_empty = true;
+      break;
+    }
     if (options.is_paced) {
       if (!first_s) first_s = frame->captured.s;
       waitUntil(begin_s + (frame->captured.s - *first_s) / options.speed);
@@ -131,6 +145,10 @@ Session::~Session() { stop(); }
 void Session::start() {
   auto& s = *implementation_;
   FACENAV_EXPECT(!s.capture_thread.joinable(), "a session starts once");
+  {
+    std::lock_guard lock(s.mutex);
+    s.started = Timestamp::now();
+  }
   s.capture_thread = std::thread([&s] {
     s.guarded([&s] { s.capture(); });
     s.frames.close();
@@ -139,7 +157,7 @@ void Session::start() {
     s.guarded([&s] { s.track(); });
     s.requestStop();  // a fault here ends the capture, too
     s.publishFailure();
-    s.has_ended = true;
+    s.noteEnd();
     s.states.close();
   });
 }
@@ -165,6 +183,17 @@ std::shared_ptr<const NavigationState> Session::take(std::chrono::milliseconds t
 }
 
 bool Session::hasEnded() const { return implementation_->has_ended; }
+
+SessionEnd Session::end() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->end;
+}
+
+double Session::elapsed_s() const {
+  std::lock_guard lock(implementation_->mutex);
+  if (!implementation_->started) return 0.0;
+  return implementation_->ended.value_or(Timestamp::now()) - *implementation_->started;
+}
 
 void Session::setTarget(std::optional<ChosenTarget> target) {
   std::lock_guard lock(implementation_->mutex);

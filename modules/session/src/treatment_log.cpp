@@ -29,10 +29,10 @@ std::string placeOf(const guidance::GuidanceState& guidance) {
 }  // namespace
 
 struct TreatmentLog::Implementation {
-  Implementation(Session& session_, const std::filesystem::path& case_folder)
-      : session(session_), log(case_folder), folder(log.folder()) {}
+  Implementation(std::shared_ptr<Session> session_, const std::filesystem::path& case_folder)
+      : session(std::move(session_)), log(case_folder), folder(log.folder()) {}
 
-  Session& session;
+  const std::shared_ptr<Session> session;
   casefile::SessionLog log;  // the thread's alone once it runs
   const std::filesystem::path folder;
   std::atomic<bool> is_stopping{false};
@@ -42,10 +42,11 @@ struct TreatmentLog::Implementation {
   int pulses = 0;
   std::thread thread;
   // The thread's own: what the last frame was.
-  bool has_head = false, has_coil = false, has_faulted = false;
+  bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
 
   void run();
   void writeEvents();
+  void noteEnd();
   void write(const NavigationState& state);
   void noteChange(bool& has, bool has_now, const char* what, const std::string& why);
 };
@@ -81,15 +82,27 @@ void TreatmentLog::Implementation::writeEvents() {
   for (const auto& event : waiting) log.addEvent(event.name, event.detail);
 }
 
+/// Once; a fault has its own event.
+void TreatmentLog::Implementation::noteEnd() {
+  if (has_noted_end || session->end() != SessionEnd::source) return;
+  char detail[64];
+  std::snprintf(detail, sizeof detail, "%.1f s after the start", session->elapsed_s());
+  log.addEvent("recording ended", detail);
+  has_noted_end = true;
+}
+
 void TreatmentLog::Implementation::run() {
   try {
     while (!is_stopping) {
-      const auto state = session.take(std::chrono::milliseconds(50));
+      const auto state = session->take(std::chrono::milliseconds(50));
       if (state) write(*state);
       writeEvents();
-      if (!state && session.hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (state || !session->hasEnded()) continue;
+      noteEnd();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     writeEvents();
+    noteEnd();
     log.addEvent("session ended");
     log.sync();
   } catch (const std::exception& error) {
@@ -99,8 +112,8 @@ void TreatmentLog::Implementation::run() {
   }
 }
 
-TreatmentLog::TreatmentLog(Session& session, const std::filesystem::path& case_folder)
-    : implementation_(std::make_unique<Implementation>(session, case_folder)) {
+TreatmentLog::TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder)
+    : implementation_(std::make_unique<Implementation>(std::move(session), case_folder)) {
   implementation_->log.addEvent("session started");
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
@@ -116,7 +129,7 @@ void TreatmentLog::addEvent(const std::string& event, const std::string& detail)
 }
 
 void TreatmentLog::addPulse() {
-  const auto state = implementation_->session.latest();
+  const auto state = implementation_->session->latest();
   std::lock_guard lock(implementation_->mutex);
   implementation_->events.push_back(
       {"pulse", std::to_string(++implementation_->pulses) + ", " + placeOf(state->guidance)});

@@ -2,7 +2,7 @@
 
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/error.h"
-#include "facenav/session/skin_fit_picture.h"
+#include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/workflow/case_pictures.h"
 #include "facenav/workflow/stored_capture.h"
 
@@ -16,7 +16,7 @@ AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseSto
                                   store.targets().targets, monitor, store.scalpField());
   writeStoredCapture(store.folder(), rig, capture);
   casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
-  writePrivatePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+  writePrivatePng(pictures::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
                   store.folder() / "skin_fit.png");
   store.setAlignment(outcome.stored());
   return outcome;

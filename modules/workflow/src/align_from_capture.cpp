@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/core/error.h"
-#include "facenav/session/pair_fault.h"
-#include "facenav/session/rig_check.h"
+#include "facenav/monitoring/pair_fault.h"
+#include "facenav/monitoring/rig_check.h"
 #include "facenav/workflow/shared_depth.h"
 
 namespace facenav::workflow {
@@ -69,7 +69,7 @@ std::optional<Error> errorOf(const std::function<void()>& task) {
     return std::nullopt;
   } catch (const CamerasMoved&) {
     throw;
-  } catch (const session::PairError&) {
+  } catch (const monitoring::PairError&) {
     throw;
   } catch (const Cancelled&) {
     throw;
@@ -82,11 +82,11 @@ std::optional<Error> errorOf(const std::function<void()>& task) {
 void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
                            const stereo::StereoFrame& plain, const stereo::FaceCloud& face) {
   stereo::RigMonitor monitor(rig);
-  monitor.add(session::matchSurface(rig, frame, face.cloud, face.left_px));
+  monitor.add(monitoring::matchSurface(rig, frame, face.cloud, face.left_px));
   const auto verdict = monitor.verdict();
   if (!verdict.hasMoved()) return;
   const auto diagnosis = stereo::diagnosePair(rig, plain);
-  if (diagnosis.isFault()) throw session::PairError(diagnosis, "not aligned: ");
+  if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
   // Plain skin that disagrees a little, where the whole plain pair fits, is no moved camera.
   const bool is_clear = verdict.statistic > kClearStatistic && showsDots({frame, plain});
   if (diagnosis.fault != stereo::PairFault::none || is_clear)
@@ -98,7 +98,7 @@ void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFra
 [[noreturn]] void refuse(const stereo::StereoRig& rig, const capture::CapturePair& capture,
                          const Error& error) {
   const auto diagnosis = stereo::diagnosePair(rig, capture.plain);
-  if (diagnosis.isFault()) throw session::PairError(diagnosis, "not aligned: ");
+  if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
   if (showsDots(capture)) throw error;
   std::string reason = error.what();
   const std::string prefix = "not aligned: ";
@@ -162,6 +162,7 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.points = result.points;
   alignment.predicted_tre_mm = predicted_tre_mm;
   alignment.predicted_tre_p95_mm = predicted_tre_p95_mm;
+  alignment.uncertainty = result.uncertainty();
   alignment.face_scale = result.face_scale;
   alignment.face_scale_sigma = result.face_scale_sigma;
   alignment.cautions = result.cautions;

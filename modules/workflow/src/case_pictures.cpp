@@ -1,8 +1,8 @@
 #include "facenav/workflow/case_pictures.h"
 
+#include "facenav/pictures/surface_distance_picture.h"
 #include "facenav/scene/cortex_picture.h"
 #include "facenav/scene/png.h"
-#include "facenav/session/surface_distance_picture.h"
 
 namespace facenav::workflow {
 
@@ -17,7 +17,7 @@ RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex,
                                 const surface::ModelDistance& figures) {
   const double full_mm = scene::distanceScale_mm(figures.cortex_to_model);
   const auto colour = [full_mm](double mm) { return scene::distanceColour(mm, full_mm); };
-  return session::drawSurfaceDistance(cortex, figures, full_mm, colour);
+  return pictures::drawSurfaceDistance(cortex, figures, full_mm, colour);
 }
 
 void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,

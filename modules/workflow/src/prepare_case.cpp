@@ -7,7 +7,7 @@
 #include "facenav/core/error.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/dicom/patient.h"
-#include "facenav/session/face_measures_picture.h"
+#include "facenav/pictures/face_measures_picture.h"
 #include "facenav/workflow/case_pictures.h"
 #include "facenav/workflow/preparation.h"
 #include "facenav/workflow/software_version.h"
@@ -30,7 +30,7 @@ std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& war
 RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
   const auto& check = prepared.navigation_check;
   if (!check || check->landmarks.points.empty()) return {};
-  return session::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
+  return pictures::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
 }
 
 /// Empty where there is no cortex.

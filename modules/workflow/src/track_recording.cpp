@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "facenav/core/log.h"
+#include "facenav/monitoring/pair_fault.h"
 #include "facenav/session/navigator.h"
-#include "facenav/session/pair_fault.h"
 #include "facenav/workflow/guide_poses.h"
 #include "facenav/workflow/stored_capture.h"
 
@@ -34,7 +34,7 @@ std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(const Registration
   }
   if (first) {
     const auto diagnosis = stereo::diagnosePair(recording.rig, *first);
-    if (diagnosis.isFault()) throw session::PairError(diagnosis);
+    if (diagnosis.isFault()) throw monitoring::PairError(diagnosis);
   }
   throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
               recording.folder.string(), "check that both cameras see the whole face, upright and lit");
@@ -68,6 +68,12 @@ Start startOf(const Registrations& methods, const TrackRequest& request, const c
   if (!capture) return startFromStoredPose(methods, store, recording, monitor);
   outcome.alignment = alignCase(methods, store, recording.rig, *capture, request.aligner, monitor);
   return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri, outcome.alignment->scalp};
+}
+
+/// At a target as it is planned now; 0 where alignment.json does not say.
+double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
+  const auto alignment = store.alignment();
+  return alignment ? alignment->predictedError_mm(store.targets().find(target)).value_or(0.0) : 0.0;
 }
 
 session::Navigator makeNavigator(const Registrations& methods, const TrackRequest& request,

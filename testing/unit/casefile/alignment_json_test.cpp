@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -34,6 +36,73 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   EXPECT_DOUBLE_EQ(read.face_scale, 0.987);
   EXPECT_DOUBLE_EQ(read.face_scale_sigma, 0.004);
   EXPECT_EQ(read.cautions, alignment.cautions);
+}
+
+/// A turn of 2 mrad about Camera's x at the image of Mri's origin, and 0.3 mm along each axis.
+StoredAlignment withCovariance() {
+  StoredAlignment alignment;
+  alignment.camera_T_mri = {Eigen::Quaterniond::Identity(), {0, 0, 600}};
+  alignment.uncertainty.emplace();
+  alignment.uncertainty->covariance.diagonal() << 0.002 * 0.002, 0, 0, 0.09, 0.09, 0.09;
+  alignment.uncertainty->freedom = 12;
+  alignment.predicted_tre_mm = {{"M1 hand L", 0.42}};
+  return alignment;
+}
+
+guidance::Target targetAt(const std::string& name, const Point<Mri>& cortex_point) {
+  guidance::Target target;
+  target.name = name;
+  target.cortex_point = cortex_point;
+  return target;
+}
+
+TEST(AlignmentJson, ThePredictedErrorIsKnownForRenamedAndLaterTargets) {
+  const TemporaryFolder folder;
+  writeAlignment(withCovariance(), folder.path() / "alignment.json");
+  const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
+  ASSERT_TRUE(read.uncertainty);
+  EXPECT_DOUBLE_EQ(read.uncertainty->freedom, 12);
+  const Point<Mri> place(0, 100, 0);  // 100 mm off the axis: 0.2 mm by the turn
+  for (const char* name : {"renamed", "M1 hand L", "made later"}) {
+    const auto error_mm = read.predictedError_mm(targetAt(name, place));
+    ASSERT_TRUE(error_mm) << name;
+    EXPECT_NEAR(*error_mm, std::sqrt(3 * 0.09 + 0.04), 1e-9) << name;
+  }
+  EXPECT_NEAR(*read.predictedError_mm(targetAt("at the origin", {})), std::sqrt(3 * 0.09), 1e-9);
+}
+
+TEST(AlignmentJson, AnOlderFileSaysWhatItHasUnderTheOldNames) {
+  const TemporaryFolder folder;
+  StoredAlignment older = withCovariance();
+  older.uncertainty.reset();
+  writeAlignment(older, folder.path() / "alignment.json");
+  const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
+  EXPECT_FALSE(read.uncertainty);
+  EXPECT_EQ(read.predictedError_mm(targetAt("M1 hand L", {})), 0.42);
+  EXPECT_FALSE(read.predictedError_mm(targetAt("renamed", {})));
+}
+
+TEST(AlignmentJson, RefusesACovarianceThatIsNone) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "alignment.json";
+  const auto faultOf = [&](const std::string& values) -> std::string {
+    writeWholeFile(path, R"({"camera_T_mri": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "rms_mm": 0.3, "max_mm": 1,
+      "inlier_fraction": 0.9, "points": 9, "pose_covariance_deg_mm": [)" +
+                             values + "]}");
+    try {
+      readAlignment(path);
+    } catch (const Error& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  const auto matrix = [](const char* first, const char* second) {
+    return std::string(first) + ",0,0,0,0," + second +
+           ", 0,1,0,0,0,0, 0,0,1,0,0,0, 0,0,0,1,0,0, 0,0,0,0,1,0, 0,0,0,0,0,1";
+  };
+  EXPECT_EQ(faultOf(matrix("1", "0")), "");
+  for (const auto& wrong : {std::string("1,0,0"), matrix("1", "5"), matrix("-1", "0")})
+    EXPECT_NE(faultOf(wrong).find("pose_covariance_deg_mm"), std::string::npos) << wrong;
 }
 
 TEST(AlignmentJson, RefusesWhatCannotBeAPose) {

@@ -85,15 +85,15 @@ TEST(Navigator, RefusesEveryPoseWhenTheCamerasHaveMoved) {
 /// A watchdog whose face lies elsewhere from the second second to the fifth.
 TEST(Navigator, ShowsNoPoseOfAHeadThatHasDrifted) {
   auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
-  navigator.setWatchdog(std::make_unique<DriftWatchdog>(
+  navigator.setWatchdog(std::make_unique<monitoring::DriftWatchdog>(
       [](const stereo::StereoFrame& frame, const auto&) {
-        DriftFinding finding;
+        monitoring::DriftFinding finding;
         const double t_s = frame.captured.s;
-        finding.verdict =
-            t_s > 2.0 && t_s < 5.0 ? DriftFinding::Verdict::drifted : DriftFinding::Verdict::agrees;
+        finding.verdict = t_s > 2.0 && t_s < 5.0 ? monitoring::DriftFinding::Verdict::drifted
+                                                 : monitoring::DriftFinding::Verdict::agrees;
         return finding;
       },
-      DriftWatchdog::Mode::in_line));
+      monitoring::DriftWatchdog::Mode::in_line));
   for (int i = 0; i < 8 * 30; ++i) {
     const auto state = navigator.process(fakes::frame(i, i / 30.0));
     const double t_s = i / 30.0;

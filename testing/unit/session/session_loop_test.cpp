@@ -107,6 +107,32 @@ TEST(Session, ATrackersExceptionReachesTheConsumerToo) {
   EXPECT_FALSE(session.latest()->camera_T_mri);
 }
 
+TEST(Session, TheClockStopsWithTheRecordingAndTheEndHasItsReason) {
+  Session session(std::make_unique<fakes::Source>(6, 0.02), navigator(0), {});
+  EXPECT_EQ(session.elapsed_s(), 0.0);
+  EXPECT_EQ(session.end(), SessionEnd::none);
+  session.start();
+  waitForEnd(session);
+  const double at_end_s = session.elapsed_s();
+  EXPECT_GE(at_end_s, 0.095);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(session.elapsed_s(), at_end_s);
+  session.stop();  // changes nothing of it
+  EXPECT_EQ(session.elapsed_s(), at_end_s);
+  EXPECT_EQ(session.end(), SessionEnd::source);
+}
+
+TEST(Session, AStopAndAFaultAreNoEndOfTheRecording) {
+  Session stopped(std::make_unique<fakes::Source>(1000, 0.02), navigator(0), {});
+  stopped.start();
+  stopped.stop();
+  EXPECT_EQ(stopped.end(), SessionEnd::stop);
+  Session failed(std::make_unique<fakes::Source>(50, 0.001, 5), navigator(0), {});
+  failed.start();
+  waitForEnd(failed);
+  EXPECT_EQ(failed.end(), SessionEnd::fault);
+}
+
 TEST(Session, ANewTargetIsTakenUpWhileRunning) {
   Session session(std::make_unique<fakes::Source>(1000, 0.005), navigator(0), {});
   session.start();

@@ -21,7 +21,7 @@ std::string contentOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::unique_ptr<Session> session() {
+std::shared_ptr<Session> session() {
   const RigidTransform<Camera, Marker> marker(Eigen::Quaterniond::Identity(), {0, 0, 500});
   auto navigator = std::make_unique<Navigator>(
       fakes::setup(), std::make_unique<fakes::Head>([](std::int64_t n) {
@@ -29,7 +29,7 @@ std::unique_ptr<Session> session() {
       }),
       std::make_unique<fakes::Coil>(marker));
   navigator->setTarget(fakes::targetAt(marker.reframe<Camera, Coil>()));
-  return std::make_unique<Session>(std::make_unique<fakes::Source>(kFrames, 0.02), std::move(navigator),
+  return std::make_shared<Session>(std::make_unique<fakes::Source>(kFrames, 0.02), std::move(navigator),
                                    SessionOptions{});
 }
 
@@ -38,7 +38,7 @@ TEST(TreatmentLog, KeepsPosesGuidanceLossesAndPulses) {
   std::filesystem::path place;
   {
     auto running = session();
-    TreatmentLog log(*running, folder.path());
+    TreatmentLog log(running, folder.path());
     place = log.folder();
     log.addEvent("override", "B. C.: emergency");
     running->start();
@@ -56,15 +56,43 @@ TEST(TreatmentLog, KeepsPosesGuidanceLossesAndPulses) {
   EXPECT_LE(lost_heads, kLostTo - kLostFrom + 1);  // the blanked last state may be one more
   const std::string events = contentOf(place / "events.jsonl");
   for (const char* word : {"session started", "override", "emergency", "face found", "face lost", "no_face",
-                           "coil found", "pulse", "session ended"})
+                           "coil found", "pulse", "recording ended", "session ended"})
     EXPECT_THAT(events, HasSubstr(word));
+  EXPECT_EQ(events.find("recording ended"), events.rfind("recording ended")) << "an event happens once";
+  EXPECT_LT(events.find("recording ended"), events.find("session ended"));
   EXPECT_THAT(contentOf(place / "guidance.csv"), HasSubstr("spot"));
+}
+
+TEST(TreatmentLog, ARecordingThatIsStoppedHasNotEnded) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path());
+    place = log.folder();
+    running->start();
+    running->stop();
+  }
+  EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("session ended"));
+  EXPECT_THAT(contentOf(place / "events.jsonl"), Not(HasSubstr("recording ended")));
+}
+
+TEST(TreatmentLog, KeepsTheSessionThatItsThreadReads) {
+  const testing::TemporaryFolder folder;
+  auto running = session();
+  const std::weak_ptr<Session> seen = running;
+  {
+    const TreatmentLog log(running, folder.path());
+    running.reset();
+    EXPECT_FALSE(seen.expired());
+  }
+  EXPECT_TRUE(seen.expired());
 }
 
 TEST(TreatmentLog, IsRefusedWhereTheCaseCannotBeWritten) {
   const testing::TemporaryFolder folder;
   auto idle = session();
-  EXPECT_THROW(TreatmentLog(*idle, folder.path() / "nowhere"), Error);
+  EXPECT_THROW(TreatmentLog(idle, folder.path() / "nowhere"), Error);
 }
 
 }  // namespace

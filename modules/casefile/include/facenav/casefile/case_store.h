@@ -27,14 +27,18 @@ struct StoredAlignment {
   RigidTransform<Camera, Mri> camera_T_mri;
   double rms_mm = 0, max_mm = 0, inlier_fraction = 0;
   int points = 0;
-  // Per target: standard error, and what 95 of 100 errors stay below (absent in files of older versions).
+  // Per target at the time of the alignment: standard error, and what 95 of 100 errors stay below (absent in
+  // files of older versions).
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
+  std::optional<registration::PoseUncertainty> uncertainty;  // nothing: another tool's file, or an older one
   // Size of the live face over the scan's, and its standard error (0: not estimated, or an older file).
   double face_scale = 1.0, face_scale_sigma = 0.0;
   std::vector<std::string> cautions;  // plain words
+
+  /// Predicted standard error at the target's cortex point as it is now, whatever its name, mm. Without the
+  /// pose's covariance: what was predicted under this name; nothing where that is not known either.
+  std::optional<double> predictedError_mm(const guidance::Target& target) const;
 };
-/// What alignment.json keeps of a fit, with the predicted error at each target's cortex point.
-StoredAlignment toStored(const registration::AlignmentResult& result, const guidance::TreatmentPlan& plan);
 /// A whole file, 0600.
 void writeAlignment(const StoredAlignment& alignment, const std::filesystem::path& path);
 /// Throws Error naming file and key; a mirrored or non-rigid pose is refused.

@@ -11,6 +11,7 @@
 #include "facenav/core/task_monitor.h"
 #include "facenav/geometry/rigid_transform.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/registration/pose_uncertainty.h"
 #include "facenav/registration/scalp_field.h"
 
 namespace facenav::registration {
@@ -42,6 +43,7 @@ struct AlignmentResult {
   double face_scale = 1.0, face_scale_sigma = 0.0;
   std::vector<std::string> cautions;  // plain words: what a clinician should look at before trusting the fit
 
+  PoseUncertainty uncertainty() const { return {covariance, freedom}; }
   /// Predicted standard error at a point of the patient (pose covariance carried there), mm.
   double predictedError_mm(const Point<Mri>& target) const;
   /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm.

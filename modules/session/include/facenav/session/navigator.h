@@ -9,9 +9,9 @@
 
 #include "facenav/casefile/face_looks.h"
 #include "facenav/guidance/guidance.h"
-#include "facenav/session/drift_watchdog.h"
+#include "facenav/monitoring/drift_watchdog.h"
+#include "facenav/monitoring/rig_check.h"
 #include "facenav/session/navigation_state.h"
-#include "facenav/session/rig_check.h"
 #include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::session {
@@ -45,7 +45,7 @@ class Navigator {
 
   void setTarget(std::optional<ChosenTarget> target);
   /// In place of the one that the setup's scalp gave; null: none.
-  void setWatchdog(std::unique_ptr<DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
+  void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   const stereo::StereoRig& rig() const { return rig_; }
   /// The patient's face as this session learnt it, to be kept with the case; empty without an alignment.
   std::vector<casefile::KeptLook> learntLooks() const;
@@ -62,8 +62,8 @@ class Navigator {
   std::optional<RigidTransform<Head, Mri>> head_T_mri_;
   RigidTransform<Marker, Coil> marker_T_coil_;
   guidance::Tolerance tolerance_;
-  RigCheck rig_check_;
-  std::unique_ptr<DriftWatchdog> watchdog_;  // null: none
+  monitoring::RigCheck rig_check_;
+  std::unique_ptr<monitoring::DriftWatchdog> watchdog_;  // null: none
   std::unique_ptr<tracking::HeadTracker> head_;
   std::unique_ptr<tracking::CoilTracker> coil_;
   std::optional<ChosenTarget> target_;

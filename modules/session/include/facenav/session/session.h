@@ -28,6 +28,9 @@ struct SessionOptions {
   }
 };
 
+/// How a session came to its end.
+enum class SessionEnd { none, source, fault, stop };  // none: it has not; source: no more frames
+
 class Session {
  public:
   /// `recorder` may be null. Nothing runs before start().
@@ -48,6 +51,10 @@ class Session {
   std::shared_ptr<const NavigationState> take(std::chrono::milliseconds timeout);
   /// True once the source has ended and its last frame was tracked, or a fault stopped the session.
   bool hasEnded() const;
+  /// What ended it; a stop that comes later changes nothing.
+  SessionEnd end() const;
+  /// From start() until the end, or until now, s; 0 before.
+  double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
   const Recorder* recorder() const;
   /// After stop(): the patient's face as this session learnt it.

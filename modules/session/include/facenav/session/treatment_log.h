@@ -1,7 +1,8 @@
 #pragma once
 // TreatmentLog: writes what a running Session does into sessions/<UTC time>/ of the case (poses.csv,
 // guidance.csv, events.jsonl), on a thread of its own, so that neither tracking nor the window waits for the
-// disk. Losses, finds and faults become events by themselves; pulses, chosen targets and overrides are told.
+// disk. Losses, finds, faults and the recording's end become events by themselves; pulses, chosen targets and
+// overrides are told.
 
 #include <filesystem>
 #include <memory>
@@ -13,9 +14,9 @@ namespace facenav::session {
 
 class TreatmentLog {
  public:
-  /// The only one that may take() states of `session`, which must outlive the log. Throws Error when the case
-  /// folder cannot be written to.
-  TreatmentLog(Session& session, const std::filesystem::path& case_folder);
+  /// The only one that may take() states of `session`; its thread reads the session until the log has gone,
+  /// and keeps it so long. Throws Error when the case folder cannot be written to.
+  TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder);
   /// Writes what is left, forces it to the disk and joins.
   ~TreatmentLog();
   TreatmentLog(const TreatmentLog&) = delete;

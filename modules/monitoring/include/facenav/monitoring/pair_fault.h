@@ -10,7 +10,7 @@
 #include "facenav/stereo/pair_diagnosis.h"
 #include "facenav/tracking/loss_detail.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 
 /// Why no pose of these cameras can be trusted.
 struct RigFault {
@@ -32,4 +32,4 @@ class PairError : public Error {
 void withPairFault(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
                    const std::function<void()>& task);
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

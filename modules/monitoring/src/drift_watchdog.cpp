@@ -1,11 +1,11 @@
-#include "facenav/session/drift_watchdog.h"
+#include "facenav/monitoring/drift_watchdog.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "facenav/core/error.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 namespace {
 
 constexpr int kDriftedForAlarm = 2;  // checks in a row
@@ -52,4 +52,4 @@ void DriftWatchdog::add(std::shared_ptr<const stereo::StereoFrame> frame,
   checks_.ask(std::make_shared<Question>(Question{std::move(frame), *camera_T_mri}), now_s);
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -1,13 +1,13 @@
-#include "facenav/session/drift_check.h"
+#include "facenav/monitoring/drift_check.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "facenav/session/drift_watchdog.h"
+#include "facenav/monitoring/drift_watchdog.h"
 #include "support/synthetic_face.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 namespace {
 
 using Verdict = DriftFinding::Verdict;
@@ -120,4 +120,4 @@ TEST(DriftCheck, KnowsNothingOfAFaceThatItCannotSee) {
 }
 
 }  // namespace
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -1,12 +1,10 @@
-#include "facenav/session/drift_watchdog.h"
+#include "facenav/monitoring/drift_watchdog.h"
 
 #include <gtest/gtest.h>
 
 #include <future>
 
-#include "session_fakes.h"
-
-namespace facenav::session {
+namespace facenav::monitoring {
 namespace {
 
 using Verdict = DriftFinding::Verdict;
@@ -14,6 +12,13 @@ using Mode = DriftWatchdog::Mode;
 
 constexpr double kFrame_s = 1.0 / 60;
 const RigidTransform<Camera, Mri> kPose;
+
+std::shared_ptr<const stereo::StereoFrame> frame(std::int64_t number, double captured_s) {
+  auto f = std::make_shared<stereo::StereoFrame>();
+  f->number = number;
+  f->captured = {captured_s};
+  return f;
+}
 
 DriftFinding answer(Verdict verdict) {
   DriftFinding finding;
@@ -38,7 +43,7 @@ Course courseOf(
       Mode::in_line);
   for (int i = 0; i * kFrame_s < seconds; ++i) {
     const double t_s = i * kFrame_s;
-    watchdog.add(fakes::frame(i, t_s), is_tracked(t_s) ? std::optional(kPose) : std::nullopt);
+    watchdog.add(frame(i, t_s), is_tracked(t_s) ? std::optional(kPose) : std::nullopt);
     if (watchdog.isAlarmed() && !course.began_s) course.began_s = t_s;
     if (!watchdog.isAlarmed() && course.began_s && !course.ended_s) course.ended_s = t_s;
   }
@@ -101,15 +106,15 @@ TEST(DriftWatchdog, NeverHoldsAFrameUp) {
         return answer(Verdict::drifted);
       },
       Mode::own_thread);
-  for (int i = 0; i < 600; ++i) watchdog.add(fakes::frame(i, i * kFrame_s), kPose);  // or waits for ever
+  for (int i = 0; i < 600; ++i) watchdog.add(frame(i, i * kFrame_s), kPose);  // or waits for ever
   EXPECT_FALSE(watchdog.isAlarmed());
   finish.set_value();
   for (int i = 600; i < 2400 && !watchdog.isAlarmed(); ++i) {
-    watchdog.add(fakes::frame(i, i * kFrame_s), kPose);
+    watchdog.add(frame(i, i * kFrame_s), kPose);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_TRUE(watchdog.isAlarmed());
 }
 
 }  // namespace
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -9,7 +9,7 @@
 #include "facenav/core/rgb_image.h"
 #include "facenav/surface/detailed_cortex.h"
 
-namespace facenav::session {
+namespace facenav::pictures {
 
 /// Colour (red, green, blue in 0..1) of a signed distance in mm (> 0: outside the phi-theta surface).
 using DistanceColour = std::function<std::array<double, 3>(double)>;
@@ -19,4 +19,4 @@ using DistanceColour = std::function<std::array<double, 3>(double)>;
 RgbImage drawSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
                              double full_mm, const DistanceColour& colour);
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -1,4 +1,4 @@
-#include "facenav/session/surface_distance_picture.h"
+#include "facenav/pictures/surface_distance_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::array<double, 3> redOrBlue(double mm) {
 }
 
 TEST(SurfaceDistancePicture, ColoursEachSideByItsDistanceWithoutGaps) {
-  const auto picture = session::drawSurfaceDistance(halves(), {}, 10, redOrBlue);
+  const auto picture = pictures::drawSurfaceDistance(halves(), {}, 10, redOrBlue);
   ASSERT_FALSE(picture.empty());
   const int width = picture.width_px / 3, margin = 12, title = 16, radius = int(2 * kRadius_mm);
   const auto countIn = [&](int tile, int channel) {
@@ -46,7 +46,7 @@ TEST(SurfaceDistancePicture, ColoursEachSideByItsDistanceWithoutGaps) {
 }
 
 TEST(SurfaceDistancePicture, IsEmptyForAnEmptyCortex) {
-  EXPECT_TRUE(session::drawSurfaceDistance({}, {}, 10, redOrBlue).empty());
+  EXPECT_TRUE(pictures::drawSurfaceDistance({}, {}, 10, redOrBlue).empty());
 }
 
 }  // namespace

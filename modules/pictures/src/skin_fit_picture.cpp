@@ -1,12 +1,13 @@
-#include "facenav/session/skin_fit_picture.h"
+#include "facenav/pictures/skin_fit_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <opencv2/imgproc.hpp>
 
-namespace facenav::session {
+#include "to_rgb.h"
+
+namespace facenav::pictures {
 namespace {
 
 /// R, G, B of a signed residual in -1 .. 1: blue, white, orange.
@@ -47,10 +48,7 @@ RgbImage drawSkinFit(const cv::Mat& plain_left, const stereo::FaceCloud& face,
     for (int c = 0; c < 3; ++c) pixel[c] = std::uint8_t(0.35 * pixel[c] + 0.65 * colour[c]);
   }
   drawScale(image, full_mm);
-  RgbImage out(image.cols, image.rows);
-  for (int v = 0; v < image.rows; ++v)
-    std::memcpy(out.pixel(0, v), image.ptr(v), std::size_t(image.cols) * 3);
-  return out;
+  return toRgb(image);
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

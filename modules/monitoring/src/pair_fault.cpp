@@ -1,8 +1,8 @@
-#include "facenav/session/pair_fault.h"
+#include "facenav/monitoring/pair_fault.h"
 
 #include "facenav/core/error.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 namespace {
 
 tracking::LossDetail detailOf(stereo::PairFault fault) {
@@ -47,4 +47,4 @@ void withPairFault(const stereo::StereoRig& rig, const stereo::StereoFrame& fram
   }
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -1,3 +1,5 @@
+#include "facenav/registration/pose_uncertainty.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -8,11 +10,12 @@ namespace facenav::registration {
 
 namespace {
 
-Eigen::Matrix3d covarianceAt(const AlignmentResult& result, const Point<Mri>& target) {
-  const Eigen::Vector3d lever = result.camera_T_mri.rotation() * target.mm;
+Eigen::Matrix3d covarianceAt(const Matrix6d& covariance, const RigidTransform<Camera, Mri>& camera_T_mri,
+                             const Point<Mri>& target) {
+  const Eigen::Vector3d lever = camera_T_mri.rotation() * target.mm;
   Eigen::Matrix<double, 3, 6> carry;
   carry << -skew(lever), Eigen::Matrix3d::Identity();
-  return carry * result.covariance * carry.transpose();
+  return carry * covariance * carry.transpose();
 }
 
 /// Quantile of the standard normal distribution (Abramowitz and Stegun 26.2.23, within 0.0005).
@@ -31,20 +34,31 @@ double fisherQuantile(double probability, double numerator, double denominator) 
 
 }  // namespace
 
-double AlignmentResult::predictedError_mm(const Point<Mri>& target) const {
-  return std::sqrt(covarianceAt(*this, target).trace());
+double PoseUncertainty::predictedError_mm(const RigidTransform<Camera, Mri>& camera_T_mri,
+                                          const Point<Mri>& target) const {
+  return std::sqrt(covarianceAt(covariance, camera_T_mri, target).trace());
 }
 
-double AlignmentResult::errorBound_mm(const Point<Mri>& target, double probability) const {
+double PoseUncertainty::errorBound_mm(const RigidTransform<Camera, Mri>& camera_T_mri,
+                                      const Point<Mri>& target, double probability) const {
   // The squared length is a weighted sum of chi squares, close to one chi square with fewer degrees of
   // freedom (Satterthwaite 1946), over the chi square of the t distribution.
   const Eigen::Vector3d variances =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covarianceAt(*this, target)).eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covarianceAt(covariance, camera_T_mri, target))
+          .eigenvalues();
   const double sum = variances.sum();
   if (!(sum > 0)) return 0.0;
   const double directions = std::max(1.0, sum * sum / variances.squaredNorm());
   const double nu = std::max(5.0, freedom);
   return std::sqrt(sum * (nu - 2) / nu * fisherQuantile(std::max(0.5, probability), directions, nu));
+}
+
+double AlignmentResult::predictedError_mm(const Point<Mri>& target) const {
+  return uncertainty().predictedError_mm(camera_T_mri, target);
+}
+
+double AlignmentResult::errorBound_mm(const Point<Mri>& target, double probability) const {
+  return uncertainty().errorBound_mm(camera_T_mri, target, probability);
 }
 
 }  // namespace facenav::registration

@@ -1,13 +1,14 @@
-#include "facenav/session/surface_distance_picture.h"
+#include "facenav/pictures/surface_distance_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-namespace facenav::session {
+#include "to_rgb.h"
+
+namespace facenav::pictures {
 namespace {
 
 using Eigen::Vector3d;
@@ -121,10 +122,7 @@ RgbImage drawSurfaceDistance(const surface::DetailedCortex& cortex, const surfac
     tiles[std::size_t(t)].copyTo(sheet(
         cv::Rect((t % 3) * width, (t / 3) * height, tiles[std::size_t(t)].cols, tiles[std::size_t(t)].rows)));
   drawLegend(sheet.rowRange(2 * height, sheet.rows), figures, full_mm, colour);
-  RgbImage picture(sheet.cols, sheet.rows);
-  for (int v = 0; v < sheet.rows; ++v)
-    std::memcpy(picture.pixel(0, v), sheet.ptr(v), std::size_t(sheet.cols) * 3);
-  return picture;
+  return toRgb(sheet);
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -1,4 +1,4 @@
-#include "facenav/session/face_measures_picture.h"
+#include "facenav/pictures/face_measures_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-namespace facenav::session {
+namespace facenav::pictures {
 namespace {
 
 using Eigen::Vector3d;
@@ -140,4 +140,4 @@ RgbImage drawFaceMeasures(const surface::ScalpSurface& scalp, const surface::Fac
   return picture;
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -7,10 +7,10 @@
 #include "facenav/registration/aligner.h"
 #include "facenav/stereo/face_cloud.h"
 
-namespace facenav::session {
+namespace facenav::pictures {
 
 /// `plain_left`: 8-bit, 1 channel, the capture's left image without dots. Full colour at `full_mm`.
 RgbImage drawSkinFit(const cv::Mat& plain_left, const stereo::FaceCloud& face,
                      const registration::AlignmentResult& alignment, double full_mm = 1.5);
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -1,10 +1,11 @@
-#include "facenav/session/camera_overlay.h"
+#include "facenav/pictures/camera_overlay.h"
 
 #include <cmath>
-#include <cstring>
 #include <opencv2/imgproc.hpp>
 
-namespace facenav::session {
+#include "to_rgb.h"
+
+namespace facenav::pictures {
 namespace {
 
 const cv::Scalar kBlue(84, 178, 255), kOrange(255, 160, 51), kGrey(175, 180, 188),
@@ -107,21 +108,14 @@ void drawCaption(View& view, const std::string& words, bool is_lost) {
               is_lost ? kOrange : kGrey, view.thickness(1), cv::LINE_AA);
 }
 
-std::string caption(const NavigationState& state, bool is_left) {
+std::string caption(const session::NavigationState& state, bool is_left) {
   std::string words = is_left ? "left camera" : "right camera";
-  for (const std::string& title : lossTitles(state)) words += "   " + title;
+  for (const std::string& title : session::lossTitles(state)) words += "   " + title;
   return words;
 }
 
-RgbImage toRgb(const cv::Mat& image) {
-  RgbImage out(image.cols, image.rows);
-  for (int v = 0; v < image.rows; ++v)
-    std::memcpy(out.pixel(0, v), image.ptr(v), std::size_t(image.cols) * 3);
-  return out;
-}
-
-RgbImage drawView(View view, const NavigationState& state, const std::optional<guidance::Target>& target,
-                  bool is_left) {
+RgbImage drawView(View view, const session::NavigationState& state,
+                  const std::optional<guidance::Target>& target, bool is_left) {
   if (state.head) {
     if (is_left && state.head->face_left) drawCorners(view, *state.head->face_left);
     drawFeatures(view, *state.head, is_left);
@@ -137,7 +131,7 @@ RgbImage drawView(View view, const NavigationState& state, const std::optional<g
 
 }  // namespace
 
-CameraOverlay drawOverlay(const stereo::StereoRig& rig, const NavigationState& state,
+CameraOverlay drawOverlay(const stereo::StereoRig& rig, const session::NavigationState& state,
                           const std::optional<guidance::Target>& target) {
   CameraOverlay overlay;
   if (!state.images) return overlay;
@@ -151,4 +145,4 @@ CameraOverlay drawOverlay(const stereo::StereoRig& rig, const NavigationState& s
   return overlay;
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -1,10 +1,10 @@
-#include "facenav/session/rig_check.h"
+#include "facenav/monitoring/rig_check.h"
 
 #include <algorithm>
 
 #include "facenav/stereo/patch_match.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 namespace {
 
 constexpr std::size_t kFirstFrames = 30;  // in which the session's start is judged
@@ -74,4 +74,4 @@ void RigCheck::add(const stereo::StereoFrame& frame, const Tracked<tracking::Hea
   if (frames_++ % (is_first ? kFirstInterval : kLaterInterval) == 0) verdict_ = monitor_.verdict();
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -1,4 +1,4 @@
-#include "facenav/session/drift_check.h"
+#include "facenav/monitoring/drift_check.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -9,7 +9,7 @@
 
 #include "facenav/core/error.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 namespace {
 
 constexpr int kCell_px = 4;         // of the map of the reference's skin
@@ -212,4 +212,4 @@ DriftFinding DriftCheck::measure(const stereo::StereoFrame& frame,
   return finding;
 }
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

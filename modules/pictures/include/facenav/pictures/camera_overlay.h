@@ -9,14 +9,14 @@
 #include "facenav/session/navigation_state.h"
 #include "facenav/stereo/stereo_rig.h"
 
-namespace facenav::session {
+namespace facenav::pictures {
 
 struct CameraOverlay {
   RgbImage left, right;  // of the camera's size; empty where the state has no images
 };
 
 /// `target` may be absent. A lost pose is not drawn; its absence is stated in words at the image's top.
-CameraOverlay drawOverlay(const stereo::StereoRig& rig, const NavigationState& state,
+CameraOverlay drawOverlay(const stereo::StereoRig& rig, const session::NavigationState& state,
                           const std::optional<guidance::Target>& target = std::nullopt);
 
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -3,12 +3,12 @@
 // their calibration are noticed at the session's start and during it, without a board: textured points of the
 // face, matched anew in both directions, and the coil's marker. Some tens of microseconds a frame.
 
-#include "facenav/session/pair_fault.h"
+#include "facenav/monitoring/pair_fault.h"
 #include "facenav/stereo/rig_monitor.h"
 #include "facenav/tracking/coil_tracker.h"
 #include "facenav/tracking/head_tracker.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 
 /// Points of a measured surface (Camera, mm, with their left pixels), matched anew in this pair: the check of
 /// a capture before it is aligned. At most `most` of them, spread over the surface.
@@ -37,4 +37,4 @@ class RigCheck {
   std::size_t frames_ = 0, next_feature_ = 0;
 };
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

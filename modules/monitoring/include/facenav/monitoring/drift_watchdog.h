@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "facenav/core/later_answer.h"
-#include "facenav/session/drift_check.h"
+#include "facenav/monitoring/drift_check.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 
 class DriftWatchdog {
  public:
@@ -53,4 +53,4 @@ class DriftWatchdog {
   DriftFinding finding_;
 };
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -16,7 +16,7 @@
 #include "facenav/stereo/stereo_rig.h"
 #include "facenav/tracking/head_tracker.h"
 
-namespace facenav::session {
+namespace facenav::monitoring {
 
 struct DriftFinding {
   enum class Verdict { agrees, drifted, unknown };  // unknown: too little of the face could be measured
@@ -71,4 +71,4 @@ class DriftCheck {
   Vector6d bias_ = Vector6d::Zero();  // the offset found in the reference pair itself
 };
 
-}  // namespace facenav::session
+}  // namespace facenav::monitoring

@@ -1,14 +1,16 @@
-#include "facenav/session/camera_overlay.h"
+#include "facenav/pictures/camera_overlay.h"
 
 #include <gtest/gtest.h>
 
-#include "session_fakes.h"
+#include "unit/session/session_fakes.h"
 
-namespace facenav::session {
+namespace facenav::pictures {
 namespace {
 
-NavigationState trackedState() {
-  auto navigator = Navigator(
+namespace fakes = session::fakes;
+
+session::NavigationState trackedState() {
+  auto navigator = session::Navigator(
       fakes::setup(), std::make_unique<fakes::Head>([](auto) { return RigidTransform<Camera, Head>(); }),
       std::make_unique<fakes::Coil>(
           RigidTransform<Camera, Marker>(Eigen::Quaterniond::Identity(), {0, 0, 500})));
@@ -31,7 +33,7 @@ TEST(CameraOverlay, OutlinesTheMarkerInBothImages) {
 }
 
 TEST(CameraOverlay, DrawsNothingOfALostPose) {
-  const auto overlay = drawOverlay(fakes::rig(), blanked(trackedState(), LostReason::stale));
+  const auto overlay = drawOverlay(fakes::rig(), session::blanked(trackedState(), LostReason::stale));
   EXPECT_EQ(colouredPixels(overlay.left, 20), 0);  // below the caption
   EXPECT_EQ(colouredPixels(overlay.right, 20), 0);
 }
@@ -39,4 +41,4 @@ TEST(CameraOverlay, DrawsNothingOfALostPose) {
 TEST(CameraOverlay, IsEmptyWithoutImages) { EXPECT_TRUE(drawOverlay(fakes::rig(), {}).left.empty()); }
 
 }  // namespace
-}  // namespace facenav::session
+}  // namespace facenav::pictures

@@ -1,0 +1,24 @@
+#pragma once
+// PoseUncertainty: by how much an alignment may be off, at any point of the patient: the pose's covariance
+// carried to that point. Data flow: AlignmentResult -> alignment.json -> guidance, whenever a target is made,
+// moved or renamed.
+
+#include "facenav/geometry/point.h"
+#include "facenav/geometry/rigid_transform.h"
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::registration {
+
+struct PoseUncertainty {
+  Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm), left increment in Camera at
+                                           // the origin of Mri's image
+  double freedom = 30.0;  // degrees of freedom of the t distribution that the pose's error has
+
+  /// Predicted standard error of `camera_T_mri` at a point of the patient, mm.
+  double predictedError_mm(const RigidTransform<Camera, Mri>& camera_T_mri, const Point<Mri>& target) const;
+  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm.
+  double errorBound_mm(const RigidTransform<Camera, Mri>& camera_T_mri, const Point<Mri>& target,
+                       double probability = 0.95) const;
+};
+
+}  // namespace facenav::registration

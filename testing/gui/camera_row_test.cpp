@@ -1,0 +1,96 @@
+#include "widgets/camera_row.h"
+
+#include <gtest/gtest.h>
+
+#include "facenav/session/session.h"
+
+namespace facenav::ui {
+namespace {
+
+session::NavigationState stateAt(double arrived_s, bool has_coil) {
+  session::NavigationState state;
+  state.arrived = {arrived_s};
+  state.head = {tracking::HeadPose{}, 0.9};
+  state.camera_T_mri = {RigidTransform<Camera, Mri>(), 0.9};
+  if (!has_coil) return state;
+  state.coil = {tracking::CoilPose{}, 0.9};
+  state.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
+  return state;
+}
+
+std::shared_ptr<const session::NavigationState> shared(const session::NavigationState& state) {
+  return std::make_shared<session::NavigationState>(state);
+}
+
+std::shared_ptr<const pictures::DrawnOverlay> redPictureOf(const session::NavigationState& state) {
+  auto drawn = std::make_shared<pictures::DrawnOverlay>();
+  for (RgbImage* image : {&drawn->overlay.left, &drawn->overlay.right}) {
+    *image = RgbImage(40, 30);
+    for (int v = 0; v < 30; ++v)
+      for (int u = 0; u < 40; ++u) image->pixel(u, v)[0] = 250;
+  }
+  drawn->state = shared(state);
+  return drawn;
+}
+
+/// In the middle of the left view and of the right one.
+bool isRed(CameraRow& row) {
+  const QImage image = row.grab().toImage();
+  const int middle = image.height() / 2;
+  return image.pixelColor(image.width() / 4, middle).red() > 200 &&
+         image.pixelColor(3 * image.width() / 4, middle).red() > 200;
+}
+
+class CameraRowTest : public ::testing::Test {
+ protected:
+  CameraRowTest() { row_.resize(600, 240); }
+  CameraRow row_;
+};
+
+TEST_F(CameraRowTest, ShowsAPictureOfTheNewestStateUntilItIsLost) {
+  const auto tracked = stateAt(10.0, true);
+  row_.follow(shared(tracked));
+  row_.showDrawn(redPictureOf(tracked));
+  EXPECT_TRUE(isRed(row_));
+  row_.follow(shared(stateAt(10.03, true)));  // its own picture is being drawn
+  EXPECT_TRUE(isRed(row_));
+  row_.follow(shared(stateAt(10.06, false)));
+  EXPECT_FALSE(isRed(row_)) << "the coil is lost, the picture shows it";
+  EXPECT_EQ(row_.shown(), nullptr);
+}
+
+TEST_F(CameraRowTest, APictureThatComesTooLateIsNotShown) {
+  row_.follow(shared(stateAt(10.06, false)));
+  row_.showDrawn(redPictureOf(stateAt(10.0, true)));  // of before the coil was lost
+  EXPECT_FALSE(isRed(row_));
+  row_.follow(shared(stateAt(12.0, true)));
+  row_.showDrawn(redPictureOf(stateAt(11.5, true)));  // half a second old
+  EXPECT_FALSE(isRed(row_));
+  row_.showDrawn(redPictureOf(stateAt(12.1, true)));  // of another run
+  EXPECT_FALSE(isRed(row_));
+  EXPECT_EQ(row_.shown(), nullptr);
+}
+
+TEST_F(CameraRowTest, NoPictureOfASessionComesBackIntoThePreview) {
+  const auto tracked = stateAt(10.0, true);
+  row_.follow(shared(tracked));
+  stereo::StereoFrame frame;
+  frame.left = frame.right = cv::Mat(30, 40, CV_8UC1, cv::Scalar(90));
+  row_.showPlain(frame);
+  row_.showDrawn(redPictureOf(tracked));
+  EXPECT_FALSE(isRed(row_));
+  row_.follow(shared(tracked));  // and no preview stays under a session
+  EXPECT_NE(row_.grab().toImage().pixelColor(150, 120).red(), 90);
+}
+
+TEST_F(CameraRowTest, SaysWhyNothingCouldBeDrawn) {
+  const auto tracked = stateAt(10.0, true);
+  pictures::DrawnOverlay failed{{}, shared(tracked), {}, "no memory"};
+  row_.follow(shared(tracked));
+  const QImage before = row_.grab().toImage();
+  row_.showDrawn(std::make_shared<pictures::DrawnOverlay>(failed));
+  EXPECT_NE(row_.grab().toImage(), before);
+}
+
+}  // namespace
+}  // namespace facenav::ui
