@@ -1,7 +1,6 @@
 #include <gdcmDataSet.h>
 #include <gdcmFile.h>
 #include <gdcmWriter.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <limits>
 
 #include "facenav/core/error.h"
+#include "facenav/core/whole_folder.h"
 #include "facenav/dicom/series.h"
 
 namespace facenav::dicom {
@@ -174,38 +174,6 @@ class SliceWriter {
   bool is_signed_ = false;
 };
 
-/// A folder that appears whole under its name, or not at all.
-class WholeFolder {
- public:
-  explicit WholeFolder(const fs::path& folder)
-      : folder_(folder.has_filename() ? folder : folder.parent_path()) {
-    const fs::path parent = folder_.has_parent_path() ? folder_.parent_path() : fs::path(".");
-    temporary_ = parent / (".tmp" + std::to_string(::getpid()) + "_" + folder_.filename().string());
-    std::error_code error;
-    if (fs::exists(folder_, error) && !(fs::is_directory(folder_, error) && fs::is_empty(folder_, error)))
-      throw Error("exists and is not an empty folder", folder_.string(), "choose another name");
-    fs::create_directories(temporary_, error);
-    if (error)
-      throw Error("cannot be created (" + error.message() + ")", folder_.string(), "choose another place");
-  }
-  ~WholeFolder() {
-    std::error_code ignored;
-    fs::remove_all(temporary_, ignored);
-  }
-  WholeFolder(const WholeFolder&) = delete;
-  WholeFolder& operator=(const WholeFolder&) = delete;
-  const fs::path& temporaryPath() const { return temporary_; }
-  void commit() {
-    std::error_code error;
-    fs::rename(temporary_, folder_, error);  // replaces an empty folder
-    if (error)
-      throw Error("cannot be written (" + error.message() + ")", folder_.string(), "choose another place");
-  }
-
- private:
-  fs::path folder_, temporary_;
-};
-
 }  // namespace
 
 void writeSeries(const volume::Volume& volume, const fs::path& folder, const SeriesTags& tags) {
@@ -214,6 +182,11 @@ void writeSeries(const volume::Volume& volume, const fs::path& folder, const Ser
   if (volume.grid.size[0] > 65535 || volume.grid.size[1] > 65535)
     throw Error("the volume is too large for DICOM");
   const SliceWriter writer(volume, tags);
+  std::error_code error;
+  const fs::path named = fs::absolute(folder / ".").lexically_normal().parent_path();  // "out/" is "out"
+  fs::create_directories(named.parent_path(), error);
+  if (error)
+    throw Error("cannot be created (" + error.message() + ")", folder.string(), "choose another place");
   WholeFolder whole(folder);
   for (int k = 0; k < volume.grid.size[2]; ++k) {
     char name[32];
