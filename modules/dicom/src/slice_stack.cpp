@@ -5,6 +5,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::dicom {
 namespace {
 
@@ -130,9 +132,7 @@ class Stacker {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < slices_.size(); ++i)
       gaps.push_back(slices_[i].along_mm - slices_[i - 1].along_mm);
-    std::vector<double> sorted = gaps;
-    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-    const double usual_mm = sorted[sorted.size() / 2];
+    const double usual_mm = upperMedian(gaps);
     if (usual_mm > 50)
       return StackFault{"slices lie " + millimetres(usual_mm) + " apart", fileOf(slices_[1]), ""};
     for (std::size_t i = 0; i < gaps.size(); ++i) {

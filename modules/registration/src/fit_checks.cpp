@@ -9,6 +9,7 @@
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "part_fits.h"
 #include "skin_likelihood.h"
 #include "skin_patches.h"
@@ -91,7 +92,7 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
   const double all = std::max<double>(1.0, double(skin.size()));
   out.close_fraction = double(close_mm.size()) / all;
   out.bare_share = double(bare.size()) / all;
-  out.bare_mm = median(bare);
+  out.bare_mm = upperMedian(bare);
   out.extent_mm = facialExtent_mm(close_mm);
   if (core.empty()) return out;
   std::sort(core.begin(), core.end());

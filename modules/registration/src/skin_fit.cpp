@@ -6,6 +6,7 @@
 #include <map>
 
 #include "face_regions.h"
+#include "facenav/core/robust_statistics.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
@@ -32,7 +33,7 @@ std::vector<RegionFit> fitByRegion(const ScalpField& scalp, const PointCloud<Cam
   for (const auto& [region, points] : found) {
     const int all = int(points.first.size());
     if (all >= kLeastPoints)
-      fits.push_back({region, median(points.first), double(points.second) / double(all), all});
+      fits.push_back({region, upperMedian(points.first), double(points.second) / double(all), all});
   }
   std::sort(fits.begin(), fits.end(), [](const RegionFit& a, const RegionFit& b) {
     return std::abs(a.offset_mm) > std::abs(b.offset_mm);
