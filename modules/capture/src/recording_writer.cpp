@@ -1,8 +1,8 @@
-#include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 
 #include "facenav/capture/recording.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/core/whole_folder.h"
 #include "recording_frames.h"
@@ -11,11 +11,7 @@ namespace facenav::capture {
 namespace fs = std::filesystem;
 namespace {
 
-std::string numbered(std::int64_t number) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%06lld.png", static_cast<long long>(number));
-  return name;
-}
+std::string numbered(std::int64_t number) { return formatted("%06lld.png", static_cast<long long>(number)); }
 
 void writeImage(const cv::Mat& image, const fs::path& path) {
   bool is_written = false;
@@ -30,10 +26,8 @@ std::string poseLine(std::int64_t frame, const Eigen::Isometry3d& pose) {
   const auto t = RigidTransform<Camera, Mri>::fromIsometry(pose);
   const Eigen::Vector3d p = t.translation_mm();
   const Eigen::Quaterniond q = t.quaternion();
-  char line[256];
-  std::snprintf(line, sizeof line, "%lld,%.9g,%.9g,%.9g,%.12g,%.12g,%.12g,%.12g\n",
-                static_cast<long long>(frame), p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
-  return line;
+  return formatted("%lld,%.9g,%.9g,%.9g,%.12g,%.12g,%.12g,%.12g\n", static_cast<long long>(frame), p.x(),
+                   p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
 }
 
 const fs::path& withParent(const fs::path& place) {
@@ -80,9 +74,7 @@ void RecordingWriter::add(const stereo::StereoFrame& frame) {
                  "frame numbers and times must rise");
   writeImage(frame.left, self.path() / "left" / numbered(frame.number));
   writeImage(frame.right, self.path() / "right" / numbered(frame.number));
-  char line[64];
-  std::snprintf(line, sizeof line, "%lld,%.9f\n", static_cast<long long>(frame.number), frame.captured.s);
-  self.timestamps += line;
+  self.timestamps += formatted("%lld,%.9f\n", static_cast<long long>(frame.number), frame.captured.s);
   self.last_number = frame.number;
   self.last_s = frame.captured.s;
 }

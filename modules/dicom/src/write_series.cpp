@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_folder.h"
 #include "facenav/dicom/series.h"
 
@@ -41,13 +41,11 @@ class Hash {
 
 /// A decimal string of at most 16 characters (PS3.5 6.2), as precise as that allows.
 std::string decimal(double value) {
-  char buffer[48];
   if (std::abs(value) < 1e-12) value = 0;
-  for (int digits = 15; digits > 0; --digits) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-    if (std::strlen(buffer) <= 16) break;
-  }
-  return buffer;
+  std::string text;
+  for (int digits = 15; digits > 0; --digits)
+    if (text = formatted("%.*g", digits, value); text.size() <= 16) break;
+  return text;
 }
 
 std::string decimals(std::initializer_list<double> values) {
@@ -189,9 +187,7 @@ void writeSeries(const volume::Volume& volume, const fs::path& folder, const Ser
     throw Error("cannot be created (" + error.message() + ")", folder.string(), "choose another place");
   WholeFolder whole(folder);
   for (int k = 0; k < volume.grid.size[2]; ++k) {
-    char name[32];
-    std::snprintf(name, sizeof name, "IM%04d.dcm", k + 1);
-    writer.write(k, whole.temporaryPath() / name);
+    writer.write(k, whole.temporaryPath() / formatted("IM%04d.dcm", k + 1));
   }
   whole.commit();
 }

@@ -1,8 +1,9 @@
 #include "incoming.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
+
+#include "facenav/core/number_text.h"
 
 namespace facenav::pacs {
 namespace fs = std::filesystem;
@@ -16,9 +17,7 @@ int IncomingFolder::commit() {
   std::sort(files.begin(), files.end());
   int count = 0;
   for (const auto& file : files) {
-    char name[24];
-    std::snprintf(name, sizeof name, "%06d.dcm", ++count);
-    fs::rename(file, path() / name);
+    fs::rename(file, path() / formatted("%06d.dcm", ++count));
   }
   folder_.commit();
   return count;

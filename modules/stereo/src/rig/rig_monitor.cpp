@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
 #include "rig_motion.h"
 
@@ -287,13 +287,10 @@ RigVerdict RigMonitor::verdict() const {
 
 std::string RigVerdict::words() const {
   if (!hasMoved()) return {};
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
+  return formatted(
       "the cameras have moved since their calibration (%.2f px across the epipolar lines, points off by "
       "%.1f mm): calibrate again",
       epipolar_px, displaced_mm);
-  return text;
 }
 
 }  // namespace facenav::stereo
