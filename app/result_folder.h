@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "facenav/core/whole_folder.h"
+
 namespace facenav::app {
 
 class ResultFolder {
@@ -13,17 +15,13 @@ class ResultFolder {
   /// `mark`: a file that an earlier result holds. Throws Error where `final` holds something else; `what`
   /// names the result ("a demo").
   ResultFolder(const std::filesystem::path& final, const std::string& mark, const std::string& what);
-  ~ResultFolder();
-  ResultFolder(const ResultFolder&) = delete;
-  ResultFolder& operator=(const ResultFolder&) = delete;
 
   /// Where to write until finish().
-  const std::filesystem::path& path() const { return temporary_; }
-  void finish();
+  const std::filesystem::path& path() const { return folder_.temporaryPath(); }
+  void finish() { folder_.commit(); }
 
  private:
-  std::filesystem::path final_, temporary_;
-  bool is_done_ = false;
+  WholeFolder folder_;
 };
 
 }  // namespace facenav::app

@@ -1,10 +1,6 @@
 #include "virtual_display.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -14,18 +10,15 @@
 namespace facenav::app {
 namespace {
 
-/// Child: Xvfb on a display number of its own choosing, which it writes to `number_pipe`. Does not return.
-[[noreturn]] void becomeXvfb(int number_pipe) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // no orphan, however the parent ends
-  ::setpgid(0, 0);                     // Ctrl-C is the parent's to handle
-  const int null = ::open("/dev/null", O_RDWR);
-  ::dup2(null, STDIN_FILENO);
-  ::dup2(null, STDOUT_FILENO);
-  ::dup2(null, STDERR_FILENO);
-  const std::string descriptor = std::to_string(number_pipe);
-  ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1920x1200x24", "-noreset",
-           "-nolisten", "tcp", nullptr);
-  ::_exit(127);
+/// Xvfb on a display number of its own choosing, which it writes to `number_pipe`.
+ChildProcess startXvfb(int number_pipe) {
+  ChildOptions options;
+  options.output = ChildOptions::Output::nowhere;
+  options.ends_with_parent = true;  // no orphan, however the parent ends
+  options.ignores_terminal = true;
+  return ChildProcess::start({"Xvfb", "-displayfd", std::to_string(number_pipe), "-screen", "0",
+                              "1920x1200x24", "-noreset", "-nolisten", "tcp"},
+                             options);
 }
 
 std::string readDisplayNumber(int pipe) {
@@ -45,28 +38,25 @@ std::string readDisplayNumber(int pipe) {
 VirtualDisplay::VirtualDisplay() {
   int ends[2];
   if (::pipe(ends) != 0) throw Error("no pipe for the virtual display");
-  process_ = ::fork();
-  if (process_ == 0) {
-    ::close(ends[0]);
-    becomeXvfb(ends[1]);
+  std::string number;
+  try {
+    xvfb_ = std::make_unique<ChildProcess>(startXvfb(ends[1]));
+  } catch (const Error&) {  // told below
   }
   ::close(ends[1]);
-  const std::string number = process_ > 0 ? readDisplayNumber(ends[0]) : std::string();
+  if (xvfb_) number = readDisplayNumber(ends[0]);
   ::close(ends[0]);
-  if (number.empty()) {
-    if (process_ > 0) {
-      ::kill(process_, SIGTERM);
-      ::waitpid(process_, nullptr, 0);
-    }
-    throw Error("no display, and no virtual one could be started", "Xvfb", "install the Debian package xvfb");
+  if (!number.empty()) {
+    ::setenv("DISPLAY", (":" + number).c_str(), 1);
+    return;
   }
-  ::setenv("DISPLAY", (":" + number).c_str(), 1);
+  if (xvfb_) xvfb_->end();
+  throw Error("no display, and no virtual one could be started", "Xvfb", "install the Debian package xvfb");
 }
 
 VirtualDisplay::~VirtualDisplay() {
   ::unsetenv("DISPLAY");
-  ::kill(process_, SIGTERM);
-  ::waitpid(process_, nullptr, 0);
+  xvfb_->end();
 }
 
 }  // namespace facenav::app

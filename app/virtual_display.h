@@ -2,7 +2,9 @@
 // VTK on this platform renders through GLX and needs an X display. VirtualDisplay gives a program without one
 // a private Xvfb for as long as the object lives.
 
-#include <string>
+#include <memory>
+
+#include "facenav/core/child_process.h"
 
 namespace facenav::app {
 
@@ -15,7 +17,7 @@ class VirtualDisplay {
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
  private:
-  int process_ = -1;
+  std::unique_ptr<ChildProcess> xvfb_;
 };
 
 }  // namespace facenav::app

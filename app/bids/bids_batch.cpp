@@ -1,19 +1,14 @@
 #include "bids/bids_batch.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/child_process.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
-
-extern char** environ;
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -25,23 +20,16 @@ fs::path folderOf(const BidsImage& image, const fs::path& output) {
   return folder;
 }
 
-/// Exit status of `facenav prepare`, its messages in `log`; -1 where it could not be started or was killed.
+/// Exit status of `facenav prepare`, its messages in `log`; -1 where it was killed.
 int runPrepare(const fs::path& facenav, const fs::path& t1, const fs::path& case_folder,
                const fs::path& log) {
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&files, 1, 2);
-  std::string words[] = {facenav.string(), "prepare", t1.string(), "-o", case_folder.string(), "--quiet"};
-  std::vector<char*> arguments;
-  for (auto& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int fault = ::posix_spawn(&child, facenav.c_str(), &files, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  int status = 0;
-  if (fault != 0 || ::waitpid(child, &status, 0) != child) return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  ChildOptions options;
+  options.output = ChildOptions::Output::file;
+  options.output_file = log;
+  return ChildProcess::start(
+             {facenav.string(), "prepare", t1.string(), "-o", case_folder.string(), "--quiet"}, options)
+      .wait()
+      .exit_status;
 }
 
 std::string lastLine(const fs::path& log) {

@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/dicom/patient.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
@@ -15,11 +16,7 @@
 namespace facenav::app {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string number(double value) { return formatted("%.3g", value); }
 
 std::string joined(const std::vector<std::string>& parts, const char* between) {
   std::string text;

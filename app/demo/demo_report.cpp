@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/evaluation/svg_plot.h"
 #include "facenav/geometry/rotation.h"
@@ -13,13 +13,6 @@ namespace {
 
 // Figures of the 2010 paper, section 7.2.
 constexpr double kPaperResidual_mm = 6.0, kPaperRotation_deg = 1.1, kPaperTranslation_mm = 5.0;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 /// Mean over frames and axes of the absolute error, as the paper states it ("around each axis", "along each
 /// axis").
@@ -42,19 +35,19 @@ evaluation::ReportTable comparison(const DemoFigures& f) {
   return {"This run and the paper",
           {"quantity", "this run", "the paper (2010)"},
           {{"surface residual at alignment, maximum over the points used",
-            text("%.2f mm", f.alignment.max_mm), text("%.1f mm", kPaperResidual_mm)},
-           {"rotation error, mean around each axis (protractor)", text("%.3f°", mean.rotation_deg),
-            text("%.1f°", kPaperRotation_deg)},
+            formatted("%.2f mm", f.alignment.max_mm), formatted("%.1f mm", kPaperResidual_mm)},
+           {"rotation error, mean around each axis (protractor)", formatted("%.3f°", mean.rotation_deg),
+            formatted("%.1f°", kPaperRotation_deg)},
            {"translation error, mean along each axis at the cortical target (protractor)",
-            text("%.3f mm", mean.translation_mm), text("%.1f mm", kPaperTranslation_mm)}}};
+            formatted("%.3f mm", mean.translation_mm), formatted("%.1f mm", kPaperTranslation_mm)}}};
 }
 
 evaluation::ReportTable details(const DemoFigures& f) {
   const auto row = [](const char* name, const evaluation::TrackingEvaluation& t) -> std::vector<std::string> {
-    return {name, text("%d of %d", t.tracked, t.frames),
-            text("%.3f / %.3f / %.3f", t.at_point_mm.rms, t.at_point_mm.p95, t.at_point_mm.max),
-            text("%.3f / %.3f / %.3f", t.rotation_deg.rms, t.rotation_deg.p95, t.rotation_deg.max),
-            text("%d", t.wrong_as_tracked)};
+    return {name, formatted("%d of %d", t.tracked, t.frames),
+            formatted("%.3f / %.3f / %.3f", t.at_point_mm.rms, t.at_point_mm.p95, t.at_point_mm.max),
+            formatted("%.3f / %.3f / %.3f", t.rotation_deg.rms, t.rotation_deg.p95, t.rotation_deg.max),
+            formatted("%d", t.wrong_as_tracked)};
   };
   return {"Tracking against the room's truth",
           {"sequence", "frames tracked", "error rms / p95 / max (mm)", "rotation rms / p95 / max (°)",
@@ -66,25 +59,25 @@ evaluation::ReportTable details(const DemoFigures& f) {
 evaluation::ReportTable alignmentTable(const DemoFigures& f) {
   return {"Initial alignment",
           {"quantity", "value"},
-          {{"face points used",
-            text("%d (%.0f %% of those offered)", f.alignment.points, 100 * f.alignment.inlier_fraction)},
-           {"residual rms / max", text("%.2f / %.2f mm", f.alignment.rms_mm, f.alignment.max_mm)},
+          {{"face points used", formatted("%d (%.0f %% of those offered)", f.alignment.points,
+                                          100 * f.alignment.inlier_fraction)},
+           {"residual rms / max", formatted("%.2f / %.2f mm", f.alignment.rms_mm, f.alignment.max_mm)},
            {"true error at the cortical target",
-            text("%.2f mm, %.2f°", f.alignment_at_target_mm, f.alignment_rotation_deg)},
+            formatted("%.2f mm, %.2f°", f.alignment_at_target_mm, f.alignment_rotation_deg)},
            {"predicted standard error at the target",
             f.alignment.predicted_tre_mm.empty()
                 ? "-"
-                : text("%.2f mm", f.alignment.predicted_tre_mm.begin()->second)}}};
+                : formatted("%.2f mm", f.alignment.predicted_tre_mm.begin()->second)}}};
 }
 
 evaluation::ReportTable outcome(const DemoFigures& f) {
-  return {
-      "Navigation",
-      {"quantity", "value"},
-      {{"frames shown as on target", text("%d", f.frames_on_target)},
-       {"true distance of coil and target at the end", text("%.2f mm", f.final_distance_mm)},
-       {"coil centre in the head, error rms / p95 / max",
-        text("%.2f / %.2f / %.2f mm", f.coil_on_head_mm.rms, f.coil_on_head_mm.p95, f.coil_on_head_mm.max)}}};
+  return {"Navigation",
+          {"quantity", "value"},
+          {{"frames shown as on target", formatted("%d", f.frames_on_target)},
+           {"true distance of coil and target at the end", formatted("%.2f mm", f.final_distance_mm)},
+           {"coil centre in the head, error rms / p95 / max",
+            formatted("%.2f / %.2f / %.2f mm", f.coil_on_head_mm.rms, f.coil_on_head_mm.p95,
+                      f.coil_on_head_mm.max)}}};
 }
 
 }  // namespace
@@ -117,8 +110,9 @@ void writeDemoReport(const DemoFigures& figures, const std::vector<evaluation::R
       {"Result", "", {comparison(figures), alignmentTable(figures), details(figures), outcome(figures)}, {}});
   sections.push_back({"Pictures", "", {}, pictures});
   evaluation::ReportTable times{"", {"step", "time"}, {}};
-  for (const auto& [step, seconds] : figures.step_s) times.rows.push_back({step, text("%.1f s", seconds)});
-  times.rows.push_back({"all", text("%.1f s", figures.total_s)});
+  for (const auto& [step, seconds] : figures.step_s)
+    times.rows.push_back({step, formatted("%.1f s", seconds)});
+  times.rows.push_back({"all", formatted("%.1f s", figures.total_s)});
   sections.push_back({"Time", "", {times}, {}});
   sections.push_back({"What this is",
                       "The patient and the room are virtual: a real T1 MRI with its face, rendered as two "
@@ -138,15 +132,16 @@ void writeDemoReport(const DemoFigures& figures, const std::vector<evaluation::R
 std::string summary(const DemoFigures& f) {
   const PerAxis mean = perAxis(f.protractor);
   std::string out;
-  out += text("  alignment      residual max %.2f mm (paper 6.0), error at the target %.2f mm, %.2f deg\n",
-              f.alignment.max_mm, f.alignment_at_target_mm, f.alignment_rotation_deg);
-  out += text("  protractor     %.3f deg (paper 1.1), %.3f mm (paper 5.0), %d of %d frames tracked\n",
-              mean.rotation_deg, mean.translation_mm, f.protractor.tracked, f.protractor.frames);
   out +=
-      text("  treatment      head p95 %.2f mm, coil p95 %.2f mm, wrong poses shown as tracked: %d\n",
-           f.head.at_point_mm.p95, f.coil.at_point_mm.p95, f.head.wrong_as_tracked + f.coil.wrong_as_tracked);
-  out += text("  coil on target %d frames, true distance at the end %.2f mm\n", f.frames_on_target,
-              f.final_distance_mm);
+      formatted("  alignment      residual max %.2f mm (paper 6.0), error at the target %.2f mm, %.2f deg\n",
+                f.alignment.max_mm, f.alignment_at_target_mm, f.alignment_rotation_deg);
+  out += formatted("  protractor     %.3f deg (paper 1.1), %.3f mm (paper 5.0), %d of %d frames tracked\n",
+                   mean.rotation_deg, mean.translation_mm, f.protractor.tracked, f.protractor.frames);
+  out += formatted("  treatment      head p95 %.2f mm, coil p95 %.2f mm, wrong poses shown as tracked: %d\n",
+                   f.head.at_point_mm.p95, f.coil.at_point_mm.p95,
+                   f.head.wrong_as_tracked + f.coil.wrong_as_tracked);
+  out += formatted("  coil on target %d frames, true distance at the end %.2f mm\n", f.frames_on_target,
+                   f.final_distance_mm);
   return out;
 }
 

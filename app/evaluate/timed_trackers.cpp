@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <opencv2/core/utility.hpp>
 
+#include "facenav/core/parallel_for.h"
 #include "facenav/core/processor_time.h"
 
 namespace facenav::app {
 namespace {
 
-/// Notes what a scope cost, and keeps OpenCV to one thread in it.
+/// Notes what a scope cost, and keeps it to one thread, OpenCV's loops too.
 class OneThreadClock {
  public:
   explicit OneThreadClock(LastCall& last) : last_(last), threads_(cv::getNumThreads()) {
@@ -24,6 +25,7 @@ class OneThreadClock {
 
  private:
   LastCall& last_;
+  const OneCoreOnly one_core_;
   int threads_;
   double start_ms_ = 0.0;
 };

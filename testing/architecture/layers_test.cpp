@@ -107,6 +107,30 @@ TEST(Layers, NoGdcmNorPclInAPublicHeader) {
   }
 }
 
+TEST(Layers, DicomFilesAreReadByGdcmAndTheNetworkIsDcmtk) {
+  static const std::regex kGdcm("^gdcm"), kDcmtk("^dcmtk/");
+  for (const auto& [module, ignored] : kMayUse)
+    for (const auto& file : sourcesUnder(kModules / module))
+      for (const auto& include : includesOf(file)) {
+        if (std::regex_search(include, kGdcm)) EXPECT_EQ(module, "dicom") << file << ": " << include;
+        if (std::regex_search(include, kDcmtk)) EXPECT_EQ(module, "pacs") << file << ": " << include;
+      }
+}
+
+TEST(Layers, OnlyCoreStartsProcessesAndSharesOutLoops) {
+  // core/child_process.h and core/parallel_for.h keep rules (no orphan, priority) that others would not.
+  static const std::regex kOthers(R"(\b(cv::parallel_for_|fork\(\)|posix_spawn|popen\()|#\s*pragma omp)");
+  for (const auto& [module, ignored] : kMayUse) {
+    if (module == "core") continue;
+    for (const auto& file : sourcesUnder(kModules / module)) {
+      std::ifstream stream(file);
+      int number = 0;
+      for (std::string line; std::getline(stream, line);)
+        EXPECT_FALSE((++number, std::regex_search(line, kOthers))) << file << ":" << number << ": " << line;
+    }
+  }
+}
+
 TEST(Layers, OpenCvInPublicHeadersOfImageModulesOnly) {
   const std::set<std::string> allowed{"stereo",  "capture",  "tracking",  "room",
                                       "session", "pictures", "evaluation"};

@@ -20,6 +20,7 @@
 #include <random>
 #include <vector>
 
+#include "facenav/core/parallel_for.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
@@ -284,6 +285,7 @@ void printLost(const stereo::StereoRig& rig, int count) {
 
 int main(int argc, char** argv) {
   cv::setNumThreads(1);
+  const OneCoreOnly one_core;
   const int count = argc > 1 ? std::atoi(argv[1]) : 60;
   scene::SceneOptions usual, soft, dim;
   soft.gamma = 0.45;

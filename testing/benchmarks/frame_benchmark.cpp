@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "facenav/core/parallel_for.h"
 #include "facenav/volume/nifti.h"
 #include "support/room_film.h"
 #include "support/stopwatch.h"
@@ -142,11 +143,13 @@ int main() {
              features = tracking::makeFeatureHeadTracker(detector);
   const auto marker = tracking::makeMarkerCoilTracker();
   cv::setNumThreads(1);
+  auto one_core = std::make_unique<OneCoreOnly>();
   const Pass head = headPass(film, *model, processorTime_ms),
              seven = headPass(film, *features, processorTime_ms),
              coil = coilPass(film, *marker, processorTime_ms),
              both = bothPass(film, *model, *marker, processorTime_ms);
   cv::setNumThreads(-1);
+  one_core.reset();
   const Pass head_all = headPass(film, *model, support::wall_ms),
              seven_all = headPass(film, *features, support::wall_ms),
              coil_all = coilPass(film, *marker, support::wall_ms),
@@ -163,6 +166,7 @@ int main() {
       "p99 | max |\n|---|---|---|---|---|\n",
       kFrames);
   cv::setNumThreads(1);
+  const OneCoreOnly one_core;
   stateRow("treatment, the coil comes", both);
   stateRow("treatment, both lost every 9 frames", bothPass(film, *model, *marker, processorTime_ms, 9));
   const std::pair<const char*, const char*> others[] = {{"lost", "face away, gone, cameras at fault"},

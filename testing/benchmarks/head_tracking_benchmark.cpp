@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "facenav/core/parallel_for.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rigid_fit.h"
@@ -210,6 +211,7 @@ void findLost(const support::SyntheticFace& face, const stereo::StereoRig& rig,
 
 int main() {
   cv::setNumThreads(1);
+  const OneCoreOnly one_core;
   if (!std::filesystem::exists(support::SyntheticFace::portraitPath())) {
     std::printf("left out: no portrait (python3-skimage)\n");
     return 0;

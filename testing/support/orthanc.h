@@ -4,16 +4,16 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
-#include <signal.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <thread>
 
+#include "facenav/core/child_process.h"
 #include "facenav/core/error.h"
 #include "facenav/pacs/pacs.h"
 #include "support/test_data.h"
@@ -54,23 +54,13 @@ class Orthanc {
         << "\", \"IndexDirectory\": \"" << (folder_.path() / "storage").string()
         << "\", \"ConcurrentJobs\": 1, \"Plugins\": [], \"DicomModalities\": {\"us\": [\"FACENAV\", "
         << "\"127.0.0.1\", " << node_.own_port << "]}}";
-    process_ = ::fork();
-    if (process_ == 0) {
-      const auto log = (folder_.path() / "log").string();
-      if (!std::freopen(log.c_str(), "w", stdout) || !std::freopen(log.c_str(), "w", stderr)) ::_exit(1);
-      ::execl(orthancProgram().c_str(), "Orthanc", config.c_str(), nullptr);
-      ::_exit(1);
-    }
+    ChildOptions options;
+    options.output = ChildOptions::Output::file;
+    options.output_file = folder_.path() / "log";
+    process_ =
+        std::make_unique<ChildProcess>(ChildProcess::start({orthancProgram(), config.string()}, options));
   }
-  ~Orthanc() {
-    ::kill(process_, SIGTERM);
-    for (int i = 0; i < 100; ++i) {
-      if (::waitpid(process_, nullptr, WNOHANG) == process_) return;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-  }
+  ~Orthanc() { process_->end(); }
 
   const pacs::PacsNode& node() const { return node_; }
   /// Waits until it answers `node`.
@@ -87,7 +77,7 @@ class Orthanc {
  private:
   TemporaryFolder folder_;
   pacs::PacsNode node_;
-  pid_t process_ = -1;
+  std::unique_ptr<ChildProcess> process_;
 };
 
 }  // namespace facenav::testing

@@ -1,5 +1,5 @@
 #pragma once
-// Time for the benchmarks. One core: processor time with OpenCV's threads off, which other programs on the
+// Time for the benchmarks. One core: processor time with other threads off, which other programs on the
 // machine do not lengthen. All cores: wall clock. Both take the fastest of several runs; distributions are
 // for frame loops.
 
@@ -10,6 +10,7 @@
 #include <opencv2/core/utility.hpp>
 #include <vector>
 
+#include "facenav/core/parallel_for.h"
 #include "facenav/core/processor_time.h"
 
 namespace facenav::testing {
@@ -21,6 +22,7 @@ inline double wall_ms() {
 
 /// Fastest of `runs`, processor time, one thread.
 inline double oneCore_ms(const std::function<void()>& work, int runs = 7) {
+  const OneCoreOnly one_core;
   const int threads = cv::getNumThreads();
   cv::setNumThreads(1);
   double best_ms = 1e12;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csv_table.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "grey_image.h"
@@ -21,16 +20,16 @@ struct StampedFrame {
 };
 
 std::vector<StampedFrame> readTimestamps(const fs::path& csv) {
-  const NumericTable table = readColumns(csv, {"frame", "t_s"});
+  const CsvTable table(csv, kTypedByHand);
+  const std::size_t frame = table.column("frame"), time = table.column("t_s");
   std::vector<StampedFrame> stamps;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const double number = table.rows[i][0], t_s = table.rows[i][1];
-    if (number != std::floor(number) || std::abs(number) > 1e15)
-      throw Error("frame is no whole number", atLine(csv, table.lines[i]));
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double number = table.number(i, frame), t_s = table.number(i, time);
+    if (number != std::floor(number) || std::abs(number) > 1e15) table.refuse(i, "frame is no whole number");
     if (!stamps.empty() && !(t_s > stamps.back().t_s))
-      throw Error("time does not rise", atLine(csv, table.lines[i]), "t_s must grow from line to line");
+      table.refuse(i, "time does not rise", "t_s must grow from line to line");
     if (!stamps.empty() && !(std::int64_t(number) > stamps.back().number))
-      throw Error("frame number does not rise", atLine(csv, table.lines[i]));
+      table.refuse(i, "frame number does not rise");
     stamps.push_back({std::int64_t(number), t_s});
   }
   return stamps;

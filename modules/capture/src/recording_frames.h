@@ -6,9 +6,13 @@
 #include <vector>
 
 #include "facenav/capture/recording.h"
+#include "facenav/core/csv_table.h"
 #include "frame_pairs.h"
 
 namespace facenav::capture {
+
+/// Other tools and people write timestamps.csv and truth files.
+constexpr CsvRules kTypedByHand{true, true};
 
 struct RecordingFrames {
   std::unique_ptr<FramePairs> pairs;  // null: the folder holds neither image folders nor videos

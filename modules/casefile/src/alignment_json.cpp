@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
-#include "private_files.h"
 
 namespace facenav::casefile {
 namespace {
@@ -80,7 +80,8 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
     json["face_scale_sigma"] = alignment.face_scale_sigma;
   }
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
-  writePrivateFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
+                 FileAccess::owner_only);
 }
 
 StoredAlignment readAlignment(const std::filesystem::path& path) {

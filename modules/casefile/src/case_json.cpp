@@ -5,7 +5,7 @@
 #include <random>
 
 #include "facenav/core/json_reader.h"
-#include "private_files.h"
+#include "facenav/core/whole_file.h"
 
 namespace facenav::casefile {
 namespace {
@@ -119,7 +119,8 @@ void writeCaseJson(const CaseJson& content, const std::filesystem::path& path) {
   if (content.brain_quality) json["brain_quality"] = toJson(*content.brain_quality);
   json["provenance"] = Json::array();
   for (const Provenance& step : content.provenance) json["provenance"].push_back(toJson(step));
-  writePrivateFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+                 FileAccess::owner_only);
 }
 
 std::string makeCaseId() {

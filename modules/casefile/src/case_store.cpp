@@ -8,8 +8,9 @@
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/core/error.h"
+#include "facenav/core/whole_folder.h"
 #include "facenav/volume/nifti.h"
-#include "private_files.h"
+#include "utc_now.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
@@ -153,7 +154,7 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
     requireReplaceable(place, replace);
     if (!discard_edits) requireNoEditsIn(place);
     requireTargetsStay(place, prepared.mri);
-    const TemporarySibling fresh(place);
+    WholeFolder fresh(place, FileAccess::owner_only, Existing::replace);
     CaseJson content;
     const auto old = isCase(place) ? std::optional(readCaseJson(place / "case.json")) : std::nullopt;
     content.case_id = old ? old->case_id : makeCaseId();
@@ -161,14 +162,13 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
     content.created_utc = utcNow();
     content.modality = prepared.mri.modality;
     content.orientation_source = prepared.mri.orientation_source;
-    content.files = writeContent(prepared, fresh.path());
+    content.files = writeContent(prepared, fresh.temporaryPath());
     content.findings = prepared.findings;
     content.brain_quality = prepared.brain_quality;
     content.provenance = provenance;
-    writeCaseJson(content, fresh.path() / "case.json");
-    if (isCase(place)) keepFromOld(place, fresh.path());
-    makePrivateAndDurable(fresh.path());
-    replaceFolder(fresh.path(), place);
+    writeCaseJson(content, fresh.temporaryPath() / "case.json");
+    if (isCase(place)) keepFromOld(place, fresh.temporaryPath());
+    fresh.commit();
   } catch (const fs::filesystem_error& fault) {
     throw Error("cannot be written (" + fault.code().message() + ")", place.string(),
                 "check disk space and permissions");
@@ -239,8 +239,7 @@ guidance::TreatmentPlan CaseStore::targets() const {
 }
 
 void CaseStore::setTargets(const guidance::TreatmentPlan& plan) const {
-  guidance::writeTargets(plan, folder_ / "targets.json");
-  fs::permissions(folder_ / "targets.json", fs::perms::owner_read | fs::perms::owner_write);
+  guidance::writeTargets(plan, folder_ / "targets.json", FileAccess::owner_only);
 }
 
 std::optional<StoredAlignment> CaseStore::alignment() const {

@@ -11,17 +11,11 @@ namespace {
 constexpr char kInForce[] = "brain_mask.nii.gz", kAutomatic[] = "brain_mask_auto.nii.gz",
                kDraft[] = "brain_mask_draft.nii.gz";
 
-void makePrivate(const fs::path& path) {
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
-}
-
 /// Whole: a copy that breaks off leaves no file under the name.
 void keepAutomatic(const CaseStore& store) {
   if (hasEditedBrainMask(store)) return;
-  WholeFile copy(store.folder() / kAutomatic);
-  fs::copy_file(store.folder() / kInForce, copy.temporaryPath(), fs::copy_options::overwrite_existing);
-  makePrivate(copy.temporaryPath());
-  copy.commit();
+  writeWholeFile(store.folder() / kAutomatic, readWholeFile(store.folder() / kInForce),
+                 FileAccess::owner_only);
 }
 
 }  // namespace
@@ -49,8 +43,7 @@ void saveEditedBrainMask(const CaseStore& store, const volume::Mask& mask) {
     throw Error("the corrected mask lies on another grid than the scan", store.folder().string(),
                 "correct this case's own mask");
   keepAutomatic(store);
-  volume::writeMask(mask, store.folder() / kInForce);
-  makePrivate(store.folder() / kInForce);
+  volume::writeMask(mask, store.folder() / kInForce, FileAccess::owner_only);
 }
 
 void revertToAutomaticBrainMask(const CaseStore& store) {
@@ -61,9 +54,7 @@ void revertToAutomaticBrainMask(const CaseStore& store) {
 void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
                     const surface::DetailedCortex* cortex) {
   const fs::path vtp = store.folder() / "brain.vtp", texture = store.folder() / "brain_texture.png";
-  surface::writeBrain(brain, vtp, texture);
-  makePrivate(vtp);
-  makePrivate(texture);
+  surface::writeBrain(brain, vtp, texture, FileAccess::owner_only);
   std::error_code absent;  // it shows the mask of before
   fs::remove(store.folder() / "surface_distance.png", absent);
   const fs::path folded = store.folder() / "cortex.vtp";
@@ -71,8 +62,7 @@ void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
     fs::remove(folded);
     return;
   }
-  surface::writeCortex(*cortex, folded);
-  makePrivate(folded);
+  surface::writeCortex(*cortex, folded, FileAccess::owner_only);
 }
 
 std::optional<volume::Mask> brainDraft(const CaseStore& store) {
@@ -81,8 +71,7 @@ std::optional<volume::Mask> brainDraft(const CaseStore& store) {
 }
 
 void saveBrainDraft(const CaseStore& store, const volume::Mask& mask) {
-  volume::writeMask(mask, store.folder() / kDraft);
-  makePrivate(store.folder() / kDraft);
+  volume::writeMask(mask, store.folder() / kDraft, FileAccess::owner_only);
 }
 
 void removeBrainDraft(const CaseStore& store) {

@@ -1,8 +1,8 @@
 #include "facenav/casefile/exporter.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/core/whole_folder.h"
 #include "facenav/surface/cortex_surface.h"
-#include "private_files.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
@@ -21,10 +21,6 @@ fs::path placeFor(const fs::path& folder, const std::string& name, bool replace)
   if (fs::exists(path) && !replace)
     throw Error("exists already", path.string(), "choose another folder, or --replace");
   return path;
-}
-
-void keepPrivate(const fs::path& path) {
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
 }
 
 class MeshExporter : public Exporter {
@@ -50,8 +46,7 @@ class MeshExporter : public Exporter {
 
  private:
   void writeOne(const surface::TriangleMesh& mesh, const fs::path& path) const {
-    surface::writeMesh(mesh, format_, path);
-    keepPrivate(path);
+    surface::writeMesh(mesh, format_, path, FileAccess::owner_only);
   }
 
   surface::MeshFormat format_;
@@ -67,11 +62,7 @@ class NiftiExporter : public Exporter {
       if (fs::exists(store.folder() / name)) places.push_back(placeFor(folder, name, replace));
     for (const auto& place : places) {
       monitor.report("exporting " + place.filename().string(), 0.0);
-      WholeFile file(place);
-      fs::copy_file(store.folder() / place.filename(), file.temporaryPath(),
-                    fs::copy_options::overwrite_existing);
-      file.commit();
-      keepPrivate(place);
+      writeWholeFile(place, readWholeFile(store.folder() / place.filename()), FileAccess::owner_only);
     }
     return places;
   }

@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "facenav/core/whole_file.h"
+#include "facenav/core/whole_folder.h"
 #include "facenav/geometry/json_transform.h"
 #include "facenav/stereo/rig_file.h"
-#include "private_files.h"
+#include "utc_now.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
@@ -18,7 +20,7 @@ fs::path folderIn(const fs::path& case_folder) { return case_folder / "face_look
 void writePicture(const cv::Mat& picture, const fs::path& path) {
   std::vector<unsigned char> bytes;
   if (!cv::imencode(".png", picture, bytes)) throw Error("a picture could not be written", path.string());
-  writePrivateFile(path, std::string(bytes.begin(), bytes.end()));
+  writeWholeFile(path, std::string(bytes.begin(), bytes.end()), FileAccess::owner_only);
 }
 
 cv::Mat readPicture(const fs::path& path, const stereo::StereoRig& rig) {
@@ -74,14 +76,14 @@ void addFaceLooks(const fs::path& case_folder, std::vector<KeptLook> looks) {
   std::vector<KeptLook> all = readFaceLooks(case_folder);
   all.insert(all.end(), looks.begin(), looks.end());
   if (all.size() > kMostLooks) all.erase(all.begin(), all.end() - std::ptrdiff_t(kMostLooks));
-  const TemporarySibling fresh(folderIn(case_folder));
+  WholeFolder fresh(folderIn(case_folder), FileAccess::owner_only, Existing::replace);
   nlohmann::ordered_json json;
   json["version"] = kVersion;
   json["looks"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < all.size(); ++i) json["looks"].push_back(written(all[i], fresh.path(), i));
-  writePrivateFile(fresh.path() / "looks.json", json.dump(1) + "\n");
-  makePrivateAndDurable(fresh.path());
-  replaceFolder(fresh.path(), folderIn(case_folder));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    json["looks"].push_back(written(all[i], fresh.temporaryPath(), i));
+  writeWholeFile(fresh.temporaryPath() / "looks.json", json.dump(1) + "\n", FileAccess::owner_only);
+  fresh.commit();
 }
 
 }  // namespace facenav::casefile

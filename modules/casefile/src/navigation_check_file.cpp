@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/core/json_reader.h"
-#include "private_files.h"
+#include "facenav/core/whole_file.h"
 
 namespace facenav::casefile {
 namespace {
@@ -79,7 +79,8 @@ void writeNavigationCheck(const surface::NavigationCheck& check, const std::file
                        {"up", triple(check.landmarks.up.v)}};
   json["measures"] = Json::array();
   for (const auto& m : check.measures) json["measures"].push_back(toJson(m));
-  writePrivateFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+                 FileAccess::owner_only);
 }
 
 surface::NavigationCheck readNavigationCheck(const std::filesystem::path& path) {

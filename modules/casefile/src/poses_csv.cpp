@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "csv_table.h"
+#include "facenav/core/csv_table.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 
 namespace facenav::casefile {

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/core/error.h"
-#include "private_files.h"
+#include "facenav/core/whole_folder.h"
+#include "utc_now.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;

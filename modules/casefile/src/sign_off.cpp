@@ -6,7 +6,8 @@
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
-#include "private_files.h"
+#include "facenav/core/whole_file.h"
+#include "utc_now.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
@@ -48,7 +49,8 @@ void write(const SignOff& sign_off, const fs::path& path) {
   if (sign_off.brain_ml) json["brain_ml"] = *sign_off.brain_ml;
   json["findings_acknowledged"] = sign_off.findings_acknowledged;
   json["seen_sha256"] = sign_off.seen_sha256;
-  writePrivateFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
+                 FileAccess::owner_only);
 }
 
 CaseState stateOf(const CaseStore& store, const SignOffStatus& status) {

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
-#include "private_files.h"
+#include "facenav/core/whole_file.h"
 
 namespace facenav::casefile {
 
@@ -45,7 +45,7 @@ void writeSkinFit(const registration::AlignmentResult& alignment, const PointClo
   writer->WriteToOutputStringOn();
   writer->SetDataModeToBinary();
   if (writer->Write() != 1) throw Error("the map of the skin's fit could not be written", path.string());
-  writePrivateFile(path, writer->GetOutputString());
+  writeWholeFile(path, writer->GetOutputString(), FileAccess::owner_only);
 }
 
 }  // namespace facenav::casefile

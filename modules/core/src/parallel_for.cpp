@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace facenav {
 inline namespace core {
 
 namespace {
+
+std::atomic<int> one_core_only{0};
 
 /// Its nice value is above the process' own: a shared thread would do its work at everybody's priority.
 bool isBackgroundThread() {
@@ -29,7 +32,10 @@ void runOnOwnThreads(std::size_t workers, const std::function<void(std::size_t)>
 
 }  // namespace
 
-std::size_t coreCount() { return std::max(1u, std::thread::hardware_concurrency()); }
+std::size_t coreCount() { return one_core_only > 0 ? 1 : std::max(1u, std::thread::hardware_concurrency()); }
+
+OneCoreOnly::OneCoreOnly() { ++one_core_only; }
+OneCoreOnly::~OneCoreOnly() { --one_core_only; }
 
 void runOnWorkers(std::size_t workers, const std::function<void(std::size_t)>& run) {
   if (workers == 0) return;

@@ -1,14 +1,14 @@
 #include "facenav/core/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
+#include "durable.h"
 #include "facenav/core/error.h"
 
 namespace facenav {
@@ -16,27 +16,17 @@ inline namespace core {
 namespace fs = std::filesystem;
 namespace {
 
-void syncToDisk(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY);
-  if (descriptor < 0 || ::fsync(descriptor) != 0) {
-    const std::string reason = std::strerror(errno);
-    if (descriptor >= 0) ::close(descriptor);
-    throw Error("cannot be written (" + reason + ")", path.string(), "check free disk space and permissions");
-  }
+void makeEmptyPrivate(const fs::path& temporary, const fs::path& path) {
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) refuseWriting(path);
   ::close(descriptor);
 }
 
 }  // namespace
 
-WholeFile::WholeFile(fs::path path) : path_(std::move(path)) {
-  static std::atomic<int> counter{0};
-  const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) throw Error("folder does not exist", folder.string(), "create it first");
-  if (::access(folder.c_str(), W_OK) != 0)
-    throw Error("folder is not writable", folder.string(), "choose another");
-  const std::string name = path_.filename().string();
-  // The temporary name keeps everything after the first dot, since writers choose the format by extension.
-  temporary_ = folder / (".tmp" + std::to_string(::getpid()) + "_" + std::to_string(counter++) + "_" + name);
+WholeFile::WholeFile(fs::path path, FileAccess access)
+    : path_(std::move(path)), temporary_(temporaryBeside(path_)), access_(access) {
+  if (access_ == FileAccess::owner_only) makeEmptyPrivate(temporary_, path_);
 }
 
 WholeFile::~WholeFile() {
@@ -46,24 +36,33 @@ WholeFile::~WholeFile() {
 }
 
 void WholeFile::commit() {
-  if (!fs::exists(temporary_)) throw Error("could not be written", path_.string(), "check free disk space");
-  syncToDisk(temporary_);
+  const bool is_written =
+      fs::exists(temporary_) && (access_ == FileAccess::by_umask || !fs::is_empty(temporary_));
+  if (!is_written) throw Error("could not be written", path_.string(), "check free disk space");
+  publish();
+}
+
+void WholeFile::publish() {
+  // A writer may have put another file under the name.
+  if (access_ == FileAccess::owner_only && ::chmod(temporary_.c_str(), 0600) != 0) refuseWriting(path_);
+  syncFile(temporary_);
   std::error_code error;
   fs::rename(temporary_, path_, error);
   if (error)
     throw Error("cannot be written (" + error.message() + ")", path_.string(), "choose another place");
   is_committed_ = true;
+  syncNamesIn(parentOf(path_));
 }
 
-void writeWholeFile(const fs::path& path, const std::string& content) {
-  WholeFile file(path);
+void writeWholeFile(const fs::path& path, const std::string& content, FileAccess access) {
+  WholeFile file(path, access);
   {
     std::ofstream stream(file.temporaryPath(), std::ios::binary);
     stream << content;
     stream.flush();
     if (!stream) throw Error("cannot be written", path.string(), "check free disk space and permissions");
   }
-  file.commit();
+  file.publish();
 }
 
 std::string readWholeFile(const fs::path& path) {

@@ -1,9 +1,9 @@
 #include "facenav/dicom/import_volume.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/dicom/patient.h"
 #include "patient_identity.h"
 #include "series_scan.h"
@@ -23,12 +23,9 @@ bool isNiftiName(const fs::path& path) {
 }
 
 std::string gridInWords(const volume::VoxelGrid& grid) {
-  std::ostringstream text;
-  text.precision(3);
   const Eigen::Vector3d spacing_mm = grid.spacing_mm();
-  text << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2] << " voxels of " << spacing_mm[0]
-       << " x " << spacing_mm[1] << " x " << spacing_mm[2] << " mm";
-  return text.str();
+  return formatted("%d x %d x %d voxels of %.3g x %.3g x %.3g mm", grid.size[0], grid.size[1], grid.size[2],
+                   spacing_mm[0], spacing_mm[1], spacing_mm[2]);
 }
 
 ImportedVolume importNifti(const fs::path& path, volume::NiftiTransform transform) {
@@ -88,7 +85,8 @@ const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& 
 /// A single slice stands for the series of its folder.
 std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor) {
   auto alone = scanFiles({file}, file.string(), monitor);
-  if (alone[0].is_loadable || alone[0].problem != "holds a single slice" || alone[0].series_uid.empty())
+  if (alone[0].is_loadable || alone[0].problem_kind != SeriesProblem::single_slice ||
+      alone[0].series_uid.empty())
     return alone;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   auto around = scanFiles(filesUnder(folder, false), folder.string(), monitor);

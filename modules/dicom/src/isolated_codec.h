@@ -7,6 +7,8 @@
 #include <functional>
 #include <string>
 
+#include "facenav/core/child_process.h"
+
 namespace facenav::dicom {
 
 /// Memory that a child writes and its parent reads; zero at first. Throws std::bad_alloc.
@@ -24,21 +26,9 @@ class SharedMemory {
   void* memory_;
 };
 
-/// `work` running in a forked child whose output goes nowhere, for at most `time_limit_s` (of wall clock).
-/// What it leaves behind is what it wrote to SharedMemory. Throws Error where no process can be started.
-class ChildProcess {
- public:
-  explicit ChildProcess(const std::function<void()>& work, unsigned time_limit_s = 8);
-  /// Ends the child where nobody has waited for it.
-  ~ChildProcess();
-  ChildProcess(const ChildProcess&) = delete;
-  ChildProcess& operator=(const ChildProcess&) = delete;
-  /// Waits, once. False when the work threw, crashed or took too long.
-  bool wait();
-
- private:
-  int process_ = -1;
-};
+/// `work` running in a child whose output goes nowhere, for at most `time_limit_s` (of wall clock). What it
+/// leaves behind is what it wrote to SharedMemory. Throws Error where no process can be started.
+ChildProcess runCodec(const std::function<void()>& work, unsigned time_limit_s = 8);
 
 /// What `decode` returns, computed in such a child. Empty when the child failed or gave more than
 /// `most_bytes`.

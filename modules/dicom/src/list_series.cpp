@@ -72,6 +72,7 @@ void applyDamage(std::vector<SeriesInfo>& series, const std::vector<DamagedFile>
       });
       if (!(is_known ? carries(info) : lies_beside) || !info.is_loadable) continue;
       info.is_loadable = info.is_fit_for_navigation = false;
+      info.problem_kind = SeriesProblem::damaged;
       info.problem = "a file beside it is damaged: " + damage.problem;
       info.problem_file = damage.file;
     }
@@ -82,6 +83,7 @@ SeriesInfo damagedEntry(const DamagedFile& damage) {
   SeriesInfo info;
   info.description = damage.file.filename().string();
   info.files = {damage.file};
+  info.problem_kind = SeriesProblem::damaged;
   info.problem = damage.problem;
   info.problem_file = damage.file;
   return info;

@@ -118,7 +118,7 @@ class Loader {
         : slices(std::move(wanted)),
           image_bytes(loader.imageSize() * sizeof(float)),
           images(slices.size() * image_bytes),
-          child([this, &loader] {
+          child(runCodec([this, &loader] {
             for (auto begin = slices.begin(); begin != slices.end();) {
               const std::size_t file = loader.fileOf(*begin);
               const auto end =
@@ -127,7 +127,7 @@ class Loader {
                             [this](int k) { return place(k); });
               begin = end;
             }
-          }) {}
+          })) {}
     float* place(int k) const {
       const auto at = std::find(slices.begin(), slices.end(), k) - slices.begin();
       return reinterpret_cast<float*>(images.begin() + std::size_t(at) * image_bytes);
@@ -163,7 +163,7 @@ class Loader {
   }
 
   void finish(Batch& batch, volume::Volume& volume) {
-    if (batch.child.wait()) {
+    if (batch.child.wait().isDone()) {
       for (const int k : batch.slices) std::copy_n(batch.place(k), imageSize(), sliceOf(volume, k));
       return;
     }

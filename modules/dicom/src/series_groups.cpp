@@ -96,6 +96,7 @@ class Grouper {
       std::ostringstream part;
       if (tells_echo) part << "echo " << echo(first) << " ms, ";
       if (tells_kind) part << kindInWords(kind(first)) << ", ";
+      groups[g].is_magnitude_part = tells_kind && isMagnitude(kind(first));
       if (tells_stack) part << "stack " << stack(first) << ", ";
       std::string words = part.str();
       if (words.empty()) words = "part " + std::to_string(g + 1) + ", ";
@@ -103,16 +104,26 @@ class Grouper {
     }
   }
 
+  /// Whether one of the values of Image Type is `word`.
+  static bool has(const std::string& kind, const char* word) {
+    return ("\\" + kind + "\\").find(std::string("\\") + word + "\\") != std::string::npos;
+  }
+  static bool isPhase(const std::string& kind) {
+    return has(kind, "P") || has(kind, "PHASE") || has(kind, "PHASE MAP");
+  }
+  static bool isReal(const std::string& kind) { return has(kind, "R") || has(kind, "REAL"); }
+  static bool isImaginary(const std::string& kind) { return has(kind, "I") || has(kind, "IMAGINARY"); }
+  static bool isMagnitude(const std::string& kind) {
+    return !isPhase(kind) && !isReal(kind) && !isImaginary(kind) &&
+           (has(kind, "M") || has(kind, "MAGNITUDE"));
+  }
+
   static std::string kindInWords(const std::string& kind) {
-    const std::string padded = "\\" + kind + "\\";
-    const auto has = [&](const char* word) {
-      return padded.find(std::string("\\") + word + "\\") != std::string::npos;
-    };
-    if (has("P") || has("PHASE") || has("PHASE MAP")) return "phase";
-    if (has("R") || has("REAL")) return "real part";
-    if (has("I") || has("IMAGINARY")) return "imaginary part";
-    if (has("M") || has("MAGNITUDE")) return has("DERIVED") ? "derived magnitude" : "magnitude";
-    if (has("LOCALIZER")) return "localizer";
+    if (isPhase(kind)) return "phase";
+    if (isReal(kind)) return "real part";
+    if (isImaginary(kind)) return "imaginary part";
+    if (isMagnitude(kind)) return has(kind, "DERIVED") ? "derived magnitude" : "magnitude";
+    if (has(kind, "LOCALIZER")) return "localizer";
     std::string words = kind.empty() ? "no image type" : kind;
     std::replace(words.begin(), words.end(), '\\', '/');
     return words;

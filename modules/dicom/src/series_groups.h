@@ -10,8 +10,9 @@ namespace facenav::dicom {
 
 struct SeriesGroup {
   std::vector<ImageRef> images;
-  std::string part;           // what tells it from the other groups of its UID; empty for the only one
-  bool is_scattered = false;  // single images in different directions: a localizer, projections
+  std::string part;                // what tells it from the other groups of its UID; empty for the only one
+  bool is_magnitude_part = false;  // `part` says so
+  bool is_scattered = false;       // single images in different directions: a localizer, projections
 };
 
 /// Groups of one UID are neighbours in the result; a UID that two patients share (copied or badly

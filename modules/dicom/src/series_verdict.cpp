@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "duplicates.h"
+#include "facenav/core/number_text.h"
 #include "pixel_decoder.h"
 
 namespace facenav::dicom {
@@ -48,22 +48,30 @@ std::string objectProblem(const SliceHeader& header) {
   return {};
 }
 
-std::string imageProblem(const SliceHeader& header) {
-  std::string problem = objectProblem(header);
-  if (problem.empty()) problem = voxelProblem(header);
-  if (problem.empty() && header.modality != "MR" && header.modality != "CT")
-    problem = header.modality.empty() ? "modality unknown"
-                                      : "modality " + header.modality + " is neither MR nor CT";
-  if (problem.empty() && header.is_mosaic) problem = "mosaic: many slices tiled into one image";
-  if (problem.empty() && header.image_type.find("LOCALIZER") != std::string::npos) problem = "localizer";
-  if (problem.empty() && header.voxels.frames > 1 && header.images.size() < 2)
-    problem = "multi-frame image without a position for each frame";
-  return problem;
+struct Problem {
+  SeriesProblem kind = SeriesProblem::none;
+  std::string words;
+};
+
+Problem imageProblem(const SliceHeader& header) {
+  if (const auto words = objectProblem(header); !words.empty()) return {SeriesProblem::no_volume, words};
+  if (const auto words = voxelProblem(header); !words.empty()) return {SeriesProblem::unreadable, words};
+  if (header.modality.empty()) return {SeriesProblem::no_volume, "modality unknown"};
+  if (header.modality != "MR" && header.modality != "CT")
+    return {SeriesProblem::no_volume, "modality " + header.modality + " is neither MR nor CT"};
+  if (header.is_mosaic) return {SeriesProblem::no_volume, "mosaic: many slices tiled into one image"};
+  if (header.image_type.find("LOCALIZER") != std::string::npos)
+    return {SeriesProblem::no_volume, "localizer"};
+  if (header.voxels.frames > 1 && header.images.size() < 2)
+    return {SeriesProblem::geometry, "multi-frame image without a position for each frame"};
+  if (header.layout.is_truncated) return {SeriesProblem::damaged, "pixel data is cut off"};
+  return {};
 }
 
-void setProblem(SeriesInfo& info, const std::string& problem, const std::filesystem::path& file) {
-  if (problem.empty() || !info.problem.empty()) return;
-  info.problem = problem;
+void setProblem(SeriesInfo& info, const Problem& problem, const std::filesystem::path& file) {
+  if (problem.kind == SeriesProblem::none || info.problem_kind != SeriesProblem::none) return;
+  info.problem_kind = problem.kind;
+  info.problem = problem.words;
   info.problem_file = file;
 }
 
@@ -99,14 +107,15 @@ void collectFiles(SeriesInfo& info, const std::vector<SliceHeader>& headers,
 
 /// The fault, or "localizer" where images in several directions or a single one are called so by their
 /// description.
-std::string stackProblem(const StackFault& fault, const SeriesInfo& info, const SeriesGroup& group) {
+Problem stackProblem(const StackFault& fault, const SeriesInfo& info, const SeriesGroup& group) {
   const std::string words = lower(info.description);
   for (const char* word : {"localizer", "localiser", "scout", "survey", "pilot", "loc"})
     if (group.images.size() < 40 && words.find(word) != std::string::npos &&
         (group.is_scattered || group.images.size() == 1))
-      return "localizer";
-  if (group.is_scattered) return "images in many directions (projections or a localizer), no volume";
-  return fault.what;
+      return {SeriesProblem::no_volume, "localizer"};
+  if (group.is_scattered)
+    return {SeriesProblem::no_volume, "images in many directions (projections or a localizer), no volume"};
+  return {fault.kind, fault.what};
 }
 
 /// Drops duplicates, names what else lies at one place.
@@ -119,10 +128,14 @@ void settleCoincident(SeriesInfo& info, const std::vector<SliceHeader>& headers,
     const auto& b = headers[std::size_t(other.header)].file;
     if (images % stack.order.size() == 0)
       setProblem(info,
-                 "holds " + std::to_string(images / stack.order.size()) + " volumes of the same place (4-D)",
+                 {SeriesProblem::several_volumes, "holds " + std::to_string(images / stack.order.size()) +
+                                                      " volumes of the same place (4-D)"},
                  b);
     else
-      setProblem(info, "two different images lie at the same place (" + a.filename().string() + ")", b);
+      setProblem(info,
+                 {SeriesProblem::geometry,
+                  "two different images lie at the same place (" + a.filename().string() + ")"},
+                 b);
     return;
   }
   const std::size_t dropped = stack.coincident.size();
@@ -132,14 +145,13 @@ void settleCoincident(SeriesInfo& info, const std::vector<SliceHeader>& headers,
 
 void describeFitness(SeriesInfo& info) {
   std::vector<std::string> against;
-  std::ostringstream coarse;
-  coarse.precision(3);
-  coarse << "voxels up to " << info.spacing_mm.maxCoeff() << " mm (1.2 mm or finer is needed)";
   if (info.modality == "CT") against.push_back("CT: no brain model, the scalp only");
   if (info.modality == "MR" && info.contrast != "T1")
     against.push_back(info.contrast.empty() ? "T1 weighting not certain"
                                             : info.contrast + "-weighted, not T1");
-  if (info.spacing_mm.maxCoeff() > kFinestVoxel_mm) against.push_back(coarse.str());
+  if (info.spacing_mm.maxCoeff() > kFinestVoxel_mm)
+    against.push_back(
+        formatted("voxels up to %.3g mm (1.2 mm or finer is needed)", info.spacing_mm.maxCoeff()));
   if (info.extent_mm.x() < 120 || info.extent_mm.y() < 150 || info.extent_mm.z() < 150)
     against.push_back("does not cover the whole head");
   info.is_fit_for_navigation = against.empty();
@@ -152,7 +164,8 @@ void addNotes(SeriesInfo& info, const SliceHeader& header) {
   for (const char* lossy : {".4.50", ".4.51", ".4.81", ".4.91"})
     if (syntax == std::string("1.2.840.10008.1.2") + lossy)
       info.notes.push_back("compressed, possibly with loss");
-  if (!header.contrast_agent.empty()) info.notes.push_back("with contrast agent");
+  info.has_contrast_agent = !header.contrast_agent.empty();
+  if (info.has_contrast_agent) info.notes.push_back("with contrast agent");
 }
 
 }  // namespace
@@ -191,6 +204,7 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   info.modality = first.modality;
   info.date = first.date;
   info.part = group.part;
+  info.is_magnitude_part = group.is_magnitude_part;
   info.contrast = contrastOf(first, place.echo_time_ms);
   info.series_number = first.series_number;
   info.rows = first.voxels.rows;
@@ -200,7 +214,6 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   for (const ImageRef image : group.images) {
     const SliceHeader& header = headers[std::size_t(image.header)];
     setProblem(info, imageProblem(header), header.file);
-    if (header.layout.is_truncated) setProblem(info, "pixel data is cut off", header.file);
     if (!info.problem.empty()) break;
   }
   std::vector<ImageRef> used = group.images;
@@ -214,7 +227,7 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
     if (!stack.note.empty()) info.notes.push_back(stack.note);
     if (!stack.fault) describeGeometry(info, stack.grid);
     if (double(info.rows) * info.columns * double(used.size()) > kMostVoxels)
-      setProblem(info, "too large", first.file);
+      setProblem(info, {SeriesProblem::too_large, "too large"}, first.file);
     if (info.problem.empty()) info.slices = int(used.size());
   }
   if (!info.problem.empty()) used = group.images;
@@ -239,9 +252,8 @@ double navigationScore(const SeriesInfo& info) {
   if (info.contrast == "T1") score += 40;
   if (info.is_fit_for_navigation) score += 40;
   if (info.extent_mm.z() >= 200) score += 10;  // chin and neck: the whole face
-  for (const auto& note : info.notes)
-    if (note == "with contrast agent") score -= 15;
-  if (!info.part.empty() && info.part.find("magnitude") == std::string::npos) score -= 25;
+  if (info.has_contrast_agent) score -= 15;
+  if (!info.part.empty() && !info.is_magnitude_part) score -= 25;
   return score;
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
+
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::dicom {
 namespace {
@@ -18,12 +20,7 @@ constexpr double kLargestDrift = 0.1;     // of the spacing: a slice off its pla
 
 using Axes = Eigen::Matrix<double, 3, 2>;
 
-std::string millimetres(double value) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value << " mm";
-  return text.str();
-}
+std::string millimetres(double value) { return formatted("%.4g mm", value); }
 
 /// The fault of a single image's place, if any.
 std::optional<StackFault> placeFault(const ImagePlace& place, const std::filesystem::path& file) {
@@ -76,8 +73,8 @@ class Stacker {
     dropCoincident(result);
     for (const Placed& slice : slices_) result.order.push_back(slice.image);
     if (slices_.size() < 2)
-      result.fault =
-          StackFault{"holds a single slice", fileOf(slices_[0]), "choose a series with many slices"};
+      result.fault = StackFault{"holds a single slice", fileOf(slices_[0]),
+                                "choose a series with many slices", SeriesProblem::single_slice};
     if (!result.fault) result.fault = spacingFault();
     if (!result.fault) result.fault = lineFault();
     if (!result.fault) {
@@ -92,7 +89,8 @@ class Stacker {
   std::string nameOf(const Placed& slice) const { return fileOf(slice).filename().string(); }
 
   std::optional<StackFault> checkEach() {
-    if (slices_.empty()) return StackFault{"holds no image", {}, "choose another series"};
+    if (slices_.empty())
+      return StackFault{"holds no image", {}, "choose another series", SeriesProblem::no_volume};
     const SliceHeader& first_header = headers_[slices_[0].image.header];
     const ImagePlace& first = placeOf(headers_, slices_[0].image);
     for (Placed& slice : slices_) {
@@ -130,9 +128,7 @@ class Stacker {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < slices_.size(); ++i)
       gaps.push_back(slices_[i].along_mm - slices_[i - 1].along_mm);
-    std::vector<double> sorted = gaps;
-    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-    const double usual_mm = sorted[sorted.size() / 2];
+    const double usual_mm = upperMedian(gaps);
     if (usual_mm > 50)
       return StackFault{"slices lie " + millimetres(usual_mm) + " apart", fileOf(slices_[1]), ""};
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -140,15 +136,14 @@ class Stacker {
       const double missing = gaps[i] / usual_mm - 1;
       const bool is_missing = missing > 0.5 && std::abs(missing - std::round(missing)) < 0.1;
       const std::string between = nameOf(slices_[i]) + " and " + nameOf(slices_[i + 1]);
-      std::ostringstream what;
-      if (is_missing)
-        what << std::lround(missing) << (missing < 1.5 ? " slice is" : " slices are") << " missing between "
-             << between;
-      else
-        what << "unequal slice spacing: " << millimetres(gaps[i]) << " between " << between << ", "
-             << millimetres(usual_mm) << " elsewhere";
-      return StackFault{what.str(), fileOf(slices_[i + 1]),
-                        is_missing ? "copy the whole series again" : "choose another series"};
+      const std::string what = is_missing ? formatted("%ld %s missing between ", std::lround(missing),
+                                                      missing < 1.5 ? "slice is" : "slices are") +
+                                                between
+                                          : "unequal slice spacing: " + millimetres(gaps[i]) + " between " +
+                                                between + ", " + millimetres(usual_mm) + " elsewhere";
+      return StackFault{what, fileOf(slices_[i + 1]),
+                        is_missing ? "copy the whole series again" : "choose another series",
+                        is_missing ? SeriesProblem::damaged : SeriesProblem::geometry};
     }
     return std::nullopt;
   }
@@ -159,10 +154,8 @@ class Stacker {
     step_mm_ = (last.position_mm - first.position_mm) / double(slices_.size() - 1);
     const double shear_rad = std::atan2(step_mm_.cross(normal_).norm(), step_mm_.dot(normal_));
     if (shear_rad > kLargestShear_rad) {
-      std::ostringstream what;
-      what.precision(3);
-      what << "slices are sheared by " << shear_rad * 180 / M_PI << " degrees (gantry tilt)";
-      return StackFault{what.str(), fileOf(first), "resample the series or scan without tilt"};
+      return StackFault{formatted("slices are sheared by %.3g degrees (gantry tilt)", shear_rad * 180 / M_PI),
+                        fileOf(first), "resample the series or scan without tilt"};
     }
     for (std::size_t i = 0; i < slices_.size(); ++i) {
       const Eigen::Vector3d off_mm = slices_[i].position_mm - first.position_mm - double(i) * step_mm_;

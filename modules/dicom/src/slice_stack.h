@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "facenav/dicom/series.h"
 #include "facenav/volume/voxel_grid.h"
 #include "slice_header.h"
 
@@ -22,6 +23,7 @@ struct StackFault {
   std::string what;
   std::filesystem::path file;
   std::string remedy;
+  SeriesProblem kind = SeriesProblem::geometry;
 };
 
 struct SliceStack {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "pixel_decoder.h"
 #include "series_scan.h"
 
@@ -33,9 +34,7 @@ MiddleImage readMiddleImage(const SeriesInfo& series) {
 }
 
 float quantile(std::vector<float> values, double fraction) {
-  const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return selectRank(values, std::size_t(fraction * double(values.size() - 1)));
 }
 
 /// Mean over the voxels that the pixel covers, at least one.

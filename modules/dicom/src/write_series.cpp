@@ -1,15 +1,15 @@
 #include <gdcmDataSet.h>
 #include <gdcmFile.h>
 #include <gdcmWriter.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/whole_folder.h"
 #include "facenav/dicom/series.h"
 
 namespace facenav::dicom {
@@ -41,13 +41,11 @@ class Hash {
 
 /// A decimal string of at most 16 characters (PS3.5 6.2), as precise as that allows.
 std::string decimal(double value) {
-  char buffer[48];
   if (std::abs(value) < 1e-12) value = 0;
-  for (int digits = 15; digits > 0; --digits) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-    if (std::strlen(buffer) <= 16) break;
-  }
-  return buffer;
+  std::string text;
+  for (int digits = 15; digits > 0; --digits)
+    if (text = formatted("%.*g", digits, value); text.size() <= 16) break;
+  return text;
 }
 
 std::string decimals(std::initializer_list<double> values) {
@@ -174,38 +172,6 @@ class SliceWriter {
   bool is_signed_ = false;
 };
 
-/// A folder that appears whole under its name, or not at all.
-class WholeFolder {
- public:
-  explicit WholeFolder(const fs::path& folder)
-      : folder_(folder.has_filename() ? folder : folder.parent_path()) {
-    const fs::path parent = folder_.has_parent_path() ? folder_.parent_path() : fs::path(".");
-    temporary_ = parent / (".tmp" + std::to_string(::getpid()) + "_" + folder_.filename().string());
-    std::error_code error;
-    if (fs::exists(folder_, error) && !(fs::is_directory(folder_, error) && fs::is_empty(folder_, error)))
-      throw Error("exists and is not an empty folder", folder_.string(), "choose another name");
-    fs::create_directories(temporary_, error);
-    if (error)
-      throw Error("cannot be created (" + error.message() + ")", folder_.string(), "choose another place");
-  }
-  ~WholeFolder() {
-    std::error_code ignored;
-    fs::remove_all(temporary_, ignored);
-  }
-  WholeFolder(const WholeFolder&) = delete;
-  WholeFolder& operator=(const WholeFolder&) = delete;
-  const fs::path& temporaryPath() const { return temporary_; }
-  void commit() {
-    std::error_code error;
-    fs::rename(temporary_, folder_, error);  // replaces an empty folder
-    if (error)
-      throw Error("cannot be written (" + error.message() + ")", folder_.string(), "choose another place");
-  }
-
- private:
-  fs::path folder_, temporary_;
-};
-
 }  // namespace
 
 void writeSeries(const volume::Volume& volume, const fs::path& folder, const SeriesTags& tags) {
@@ -214,11 +180,14 @@ void writeSeries(const volume::Volume& volume, const fs::path& folder, const Ser
   if (volume.grid.size[0] > 65535 || volume.grid.size[1] > 65535)
     throw Error("the volume is too large for DICOM");
   const SliceWriter writer(volume, tags);
+  std::error_code error;
+  const fs::path named = fs::absolute(folder / ".").lexically_normal().parent_path();  // "out/" is "out"
+  fs::create_directories(named.parent_path(), error);
+  if (error)
+    throw Error("cannot be created (" + error.message() + ")", folder.string(), "choose another place");
   WholeFolder whole(folder);
   for (int k = 0; k < volume.grid.size[2]; ++k) {
-    char name[32];
-    std::snprintf(name, sizeof name, "IM%04d.dcm", k + 1);
-    writer.write(k, whole.temporaryPath() / name);
+    writer.write(k, whole.temporaryPath() / formatted("IM%04d.dcm", k + 1));
   }
   whole.commit();
 }

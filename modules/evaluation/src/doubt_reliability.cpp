@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "facenav/core/number_text.h"
 #include "facenav/evaluation/error_statistics.h"
 #include "facenav/volume/mask_morphology.h"
 
@@ -70,23 +70,18 @@ std::string reliabilityMarkdown(const std::vector<ReliabilityRow>& rows) {
       "| volume | method | error against | stated doubt (mm) | places (%) | mean error (mm) | 90 % below "
       "(mm) "
       "| > 2 mm off (%) |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  char line[320];
   for (const auto& row : rows) {
     const std::string head = "| " + row.volume + " | " + row.method + " | " + row.against + " | ";
     for (const auto& bin : row.bins) {
       if (!bin.places) continue;
-      char range[32];
-      if (bin.to_mm > 1e6)
-        std::snprintf(range, sizeof range, "> %g", bin.from_mm);
-      else
-        std::snprintf(range, sizeof range, "%g-%g", bin.from_mm, bin.to_mm);
-      std::snprintf(line, sizeof line, "%s | %.1f | %.2f | %.2f | %.1f |\n", range, 100 * bin.share,
-                    bin.mean_error_mm, bin.p90_error_mm, 100 * bin.wrong);
-      text += head + line;
+      const std::string range =
+          bin.to_mm > 1e6 ? formatted("> %g", bin.from_mm) : formatted("%g-%g", bin.from_mm, bin.to_mm);
+      text += head + range +
+              formatted(" | %.1f | %.2f | %.2f | %.1f |\n", 100 * bin.share, bin.mean_error_mm,
+                        bin.p90_error_mm, 100 * bin.wrong);
     }
-    std::snprintf(line, sizeof line, "all: %.1f %% stated within 2 mm, %.1f %% are | | | | |\n",
-                  100 * row.stated_certain, 100 * row.really_certain);
-    text += head + line;
+    text += head + formatted("all: %.1f %% stated within 2 mm, %.1f %% are | | | | |\n",
+                             100 * row.stated_certain, 100 * row.really_certain);
   }
   return text;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::evaluation {
 
 ErrorStatistics summarise(std::vector<double> errors) {
@@ -15,7 +17,7 @@ ErrorStatistics summarise(std::vector<double> errors) {
   const double n = double(errors.size());
   s.mean = sum / n;
   s.rms = std::sqrt(squares / n);
-  s.median = (errors[(errors.size() - 1) / 2] + errors[errors.size() / 2]) / 2;
+  s.median = median(errors);
   s.p95 = errors[std::size_t(std::ceil(0.95 * n)) - 1];
   s.max = errors.back();
   return s;
@@ -25,9 +27,7 @@ double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0.0;
   const double rank =
       std::clamp(std::ceil(fraction * double(values.size())) - 1.0, 0.0, double(values.size() - 1));
-  const auto place = values.begin() + std::ptrdiff_t(rank);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  return selectRank(values, std::size_t(rank));
 }
 
 }  // namespace facenav::evaluation

@@ -1,9 +1,9 @@
 #include "facenav/evaluation/evaluation_report.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "evaluation_plots.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/evaluation/goals.h"
 #include "facenav/evaluation/html_report.h"
@@ -55,10 +55,7 @@ ReportTable runTable(const std::vector<RunRecord>& runs) {
     for (const auto& [name, ignored] : shown)
       for (const auto& [figure, value] : figures) {
         if (figure != name) continue;
-        char cell[32] = "";
-        if (std::isfinite(value))
-          std::snprintf(cell, sizeof cell, value == std::floor(value) ? "%.0f" : "%.3f", value);
-        row.push_back(cell);
+        row.push_back(std::isfinite(value) ? fixed(value, value == std::floor(value) ? 0 : 3) : "");
       }
     table.rows.push_back(row);
   }

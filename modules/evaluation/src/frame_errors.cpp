@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::evaluation {
@@ -66,9 +67,7 @@ double medianVisible(const RunRecord& run) {
   std::vector<double> visible;
   for (const auto& frame : run.frames)
     if (!frame.truth.must_be_lost) visible.push_back(frame.truth.face_visible_fraction);
-  if (visible.empty()) return 0.0;
-  std::nth_element(visible.begin(), visible.begin() + std::ptrdiff_t(visible.size() / 2), visible.end());
-  return visible[visible.size() / 2];
+  return upperMedian(std::move(visible));
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <set>
 
+#include "facenav/core/number_text.h"
 #include "facenav/evaluation/error_statistics.h"
 #include "facenav/evaluation/frame_errors.h"
 #include "facenav/geometry/rotation.h"
@@ -16,20 +16,13 @@ namespace {
 constexpr double kDegPerRad = 180.0 / M_PI;
 constexpr double kNear_mm = 700.0, kTilt_deg = 50.0;  // of the coil's stricter goal
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 /// Runs with the errors of their frames, computed once.
 struct Measured {
   const RunRecord* run;
   std::vector<FrameErrors> frames;
 };
 
-std::string basis(int runs, std::size_t frames) { return text("%d runs, %zu frames", runs, frames); }
+std::string basis(int runs, std::size_t frames) { return formatted("%d runs, %zu frames", runs, frames); }
 
 using Scenarios = std::set<std::string>;
 
@@ -75,9 +68,9 @@ GoalRow cloudGoal(const std::vector<Measured>& all) {
     }
   const auto r = summarise(rms), c = summarise(coverage);
   return {"face cloud, along the ray; share of the visible face", "rms <= 0.18 mm, >= 98 %",
-          text("%.3f mm (worst run %.3f; the images' noise allows %.3f), %.1f %%; %.2f %% gross", r.rms,
-               r.max, summarise(predicted).rms, c.mean, summarise(gross).mean),
-          verdictOf(r.rms <= 0.18 && c.mean >= 98.0, r.count > 0), text("%d captures", r.count)};
+          formatted("%.3f mm (worst run %.3f; the images' noise allows %.3f), %.1f %%; %.2f %% gross", r.rms,
+                    r.max, summarise(predicted).rms, c.mean, summarise(gross).mean),
+          verdictOf(r.rms <= 0.18 && c.mean >= 98.0, r.count > 0), formatted("%d captures", r.count)};
 }
 
 struct AlignmentErrors {
@@ -109,18 +102,18 @@ GoalRow alignmentGoal(const char* of, const std::vector<Measured>& all,
   const auto errors = alignmentErrors(all, takes);
   const auto mm = summarise(errors.mm), deg = summarise(errors.deg);
   return {std::string("alignment at the cortical target, ") + of, goal,
-          text("median %.2f, p95 %.2f, max %.2f mm; max %.2f deg; %d refused", mm.median, mm.p95, mm.max,
-               deg.max, errors.refused),
+          formatted("median %.2f, p95 %.2f, max %.2f mm; max %.2f deg; %d refused", mm.median, mm.p95, mm.max,
+                    deg.max, errors.refused),
           verdictOf(mm.median <= median_mm && mm.max <= max_mm && deg.max <= max_deg && errors.refused == 0,
                     mm.count + errors.refused > 0),
-          text("%d captures", mm.count + errors.refused)};
+          formatted("%d captures", mm.count + errors.refused)};
 }
 
 GoalRow boundGoal(const std::vector<Measured>& all) {
   const auto errors = alignmentErrors(all, [](const RunRecord&) { return true; });
   const double share = 100.0 * errors.inside / std::max<std::size_t>(1, errors.mm.size());
-  return {"alignment: true error inside the stated 95 % bound", "95 %", text("%.0f %%", share),
-          verdictOf(share >= 95.0, !errors.mm.empty()), text("%zu captures", errors.mm.size())};
+  return {"alignment: true error inside the stated 95 % bound", "95 %", formatted("%.0f %%", share),
+          verdictOf(share >= 95.0, !errors.mm.empty()), formatted("%zu captures", errors.mm.size())};
 }
 
 GoalRow motionGoal(const char* name, const std::vector<Measured>& all, const Scenarios& scenarios) {
@@ -128,7 +121,7 @@ GoalRow motionGoal(const char* name, const std::vector<Measured>& all, const Sce
   const auto mm = summarise(p.mm), deg = summarise(p.deg);
   return {std::string("head motion since alignment, at the target: ") + name,
           "rms <= 0.3 mm, <= 0.15 deg; p95 <= 0.6 mm",
-          text("rms %.3f mm, %.3f deg; p95 %.3f, max %.2f mm", mm.rms, deg.rms, mm.p95, mm.max),
+          formatted("rms %.3f mm, %.3f deg; p95 %.3f, max %.2f mm", mm.rms, deg.rms, mm.p95, mm.max),
           verdictOf(mm.rms <= 0.3 && deg.rms <= 0.15 && mm.p95 <= 0.6, mm.count > 0),
           basis(p.runs, p.mm.size())};
 }
@@ -140,8 +133,9 @@ GoalRow jitterGoal(const std::vector<Measured>& all) {
     if (one.run->scenario == "still" && one.run->frames.size() > 1)
       jitter.push_back(jitter_mm(*one.run)), frames += one.run->frames.size();
   const auto s = summarise(jitter);
-  return {"static jitter at the target", "<= 0.05 mm rms", text("%.3f mm (worst run %.3f)", s.rms, s.max),
-          verdictOf(s.rms <= 0.05, s.count > 0), basis(s.count, frames)};
+  return {"static jitter at the target", "<= 0.05 mm rms",
+          formatted("%.3f mm (worst run %.3f)", s.rms, s.max), verdictOf(s.rms <= 0.05, s.count > 0),
+          basis(s.count, frames)};
 }
 
 GoalRow coilGoal(const std::vector<Measured>& all, bool is_near) {
@@ -152,8 +146,8 @@ GoalRow coilGoal(const std::vector<Measured>& all, bool is_near) {
   const auto mm = summarise(p.mm), deg = summarise(p.deg);
   const double limit_mm = is_near ? 0.1 : 0.3, limit_deg = is_near ? 0.15 : 0.4;
   return {is_near ? "coil pose, to 700 mm and 50 deg of tilt" : "coil pose, beyond (to 900 mm, 60 deg)",
-          text("rms <= %.1f mm, %.2f deg", limit_mm, limit_deg),
-          text("rms %.3f mm, %.3f deg; max %.2f mm, %.2f deg", mm.rms, deg.rms, mm.max, deg.max),
+          formatted("rms <= %.1f mm, %.2f deg", limit_mm, limit_deg),
+          formatted("rms %.3f mm, %.3f deg; max %.2f mm, %.2f deg", mm.rms, deg.rms, mm.max, deg.max),
           verdictOf(mm.rms <= limit_mm && deg.rms <= limit_deg, mm.count > 0), basis(p.runs, p.mm.size())};
 }
 
@@ -168,7 +162,7 @@ GoalRow markerSeenGoal(const std::vector<Measured>& all) {
   }
   const double share = 100.0 * double(tracked) / double(std::max<std::size_t>(1, in_view));
   return {"coil tracked where both cameras show the whole marker (coil sweep)", "(no goal stated)",
-          text("%.1f %%", share), Verdict::not_measured, basis(runs, in_view)};
+          formatted("%.1f %%", share), Verdict::not_measured, basis(runs, in_view)};
 }
 
 GoalRow relativeGoal(const std::vector<Measured>& all) {
@@ -176,8 +170,8 @@ GoalRow relativeGoal(const std::vector<Measured>& all) {
              motion = pool(all, {"treatment"}, &FrameErrors::relative_motion);
   const auto mm = summarise(p.mm), deg = summarise(p.deg);
   return {"coil against head at the target, alignment included", "p95 <= 0.7 mm, 0.4 deg",
-          text("p95 %.3f mm, %.3f deg (without the alignment's error %.3f mm, %.3f deg)", mm.p95, deg.p95,
-               summarise(motion.mm).p95, summarise(motion.deg).p95),
+          formatted("p95 %.3f mm, %.3f deg (without the alignment's error %.3f mm, %.3f deg)", mm.p95,
+                    deg.p95, summarise(motion.mm).p95, summarise(motion.deg).p95),
           verdictOf(mm.p95 <= 0.7 && deg.p95 <= 0.4, mm.count > 0), basis(p.runs, p.mm.size())};
 }
 
@@ -192,8 +186,8 @@ GoalRow disturbanceGoal(const std::vector<Measured>& all, const std::string& sce
   }
   const auto mm = summarise(p.mm);
   return {scenario + ": head at the target", "p95 <= 1.0 mm, no loss > 0.2 s",
-          text("p95 %.3f, max %.2f mm; longest loss %.2f s%s", mm.p95, mm.max, loss_s,
-               refused ? text("; %d not aligned", refused).c_str() : ""),
+          formatted("p95 %.3f, max %.2f mm; longest loss %.2f s%s", mm.p95, mm.max, loss_s,
+                    refused ? formatted("; %d not aligned", refused).c_str() : ""),
           verdictOf(mm.p95 <= 1.0 && loss_s <= 0.2 && refused == 0, played + refused > 0),
           basis(played + refused, p.mm.size())};
 }
@@ -207,7 +201,7 @@ GoalRow wrongGoal(const std::vector<Measured>& all) {
     for (const auto& frame : one.frames) head += frame.is_head_wrong, coil += frame.is_coil_wrong;
   }
   return {"wrong poses shown as tracked (> 3 mm or > 2 deg), all scenarios", "0",
-          text("head %zu, coil %zu", head, coil), verdictOf(head + coil == 0, frames > 0),
+          formatted("head %zu, coil %zu", head, coil), verdictOf(head + coil == 0, frames > 0),
           basis(runs, frames)};
 }
 
@@ -220,8 +214,8 @@ GoalRow foundAgainGoal(const std::vector<Measured>& all) {
     times_s.insert(times_s.end(), of_run.begin(), of_run.end());
   }
   const auto s = summarise(times_s);
-  return {"found again after a loss", "<= 0.2 s", text("median %.3f, max %.3f s", s.median, s.max),
-          verdictOf(s.max <= 0.2, s.count > 0), text("%d losses in %d runs", s.count, runs)};
+  return {"found again after a loss", "<= 0.2 s", formatted("median %.3f, max %.3f s", s.median, s.max),
+          verdictOf(s.max <= 0.2, s.count > 0), formatted("%d losses in %d runs", s.count, runs)};
 }
 
 GoalRow returnsGoal(const char* quantity, const std::vector<Measured>& all, const Scenarios& scenarios) {
@@ -232,8 +226,8 @@ GoalRow returnsGoal(const char* quantity, const std::vector<Measured>& all, cons
     ++runs;
     for (const double waited_s : timesToFindAgain_s(*one.run)) ++returns, found += waited_s <= kAtOnce_s;
   }
-  return {quantity, ">= 95 %", text("%d of %d", found, returns),
-          verdictOf(found >= 0.95 * returns, returns > 0), text("%d runs", runs)};
+  return {quantity, ">= 95 %", formatted("%d of %d", found, returns),
+          verdictOf(found >= 0.95 * returns, returns > 0), formatted("%d runs", runs)};
 }
 
 /// Frames with a head pose among those of some scenarios that `counts` picks.
@@ -247,7 +241,7 @@ GoalRow neverShownGoal(const char* quantity, const std::vector<Measured>& all, c
     for (const auto& frame : one.run->frames)
       if (counts(frame.truth)) ++frames, shown += frame.head_motion.has_value();
   }
-  return {quantity, "0", text("%zu of %zu frames", shown, frames), verdictOf(shown == 0, frames > 0),
+  return {quantity, "0", formatted("%zu of %zu frames", shown, frames), verdictOf(shown == 0, frames > 0),
           basis(runs, frames)};
 }
 
@@ -261,9 +255,9 @@ GoalRow timeGoal(const std::vector<Measured>& all) {
     }
   const double median = quantile(both, 0.5), p99 = quantile(both, 0.99);
   return {"processor time a stereo frame, head and coil, one core", "median <= 3 ms, p99 <= 6 ms",
-          text("median %.2f (head %.2f, coil %.2f), p99 %.2f ms", median, quantile(head, 0.5),
-               quantile(coil, 0.5), p99),
-          verdictOf(median <= 3.0 && p99 <= 6.0, !both.empty()), text("%zu frames", both.size())};
+          formatted("median %.2f (head %.2f, coil %.2f), p99 %.2f ms", median, quantile(head, 0.5),
+                    quantile(coil, 0.5), p99),
+          verdictOf(median <= 3.0 && p99 <= 6.0, !both.empty()), formatted("%zu frames", both.size())};
 }
 
 }  // namespace

@@ -1,15 +1,9 @@
 #include "facenav/evaluation/mask_table.h"
 
-#include <cstdio>
+#include "facenav/core/number_text.h"
 
 namespace facenav::evaluation {
 namespace {
-
-std::string fixed(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 using Row = std::vector<std::string>;
 

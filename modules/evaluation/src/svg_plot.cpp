@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <sstream>
+
+#include "facenav/core/number_text.h"
 
 namespace facenav::evaluation {
 namespace {
@@ -57,11 +58,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.4g", std::abs(value) < 1e-12 ? 0.0 : value);
-  return buffer;
-}
+std::string number(double value) { return formatted("%.4g", std::abs(value) < 1e-12 ? 0.0 : value); }
 
 class Canvas {
  public:

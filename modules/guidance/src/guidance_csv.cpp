@@ -1,18 +1,10 @@
 #include "facenav/guidance/guidance_csv.h"
 
-#include <charconv>
-
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 
 namespace facenav::guidance {
 namespace {
-
-/// '.' decimals whatever the locale (Qt sets the user's).
-std::string fixed(double value, int decimals) {
-  char text[400];
-  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-  return {text, result.ptr};
-}
 
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -1,31 +1,12 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/geometry/nearest_on_triangle.h"
 #include "facenav/guidance/target.h"
 #include "tangent_directions.h"
 
 namespace facenav::guidance {
 namespace {
-
-/// The point of triangle a b c nearest to p (Ericson, Real-Time Collision Detection, 5.1.5: by Voronoi
-/// regions).
-Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  const Eigen::Vector3d ab = b - a, ac = c - a;
-  const double d1 = ab.dot(p - a), d2 = ac.dot(p - a);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const double d3 = ab.dot(p - b), d4 = ac.dot(p - b);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / (d1 - d3));
-  const double d5 = ab.dot(p - c), d6 = ac.dot(p - c);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / (d2 - d6));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  return a + (ab * vb + ac * vc) / (va + vb + vc);
-}
 
 Eigen::Vector3d nearestOnScalp(const surface::TriangleMesh& mesh, const Eigen::Vector3d& p_mm) {
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();
@@ -36,7 +17,7 @@ Eigen::Vector3d nearestOnScalp(const surface::TriangleMesh& mesh, const Eigen::V
     const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     if ((p_mm - p_mm.cwiseMax(low).cwiseMin(high)).squaredNorm() >= best_mm2)
       continue;  // the box is too far already
-    const Eigen::Vector3d candidate = nearestOnTriangle(p_mm, a, b, c);
+    const Eigen::Vector3d candidate = nearestOnTriangle(p_mm, a, b, c).point;
     const double distance_mm2 = (candidate - p_mm).squaredNorm();
     if (distance_mm2 < best_mm2) best_mm2 = distance_mm2, nearest = candidate;
   }

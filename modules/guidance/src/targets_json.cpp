@@ -62,7 +62,7 @@ TreatmentPlan readTargets(const std::filesystem::path& path) {
   return plan;
 }
 
-void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path) {
+void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path, FileAccess access) {
   Json file = previousContent(path), targets = Json::array();
   for (const Target& target : plan.targets) {
     Json json = previousTarget(file, target.name);
@@ -74,7 +74,7 @@ void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path) 
     targets.push_back(json);
   }
   file["targets"] = targets;
-  writeWholeFile(path, file.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, file.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", access);
 }
 
 }  // namespace facenav::guidance

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::monitoring {
 namespace {
@@ -52,9 +53,7 @@ struct Normal {
 /// covered.
 double spreadOf(std::vector<double>& lengths) {
   constexpr double kShare = 0.35, kQuantile = 0.4538;  // P(|x| < 0.4538) = 0.35
-  const auto at = lengths.begin() + std::ptrdiff_t(kShare * double(lengths.size()));
-  std::nth_element(lengths.begin(), at, lengths.end());
-  return *at / kQuantile;
+  return selectRank(lengths, std::size_t(kShare * double(lengths.size()))) / kQuantile;
 }
 
 DriftFinding::Verdict verdictOn(const DriftFinding& f) {

@@ -1,7 +1,9 @@
 #pragma once
-// A folder beside the wanted one that images arrive in; it takes the wanted name only when all are there.
+// A whole folder that images arrive in under names of our own; commit() numbers them.
 
 #include <filesystem>
+
+#include "facenav/core/whole_folder.h"
 
 namespace facenav::pacs {
 
@@ -11,17 +13,13 @@ class IncomingFolder {
  public:
   /// Throws Error when `folder` holds something already or its parent does not exist. Private to the user.
   explicit IncomingFolder(const std::filesystem::path& folder);
-  /// Removes what arrived unless commit() was reached.
-  ~IncomingFolder();
-  IncomingFolder(const IncomingFolder&) = delete;
-  IncomingFolder& operator=(const IncomingFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.temporaryPath(); }
   /// Files become 000001.dcm .. (0600), the folder takes its name. Returns their number.
   int commit();
 
  private:
-  std::filesystem::path wanted_, path_;
+  WholeFolder folder_;
 };
 
 }  // namespace facenav::pacs

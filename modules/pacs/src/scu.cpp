@@ -6,10 +6,10 @@
 #include <dcmtk/dcmtls/tlslayer.h>
 #include <dcmtk/oflog/oflog.h>
 
-#include <cstdio>
 #include <mutex>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::pacs {
 namespace {
@@ -116,8 +116,7 @@ void requireStatus(unsigned status, const PacsNode& node, const std::string& doi
   if (status == 0 || status == kPending || status == kPendingToo ||
       (status >= kWarningsFrom && status <= kWarningsTo))
     return;
-  char code[16];
-  std::snprintf(code, sizeof code, "0x%04X", status);
+  const std::string code = formatted("0x%04X", status);
   const std::string words = status == 0xA801
                                 ? "the archive does not know '" + node.own_title + "' as a place to send to"
                             : status == 0xFE00            ? "it was cancelled"

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <string>
 #include <tuple>
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 #include "part_fits.h"
 #include "skin_likelihood.h"
 #include "skin_patches.h"
@@ -39,12 +40,6 @@ constexpr double kLoose_mm = 0.6, kSuspect_mm = 0.3;
 constexpr double kHairy = 0.35;           // where hair is this frequent, it says nothing about the head
 constexpr double kLeastExtent_mm = 45.0;  // a whole face has 120, forehead to mid-nose 80
 constexpr double kLargestError_mm = 2.0;
-
-std::string oneDecimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
   constexpr float kSettled_mm = 0.02f;
@@ -91,7 +86,7 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
   const double all = std::max<double>(1.0, double(skin.size()));
   out.close_fraction = double(close_mm.size()) / all;
   out.bare_share = double(bare.size()) / all;
-  out.bare_mm = median(bare);
+  out.bare_mm = upperMedian(bare);
   out.extent_mm = facialExtent_mm(close_mm);
   if (core.empty()) return out;
   std::sort(core.begin(), core.end());
@@ -184,7 +179,7 @@ double scaleZ(const FitEvidence& evidence) {
 
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
-std::string percentOf(double scale) { return oneDecimal(100.0 * scale) + " %"; }
+std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
 
 [[noreturn]] void refuse(const std::string& why, const std::string& remedy) {
   throw Error("not aligned: " + why, {}, remedy);
@@ -226,7 +221,7 @@ void requireLikeness(const FitEvidence& evidence) {
   if (is_resized) refuseSize(evidence.fitting_scale);
   if (isNoFit(closeness))
     refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
-               " of it lies on the skin, median distance " + oneDecimal(closeness.median_mm) + " mm)",
+               " of it lies on the skin, median distance " + fixed(closeness.median_mm, 1) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
   if (evidence.mirror_log_odds < kLeastUnmirrored)
     refuse("the face cannot be told from its mirror image",
@@ -241,7 +236,7 @@ void requireTrust(const FitEvidence& evidence) {
     refuseSize(evidence.scale);
   if (!(evidence.predicted_error_mm < kLargestError_mm))
     refuse("too little of the face was measured to fix the pose (predicted error " +
-               oneDecimal(evidence.predicted_error_mm) + " mm)",
+               fixed(evidence.predicted_error_mm, 1) + " mm)",
            "show more of the face to both cameras");
 }
 
@@ -252,11 +247,11 @@ std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   const double off = std::abs(evidence.scale - 1);
   if (scaleZ(evidence) > kCautionScale_z || (off > kCautionScale && off > 3 * evidence.scale_sigma))
     cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
-                       " of the MRI's size (+/- " + oneDecimal(100 * evidence.scale_sigma) +
+                       " of the MRI's size (+/- " + fixed(100 * evidence.scale_sigma, 1) +
                        "): check the square size that they were calibrated with, and the MRI's size");
   const double loose_mm = std::max(evidence.closeness.bare_mm, evidence.misfit_mm);
   if (loose_mm > kLoose_mm)
-    cautions.push_back("the skin fits loosely (by " + oneDecimal(loose_mm) +
+    cautions.push_back("the skin fits loosely (by " + fixed(loose_mm, 1) +
                        " mm): check that this is the patient's own MRI, and a calm face");
   if (isPartlyCovered(evidence))
     cautions.push_back(percent(1 - evidence.closeness.bare_share) +

@@ -5,31 +5,12 @@
 #include <limits>
 
 #include "facenav/core/error.h"
+#include "facenav/geometry/nearest_on_triangle.h"
 
 namespace facenav::registration {
 namespace {
 
 constexpr double kNode_mm = 4.0;
-
-/// The point of triangle abc nearest to p as weights of the corners (Ericson 2005, section 5.1.5).
-Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
-               d6 = ac.dot(cp);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - t, t};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
 
 }  // namespace
 
@@ -154,7 +135,8 @@ SkinContact NearestSkin::nearest(const Eigen::Vector3d& p) const {
   for (int e = corner_triangles_.first[contact.vertex]; e < corner_triangles_.first[contact.vertex + 1];
        ++e) {
     const Eigen::Vector3i& t = skin_->triangles[corner_triangles_.all[e]];
-    const Eigen::Vector3d w = nearestOnTriangle(p, vertices()[t[0]], vertices()[t[1]], vertices()[t[2]]);
+    const Eigen::Vector3d w =
+        nearestOnTriangle(p, vertices()[t[0]], vertices()[t[1]], vertices()[t[2]]).weights;
     const Eigen::Vector3d q = w[0] * vertices()[t[0]] + w[1] * vertices()[t[1]] + w[2] * vertices()[t[2]];
     const double d = (p - q).squaredNorm();
     if (d >= nearest) continue;

@@ -6,6 +6,7 @@
 
 #include "cloud_sampling.h"
 #include "cube_numbers.h"
+#include "facenav/core/robust_statistics.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
@@ -41,12 +42,10 @@ std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double r
   std::vector<double> sizes;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     if (residuals[i].size() < 4) continue;
-    const auto half = residuals[i].begin() + std::ptrdiff_t(residuals[i].size() / 2);
-    std::nth_element(residuals[i].begin(), half, residuals[i].end());
-    middle[i] = *half;
-    sizes.push_back(double(std::abs(*half)));
+    middle[i] = selectRank(residuals[i], residuals[i].size() / 2);
+    sizes.push_back(double(std::abs(middle[i])));
   }
-  const double limit = std::clamp(1.4826 * 4.0 * median(sizes), 0.5, 1.5);
+  const double limit = std::clamp(kSigmaPerMad * 4.0 * upperMedian(sizes), 0.5, 1.5);
   std::vector<float> weights(matches.size(), 0.0f);
   for (std::size_t p = 0; p < matches.size(); ++p)
     if (patch_of[p] >= 0) weights[p] = tukeyWeight(middle[std::size_t(patch_of[p])], float(limit));
@@ -58,7 +57,7 @@ double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
   for (const PointMatch& m : matches)
     if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
       sizes.push_back(double(std::abs(m.residual_mm)));
-  return std::clamp(4.0 * 1.4826 * median(sizes), 0.6, 3.0);
+  return std::clamp(4.0 * kSigmaPerMad * upperMedian(sizes), 0.6, 3.0);
 }
 
 namespace {

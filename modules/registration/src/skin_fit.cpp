@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "face_regions.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
@@ -32,7 +33,7 @@ std::vector<RegionFit> fitByRegion(const ScalpField& scalp, const PointCloud<Cam
   for (const auto& [region, points] : found) {
     const int all = int(points.first.size());
     if (all >= kLeastPoints)
-      fits.push_back({region, median(points.first), double(points.second) / double(all), all});
+      fits.push_back({region, upperMedian(points.first), double(points.second) / double(all), all});
   }
   std::sort(fits.begin(), fits.end(), [](const RegionFit& a, const RegionFit& b) {
     return std::abs(a.offset_mm) > std::abs(b.offset_mm);
@@ -42,10 +43,8 @@ std::vector<RegionFit> fitByRegion(const ScalpField& scalp, const PointCloud<Cam
 
 std::string inWords(const RegionFit& fit) {
   if (fit.offset_mm > kCovered_mm) return fit.region + " covered (hair or an object)";
-  char text[64];
-  std::snprintf(text, sizeof text, " %.1f mm %s the MRI's skin", std::abs(fit.offset_mm),
-                fit.offset_mm > 0 ? "outside" : "inside");
-  return fit.region + text;
+  return fit.region + formatted(" %.1f mm %s the MRI's skin", std::abs(fit.offset_mm),
+                                fit.offset_mm > 0 ? "outside" : "inside");
 }
 
 }  // namespace facenav::registration

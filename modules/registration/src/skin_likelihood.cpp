@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "cube_numbers.h"
+#include "facenav/core/robust_statistics.h"
 #include "skin_patches.h"
 
 namespace facenav::registration {
@@ -124,7 +125,7 @@ SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>
     patch_of_.push_back(patch);
     ++counts[std::size_t(patch)];
   }
-  full_ = median(counts);
+  full_ = upperMedian(counts);
   neighbours_.resize(cubes.size());
   for (std::size_t a = 0; a < cubes.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -156,9 +157,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     if (foreign > kHairy) patch.prior = std::max(kBare, std::log(foreign / (1 - foreign)));
     // One head of hair is one thing: where it is likely, points say less than their number.
     const double share = std::min(1.0, n / full_) * (1 - foreign), grains = kGrains * share;
-    auto middle = residuals[i].begin() + std::ptrdiff_t(residuals[i].size() / 2);
-    std::nth_element(residuals[i].begin(), middle, residuals[i].end());
-    const float m_mm = *middle;
+    const float m_mm = selectRank(residuals[i], residuals[i].size() / 2);
     const double m = double(m_mm);
     for (std::size_t d = 0; d < kDetails; ++d) {
       const double detail = grains * bare_detail[d](residuals[i], m_mm);

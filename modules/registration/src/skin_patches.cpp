@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cube_numbers.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::registration {
 namespace {
@@ -16,7 +17,7 @@ SkinPatch average(const std::vector<PointMatch>& matches, const std::vector<int>
                   const Eigen::Vector3d& pivot) {
   std::vector<double> residuals;
   for (const int m : members) residuals.push_back(double(matches[std::size_t(m)].residual_mm));
-  const double middle = median(residuals);
+  const double middle = upperMedian(residuals);
   SkinPatch patch;
   double squares = 0;
   for (const int m : members) {
@@ -52,12 +53,6 @@ double noiseOf(const SkinPatch& patch, double full, double size_mm, const Eigen:
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
 std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, const PatchLimits& limits,
                                      const Eigen::Isometry3d& mri_T_camera, const Eigen::Vector3d& pivot) {
   const double limit_mm = std::max(limits.inside_mm, limits.outside_mm);
@@ -83,8 +78,7 @@ std::vector<SkinPatch> gatherPatches(const std::vector<PointMatch>& matches, con
     counts.push_back(int(members[c].size()));
   }
   if (patches.empty()) return patches;
-  std::nth_element(counts.begin(), counts.begin() + std::ptrdiff_t(counts.size() / 2), counts.end());
-  const double full = counts[counts.size() / 2];
+  const double full = upperMedian(std::move(counts));
   for (SkinPatch& patch : patches)
     patch.noise_mm = noiseOf(patch, full, limits.size_mm, mri_T_camera.translation());
   return patches;

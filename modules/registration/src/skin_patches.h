@@ -17,8 +17,6 @@ struct SkinPatch {
   double covered = 1.0;  // share of its points that lie within the limit of the skin
 };
 
-double median(std::vector<double> values);
-
 struct PatchLimits {
   double size_mm = 12.0;
   double inside_mm = 1.5, outside_mm = 1.5;  // residuals beyond do not belong to the skin

@@ -7,6 +7,7 @@
 
 #include "cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "skin_patches.h"
 #include "start_poses.h"
 
@@ -144,7 +145,7 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> middleAndForemost(const PointCloud<C
   });
   Eigen::Vector3d foremost = Eigen::Vector3d::Zero();
   for (std::size_t n = 0; n < count; ++n) foremost += face.points_mm[std::size_t(near[n])] / double(count);
-  return {Eigen::Vector3d(median(axis[0]), median(axis[1]), median(axis[2])), foremost};
+  return {Eigen::Vector3d(upperMedian(axis[0]), upperMedian(axis[1]), upperMedian(axis[2])), foremost};
 }
 
 /// The best of what turns about a start lead to: the head where it was, or its nose before the cloud's middle

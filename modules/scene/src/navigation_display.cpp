@@ -16,9 +16,9 @@
 #include <vtkTextProperty.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "actors.h"
+#include "facenav/core/number_text.h"
 #include "facenav/scene/bulls_eye.h"
 #include "facenav/scene/palette.h"
 #include "image_bridge.h"
@@ -26,13 +26,11 @@
 namespace facenav::scene {
 namespace {
 
-std::string formatted(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  // What rounds to nothing has no side.
-  const bool is_zero = std::string(text).find_first_of("123456789") == std::string::npos;
-  if (is_zero && (text[0] == '-' || text[0] == '+')) return text + 1;
-  return text;
+/// What rounds to nothing has no side.
+std::string withoutSideOfZero(std::string number) {
+  const bool is_zero = number.find_first_of("123456789") == std::string::npos;
+  if (is_zero && (number[0] == '-' || number[0] == '+')) number.erase(0, 1);
+  return number;
 }
 
 double degrees(double rad) { return rad * 180.0 / M_PI; }
@@ -190,7 +188,8 @@ void NavigationDisplay::Implementation::setStatus(vtkTextActor* words, vtkActor2
 void NavigationDisplay::Implementation::setGuidance(const guidance::GuidanceState& g) {
   const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
   const auto figure = [&](int i, double value, const char* format, const char* unit) {
-    setFigure(figures[i], has_values ? formatted(format, value) : "\u2013", has_values ? unit : "");
+    setFigure(figures[i], has_values ? withoutSideOfZero(formatted(format, value)) : "\u2013",
+              has_values ? unit : "");
   };
   const guidance::GuidanceValues* v = has_values ? &*g.values : nullptr;
   figure(0, v ? v->lateral_mm : 0, "%.1f", "mm");

@@ -10,9 +10,9 @@
 
 namespace facenav::scene {
 
-void writePng(const RgbImage& image, const std::filesystem::path& path) {
+void writePng(const RgbImage& image, const std::filesystem::path& path, FileAccess access) {
   if (image.empty()) throw Error("the picture is empty", path.string());
-  WholeFile file(path);
+  WholeFile file(path, access);
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(file.temporaryPath().c_str());
   writer->SetInputData(toVtkImage(image));

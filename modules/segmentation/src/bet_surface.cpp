@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/volume/mask_morphology.h"
 
 namespace facenav::segmentation {
@@ -143,8 +144,7 @@ BetIntensities betIntensities(const Volume& image, const BetSphere& sphere, floa
           inside.push_back(v);
       }
   if (inside.empty()) return out;
-  std::nth_element(inside.begin(), inside.begin() + inside.size() / 2, inside.end());
-  out.median = inside[inside.size() / 2];
+  out.median = upperMedian(std::move(inside));
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "brain_checks.h"
 #include "brain_refinement.h"
 #include "brain_start.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
@@ -73,11 +74,10 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
   for (std::size_t v = 0; v < core.voxels.size(); ++v)
     if (core.voxels[v]) values.push_back(flat.voxels[v]);
   if (values.empty()) return float(by_class);
-  const auto at = values.begin() + std::ptrdiff_t(kDarkest * double(values.size()));
-  std::nth_element(values.begin(), at, values.end());
+  const float at = selectRank(values, std::size_t(kDarkest * double(values.size())));
   // From halfway between both on, the class counts more and more.
-  const double away = (*at - by_class) / std::max(1e-6, tissue.fluid.mean - by_class);
-  return float(*at + (by_class - *at) * std::clamp(2 * away - 1, 0.0, 1.0));
+  const double away = (at - by_class) / std::max(1e-6, tissue.fluid.mean - by_class);
+  return float(at + (by_class - at) * std::clamp(2 * away - 1, 0.0, 1.0));
 }
 
 /// What the surface is sought in: coarse voxels show crowns and thin films of fluid as little as this does.

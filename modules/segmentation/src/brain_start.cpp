@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 
@@ -71,9 +72,7 @@ float robustMaximum(const Volume& working) {
     for (const float value : working.voxels)
       if (value > kHeadShare * bright) head.push_back(value);
     if (head.empty()) return bright;
-    const auto at = head.begin() + std::ptrdiff_t(kRobustInHead * double(head.size() - 1));
-    std::nth_element(head.begin(), at, head.end());
-    bright = *at;
+    bright = selectRank(head, std::size_t(kRobustInHead * double(head.size() - 1)));
   }
   return bright;
 }
@@ -93,9 +92,7 @@ float darkest(const Volume& working, const Mask& head, const BetSphere& sphere) 
                 kSkullShare * sphere.radius_mm)
           values.push_back(working.voxels[at]);
   if (values.empty()) return 0;
-  const auto low = values.begin() + std::ptrdiff_t(kDarkest * double(values.size()));
-  std::nth_element(values.begin(), low, values.end());
-  return std::max(0.f, *low);
+  return std::max(0.f, selectRank(values, std::size_t(kDarkest * double(values.size()))));
 }
 
 /// Brain and skull within the ball, whose place is known.
@@ -193,9 +190,7 @@ BrainStart findBrainStart(const Volume& working) {
     weight += slices.area_mm2[k];
   }
   if (weight <= 0) noBrain("there is no head in this volume");
-  const auto upper = areas.begin() + std::ptrdiff_t(areas.size() * 3 / 4);
-  std::nth_element(areas.begin(), upper, areas.end());
-  const double girth_mm = std::sqrt(*upper / M_PI);
+  const double girth_mm = std::sqrt(valueAtRank(areas, areas.size() * 3 / 4) / M_PI);
   if (girth_mm < kLeastGirth_mm || girth_mm > kMostGirth_mm)
     noBrain("the largest object is " + std::to_string(int(2 * girth_mm)) + " mm across, which is no head");
   // On a ball of that girth the first slice's own size tells how far above the centre it lies, also where the

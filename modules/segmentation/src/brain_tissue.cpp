@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::segmentation {
 namespace {
 
@@ -63,9 +65,7 @@ std::vector<Sample> samplesOf(const Volume& image, const Mask& core, const Tissu
 }
 
 double quantile(std::vector<double> values, double q) {
-  auto at = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return selectRank(values, std::size_t(q * double(values.size() - 1)));
 }
 
 double density(const TissueClass& c, double x) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/smoothing.h"
 
@@ -28,7 +29,6 @@ float laplacian(const float* at, std::size_t row, std::size_t slab) {
 
 /// Mean square of the Laplacian over `core`, less the noise's: the scaled median of that over `deep`.
 double edgeEnergy(const Volume& image, const Mask& core, const Mask& deep) {
-  constexpr double kPerMedian = 1.4826;  // of the normal law
   const std::size_t row = image.grid.size[0], slab = row * image.grid.size[1];
   double sum = 0, count = 0;
   std::vector<float> noise;
@@ -40,9 +40,7 @@ double edgeEnergy(const Volume& image, const Mask& core, const Mask& deep) {
   }
   if (count == 0) return 0;
   if (noise.empty()) return sum / count;
-  const auto middle = noise.begin() + std::ptrdiff_t(noise.size() / 2);
-  std::nth_element(noise.begin(), middle, noise.end());
-  return sum / count - std::pow(kPerMedian * *middle, 2);
+  return sum / count - std::pow(kSigmaPerMad * upperMedian(std::move(noise)), 2);
 }
 
 Mask deepWhiteMatter(const Volume& image, const Mask& core, const TissueModel& tissue) {
@@ -83,8 +81,7 @@ Volume atCommonSharpness(const Volume& image, const volume::VoxelGrid& scan, con
 }
 
 double noiseOf(const Volume& flat, const Volume& calm, const Mask& core, const TissueModel& tissue) {
-  constexpr double kPerMedian = 1.4826,
-                   kWithNeighbours = 7.0 / 6;  // of the normal law; variance of a difference
+  constexpr double kWithNeighbours = 7.0 / 6;  // variance of a difference
   const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
   const std::size_t row = flat.grid.size[0], slab = row * flat.grid.size[1];
   std::vector<float> differences;
@@ -95,9 +92,7 @@ double noiseOf(const Volume& flat, const Volume& calm, const Mask& core, const T
     differences.push_back(std::abs(*at - around));
   }
   if (differences.empty()) return 0;
-  const auto middle = differences.begin() + std::ptrdiff_t(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return kPerMedian * *middle / std::sqrt(kWithNeighbours);
+  return kSigmaPerMad * upperMedian(std::move(differences)) / std::sqrt(kWithNeighbours);
 }
 
 Volume calmed(const Volume& flat, double noise, double contrast) {

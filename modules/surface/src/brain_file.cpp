@@ -77,7 +77,7 @@ vtkDataArray& field(vtkPolyData& poly_data, const char* name, vtkIdType values,
 }  // namespace
 
 void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
-                const std::filesystem::path& texture_png) {
+                const std::filesystem::path& texture_png, FileAccess access) {
   const auto poly_data = toPolyData(brain.mesh);
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetName("TextureCoordinates");
@@ -86,14 +86,14 @@ void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
   poly_data->GetPointData()->SetTCoords(coordinates);
   addField(*poly_data, kCentre, 3, brain.map.centre.mm.data(), 1);
   addField(*poly_data, kRadius, 1, brain.map.radius_mm.data(), brain.map.radius_mm.size());
-  WholeFile texture(texture_png);
+  WholeFile texture(texture_png, access);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture(brain.map));
   writer->SetFileName(texture.temporaryPath().c_str());
   writer->Write();
   if (writer->GetErrorCode() != 0)
     throw Error("the texture could not be written", texture_png.string(), "is the disk full?");
-  writePolyData(*poly_data, vtp);
+  writePolyData(*poly_data, vtp, access);
   texture.commit();
 }
 

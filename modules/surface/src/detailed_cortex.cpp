@@ -20,11 +20,11 @@ ModelDistance distanceBetween(const DetailedCortex& cortex, const BrainModel& mo
   return {summarise(cortex.distance_mm), summarise(signedDistances_mm(model.mesh, cortex.mesh))};
 }
 
-void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp) {
+void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp, FileAccess access) {
   FACENAV_EXPECT(cortex.distance_mm.size() == cortex.mesh.vertices_mm.size(), "one distance per vertex");
   const auto poly_data = toPolyData(cortex.mesh);
   addPointValues(*poly_data, kDistance, cortex.distance_mm);
-  writePolyData(*poly_data, vtp);
+  writePolyData(*poly_data, vtp, access);
 }
 
 DetailedCortex readCortex(const std::filesystem::path& vtp) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "face_relief.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::surface {
 namespace {
@@ -85,9 +86,7 @@ double unevenness(const FaceRelief& relief, int root_row) {
           relief.at(row, relief.midline + k) > FaceRelief::kNone)
         differences.push_back(std::abs(difference(row) - turn));
   }
-  if (differences.empty()) return 0.0;
-  std::nth_element(differences.begin(), differences.begin() + differences.size() / 2, differences.end());
-  return differences[differences.size() / 2];
+  return upperMedian(std::move(differences));
 }
 
 /// How deep the eyes lie behind the brow, mm.

@@ -4,13 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::surface {
 namespace {
-
-float medianOf(std::vector<float> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 /// Median difference between both sides of `column`, the head's turn (a constant per distance) taken out.
 double asymmetry(const FaceRelief& relief, int column) {
@@ -23,10 +20,10 @@ double asymmetry(const FaceRelief& relief, int column) {
       if (a > FaceRelief::kNone && b > FaceRelief::kNone) differences.push_back(a - b);
     }
     if (differences.size() < 10) return std::numeric_limits<double>::max();
-    const float turn = medianOf(differences);
+    const float turn = upperMedian(differences);
     for (float& d : differences) d = std::abs(d - turn);
     // The turn itself counts a little: the midline is also where both sides are equally far forward.
-    sum += medianOf(differences) + 0.3 * std::abs(turn);
+    sum += upperMedian(differences) + 0.3 * std::abs(turn);
     ++n;
   }
   return sum / n;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/surface/closest_point.h"
 
 namespace facenav::surface {
@@ -30,11 +31,6 @@ std::vector<Vector3d> samplesOf(const TriangleMesh& scalp) {
   return samples;
 }
 
-double medianOf(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
 /// One Gauss-Newton step of the plane's two angles and offset; returns the step's length (rad and mm / 100).
 double improve(SymmetryPlane& plane, const std::vector<Vector3d>& points, const Vector3d& centroid,
                const ClosestPoint& skin) {
@@ -54,7 +50,7 @@ double improve(SymmetryPlane& plane, const std::vector<Vector3d>& points, const 
     pairs.push_back({{turn(u), turn(v), 2 * m.dot(plane.normal)}, m.dot(centroid + q - near.point.mm)});
     sizes.push_back(near.distance_mm);
   }
-  const double scale_mm = std::max(0.5, 2 * medianOf(sizes));
+  const double scale_mm = std::max(0.5, 2 * upperMedian(sizes));
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Vector3d right = Vector3d::Zero();
   for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::surface {
 namespace {
 
@@ -14,9 +16,7 @@ std::optional<float> commonAir(const volume::Volume& scan, const volume::Mask& h
     if (!head.voxels[v]) outside.push_back(scan.voxels[v]);
   if (outside.empty()) return {};
   // A value that more than half have is the median.
-  const auto middle = outside.begin() + std::ptrdiff_t(outside.size() / 2);
-  std::nth_element(outside.begin(), middle, outside.end());
-  const float air = *middle;
+  const float air = selectRank(outside, outside.size() / 2);
   const auto same = std::count(outside.begin(), outside.end(), air);
   return 2 * std::size_t(same) > outside.size() ? std::optional<float>(air) : std::nullopt;
 }
@@ -50,10 +50,9 @@ std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const 
   std::vector<float> beside = besideAir(scan, *air);
   if (beside.size() < 100) return {};
   // Nearly the least of them: a few voxels inside the head may be darker than the threshold.
-  const auto low = beside.begin() + std::ptrdiff_t(beside.size() / 10);
-  std::nth_element(beside.begin(), low, beside.end());
+  const float low = selectRank(beside, beside.size() / 10);
   volume::Volume raised = scan;
-  for (float& value : raised.voxels) value = std::max(value, *low);
+  for (float& value : raised.voxels) value = std::max(value, low);
   return raised;
 }
 

@@ -74,10 +74,11 @@ std::string extensionOf(MeshFormat format) {
   return {};
 }
 
-void writeMesh(const TriangleMesh& mesh, MeshFormat format, const std::filesystem::path& path) {
+void writeMesh(const TriangleMesh& mesh, MeshFormat format, const std::filesystem::path& path,
+               FileAccess access) {
   if (mesh.triangles.empty()) throw Error("the surface is empty, nothing to write", path.string());
-  if (format == MeshFormat::vtp) return writePolyData(*toPolyData(mesh), path);
-  WholeFile file(path);
+  if (format == MeshFormat::vtp) return writePolyData(*toPolyData(mesh), path, access);
+  WholeFile file(path, access);
   if (!writeAs(format, mesh, file.temporaryPath()))
     throw Error("the surface could not be written", path.string(), "check disk space and permissions");
   file.commit();

@@ -107,8 +107,8 @@ std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path) {
-  WholeFile file(path);
+void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path, FileAccess access) {
+  WholeFile file(path, access);
   vtkNew<vtkXMLPolyDataWriter> writer;
   vtkNew<ErrorListener> listener;
   writer->AddObserver(vtkCommand::ErrorEvent, listener);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "facenav/core/file_access.h"
 #include "facenav/surface/triangle_mesh.h"
 
 class vtkPolyData;
@@ -23,7 +24,8 @@ void addPointValues(vtkPolyData& poly_data, const char* name, const std::vector<
 std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
 
 /// Whole file, binary appended and compressed. Throws Error.
-void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path);
+void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path,
+                   FileAccess access = FileAccess::by_umask);
 /// Throws Error when the file is missing or is no .vtp file.
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& path);
 

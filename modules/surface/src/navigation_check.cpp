@@ -1,9 +1,9 @@
 #include "facenav/surface/navigation_check.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::surface {
 namespace {
@@ -11,12 +11,6 @@ namespace {
 constexpr const char* kThinSlices = "a 3-D T1 (MPRAGE, BRAVO, TFE) with voxels of 1 mm, at most 1.2 mm";
 constexpr const char* kWholeHead =
     "a field of view from above the vertex to below the chin, with 10 mm of air around nose and ears";
-
-std::string text(const char* format, double a, double b = 0) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, format, a, b);
-  return buffer;
-}
 
 double cutArea_mm2(const ScanQuality& scan, const std::string& name) {
   for (const ScanSide& side : scan.sides)
@@ -54,13 +48,14 @@ CheckFinding checkVertex(const ScanQuality& scan) {
   if (cut_mm2 < kTouch_mm2)
     return {"vertex", Verdict::fine, "the top of the head lies within the field of view", ""};
   return {"vertex", cut_mm2 < kMuch_mm2 ? Verdict::caution : Verdict::not_usable,
-          text("the top of the head is cut over %.0f cm2: targets there have no scalp", cut_mm2 / 100),
+          formatted("the top of the head is cut over %.0f cm2: targets there have no scalp", cut_mm2 / 100),
           kWholeHead};
 }
 
 CheckFinding checkSpacing(const ScanQuality& scan) {
   constexpr double kFine_mm = 1.205, kUsable_mm = 2.0;
-  const std::string words = text("voxels of %.2f to %.2f mm", scan.smallest_voxel_mm, scan.largest_voxel_mm);
+  const std::string words =
+      formatted("voxels of %.2f to %.2f mm", scan.smallest_voxel_mm, scan.largest_voxel_mm);
   if (scan.largest_voxel_mm <= kFine_mm) return {"spacing", Verdict::fine, words, ""};
   const bool is_usable = scan.largest_voxel_mm <= kUsable_mm;
   return {"spacing", is_usable ? Verdict::caution : Verdict::not_usable,
@@ -76,8 +71,8 @@ CheckFinding checkNoise(const ScanQuality& scan) {
             "not measurable, the air around the head was erased; the skin's edge is clear", ""};
   if (scan.noise <= 0)
     return {"noise", Verdict::caution, "not measurable, the scan holds no air beside the head", kWholeHead};
-  const std::string words = text("the noise moves the skin by %.2f mm (signal to noise %.0f)",
-                                 scan.skin_jitter_mm, scan.skin_step / scan.noise);
+  const std::string words = formatted("the noise moves the skin by %.2f mm (signal to noise %.0f)",
+                                      scan.skin_jitter_mm, scan.skin_step / scan.noise);
   if (scan.skin_jitter_mm <= kFine_mm) return {"noise", Verdict::fine, words, ""};
   return {"noise", scan.skin_jitter_mm <= kUsable_mm ? Verdict::caution : Verdict::not_usable, words,
           "a head coil with more channels, less acceleration, or two averages"};
@@ -88,7 +83,8 @@ CheckFinding checkGhosts(const ScanQuality& scan) {
   if (scan.is_air_blanked || scan.noise <= 0)
     return {"ghosts", Verdict::fine, "not measurable, there is no untouched air beside the head", ""};
   const std::string words =
-      text("ghosts in the air beside the head reach %.1f %% of the skin's signal", 100 * scan.ghost_share) +
+      formatted("ghosts in the air beside the head reach %.1f %% of the skin's signal",
+                100 * scan.ghost_share) +
       (scan.ghost_share > kFine ? " (" + scan.ghost_direction + "): the head moved, or an artefact" : "");
   if (scan.ghost_share <= kFine) return {"ghosts", Verdict::fine, words, ""};
   return {"ghosts", scan.ghost_share <= kUsable ? Verdict::caution : Verdict::not_usable, words,
@@ -101,7 +97,7 @@ CheckFinding checkWrapping(const ScanQuality& scan) {
     if (side.wrapped_share > kShare)
       return {"wrap-around", Verdict::caution,
               "tissue of the opposite side appears at the " + side.name + " of the scan (" +
-                  text("%.0f %%", 100 * side.wrapped_share) + " of what is cut there)",
+                  formatted("%.0f %%", 100 * side.wrapped_share) + " of what is cut there)",
               "phase oversampling, or a larger field of view"};
   return {"wrap-around", Verdict::fine, "nothing appears on the wrong side of the scan", ""};
 }
@@ -126,7 +122,7 @@ CheckFinding checkScale(const std::vector<FaceMeasure>& measures) {
   for (const auto& measure : measures)
     if (!measure.isUsual()) {
       ++count;
-      unusual += (unusual.empty() ? "" : ", ") + measure.name + text(" %.0f mm", measure.value_mm);
+      unusual += (unusual.empty() ? "" : ", ") + measure.name + formatted(" %.0f mm", measure.value_mm);
     }
   if (measures.empty())
     return {"scale", Verdict::caution, "no landmark was found, so nothing can be held against the person",

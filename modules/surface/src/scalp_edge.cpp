@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "mesh_polydata.h"
 
 namespace facenav::surface {
@@ -153,9 +154,7 @@ Edge outermostEdge(const std::vector<float>& fall, double first_mm) {
 double quantileOf(std::vector<double> values, double fraction) {
   values.erase(std::remove(values.begin(), values.end(), Edge::kNoPeak_mm), values.end());
   if (values.empty()) return Edge::kNoPeak_mm;
-  const auto at = values.begin() + std::size_t(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return selectRank(values, std::size_t(fraction * double(values.size() - 1)));
 }
 
 /// A blurred step has its maximum one sigma of the blur inside its foot. Where a dark dermis and the brighter

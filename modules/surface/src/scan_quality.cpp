@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::surface {
 namespace {
 
@@ -13,12 +15,6 @@ using Eigen::Vector3i;
 
 constexpr const char* kNames[3][2] = {{"left", "right"}, {"back", "front"}, {"bottom", "top"}};
 constexpr const char* kDirections[3] = {"left-right", "front-back", "up-down"};
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 class ScanMeter {
  public:
@@ -63,8 +59,8 @@ class ScanMeter {
       }
       if (highest > outside) steps.push_back(highest - outside), slopes.push_back(slope);
     }
-    quality_.skin_step = medianOf(steps);
-    slope_per_mm_ = medianOf(slopes);
+    quality_.skin_step = upperMedian(steps);
+    slope_per_mm_ = upperMedian(slopes);
   }
 
   /// Per axis, which lines of voxels along it meet the head (or pass within `gap` voxels of it).

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "facenav/geometry/nearest_on_triangle.h"
+
 namespace facenav::surface {
 namespace {
 
@@ -13,28 +15,6 @@ using Eigen::Vector3f;
 
 constexpr int kLeaf = 6;        // triangles
 constexpr float kSame = 1e-5f;  // of the squared distance: one place, reached from two triangles
-
-/// Ericson, Real-Time Collision Detection (2005), section 5.1.5.
-Vector3f closestOn(const Vector3f& a, const Vector3f& b, const Vector3f& c, const Vector3f& p) {
-  const Vector3f ab = b - a, ac = c - a, ap = p - a;
-  const float d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Vector3f bp = p - b;
-  const float d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  const Vector3f cp = p - c;
-  const float d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  const float va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  const float sum = va + vb + vc;
-  if (sum <= 0) return a;  // no area
-  return a + vb / sum * ab + vc / sum * ac;
-}
 
 float squaredToBox(const Array4f& low, const Array4f& high, const Array4f& p) {
   return (low - p).max(p - high).max(Array4f::Zero()).square().sum();
@@ -100,7 +80,7 @@ float TriangleTree::facing(int slot, const Vector3f& p, const Vector3f& at) cons
 
 void TriangleTree::consider(int slot, const Vector3f& p, NearestPlace& best, float& best_facing) const {
   const Corners& t = corners_[slot];
-  const Vector3f at = closestOn(t.a, t.b, t.c, p);
+  const Vector3f at = nearestOnTriangle(p, t.a, t.b, t.c).point;
   const float squared = (p - at).squaredNorm();
   if (squared > best.squared_mm2 * (1 + kSame)) return;
   if (squared >= best.squared_mm2 * (1 - kSame)) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::tracking {
 namespace {
 
@@ -57,9 +59,7 @@ FrameGuard::Change FrameGuard::change(const cv::Mat& now, const cv::Mat& before,
 
 bool FrameGuard::streamIsNoisy() const {
   if (changed_.size() < kLeastHistory) return false;
-  auto sorted = changed_;
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  return sorted[sorted.size() / 2] > kNoisyShare;
+  return upperMedian(changed_) > kNoisyShare;
 }
 
 std::optional<LostReason> FrameGuard::judge(const Change& left, const Change& right, double moved_mm) {

@@ -228,7 +228,7 @@ ImagePtr makeImage(const VoxelGrid& grid, int datatype) {
   return image;
 }
 
-void writeImage(nifti_image& image, const std::filesystem::path& path) {
+void writeImage(nifti_image& image, const std::filesystem::path& path, FileAccess access) {
   const std::string name = path.filename().string();
   const bool is_gz = name.size() > 7 && name.substr(name.size() - 7) == ".nii.gz";
   if (!is_gz && path.extension() != ".nii") throw Error("name must end in .nii or .nii.gz", path.string());
@@ -240,7 +240,7 @@ void writeImage(nifti_image& image, const std::filesystem::path& path) {
   std::memcpy(content.data(), &header, sizeof header);
   std::memcpy(content.data() + kDataOffset, image.data, content.size() - kDataOffset);
   if (is_gz) content = gzipped(content.data(), content.size());
-  WholeFile file(path);
+  WholeFile file(path, access);
   std::ofstream stream(file.temporaryPath(), std::ios::binary);
   stream.write(reinterpret_cast<const char*>(content.data()), std::streamsize(content.size()));
   stream.close();
@@ -292,28 +292,28 @@ Mask readMask(const std::filesystem::path& path) {
   return mask;
 }
 
-void writeNifti(const Volume& volume, const std::filesystem::path& path) {
+void writeNifti(const Volume& volume, const std::filesystem::path& path, FileAccess access) {
   FACENAV_EXPECT(volume.voxels.size() == volume.grid.count(), "volume and grid differ in size");
   if (fits<std::int16_t>(volume.voxels)) {
     const ImagePtr image = makeImage(volume.grid, DT_INT16);
     fill<std::int16_t>(*image, volume.voxels);
-    writeImage(*image, path);
+    writeImage(*image, path, access);
   } else if (fits<std::uint16_t>(volume.voxels)) {
     const ImagePtr image = makeImage(volume.grid, DT_UINT16);
     fill<std::uint16_t>(*image, volume.voxels);
-    writeImage(*image, path);
+    writeImage(*image, path, access);
   } else {
     const ImagePtr image = makeImage(volume.grid, DT_FLOAT32);
     fill<float>(*image, volume.voxels);
-    writeImage(*image, path);
+    writeImage(*image, path, access);
   }
 }
 
-void writeMask(const Mask& mask, const std::filesystem::path& path) {
+void writeMask(const Mask& mask, const std::filesystem::path& path, FileAccess access) {
   FACENAV_EXPECT(mask.voxels.size() == mask.grid.count(), "mask and grid differ in size");
   const ImagePtr image = makeImage(mask.grid, DT_UINT8);
   fill<std::uint8_t>(*image, mask.voxels);
-  writeImage(*image, path);
+  writeImage(*image, path, access);
 }
 
 }  // namespace facenav::volume

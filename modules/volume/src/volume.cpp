@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::volume {
 
@@ -37,9 +38,7 @@ float percentile(const Volume& volume, double fraction) {
   for (std::size_t i = 0; i < volume.voxels.size(); i += step)
     if (std::isfinite(volume.voxels[i])) sample.push_back(volume.voxels[i]);
   if (sample.empty()) throw Error("the volume holds no finite voxel");
-  const auto rank = std::min(sample.size() - 1, std::size_t(fraction * double(sample.size())));
-  std::nth_element(sample.begin(), sample.begin() + rank, sample.end());
-  return sample[rank];
+  return selectRank(sample, std::size_t(fraction * double(sample.size())));
 }
 
 Overlap overlap(const Mask& a, const Mask& b) {

@@ -9,8 +9,7 @@ namespace facenav::workflow {
 namespace fs = std::filesystem;
 
 void writePrivatePng(const RgbImage& image, const fs::path& path) {
-  scene::writePng(image, path);
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  scene::writePng(image, path, FileAccess::owner_only);
 }
 
 RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex,

@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <numeric>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::workflow {
@@ -67,9 +67,7 @@ double nearestLargeDepth_mm(const PointCloud<Camera>& cloud) {
   std::vector<double> depths;
   depths.reserve(cloud.size());
   for (const auto& p : cloud.points_mm) depths.push_back(p.z());
-  const auto tenth = depths.begin() + std::ptrdiff_t(depths.size() / 10);
-  std::nth_element(depths.begin(), tenth, depths.end());
-  return *tenth;
+  return selectRank(depths, depths.size() / 10);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/stereo/rig_monitor.h"
 
 namespace facenav::workflow {
@@ -19,9 +20,7 @@ Eigen::Vector3d medianOf(const PointCloud<Camera>& face) {
   for (int a = 0; a < 3; ++a) {
     std::transform(face.points_mm.begin(), face.points_mm.end(), values.begin(),
                    [a](const Eigen::Vector3d& p) { return p[a]; });
-    const auto half = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    middle[a] = *half;
+    middle[a] = upperMedian(values);
   }
   return middle;
 }

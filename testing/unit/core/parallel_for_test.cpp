@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -71,6 +72,38 @@ TEST(ParallelFor, LoopsWithinLoopsAndBesideEachOtherEnd) {
   loops();
   beside.join();
   EXPECT_EQ(inner, 2 * 8 * 50);
+}
+
+TEST(ParallelRanges, CoverEachItemOnce) {
+  for (const int count : {0, 1, 2, 7, 100}) {
+    std::vector<std::atomic<int>> met(std::size_t(count) + 20);
+    parallelRanges(5, 5 + count, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) ++met[std::size_t(i)];
+    });
+    for (int i = 0; i < count + 20; ++i) EXPECT_EQ(met[std::size_t(i)], i >= 5 && i < 5 + count ? 1 : 0) << i;
+  }
+}
+
+TEST(ParallelRanges, RunOnTheCallersThreadWhereOneCoreIsAskedFor) {
+  const OneCoreOnly one_core;
+  EXPECT_EQ(coreCount(), 1u);
+  int calls = 0;
+  std::set<std::thread::id> threads;
+  parallelRanges(0, 100, [&](int begin, int end) {
+    ++calls;
+    threads.insert(std::this_thread::get_id());
+    EXPECT_EQ(end - begin, 100);
+  });
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(ParallelRanges, ThrowWhatAnItemThrew) {
+  EXPECT_THROW(parallelRanges(0, 50,
+                              [](int, int end) {
+                                if (end == 50) throw std::runtime_error("last");
+                              }),
+               std::runtime_error);
 }
 
 TEST(ParallelFor, BackgroundWorkStaysInTheBackground) {

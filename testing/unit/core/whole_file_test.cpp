@@ -1,6 +1,7 @@
 #include "facenav/core/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -12,6 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::TemporaryFolder;
+
+unsigned modeOf(const fs::path& path) {
+  struct stat status {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
+  return status.st_mode & 0777u;
+}
 
 TEST(WholeFile, AppearsWithItsContentOnCommit) {
   const TemporaryFolder folder;
@@ -57,6 +64,39 @@ TEST(WholeFile, RefusesToCommitWhatWasNeverWritten) {
   const TemporaryFolder folder;
   WholeFile file(folder.path() / "a.txt");
   EXPECT_THROW(file.commit(), Error);
+  WholeFile secret(folder.path() / "b.txt", FileAccess::owner_only);
+  EXPECT_THROW(secret.commit(), Error);
+}
+
+TEST(WholeFile, OfTheOwnerAloneIsPrivateFromTheFirstByte) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "face.png";
+  writeWholeFile(path, "of before, for all");
+  ASSERT_EQ(::chmod(path.c_str(), 0644), 0);
+  WholeFile file(path, FileAccess::owner_only);
+  EXPECT_EQ(modeOf(file.temporaryPath()), 0600u) << "before anything is written";
+  std::ofstream(file.temporaryPath()) << "secret";
+  EXPECT_EQ(modeOf(file.temporaryPath()), 0600u);
+  file.commit();
+  EXPECT_EQ(modeOf(path), 0600u);
+  EXPECT_EQ(readWholeFile(path), "secret");
+}
+
+TEST(WholeFile, OfTheOwnerAloneStaysPrivateWhenTheWriterMakesTheFileAnew) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  WholeFile file(path, FileAccess::owner_only);
+  fs::remove(file.temporaryPath());
+  std::ofstream(file.temporaryPath()) << "secret";
+  file.commit();
+  EXPECT_EQ(modeOf(path), 0600u);
+}
+
+TEST(WholeFile, MayBeEmptyWhereThatIsTheContent) {
+  const TemporaryFolder folder;
+  writeWholeFile(folder.path() / "log", "", FileAccess::owner_only);
+  EXPECT_EQ(readWholeFile(folder.path() / "log"), "");
+  EXPECT_EQ(modeOf(folder.path() / "log"), 0600u);
 }
 
 }  // namespace

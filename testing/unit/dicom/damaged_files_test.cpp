@@ -71,6 +71,7 @@ TEST(DamagedFiles, RawDataOfHalfAGigabyteIsNotReadToBeListed) {
   const auto series = dicom::listSeries(folder.path(), monitor);
   ASSERT_EQ(series.size(), 1u);
   EXPECT_EQ(series[0].problem, "raw data, no image");
+  EXPECT_EQ(series[0].problem_kind, dicom::SeriesProblem::no_volume);
 }
 
 TEST(DamagedFiles, SeededMutationsOfEverySyntax) {

@@ -97,7 +97,7 @@ struct Slice {
   double slope = 1, intercept = 0, echo_ms = 3.5, tilt_deg = 0;
   std::string photometric = "MONOCHROME2", image_type = "ORIGINAL\\PRIMARY\\M", modality = "MR";
   std::string series_uid = "1.2.3.4", sop_uid = "1.2.3.4.1", description = "t1_mprage", series_number = "3";
-  std::string patient_name = "Secret^Name", patient_id = "id", character_set;
+  std::string patient_name = "Secret^Name", patient_id = "id", character_set, contrast_agent;
   std::string sop_class = "1.2.840.10008.5.1.4.1.1.4";
   int instance = 1;
   Eigen::Vector3d position{-100, -80, 0}, row{1, 0, 0}, column{0, 1, 0};
@@ -120,6 +120,7 @@ inline DataSetBytes headerOf(const Slice& s) {
   d.raw(0x00080008, "CS", s.image_type).raw(0x00080016, "UI", s.sop_class).raw(0x00080018, "UI", s.sop_uid);
   d.raw(0x00080020, "DA", "20200102").raw(0x00080060, "CS", s.modality).raw(0x0008103E, "LO", s.description);
   d.raw(0x00100010, "PN", s.patient_name).raw(0x00100020, "LO", s.patient_id);
+  if (!s.contrast_agent.empty()) d.raw(0x00180010, "LO", s.contrast_agent);
   d.ds(0x00180050, {s.thickness}).ds(0x00180081, {s.echo_ms});
   if (s.tilt_deg != 0) d.ds(0x00181120, {s.tilt_deg});
   d.raw(0x0020000D, "UI", "1.2.3").raw(0x0020000E, "UI", s.series_uid).raw(0x00200011, "IS", s.series_number);

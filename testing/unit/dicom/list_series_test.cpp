@@ -76,6 +76,8 @@ TEST(ListSeries, EchoesAndPhaseUnderOneUidAreSplit) {
     EXPECT_TRUE(info.is_loadable) << info.problem;
     EXPECT_EQ(info.slices, 8);
     EXPECT_FALSE(info.part.empty());
+    EXPECT_EQ(info.problem_kind, dicom::SeriesProblem::none);
+    EXPECT_EQ(info.is_magnitude_part, info.part.find("magnitude") != std::string::npos) << info.part;
     ids.push_back(info.id);
   }
   std::sort(ids.begin(), ids.end());
@@ -90,6 +92,16 @@ TEST(ListSeries, ManyVolumesOfOnePlaceAreFourD) {
   const auto series = list(folder.path());
   ASSERT_EQ(series.size(), 1u);
   EXPECT_THAT(series[0].problem, HasSubstr("3 volumes of the same place (4-D)"));
+  EXPECT_EQ(series[0].problem_kind, dicom::SeriesProblem::several_volumes);
+}
+
+TEST(ListSeries, ContrastAgentIsKnownWithoutReadingWords) {
+  const TemporaryFolder folder;
+  writeSlices(folder.path() / "plain", makeSlices(6, small("1.7", "t1")));
+  writeSlices(folder.path() / "agent",
+              makeSlices(6, small("1.8", "t1"), [](Slice& s, int) { s.contrast_agent = "GADOVIST"; }));
+  for (const auto& info : list(folder.path()))
+    EXPECT_EQ(info.has_contrast_agent, info.series_uid == "1.8") << info.series_uid;
 }
 
 TEST(ListSeries, LocalizerInThreeDirectionsIsOneEntry) {

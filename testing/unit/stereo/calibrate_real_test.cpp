@@ -11,6 +11,7 @@
 #include <set>
 
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "facenav/stereo/calibrate.h"
 #include "support/test_data.h"
 
@@ -44,8 +45,8 @@ const std::map<std::string, SeenCorners>& cornersOf(const std::string& set, char
         kCutOff.count(set + "/" + entry.path().stem().string()) == 0)
       files.push_back(entry.path());
   std::vector<SeenCorners> seen(files.size());
-  cv::parallel_for_({0, int(files.size())}, [&](const cv::Range& range) {
-    for (int i = range.start; i < range.end; ++i)
+  parallelRanges(0, int(files.size()), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
       seen[std::size_t(i)] =
           findBoard(cv::imread(files[std::size_t(i)].string(), cv::IMREAD_GRAYSCALE), kBoard);
   });

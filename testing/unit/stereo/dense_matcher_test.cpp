@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "matchers/block_search.h"
 #include "matchers/disparity_field.h"
 #include "matchers/plane_field.h"
@@ -96,8 +97,12 @@ TEST(FieldMatcher, ThreadsDoNotChangeTheResult) {
   const int threads = cv::getNumThreads();
   MatchOptions options;
   options.details = 2;
-  cv::setNumThreads(1);
-  const DisparityMap one = match(surface, options);
+  const auto onOneCore = [&] {
+    const OneCoreOnly one_core;
+    cv::setNumThreads(1);
+    return match(surface, options);
+  };
+  const DisparityMap one = onOneCore();
   cv::setNumThreads(2);
   const DisparityMap two = match(surface, options);
   cv::setNumThreads(threads);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/parallel_for.h"
 #include "noise_field.h"
 
 namespace facenav::room {
@@ -119,8 +120,8 @@ class Sights {
  public:
   Sights(const RayScene& scene, const CameraRays& rays, const cv::Rect& window)
       : window_(window), sights_(std::size_t(window.area())) {
-    cv::parallel_for_({0, window.height}, [&](const cv::Range& rows) {
-      for (int y = rows.start; y < rows.end; ++y)
+    parallelRanges(0, window.height, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
         for (int x = 0; x < window.width; ++x)
           sights_[std::size_t(y) * window.width + x] =
               scene.look(rays.origin_mm(), rays.direction(window.x + x, window.y + y));
@@ -190,8 +191,8 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
     view.radiance.at<float>(y, x) = light.grey;
     if (!view.red.empty()) view.red.at<float>(y, x) = light.red;
   };
-  cv::parallel_for_({window.y, window.br().y}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y)
+  parallelRanges(window.y, window.br().y, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
       for (int x = window.x; x < window.br().x; ++x) {
         const Sight& sight = sights.at(x, y);
         std::optional<Hit> hit;
@@ -212,8 +213,8 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
 cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm) {
   cv::Mat image(rays.height_px(), rays.width_px(), CV_32F);
   const Eigen::Vector3d eye = room_T_world * rays.origin_mm();
-  cv::parallel_for_({0, image.rows}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y)
+  parallelRanges(0, image.rows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
       for (int x = 0; x < image.cols; ++x) {
         const Eigen::Vector3d along = room_T_world.linear() * rays.direction(x, y);
         const Eigen::Vector3d p_mm = eye + (distance_mm - eye.z()) / along.z() * along;

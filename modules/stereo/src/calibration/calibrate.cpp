@@ -6,6 +6,7 @@
 #include "calibration_report.h"
 #include "exposure_words.h"
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "lens_choice.h"
 
 namespace facenav::stereo {
@@ -81,9 +82,8 @@ std::vector<BoardView> findBoards(const std::vector<CalibrationPair>& pairs, con
   std::vector<BoardView> views(pairs.size());
   for (int first = 0; first < int(pairs.size()); first += kAtATime) {
     monitor.report("find boards", double(first) / double(pairs.size()));
-    cv::parallel_for_({first, std::min(first + kAtATime, int(pairs.size()))}, [&](const cv::Range& range) {
-      for (int i = range.start; i < range.end; ++i)
-        views[std::size_t(i)] = foundIn(pairs[std::size_t(i)], board);
+    parallelRanges(first, std::min(first + kAtATime, int(pairs.size())), [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) views[std::size_t(i)] = foundIn(pairs[std::size_t(i)], board);
     });
   }
   return views;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "exposure_words.h"
+#include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
 #include "rig_effect.h"
 
@@ -55,11 +55,8 @@ std::vector<std::string> warningsFor(const BoardViews& task, const TrustedViews&
     warnings.push_back("only " + std::to_string(trusted.used.size()) +
                        " views were used: 10 or more are better");
   const double tilt = tilt_deg(fits);
-  char angles[96];
-  std::snprintf(angles, sizeof angles, "the board was turned by only %.0f deg: add views at more angles",
-                tilt);
   if (tilt < kUsefulTilt_deg)
-    warnings.push_back(angles);
+    warnings.push_back(formatted("the board was turned by only %.0f deg: add views at more angles", tilt));
   else if (is_simultaneous && result.held_out_rms_px > 2 * result.rms_px)
     warnings.push_back("views left out fit twice as badly as those used: add views");
   return warnings;

@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "board_pose.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::stereo {
 namespace {
@@ -15,12 +16,6 @@ using Numbers = std::vector<int> BoardView::*;
 
 constexpr double kWorstByMedian = 2.5;  // a view this many times worse than the median view disagrees
 constexpr double kNeverBad_px = 0.15;   // below this no view is called bad, however good the others are
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 std::size_t worstOf(const std::vector<double>& values) {
   return std::size_t(std::max_element(values.begin(), values.end()) - values.begin());
@@ -56,7 +51,7 @@ Alone checkAlone(const std::vector<BoardView>& views, Corners corners, Numbers n
   Alone alone;
   while (true) {
     const auto rms = rmsAlone(views, used, corners, numbers, size, board);
-    alone.median_px = median(rms);
+    alone.median_px = upperMedian(rms);
     const std::size_t worst = worstOf(rms);
     if (used.size() <= fewest || rms[worst] < largestAgreeing_px(alone.median_px)) return alone;
     alone.bad.push_back(used[worst]);

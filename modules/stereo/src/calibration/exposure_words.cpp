@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::stereo {
 namespace {
@@ -18,12 +18,6 @@ constexpr double kNotedShare = 0.1;  // of moved views: more than a slip of the 
 constexpr double kNotedByAlone = 1.6, kNotedDisagreement_px = 0.15;
 const char* const kRemedy = "trigger both cameras together, or hold the board still for each pair";
 
-std::string text(const char* format, double a, double b, double c) {
-  char line[400];
-  std::snprintf(line, sizeof line, format, a, b, c);
-  return line;
-}
-
 double farthestMoved_mm(const BoardViews& task, const StereoRig& rig, const ViewIndices& moved) {
   double farthest_mm = 0;
   for (const std::size_t i : moved)
@@ -32,7 +26,7 @@ double farthestMoved_mm(const BoardViews& task, const StereoRig& rig, const View
 }
 
 std::string notTogether(const BoardViews& task, const StereoRig& rig, const ViewIndices& moved) {
-  return text(
+  return formatted(
       "the cameras were not triggered together: the board moved between the two exposures in %.0f of %.0f "
       "views, by up to %.1f mm",
       double(moved.size()), double(task.views.size()), farthestMoved_mm(task, rig, moved));
@@ -59,10 +53,11 @@ std::vector<std::string> simultaneityWarnings(const BoardViews& task, const Trus
   if (trusted.moved.size() >= 2 && double(trusted.moved.size()) > kNotedShare * double(task.views.size()))
     return {notTogether(task, result.rig, trusted.moved) + ". Better " + kRemedy};
   if (result.rms_px > std::max(kNotedByAlone * trusted.alone_px, kNotedDisagreement_px))
-    return {text("both cameras together fit the views to %.2f px, each alone to %.2f px: the board may have "
-                 "moved between the two exposures, or a camera between the views. Better ",
-                 result.rms_px, trusted.alone_px, 0) +
-            kRemedy};
+    return {
+        formatted("both cameras together fit the views to %.2f px, each alone to %.2f px: the board may have "
+                  "moved between the two exposures, or a camera between the views. Better ",
+                  result.rms_px, trusted.alone_px) +
+        kRemedy};
   return {};
 }
 
@@ -74,10 +69,10 @@ std::string reasonFor(const BoardViews& task, const TrustedViews& trusted, const
   const bool is_left = isIn(trusted.bad_left), is_right = isIn(trusted.bad_right);
   const std::string side = is_left && is_right ? "left and right" : is_left ? "left" : "right";
   if (is_left || is_right) return "corners of the " + side + " image are off: blur, or a wrong corner";
-  return text(
+  return formatted(
       "disagrees with the other views: the exposures were not simultaneous, the board moved %.1f mm "
       "between them",
-      movedBetween_mm(rig, task.views[i], task.board), 0, 0);
+      movedBetween_mm(rig, task.views[i], task.board));
 }
 
 }  // namespace facenav::stereo

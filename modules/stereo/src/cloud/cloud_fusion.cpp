@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::stereo {
 namespace {
@@ -13,12 +14,6 @@ constexpr double kFarthest_mm = 2.0;   // that a point is moved along its plane 
 constexpr double kGate = 3.0;          // standard deviations from the median
 constexpr double kOwnWorth = 2.0;      // frames that a point's own deviation counts for in the spread
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 struct Distance {
   double mm, sigma_mm;
   int frames;
@@ -27,12 +22,12 @@ struct Distance {
 // From sightings as pairs of distance and deviation; `shared_mm` is part of each deviation.
 Distance meanOf(const std::vector<std::pair<double, double>>& seen, double shared_mm) {
   if (seen.size() == 1) return {seen[0].first, seen[0].second, 1};
-  std::vector<double> distances, deviations, sigmas;
+  std::vector<double> distances, sigmas;
   for (const auto& [distance_mm, sigma_mm] : seen)
     distances.push_back(distance_mm), sigmas.push_back(sigma_mm);
-  const double middle_mm = median(distances), own_mm = median(sigmas);
-  for (const double d : distances) deviations.push_back(std::abs(d - middle_mm));
-  const double gate_mm = kGate * std::max(1.4826 * median(deviations), own_mm);
+  const double middle_mm = upperMedian(distances), own_mm = upperMedian(sigmas);
+  const double gate_mm =
+      kGate * std::max(kSigmaPerMad * medianAbsoluteDeviation(distances, middle_mm), own_mm);
   double sum = 0, weights = 0;
   int near = 0;
   for (const auto& [distance_mm, sigma_mm] : seen) {

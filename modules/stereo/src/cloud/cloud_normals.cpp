@@ -6,6 +6,8 @@
 #include <limits>
 #include <opencv2/core/utility.hpp>
 
+#include "facenav/core/parallel_for.h"
+
 namespace facenav::stereo {
 namespace {
 
@@ -59,8 +61,8 @@ bool fitPlane(const cv::Mat& disparity, int x0, int y0, DisparityPlane& plane) {
 cv::Mat diskNormals(const Rectification& r, const DisparityMap& map) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   cv::Mat normals(map.disparity_px.size(), CV_32FC3, cv::Scalar(nan, nan, nan));
-  cv::parallel_for_({0, normals.rows}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y)
+  parallelRanges(0, normals.rows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
       for (int x = 0; x < normals.cols; ++x) {
         DisparityPlane plane;
         if (std::isnan(map.disparity_px.at<float>(y, x)) || !fitPlane(map.disparity_px, x, y, plane))

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/core.hpp>
 
 #include "cloud_normals.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/stereo/dense_matcher.h"
 #include "matchers/block_search.h"
 #include "rig/epipolar_check.h"
@@ -126,10 +126,9 @@ FaceCloud measureFace(const StereoRig& rig, const StereoFrame& frame, const Face
     refuseSwapped(rig, frame, options, face, monitor);
   const double row_shift_px = is_too_few ? bestRowShift(rig, frame, options) : face.epipolar_median_px;
   if (std::abs(row_shift_px) > kMoved_px) {
-    char text[96];
-    std::snprintf(text, sizeof text, "the images disagree with the calibration by %.1f px across the rows",
-                  std::abs(row_shift_px));
-    throw Error(text, {}, "the cameras have moved: calibrate again");
+    throw Error(formatted("the images disagree with the calibration by %.1f px across the rows",
+                          std::abs(row_shift_px)),
+                {}, "the cameras have moved: calibrate again");
   }
   if (is_too_few)
     throw Error((options.has_dots ? "no dots found: only " : "too little texture: only ") +

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "facenav/core/parallel_for.h"
 #include "kernels/block_kernel.h"
 #include "normalised_image.h"
 #include "strips.h"
@@ -81,9 +82,9 @@ cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& 
                 width,     disparities};
   cv::Mat found(rows, columns, CV_32F);
   const int strips = kernel.needs_one_strip ? 1 : stripsFor(rows);
-  cv::parallel_for_({0, strips}, [&](const cv::Range& range) {
+  parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<std::uint16_t> scratch(std::size_t(scratchSize(columns, disparities)) / 2 + 1);
-    for (int i = range.start; i < range.end; ++i)
+    for (int i = begin; i < end; ++i)
       kernel.search(images, rows * i / strips, rows * (i + 1) / strips, kUniqueness_256,
                     reinterpret_cast<std::uint8_t*>(scratch.data()), found.ptr<float>(), int(found.step1()));
   });

@@ -8,6 +8,7 @@
 
 #include "disparity_filter.h"
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "strips.h"
 
 namespace facenav::stereo {
@@ -55,9 +56,9 @@ void DisparityField::estimate(double window_sigma_px, cv::Mat& change, cv::Mat& 
   const field::Step out{change.ptr<float>(), sigma.ptr<float>(), correlation.ptr<float>()};
   // A strip's result does not depend on where it begins: as many as there are threads.
   const int strips = stripsFor(nodes_.rows);
-  cv::parallel_for_({0, strips}, [&](const cv::Range& range) {
+  parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<float> scratch(std::size_t(field::scratchSize(nodes_.columns)));
-    for (int i = range.start; i < range.end; ++i)
+    for (int i = begin; i < end; ++i)
       kernel_.step(images_, nodes_, disparity_.ptr<float>(), window, nodes_.rows * i / strips,
                    nodes_.rows * (i + 1) / strips, scratch.data(), out);
   });
@@ -111,9 +112,9 @@ DisparityMap DisparityField::map(const MatchOptions& options) const {
   for (cv::Mat* image : {&map.disparity_px, &map.slope_x, &map.slope_y, &map.sigma_px})
     image->create(images_.height, images_.width, CV_32F);
   const float steepest = float(options.largest_slope);
-  cv::parallel_for_({0, images_.height}, [&](const cv::Range& rows) {
+  parallelRanges(0, images_.height, [&](int begin, int end) {
     std::vector<float> scratch(4 * std::size_t(nodes_.columns));
-    for (int y = rows.start; y < rows.end; ++y) {
+    for (int y = begin; y < end; ++y) {
       float* d = map.disparity_px.ptr<float>(y);
       kernel_.pixel_row(nodes_, disparity_.ptr<float>(), y, images_.width, scratch.data(), d);
       const int row = y / 2, above = std::max(row - 1, 0), below = std::min(row + 1, nodes_.rows - 1);

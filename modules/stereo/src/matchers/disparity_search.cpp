@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "kernels/ssd_kernel.h"
 
 namespace facenav::stereo {
@@ -25,8 +26,8 @@ cv::Mat normalise(const cv::Mat& image, const cv::Mat& mask, int invalid) {
   cv::boxFilter(image, mean, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
   cv::sqrBoxFilter(image, square, CV_32F, window, {-1, -1}, true, cv::BORDER_REPLICATE);
   cv::Mat normalised(image.size(), CV_8U);
-  cv::parallel_for_({0, image.rows}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y) {
+  parallelRanges(0, image.rows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
       const float *in = image.ptr<float>(y), *m = mean.ptr<float>(y), *s = square.ptr<float>(y);
       const std::uint8_t* is_valid = mask.ptr<std::uint8_t>(y);
       std::uint8_t* out = normalised.ptr<std::uint8_t>(y);
@@ -86,9 +87,9 @@ cv::Mat searchDisparities(const Rectification& rectification, const RectifiedPai
   const bool has_avx2 = cv::checkHardwareSupport(CV_CPU_AVX2);
   const auto search = has_avx2 ? ssd::searchRowsAvx2 : ssd::searchRowsBase;
   constexpr int kStrips = 8;
-  cv::parallel_for_({0, kStrips}, [&](const cv::Range& strips) {
+  parallelRanges(0, kStrips, [&](int begin, int end) {
     StripMemory memory(images);
-    for (int i = strips.start; i < strips.end; ++i)
+    for (int i = begin; i < end; ++i)
       search(images, memory.scratch(), images.height * i / kStrips, images.height * (i + 1) / kStrips,
              kUniqueness_256, disparity.ptr<std::int16_t>(), int(disparity.step1()));
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/core/utility.hpp>
 
+#include "facenav/core/parallel_for.h"
 #include "kernels/plane_kernel.h"
 
 namespace facenav::stereo {
@@ -23,9 +24,9 @@ cv::Mat splineAlongRows(const cv::Mat& image) {
   const planes::Kernel kernel = planes::bestKernel();
   cv::Mat coefficients(image.size(), CV_32F);
   const int width = image.cols;
-  cv::parallel_for_({0, image.rows}, [&](const cv::Range& range) {
+  parallelRanges(0, image.rows, [&](int begin, int end) {
     std::vector<float> padded(std::size_t(width) + 2 * kRadius);
-    for (int y = range.start; y < range.end; ++y) {
+    for (int y = begin; y < end; ++y) {
       const float* row = image.ptr<float>(y);
       std::copy(row, row + width, padded.begin() + kRadius);
       for (int i = 1; i <= kRadius; ++i) {

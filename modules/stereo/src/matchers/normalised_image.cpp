@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "facenav/core/parallel_for.h"
 #include "kernels/block_kernel.h"
 
 namespace facenav::stereo {
@@ -51,11 +52,11 @@ cv::Mat normalisedImage(const cv::Mat& image, const cv::Mat& mask, int invalid, 
   const block::Kernel kernel = block::bestKernel();
   const Statistics statistics = statisticsOf(image, kernel);
   const int cells = statistics.mean.cols;
-  cv::parallel_for_({0, image.rows}, [&](const cv::Range& range) {
+  parallelRanges(0, image.rows, [&](int begin, int end) {
     std::vector<float> offset(std::size_t(cells) * kCell), scale(offset.size());
     std::vector<std::uint8_t> row(image.cols);
     int last_cell = -1;
-    for (int y = range.start; y < range.end; ++y) {
+    for (int y = begin; y < end; ++y) {
       if (y / kCell != last_cell) {
         last_cell = y / kCell;
         const float *m = statistics.mean.ptr<float>(last_cell), *s = statistics.scale.ptr<float>(last_cell);

@@ -8,6 +8,7 @@
 
 #include "disparity_filter.h"
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "strips.h"
 
 namespace facenav::stereo {
@@ -98,9 +99,9 @@ void PlaneField::run(double window_sigma_px, bool is_fit) {
   const planes::Field from = now_.view(), to = next_.view();
   // A strip's result does not depend on where it begins: as many as there are threads.
   const int strips = kernel_.needs_one_strip ? 1 : stripsFor(from.rows);
-  cv::parallel_for_({0, strips}, [&](const cv::Range& range) {
+  parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<float> scratch(std::size_t(planes::scratchSize(from.columns)));
-    for (int i = range.start; i < range.end; ++i)
+    for (int i = begin; i < end; ++i)
       kernel_.step(images_, from, window, is_fit, from.rows * i / strips, from.rows * (i + 1) / strips,
                    scratch.data(), to);
   });
@@ -186,10 +187,10 @@ DisparityMap PlaneField::map(const MatchOptions& options) const {
   for (cv::Mat* image : {&map.disparity_px, &map.slope_x, &map.slope_y, &map.sigma_px})
     image->create(images_.height, images_.width, CV_32F);
   const planes::Field view = now_.view();
-  cv::parallel_for_({0, images_.height}, [&](const cv::Range& rows) {
+  parallelRanges(0, images_.height, [&](int begin, int end) {
     std::vector<float> scratch(2 * std::size_t(view.columns) + 8),
         row(std::size_t(planes::kBlock) * view.columns);
-    for (int y = rows.start; y < rows.end; ++y) {
+    for (int y = begin; y < end; ++y) {
       kernel_.pixel_row(view, y, scratch.data(), row.data());
       const planes::Output out{map.disparity_px.ptr<float>(y), map.slope_x.ptr<float>(y),
                                map.slope_y.ptr<float>(y), map.sigma_px.ptr<float>(y)};

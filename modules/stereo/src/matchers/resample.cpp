@@ -4,6 +4,7 @@
 #include <opencv2/core/utility.hpp>
 #include <vector>
 
+#include "facenav/core/parallel_for.h"
 #include "kernels/resample_kernel.h"
 
 namespace facenav::stereo {
@@ -58,8 +59,8 @@ cv::Mat resampled(const cv::Mat& image, const cv::Mat& places) {
   const cv::Mat coefficients = coefficientsOf(image, kernel);
   const float* first = coefficients.ptr<float>(kBorder) + kBorder;
   cv::Mat out(places.size(), CV_32F);
-  cv::parallel_for_({0, places.rows}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y)
+  parallelRanges(0, places.rows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
       kernel.row(first, int(coefficients.step1()), image.cols, image.rows, weightTable().data(),
                  places.ptr<float>(y), places.cols, out.ptr<float>(y));
   });

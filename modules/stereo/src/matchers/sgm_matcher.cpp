@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "disparity_filter.h"
+#include "facenav/core/parallel_for.h"
 #include "kernels/sgm_kernel.h"
 #include "matchers.h"
 
@@ -26,8 +27,8 @@ std::vector<std::uint64_t> censusOf(const cv::Mat& image) {
   cv::copyMakeBorder(image, padded, kCensusDown, kCensusDown, kCensusAcross, kCensusAcross,
                      cv::BORDER_REPLICATE);
   std::vector<std::uint64_t> census(image.total(), 0);
-  cv::parallel_for_({0, image.rows}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y) {
+  parallelRanges(0, image.rows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
       const float* middle = image.ptr<float>(y);
       std::uint64_t* out = census.data() + std::size_t(y) * image.cols;
       for (int v = 0; v <= 2 * kCensusDown; ++v)
@@ -75,8 +76,8 @@ class Volume {
 void Volume::fillCosts(const Rectification& r, const RectifiedPair& pair) {
   const auto left = censusOf(pair.left), right = censusOf(pair.right);
   const sgm::Kernel kernel = cv::checkHardwareSupport(CV_CPU_AVX2) ? sgm::avx2Kernel() : sgm::baseKernel();
-  cv::parallel_for_({0, height_}, [&](const cv::Range& rows) {
-    for (int y = rows.start; y < rows.end; ++y) {
+  parallelRanges(0, height_, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
       const std::uint64_t *left_row = left.data() + std::size_t(y) * width_,
                           *right_row = right.data() + std::size_t(y) * pair.right.cols;
       for (int x = 0; x < width_; ++x) {
@@ -207,8 +208,8 @@ class SgmMatcher : public DenseMatcher {
                      const MatchOptions& options) const override {
     const Volume volume(rectification, pair);
     cv::Mat found(pair.left.size(), CV_32F);
-    cv::parallel_for_({0, found.rows}, [&](const cv::Range& rows) {
-      for (int y = rows.start; y < rows.end; ++y) matchRow(volume, rectification, y, found);
+    parallelRanges(0, found.rows, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) matchRow(volume, rectification, y, found);
     });
     constexpr float kLargestStep_px = 1.5f;
     removeSpeckles(found, options.smallest_patch_px, kLargestStep_px);

@@ -7,6 +7,7 @@
 #include "disparity_filter.h"
 #include "disparity_search.h"
 #include "facenav/core/error.h"
+#include "facenav/core/parallel_for.h"
 #include "kernels/subpixel_kernel.h"
 #include "matchers.h"
 
@@ -69,8 +70,8 @@ class SubpixelStage {
   DisparityMap fit(const cv::Mat& whole) const {
     DisparityMap map = emptyMap(whole.size());
     const subpixel::Field field = fieldOf(map);
-    cv::parallel_for_({0, whole.rows}, [&](const cv::Range& rows) {
-      for (int y = rows.start; y < rows.end; ++y)
+    parallelRanges(0, whole.rows, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
         kernel_.fit_row(images_, limits_, y, whole.ptr<std::int16_t>(y), field);
     });
     return map;
@@ -99,8 +100,8 @@ class SubpixelStage {
     const subpixel::Field from = fieldOf(seen), to = fieldOf(map);
     subpixel::Images images = images_;
     images.window = refined_window_px_;
-    cv::parallel_for_({0, images_.height}, [&](const cv::Range& rows) {
-      for (int y = rows.start; y < rows.end; ++y) kernel_.refine_row(images, limits_, y, from, to);
+    parallelRanges(0, images_.height, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) kernel_.refine_row(images, limits_, y, from, to);
     });
     return map;
   }

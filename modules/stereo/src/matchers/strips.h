@@ -3,12 +3,13 @@
 // threads can use. The results must not depend on it.
 
 #include <algorithm>
-#include <opencv2/core/utility.hpp>
+
+#include "facenav/core/parallel_for.h"
 
 namespace facenav::stereo {
 
 inline int stripsFor(int rows) {
-  const int threads = std::max(cv::getNumThreads(), 1);
+  const int threads = int(coreCount());
   return std::clamp(threads == 1 ? 1 : 2 * threads, 1, std::max(rows / 4, 1));
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "facenav/core/robust_statistics.h"
 #include "matchers/block_search.h"
 
 namespace facenav::stereo {
@@ -73,9 +74,7 @@ double epipolarMedian(const Rectification& rectification, const RectifiedPair& p
       if (difference) differences_px.push_back(std::abs(*difference));
     }
   if (differences_px.size() < kFewest) return 0;
-  const auto middle = differences_px.begin() + std::ptrdiff_t(differences_px.size() / 2);
-  std::nth_element(differences_px.begin(), middle, differences_px.end());
-  return *middle;
+  return upperMedian(std::move(differences_px));
 }
 
 double bestRowShift(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options) {

@@ -4,8 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 #include "rig_motion.h"
 
 namespace facenav::stereo {
@@ -105,25 +106,17 @@ void RigMonitor::add(const SquareSighting& square) {
 
 namespace {
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double scatterOf(const std::vector<double>& residuals_px, double middle) {
-  std::vector<double> off;
-  for (const double r : residuals_px) off.push_back(std::abs(r - middle));
-  return 1.4826 * medianOf(off);
+  return kSigmaPerMad * medianAbsoluteDeviation(residuals_px, middle);
 }
 
 /// A median and its standard error: of the matches' own sigma, or of how they scatter where that is more. Of
 /// a few matches nothing is known of how they scatter: as those of the other cells do (`typical_px`).
 std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
                                    const std::vector<double>& sigmas_px, double typical_px) {
-  const double middle = medianOf(residuals_px), count = double(residuals_px.size());
+  const double middle = upperMedian(residuals_px), count = double(residuals_px.size());
   const double here_px = count < kTellsScatter ? typical_px : scatterOf(residuals_px, middle);
-  const double each = std::max({medianOf(sigmas_px), here_px, kSharedShare * typical_px});
+  const double each = std::max({upperMedian(sigmas_px), here_px, kSharedShare * typical_px});
   return {middle, std::hypot(each * std::sqrt(M_PI / 2 / count), kSharedShare * each)};
 }
 
@@ -200,8 +193,8 @@ RigVerdict RigMonitor::verdict() const {
     std::vector<double> off;
     for (const Cell* cell : cells)
       if (double(cell->residuals_px.size()) >= kTellsScatter)
-        off.push_back(scatterOf(cell->residuals_px, medianOf(cell->residuals_px)));
-    return off.empty() ? 0.0 : medianOf(off);
+        off.push_back(scatterOf(cell->residuals_px, upperMedian(cell->residuals_px)));
+    return upperMedian(off);
   };
   const auto contradiction = [&](const Explanation& model) {
     std::vector<double> z;  // of single points, with what the calibration leaves open there
@@ -210,7 +203,7 @@ RigVerdict RigMonitor::verdict() const {
         z.push_back(std::abs(cells[i]->residuals_px[n]) /
                     std::sqrt(std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
                               model.by_calibration.row(i).squaredNorm()));
-    return medianOf(z);
+    return upperMedian(z);
   };
   const auto clipped = [&](const Eigen::VectorXd& explained) {
     double sum = 0, count = 0;
@@ -294,13 +287,10 @@ RigVerdict RigMonitor::verdict() const {
 
 std::string RigVerdict::words() const {
   if (!hasMoved()) return {};
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
+  return formatted(
       "the cameras have moved since their calibration (%.2f px across the epipolar lines, points off by "
       "%.1f mm): calibrate again",
       epipolar_px, displaced_mm);
-  return text;
 }
 
 }  // namespace facenav::stereo

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/rotation.h"
 
@@ -17,11 +18,6 @@ constexpr double kOutlier = 3.5;          // times the median distance (of a Gau
 constexpr double kLeastOutlier_mm = 0.5;  // nearer than this nothing is an outlier
 constexpr double kLeastTurn_rad = 20 * M_PI / 180, kShortestArm_mm = 20.0;
 constexpr double kSharedFrames = 4;  // neighbouring frames share their errors: every fourth counts
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -44,7 +40,7 @@ template <class T, class Distance>
 std::vector<T> withoutOutliers(const std::vector<T>& all, Distance distance) {
   std::vector<double> distances;
   for (const T& one : all) distances.push_back(distance(one));
-  const double limit = std::max(kLeastOutlier_mm, kOutlier * median(distances));
+  const double limit = std::max(kLeastOutlier_mm, kOutlier * upperMedian(distances));
   std::vector<T> kept;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (distances[i] <= limit) kept.push_back(all[i]);
@@ -110,7 +106,7 @@ CoilCalibration calibrateWithJig(const std::vector<JigSighting>& sightings,
     y.push_back(pose.translation().y());
     z.push_back(pose.translation().z());
   }
-  const Eigen::Vector3d middle(median(x), median(y), median(z));
+  const Eigen::Vector3d middle(upperMedian(x), upperMedian(y), upperMedian(z));
   const Eigen::Matrix3d turned = meanRotation(poses);
   const auto kept = withoutOutliers(poses, [&](const Eigen::Isometry3d& pose) {
     return (pose.translation() - middle).norm() + 100 * rotationAngle(turned.transpose() * pose.linear());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::tracking {
 namespace {
 
@@ -25,9 +27,7 @@ double spread(const std::vector<EdgeSample>& samples) {
   std::vector<float> absolute;
   absolute.reserve(samples.size());
   for (const auto& s : samples) absolute.push_back(float(std::abs(s.residual_px) / s.sigma_px));
-  const auto middle = absolute.begin() + std::ptrdiff_t(absolute.size() / 2);
-  std::nth_element(absolute.begin(), middle, absolute.end());
-  return 1.4826 * double(*middle);
+  return kSigmaPerMad * double(upperMedian(std::move(absolute)));
 }
 
 /// Sums over one edge: powers of t with weight, and residuals.

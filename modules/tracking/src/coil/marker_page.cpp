@@ -1,9 +1,9 @@
 #include "facenav/tracking/marker_page.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "marker_pattern.h"
 
@@ -13,11 +13,7 @@ namespace {
 constexpr double kPageWidth_mm = 210, kPageHeight_mm = 297, kPageMargin_mm = 12;  // A4
 constexpr double kRulerHeight_mm = 22, kLabelHeight_mm = 8, kRuler_mm = 100;
 
-std::string number(double value) {
-  char text[64];
-  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 4);
-  return {text, result.ptr};
-}
+std::string number(double value) { return fixed(value, 4); }
 
 std::string rectangle(double x_mm, double y_mm, double width_mm, double height_mm, int grey) {
   const std::string level = std::to_string(grey);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/rigid_fit.h"
 
 namespace facenav::tracking {
@@ -11,19 +12,13 @@ constexpr double kLandmarkEpipolarShare =
     0.05;                                // of the face's width: landmarks are good to a few per cent of it
 constexpr double kLandmarkFit_mm = 9.0;  // depth of a landmark is good to several mm only
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 bool agree(const stereo::StereoRig& rig, const StereoFace& face) {
   std::vector<double> epipolar_px;
   for (std::size_t i = 0; i < face.points_mm.size(); ++i) {
     if (face.points_mm[i].z() <= 0) return false;
     epipolar_px.push_back(stereo::epipolarError_px(rig, face.left.points68[i], face.right.points68[i]));
   }
-  return epipolar_px.empty() || median(epipolar_px) < kLandmarkEpipolarShare * face.left.face.width;
+  return epipolar_px.empty() || upperMedian(epipolar_px) < kLandmarkEpipolarShare * face.left.face.width;
 }
 
 std::optional<StereoFace> joined(const stereo::StereoRig& rig, const std::optional<FaceLandmarks>& left,
@@ -74,18 +69,18 @@ std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vect
   for (int round = 0; round < 5; ++round) {
     motion = fitRigidPoints(from, to, weights).to_T_from;
     const auto lengths = residuals(motion, from, to);
-    const double scale = std::max(1.0, median(lengths));
+    const double scale = std::max(1.0, upperMedian(lengths));
     for (std::size_t i = 0; i < weights.size(); ++i)
       weights[i] = 1.0 / (1.0 + std::pow(lengths[i] / scale, 2));
   }
-  if (median(residuals(motion, from, to)) > kLandmarkFit_mm) return std::nullopt;
+  if (upperMedian(residuals(motion, from, to)) > kLandmarkFit_mm) return std::nullopt;
   return motion;
 }
 
 double depthOf(const stereo::StereoRig& rig, const StereoFace& face) {
   std::vector<double> depths_mm;
   for (const auto& p_mm : face.points_mm) depths_mm.push_back(p_mm.z());
-  if (!depths_mm.empty()) return median(std::move(depths_mm));
+  if (!depths_mm.empty()) return upperMedian(std::move(depths_mm));
   const auto centre = [](const cv::Rect& r) {
     return Eigen::Vector2d(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
   };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/rigid_fit.h"
 
 namespace facenav::tracking {
@@ -137,9 +138,7 @@ void reweigh(const stereo::StereoRig& rig, const std::vector<Eigen::Vector3d>& r
   std::vector<double> lengths;
   for (const auto& match : fit.inliers)
     lengths.push_back(std::sqrt(square_px(rig, fit.motion * reference_mm[match.feature], match)));
-  auto sorted = lengths;
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  const double scale = std::max(std::sqrt(2.0) * kMatchSigma_px, 1.2 * sorted[sorted.size() / 2]);
+  const double scale = std::max(std::sqrt(2.0) * kMatchSigma_px, 1.2 * upperMedian(lengths));
   for (std::size_t i = 0; i < lengths.size(); ++i)
     fit.inliers[i].weight = ncc[i] / (1.0 + std::pow(lengths[i] / scale, 4));
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "facenav/capture/frame_source.h"
+#include "facenav/core/whole_folder.h"
 
 namespace facenav::capture {
 
@@ -40,7 +41,10 @@ std::map<std::int64_t, Eigen::Isometry3d> readTruth(const std::filesystem::path&
 /// so that a recording is whole or absent. An unclosed writer removes what it wrote.
 class RecordingWriter {
  public:
-  RecordingWriter(const std::filesystem::path& folder, const stereo::StereoRig& rig);
+  /// Makes missing parent folders. Pictures of a patient's face: owner_only. Throws Error where `folder`
+  /// holds something and `existing` is refuse.
+  RecordingWriter(const std::filesystem::path& folder, const stereo::StereoRig& rig,
+                  FileAccess access = FileAccess::by_umask, Existing existing = Existing::refuse);
   ~RecordingWriter();
   void add(const stereo::StereoFrame& frame);
   void setCapture(const CapturePair& pair);

@@ -5,6 +5,7 @@
 // the background (a thread with a nice value above the process') stays there: its loops run on threads of
 // their own at its priority.
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -14,8 +15,18 @@
 namespace facenav {
 inline namespace core {
 
-/// The machine's, at least 1.
+/// The machine's, at least 1; 1 while a OneCoreOnly lives.
 std::size_t coreCount();
+
+/// While one lives, parallelRanges and what else asks coreCount() run on the caller's thread alone, in the
+/// whole program: for time measured on one core. Libraries' own loops (OpenCV's) are not held back.
+class OneCoreOnly {
+ public:
+  OneCoreOnly();
+  ~OneCoreOnly();
+  OneCoreOnly(const OneCoreOnly&) = delete;
+  OneCoreOnly& operator=(const OneCoreOnly&) = delete;
+};
 
 /// Calls run(worker) for worker = 0 .. `workers` - 1, 0 on the caller's thread, and returns when all have.
 /// `run` must not throw, nor wait for another worker: there may be one thread for all.
@@ -44,6 +55,19 @@ void parallelFor(std::size_t count, std::size_t workers, Work&& work) {
     }
   });
   if (fault) std::rethrow_exception(fault);
+}
+
+/// Calls work(begin, end) for ranges that together are `first` .. `last` - 1 (rows of an image, slices), on
+/// all cores. What work() does must not depend on where ranges begin. It throws as parallelFor does.
+template <class Work>
+void parallelRanges(int first, int last, Work&& work) {
+  constexpr std::size_t kRangesACore = 4;  // so that none waits long for the last one
+  if (last <= first) return;
+  const std::size_t count = std::size_t(last - first), cores = coreCount();
+  const std::size_t ranges = cores == 1 ? 1 : std::min(kRangesACore * cores, count);
+  parallelFor(ranges, cores, [&](std::size_t range, std::size_t) {
+    work(first + int(range * count / ranges), first + int((range + 1) * count / ranges));
+  });
 }
 
 }  // namespace core

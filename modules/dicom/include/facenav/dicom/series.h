@@ -13,13 +13,27 @@
 
 namespace facenav::dicom {
 
+/// Why a series gives no volume. Code asks for this; `SeriesInfo::problem` says it to people.
+enum class SeriesProblem {
+  none,
+  no_volume,   // another kind of object, a localizer, a modality that is not read
+  unreadable,  // voxels or compression that are not read
+  damaged,     // cut off, slices missing
+  geometry,    // places that make no regular stack
+  single_slice,
+  several_volumes,  // at one place
+  too_large,
+};
+
 /// One volume that a series holds, or would hold. A series whose UID covers several (echoes, magnitude and
 /// phase, stacks) gives one entry each, told apart by `part`.
 struct SeriesInfo {
   std::string series_uid, study_uid;
   std::string id;                           // what --series takes: the UID, with "#2", "#3" for further parts
   std::string description, modality, date;  // date as YYYY-MM-DD or empty; never the patient's name
-  std::string part;      // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
+  std::string part;                // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
+  bool is_magnitude_part = false;  // told from the UID's other parts as magnitude
+  bool has_contrast_agent = false;
   std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty where unknown
   int series_number = 0;
   int patient = 0;  // 1, 2, .. among the series listed together; 0: not known. Whose they are: patient.h
@@ -31,6 +45,7 @@ struct SeriesInfo {
   std::vector<std::vector<int>>
       frames;  // per file the frames of this volume; empty: every frame of every file
   bool is_loadable = false;
+  SeriesProblem problem_kind = SeriesProblem::none;
   std::string problem;                   // why not, in words, when !is_loadable
   std::filesystem::path problem_file;    // the file at fault, where there is one
   std::vector<std::string> notes;        // duplicates dropped, lossy compression, CT gives the scalp only, ..

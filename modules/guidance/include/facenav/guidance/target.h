@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/core/file_access.h"
 #include "facenav/geometry/rigid_transform.h"
 #include "facenav/surface/scalp_surface.h"
 
@@ -38,6 +39,7 @@ Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, c
 /// twice.
 TreatmentPlan readTargets(const std::filesystem::path& path);
 /// A whole file. Keys that FaceNav does not know are kept from the file that is replaced.
-void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path);
+void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path,
+                  FileAccess access = FileAccess::by_umask);
 
 }  // namespace facenav::guidance

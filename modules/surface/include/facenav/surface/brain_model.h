@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "facenav/core/field.h"
+#include "facenav/core/file_access.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/surface/triangle_mesh.h"
 #include "facenav/volume/volume.h"
@@ -64,7 +65,7 @@ BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& bra
 BrainModel meshOf(const SphericalMap& map);
 /// brain.vtp + brain_texture.png beside it. Whole files.
 void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
-                const std::filesystem::path& texture_png);
+                const std::filesystem::path& texture_png, FileAccess access = FileAccess::by_umask);
 /// Throws Error when a file is missing, damaged, or the two do not belong together.
 BrainModel readBrain(const std::filesystem::path& vtp, const std::filesystem::path& texture_png);
 

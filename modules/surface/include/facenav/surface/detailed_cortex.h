@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "facenav/core/file_access.h"
 #include "facenav/surface/brain_model.h"
 #include "facenav/surface/cortex_surface.h"
 #include "facenav/surface/surface_distance.h"
@@ -29,7 +30,8 @@ struct ModelDistance {
 ModelDistance distanceBetween(const DetailedCortex& cortex, const BrainModel& model);
 
 /// cortex.vtp: points, normals, triangles, point data "distance_mm". Whole file.
-void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp);
+void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp,
+                 FileAccess access = FileAccess::by_umask);
 /// Throws Error when the file is missing or damaged.
 DetailedCortex readCortex(const std::filesystem::path& vtp);
 

@@ -1,10 +1,12 @@
 #pragma once
-// Meshes as other programs read them: STL, PLY, OBJ, VTP, GIFTI. Always Mri coordinates (RAS mm, FORMATS.md), never
-// LPS: a reader that assumes LPS (as 3D Slicer does for STL without a header) finds "SPACE=RAS" in the file's comment.
+// Meshes as other programs read them: STL, PLY, OBJ, VTP, GIFTI. Always Mri coordinates (RAS mm, FORMATS.md),
+// never LPS: a reader that assumes LPS (as 3D Slicer does for STL without a header) finds "SPACE=RAS" in the
+// file's comment.
 
 #include <filesystem>
 #include <string>
 
+#include "facenav/core/file_access.h"
 #include "facenav/surface/triangle_mesh.h"
 
 namespace facenav::surface {
@@ -13,8 +15,9 @@ enum class MeshFormat { stl, ply, obj, vtp, gifti };
 
 /// The file name's ending of a format, with the dot: ".stl", ".gii".
 std::string extensionOf(MeshFormat format);
-/// Writes vertices, triangles and, where the format holds them, normals; whole file. Single precision in STL, PLY and
-/// GIFTI (0.01 um at 100 mm). Throws Error when the mesh is empty or the file cannot be written.
-void writeMesh(const TriangleMesh& mesh, MeshFormat format, const std::filesystem::path& path);
+/// Writes vertices, triangles and, where the format holds them, normals; whole file. Single precision in STL,
+/// PLY and GIFTI (0.01 um at 100 mm). Throws Error when the mesh is empty or the file cannot be written.
+void writeMesh(const TriangleMesh& mesh, MeshFormat format, const std::filesystem::path& path,
+               FileAccess access = FileAccess::by_umask);
 
 }  // namespace facenav::surface

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "facenav/core/file_access.h"
 #include "facenav/volume/volume.h"
 
 namespace facenav::volume {
@@ -32,7 +33,8 @@ Mask readMask(const std::filesystem::path& path);
 
 /// Writes a whole .nii or .nii.gz: int16 where all values are integers in its range, uint16 likewise, else
 /// float32. sform and qform (code 1) are both set where the grid is orthogonal.
-void writeNifti(const Volume& volume, const std::filesystem::path& path);
-void writeMask(const Mask& mask, const std::filesystem::path& path);
+void writeNifti(const Volume& volume, const std::filesystem::path& path,
+                FileAccess access = FileAccess::by_umask);
+void writeMask(const Mask& mask, const std::filesystem::path& path, FileAccess access = FileAccess::by_umask);
 
 }  // namespace facenav::volume

@@ -1,4 +1,4 @@
-#include "csv_table.h"
+#include "facenav/core/csv_table.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,12 +8,21 @@
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 
-namespace facenav::casefile {
+namespace facenav {
+inline namespace core {
 namespace {
 
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+/// `from`: where the part that may be trimmed begins; what was quoted before it stays.
+void trimEnd(std::string& field, std::size_t from) {
+  while (field.size() > from && isBlank(field.back())) field.pop_back();
+}
+
 /// Fields of one line; a field may stand in double quotes, in which "" is a quote.
-std::vector<std::string> split(const std::string& line) {
+std::vector<std::string> split(const std::string& line, bool allows_blanks) {
   std::vector<std::string> fields(1);
+  std::size_t quoted = 0;  // characters of the field that stood in quotes
   bool is_quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
@@ -22,18 +31,24 @@ std::vector<std::string> split(const std::string& line) {
       ++i;
     } else if (c == '"') {
       is_quoted = !is_quoted;
+      quoted = fields.back().size();
     } else if (c == ',' && !is_quoted) {
+      if (allows_blanks) trimEnd(fields.back(), quoted);
       fields.emplace_back();
+      quoted = 0;
+    } else if (allows_blanks && !is_quoted && isBlank(c) && fields.back().empty()) {
+      continue;
     } else {
       fields.back() += c;
     }
   }
+  if (allows_blanks) trimEnd(fields.back(), quoted);
   return fields;
 }
 
 }  // namespace
 
-CsvTable::CsvTable(const std::filesystem::path& path) : path_(path) {
+CsvTable::CsvTable(const std::filesystem::path& path, const CsvRules& rules) : path_(path) {
   std::string content = readWholeFile(path);
   if (content.rfind("\xEF\xBB\xBF", 0) == 0) content.erase(0, 3);
   std::istringstream stream(content);
@@ -41,13 +56,14 @@ CsvTable::CsvTable(const std::filesystem::path& path) : path_(path) {
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) continue;
+    const bool is_empty = rules.allows_blanks ? std::all_of(line.begin(), line.end(), isBlank) : line.empty();
+    if (is_empty) continue;
     if (header_.empty()) {
-      header_ = split(line);
+      header_ = split(line, rules.allows_blanks);
       continue;
     }
-    lines_.push_back({number, split(line)});
-    if (lines_.back().fields.size() != header_.size())
+    lines_.push_back({number, split(line, rules.allows_blanks)});
+    if (!rules.allows_ragged_rows && lines_.back().fields.size() != header_.size())
       refuse(lines_.size() - 1, std::to_string(header_.size()) + " fields were expected, " +
                                     std::to_string(lines_.back().fields.size()) + " found");
   }
@@ -62,8 +78,16 @@ std::optional<std::size_t> CsvTable::findColumn(const std::string& name) const {
 
 std::size_t CsvTable::column(const std::string& name) const {
   const auto found = findColumn(name);
-  if (!found) throw Error("column '" + name + "' is missing", path_.string() + ", line 1");
+  if (!found)
+    throw Error("column '" + name + "' is missing in the header line", path_.string() + ", line 1",
+                "see FORMATS.md");
   return *found;
+}
+
+const std::string& CsvTable::text(std::size_t row, std::size_t column) const {
+  const auto& fields = lines_[row].fields;
+  if (column >= fields.size()) refuse(row, "the value of column '" + header_[column] + "' is missing");
+  return fields[column];
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
@@ -71,7 +95,7 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   double value = 0.0;
   const auto [end, fault] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (fault != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
-    refuse(row, "a number was expected in column '" + header_[column] + "'");
+    refuse(row, "'" + field.substr(0, 40) + "' in column '" + header_[column] + "' is no number");
   return value;
 }
 
@@ -80,18 +104,13 @@ std::int64_t CsvTable::integer(std::size_t row, std::size_t column) const {
   std::int64_t value = 0;
   const auto [end, fault] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (fault != std::errc() || end != field.data() + field.size())
-    refuse(row, "a whole number was expected in column '" + header_[column] + "'");
+    refuse(row, "'" + field.substr(0, 40) + "' in column '" + header_[column] + "' is no whole number");
   return value;
 }
 
-void CsvTable::refuse(std::size_t row, const std::string& what) const {
-  throw Error(what, path_.string() + ", line " + std::to_string(lines_[row].number));
+void CsvTable::refuse(std::size_t row, const std::string& what, const std::string& remedy) const {
+  throw Error(what, path_.string() + ", line " + std::to_string(lines_[row].number), remedy);
 }
 
-std::string fixed(double value, int decimals) {
-  char text[400];
-  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-  return {text, result.ptr};
-}
-
-}  // namespace facenav::casefile
+}  // namespace core
+}  // namespace facenav

@@ -1,0 +1,50 @@
+#pragma once
+// CsvTable: a CSV file with a header line (RFC 4180, UTF-8 with or without a byte order mark), read strictly:
+// columns are found by name, faults name file and line.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facenav {
+inline namespace core {
+
+/// What files that people type may do and the program's own may not.
+struct CsvRules {
+  bool allows_blanks = false;  // around a field, outside quotes: they are no part of it
+  bool allows_ragged_rows =
+      false;  // more or fewer fields than the header: only those asked for must be there
+};
+
+class CsvTable {
+ public:
+  /// Throws Error: no file, empty file, or a line whose number of fields differs from the header's.
+  explicit CsvTable(const std::filesystem::path& path, const CsvRules& rules = {});
+
+  std::size_t rows() const { return lines_.size(); }
+  /// Index of a column. Throws Error when the header lacks it.
+  std::size_t column(const std::string& name) const;
+  std::optional<std::size_t> findColumn(const std::string& name) const;
+  /// Throws Error where a ragged row ends before `column`.
+  const std::string& text(std::size_t row, std::size_t column) const;
+  /// A finite number, '.' decimals whatever the locale. Throws Error.
+  double number(std::size_t row, std::size_t column) const;
+  std::int64_t integer(std::size_t row, std::size_t column) const;
+  /// Throws Error("<what>", "<file>, line <n>", "<remedy>").
+  [[noreturn]] void refuse(std::size_t row, const std::string& what, const std::string& remedy = {}) const;
+
+ private:
+  struct Line {
+    std::size_t number;
+    std::vector<std::string> fields;
+  };
+  std::filesystem::path path_;
+  std::vector<std::string> header_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace core
+}  // namespace facenav

@@ -1,0 +1,54 @@
+#include "facenav/core/number_text.h"
+
+#include <locale.h>
+
+#include <charconv>
+#include <cstdarg>
+#include <cstdio>
+
+#include "facenav/core/error.h"
+
+namespace facenav {
+inline namespace core {
+namespace {
+
+/// The calling thread writes numbers as C does while this lives.
+class PlainNumbers {
+ public:
+  PlainNumbers() : before_(::uselocale(plain())) {}
+  ~PlainNumbers() { ::uselocale(before_); }
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+
+ private:
+  static locale_t plain() {
+    static const locale_t locale = ::newlocale(LC_ALL_MASK, "C", locale_t{});
+    return locale;
+  }
+  locale_t before_;
+};
+
+}  // namespace
+
+std::string fixed(double value, int decimals) {
+  char text[400];  // the largest double has 309 digits before the point
+  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  FACENAV_EXPECT(result.ec == std::errc(), "too many decimals");
+  return {text, result.ptr};
+}
+
+std::string formatted(const char* format, ...) {
+  const PlainNumbers plain;
+  std::va_list values, again;
+  va_start(values, format);
+  va_copy(again, values);
+  const int length = std::vsnprintf(nullptr, 0, format, values);
+  va_end(values);
+  std::string text(std::size_t(length > 0 ? length : 0), '\0');
+  if (length > 0) std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  return text;
+}
+
+}  // namespace core
+}  // namespace facenav
