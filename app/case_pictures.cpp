@@ -1,5 +1,6 @@
 #include "case_pictures.h"
 
+#include "facenav/casefile/file_group.h"
 #include "facenav/scene/cortex_picture.h"
 #include "facenav/scene/png.h"
 #include "facenav/session/surface_distance_picture.h"
@@ -9,8 +10,9 @@ namespace facenav::app {
 namespace fs = std::filesystem;
 
 void writePrivatePng(const RgbImage& image, const fs::path& path) {
-  scene::writePng(image, path);
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  casefile::FileGroup group(path.parent_path());
+  scene::writePng(image, group.staging() / path.filename());
+  group.commit(path.filename().string());
 }
 
 RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex,

@@ -143,6 +143,17 @@ double quantile(std::vector<double> values, double fraction) {
 
 }  // namespace
 
+void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& rig,
+                    const capture::CapturePair& capture, const session::AlignmentOutcome& outcome) {
+  casefile::FileGroup group(store.folder());
+  writeStoredCapture(group, rig, capture);
+  casefile::writeSkinFit(outcome.result, outcome.face.cloud, group.staging() / "skin_fit.vtp");
+  writePrivatePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+                  group.staging() / "skin_fit.png");
+  casefile::writeAlignment(outcome.stored(), group.staging() / "alignment.json");
+  group.commit("alignment.json");
+}
+
 session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore& store,
                                     const stereo::StereoRig& rig, const capture::CapturePair& capture,
                                     const std::string& aligner) {
@@ -150,11 +161,7 @@ session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore&
   auto outcome =
       session::alignFromCapture(rig, capture, store.scalp(), *context.registrations.aligners.create(aligner),
                                 *detector, store.targets().targets, context.monitor, store.scalpField());
-  writeStoredCapture(store.folder(), rig, capture);
-  casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
-  writePrivatePng(session::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
-                  store.folder() / "skin_fit.png");
-  store.setAlignment(outcome.stored());
+  storeAlignment(store, rig, capture, outcome);
   return outcome;
 }
 

@@ -25,6 +25,12 @@ session::AlignmentOutcome alignCase(Context& context, const casefile::CaseStore&
                                     const stereo::StereoRig& rig, const capture::CapturePair& capture,
                                     const std::string& aligner);
 
+/// Writes an alignment and what it rests on into the case: alignment.json, alignment_capture/ (photographs),
+/// skin_fit.vtp and skin_fit.png. All or nothing, for the user alone from the first byte. Throws Error; the
+/// alignment of before is whole then.
+void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& rig,
+                    const capture::CapturePair& capture, const session::AlignmentOutcome& outcome);
+
 struct TrackRequest {
   std::filesystem::path recording;
   std::optional<std::filesystem::path> case_folder, coil_file;

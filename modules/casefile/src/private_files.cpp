@@ -22,19 +22,19 @@ namespace {
               "check free disk space and permissions");
 }
 
-void sync(const fs::path& path) {
+fs::path parentOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+}  // namespace
+
+void forceToDisk(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY);
   if (descriptor < 0) refuse(path);
   const int status = ::fsync(descriptor);
   ::close(descriptor);
   if (status != 0) refuse(path);
 }
-
-fs::path parentOf(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-}  // namespace
 
 void makePrivateFolder(const fs::path& folder) {
   if (::mkdir(folder.c_str(), 0700) != 0) refuse(folder);
@@ -44,10 +44,10 @@ void makePrivateAndDurable(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_symlink()) continue;
     if (::chmod(entry.path().c_str(), entry.is_directory() ? 0700 : 0600) != 0) refuse(entry.path());
-    sync(entry.path());
+    forceToDisk(entry.path());
   }
   if (::chmod(folder.c_str(), 0700) != 0) refuse(folder);
-  sync(folder);
+  forceToDisk(folder);
 }
 
 void writePrivateFile(const fs::path& path, const std::string& content) {
@@ -85,7 +85,7 @@ void replaceFolder(const fs::path& fresh, const fs::path& folder) {
     std::error_code ignored;
     fs::remove_all(aside, ignored);
   }
-  sync(parentOf(folder));
+  forceToDisk(parentOf(folder));
 }
 
 TemporarySibling::TemporarySibling(const fs::path& folder) {

@@ -6,6 +6,8 @@
 
 namespace facenav::casefile {
 
+/// A file, or the names in a folder, outlast a power failure. Throws Error.
+void forceToDisk(const std::filesystem::path& path);
 /// Creates a folder with mode 0700. Throws Error.
 void makePrivateFolder(const std::filesystem::path& folder);
 /// Sets 0600 on files and 0700 on folders, recursively, and forces everything to the disk. Throws Error.
