@@ -77,7 +77,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   const QSize room = QApplication::primaryScreen()->availableSize();
   resize(std::min(1480, room.width()), std::min(920, room.height()));
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
-  connect(&model_, &CaseModel::alignmentChanged, this, &MainWindow::showCaseWords);
+  connect(&treat_, &TreatPresenter::changed, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
   connect(&worklist_, &WorklistPresenter::refused, this,
@@ -316,11 +316,7 @@ void MainWindow::showCaseWords() {
   QString words = (c.label.isEmpty() ? tr("case %1").arg(c.id) : tr("%1 (case %2)").arg(c.label, c.id)) +
                   "  \u00b7  " + signOffWords(c.sign_off);
   if (model_.override() && !c.sign_off.holds()) words += tr(" (override by %1)").arg(model_.override()->by);
-  if (c.alignment) words += tr("  \u00b7  aligned %1 mm rms").arg(c.alignment->rms_mm, 0, 'f', 2);
-  for (const auto& [name, error_mm] :
-       c.alignment ? c.alignment->predicted_tre_mm : std::map<std::string, double>())
-    words += tr("  \u00b7  \u00b1%1 mm at %2").arg(error_mm, 0, 'f', 1).arg(QString::fromStdString(name));
-  case_words_->set(words);
+  case_words_->set(words + "  \u00b7  " + treat_.alignmentWords());
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {

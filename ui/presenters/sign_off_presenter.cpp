@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/segmentation/brain_norms.h"
+
 namespace facenav::ui {
 namespace {
 
-// Adults' brain with cerebellum, both sexes; the same limits as the segmentation's own check.
-constexpr double kNormalBrainLeast_ml = 1100, kNormalBrainMost_ml = 1700;
 const char* const kName = "sign_off/by";
 
 }  // namespace
@@ -24,6 +24,7 @@ SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject*
   };
   connect(&model_, &CaseModel::opened, this, beginAnew);
   connect(&model_, &CaseModel::brainChanged, this, beginAnew);  // what was ticked was another outline
+  connect(&model_, &CaseModel::draftChanged, this, beginAnew);
   connect(&model_, &CaseModel::signOffChanged, this, &SignOffPresenter::changed);
 }
 
@@ -42,19 +43,19 @@ void SignOffPresenter::setName(const QString& name) {
 std::vector<VolumeLine> SignOffPresenter::volumes() const {
   std::vector<VolumeLine> lines;
   if (!model_.isOpen()) return lines;
-  if (!model_.current().brain_mask)
-    return {{tr("no brain model: the case holds the scalp alone"), false, 0.0}};
-  const double ml = model_.current().brain_mask->volume_ml();
+  const auto& c = model_.current();
+  if (!c.shownBrain()) return {{tr("no brain model: the case holds the scalp alone"), false}};
+  const double ml = c.shownBrain()->volume_ml();
   VolumeLine line;
-  line.is_normal = ml >= kNormalBrainLeast_ml && ml <= kNormalBrainMost_ml;
-  line.fraction = (ml - kNormalBrainLeast_ml) / (kNormalBrainMost_ml - kNormalBrainLeast_ml);
-  line.words = tr("brain %1 ml, %2 the normal range of adults, %3 to %4 ml")
+  line.is_normal = segmentation::isNormalBrain(ml);
+  line.words = tr("brain %1 ml%2, %3 the normal range of adults, %4 to %5 ml")
                    .arg(std::lround(ml))
-                   .arg(line.is_normal              ? tr("inside")
-                        : ml < kNormalBrainLeast_ml ? tr("below")
-                                                    : tr("above"))
-                   .arg(kNormalBrainLeast_ml, 0, 'f', 0)
-                   .arg(kNormalBrainMost_ml, 0, 'f', 0);
+                   .arg(c.draft ? tr(" (correction, not saved)") : QString())
+                   .arg(line.is_normal                            ? tr("inside")
+                        : ml < segmentation::kNormalBrainLeast_ml ? tr("below")
+                                                                  : tr("above"))
+                   .arg(segmentation::kNormalBrainLeast_ml, 0, 'f', 0)
+                   .arg(segmentation::kNormalBrainMost_ml, 0, 'f', 0);
   lines.push_back(line);
   return lines;
 }
@@ -62,6 +63,8 @@ std::vector<VolumeLine> SignOffPresenter::volumes() const {
 QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
   if (holds()) return tr("signed off already");
+  if (model_.current().sign_off.has_draft)
+    return tr("a correction of the brain is not saved: save or discard it first (step 3)");
   const auto open = std::count(seen_.begin(), seen_.end(), false);
   if (open > 0) return tr("%1 of %2 still to be ticked").arg(open).arg(seen_.size());
   if (name_.trimmed().isEmpty()) return tr("your name or initials are missing");

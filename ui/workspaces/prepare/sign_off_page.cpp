@@ -41,6 +41,7 @@ SignOffPage::SignOffPage(SignOffPresenter& presenter, CaseModel& model, QWidget*
   connect(&model_, &CaseModel::opened, this, beginAnew);
   connect(&model_, &CaseModel::brainChanged, this, beginAnew);
   showState();
+  connect(&model_, &CaseModel::draftChanged, this, beginAnew);
 }
 
 QWidget* SignOffPage::makePanel() {
@@ -121,8 +122,8 @@ void SignOffPage::showState() {
 }
 
 void SignOffPage::showEvent(QShowEvent*) {
-  if (!is_outdated_ || !model_.isOpen()) return;
-  is_outdated_ = false;
+  if (!model_.isOpen() || (!is_outdated_ && !model_.current().draft)) return;
+  is_outdated_ = false;  // a draft may have been drawn on since
   montage_->show(model_.current());
   showState();
 }
