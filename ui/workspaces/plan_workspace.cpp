@@ -11,6 +11,7 @@
 
 #include "views/linked_views.h"
 #include "widgets/brain_look_panel.h"
+#include "widgets/handle_panel.h"
 #include "widgets/place_panel.h"
 
 namespace facenav::ui {
@@ -84,7 +85,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   column->addWidget(hint);
   column->addWidget(targets_, 1);
   column->addWidget(detail_);
-  column->addWidget(makeHandleRow());
+  column->addWidget(new HandlePanel(presenter_, panel));
   auto* edit = new QHBoxLayout;
   undo_ = new QPushButton(tr("Undo"), panel);
   redo_ = new QPushButton(tr("Redo"), panel);
@@ -106,24 +107,6 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
     if (!is_filling_) presenter_.renameActive(item->text());
   });
   return panel;
-}
-
-QWidget* PlanWorkspace::makeHandleRow() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  auto* left = new QPushButton(tr("\u21ba 5\u00b0"), box);
-  auto* right = new QPushButton(tr("\u21bb 5\u00b0"), box);
-  left->setToolTip(tr("turn the handle anticlockwise, seen from above the coil (Q)"));
-  right->setToolTip(tr("turn the handle clockwise, seen from above the coil (E)"));
-  auto* words = new QLabel(tr("handle"), box);
-  words->setObjectName("muted");
-  row->addWidget(words);
-  row->addWidget(left);
-  row->addWidget(right);
-  connect(left, &QPushButton::clicked, this, [this] { presenter_.turnActive(-5); });
-  connect(right, &QPushButton::clicked, this, [this] { presenter_.turnActive(5); });
-  return box;
 }
 
 void PlanWorkspace::addKeys() {
