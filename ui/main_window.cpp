@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "appearance.h"
 #include "widgets/elided_label.h"
 #include "widgets/status_chip.h"
 #include "widgets/task_bar.h"
@@ -140,7 +141,7 @@ QWidget* MainWindow::makeHeader() {
   case_words_->setObjectName("muted");
   timing_ = new QLabel(header);
   timing_->setObjectName("muted");
-  timing_->setMinimumWidth(170);
+  timing_->setMinimumWidth(sized(170));
   timing_->setToolTip(
       tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
   cameras_ = new StatusChip(tr("CAMERAS no images"), header);
@@ -171,7 +172,7 @@ QWidget* MainWindow::makeNavigation() {
     button->setToolTip(tips[i]);
     button->setCheckable(true);
     button->setShortcut(QKeySequence(Qt::CTRL + Qt::Key_1 + i));
-    button->setFixedSize(84, 68);
+    button->setFixedSize(sized(84), sized(68));
     navigation_->addButton(button, i);
     column->addWidget(button);
   }

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "appearance.h"
 #include "views/montage_view.h"
 #include "widgets/wrapped_list.h"
 
@@ -40,14 +41,14 @@ SignOffPage::SignOffPage(SignOffPresenter& presenter, CaseModel& model, QWidget*
   };
   connect(&model_, &CaseModel::opened, this, beginAnew);
   connect(&model_, &CaseModel::brainChanged, this, beginAnew);
-  showState();
   connect(&model_, &CaseModel::draftChanged, this, beginAnew);
+  showState();
 }
 
 QWidget* SignOffPage::makePanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  panel->setFixedWidth(380);
+  panel->setFixedWidth(sized(380));
   auto* column = new QVBoxLayout(panel);
   status_ = wrapped(panel, "verdict");
   volumes_ = wrapped(panel, "plain");
