@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 
 #include "appearance.h"
@@ -21,9 +22,11 @@ namespace {
 
 using namespace facenav;
 
+constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
+
 struct Arguments {
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
-  double after_s = 3.0;
+  double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
 
 ui::PrepareStep stepNamed(const std::string& name) {
@@ -65,6 +68,12 @@ void keepFilesPrivate() {
   if (QFile::exists(settings)) QFile::setPermissions(settings, QFile::ReadOwner | QFile::WriteOwner);
 }
 
+double rememberedTextScale(double asked_for) {
+  const QString key = "appearance/text_scale";
+  if (asked_for > 0) QSettings().setValue(key, asked_for);
+  return std::clamp(QSettings().value(key, 1.0).toDouble(), kLeastTextScale, kMostTextScale);
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!scene::hasDisplay()) {
     std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
@@ -75,7 +84,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setOrganizationName("FaceNav");
   QApplication::setApplicationName("FaceNav");
   keepFilesPrivate();
-  ui::applyAppearance(application);
+  ui::applyAppearance(application, rememberedTextScale(arguments.text_scale));
   runOnWorkers(coreCount(), [](std::size_t) {});  // shared threads begin at the window's own priority
   ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
@@ -115,6 +124,8 @@ int main(int argc, char** argv) {
   cli.add_option("--after", arguments.after_s,
                  "seconds to wait before the screenshot, from when case and recording are shown")
       ->check(CLI::Range(0.1, 600.0));
+  cli.add_option("--text-scale", arguments.text_scale, "all text larger or smaller, 2: twice; remembered")
+      ->check(CLI::Range(kLeastTextScale, kMostTextScale));
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

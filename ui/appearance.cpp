@@ -5,8 +5,12 @@
 #include <QApplication>
 #include <QFile>
 #include <QPalette>
+#include <QRegularExpression>
+#include <QScreen>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
+#include <QVariant>
+#include <cmath>
 
 /// A static library's resources are dropped by the linker unless asked for (the macro needs the global
 /// namespace).
@@ -20,7 +24,38 @@ void prepareSurfaceFormat() {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
-void applyAppearance(QApplication& application) {
+namespace {
+
+const char* const kTextScale = "text_scale";  // property of the application
+
+QString withTextScaled(QString sheet, double scale) {
+  static const QRegularExpression kSize("font-size:\\s*([0-9.]+)pt");
+  QString scaled;
+  int done = 0;
+  for (auto it = kSize.globalMatch(sheet); it.hasNext();) {
+    const auto match = it.next();
+    scaled += sheet.mid(done, match.capturedStart() - done) +
+              QString("font-size: %1pt").arg(match.captured(1).toDouble() * scale);
+    done = match.capturedEnd();
+  }
+  return scaled + sheet.mid(done);
+}
+
+}  // namespace
+
+double textScale() {
+  const QVariant scale = qApp->property(kTextScale);
+  return scale.isValid() ? scale.toDouble() : 1.0;
+}
+
+int sized(int usual_px) {
+  const QScreen* screen = QApplication::primaryScreen();
+  const double dots = screen ? screen->logicalDotsPerInch() / 96.0 : 1.0;
+  return int(std::lround(usual_px * textScale() * dots));
+}
+
+void applyAppearance(QApplication& application, double text_scale) {
+  application.setProperty(kTextScale, text_scale);
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   QPalette palette;
   palette.setColor(QPalette::Window, QColor(16, 20, 26));
@@ -40,7 +75,8 @@ void applyAppearance(QApplication& application) {
   QApplication::setPalette(palette);
   initialiseResources();
   QFile sheet(":/facenav/dark.qss");
-  if (sheet.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
+  if (sheet.open(QIODevice::ReadOnly))
+    application.setStyleSheet(withTextScaled(QString::fromUtf8(sheet.readAll()), text_scale));
 }
 
 }  // namespace facenav::ui

@@ -8,6 +8,10 @@ namespace facenav::ui {
 
 /// Call before the QApplication is made.
 void prepareSurfaceFormat();
-void applyAppearance(QApplication& application);
+/// `text_scale`: all text so much larger than usual.
+void applyAppearance(QApplication& application, double text_scale = 1.0);
+double textScale();
+/// A length that holds text: pixels at the usual text size on a screen of 96 dots an inch, as pixels here.
+int sized(int usual_px);
 
 }  // namespace facenav::ui

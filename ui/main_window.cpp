@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "appearance.h"
 #include "widgets/elided_label.h"
 #include "widgets/status_chip.h"
 #include "widgets/task_bar.h"
@@ -77,7 +78,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   const QSize room = QApplication::primaryScreen()->availableSize();
   resize(std::min(1480, room.width()), std::min(920, room.height()));
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
-  connect(&model_, &CaseModel::alignmentChanged, this, &MainWindow::showCaseWords);
+  connect(&treat_, &TreatPresenter::changed, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
   connect(&worklist_, &WorklistPresenter::refused, this,
@@ -140,7 +141,7 @@ QWidget* MainWindow::makeHeader() {
   case_words_->setObjectName("muted");
   timing_ = new QLabel(header);
   timing_->setObjectName("muted");
-  timing_->setMinimumWidth(170);
+  timing_->setMinimumWidth(sized(170));
   timing_->setToolTip(
       tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
   cameras_ = new StatusChip(tr("CAMERAS no images"), header);
@@ -171,7 +172,7 @@ QWidget* MainWindow::makeNavigation() {
     button->setToolTip(tips[i]);
     button->setCheckable(true);
     button->setShortcut(QKeySequence(Qt::CTRL + Qt::Key_1 + i));
-    button->setFixedSize(84, 68);
+    button->setFixedSize(sized(84), sized(68));
     navigation_->addButton(button, i);
     column->addWidget(button);
   }
@@ -316,11 +317,7 @@ void MainWindow::showCaseWords() {
   QString words = (c.label.isEmpty() ? tr("case %1").arg(c.id) : tr("%1 (case %2)").arg(c.label, c.id)) +
                   "  \u00b7  " + signOffWords(c.sign_off);
   if (model_.override() && !c.sign_off.holds()) words += tr(" (override by %1)").arg(model_.override()->by);
-  if (c.alignment) words += tr("  \u00b7  aligned %1 mm rms").arg(c.alignment->rms_mm, 0, 'f', 2);
-  for (const auto& [name, error_mm] :
-       c.alignment ? c.alignment->predicted_tre_mm : std::map<std::string, double>())
-    words += tr("  \u00b7  \u00b1%1 mm at %2").arg(error_mm, 0, 'f', 1).arg(QString::fromStdString(name));
-  case_words_->set(words);
+  case_words_->set(words + "  \u00b7  " + treat_.alignmentWords());
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {

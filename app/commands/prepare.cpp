@@ -13,7 +13,9 @@ void addPrepare(CLI::App& app, Context& context) {
   auto request = std::make_shared<workflow::PrepareRequest>();
   request->head_segmenter = context.registrations.head_segmenters.defaultName();
   request->brain_segmenter = context.registrations.brain_segmenters.defaultName();
-  verb->add_option("INPUT", request->input, "DICOM folder, one DICOM file, or .nii / .nii.gz")->required();
+  verb->add_option("INPUT", request->input,
+                   "DICOM folder, one DICOM file, or NIfTI (.nii, .nii.gz, .hdr, .img)")
+      ->required();
   verb->add_option("-o,--output", request->case_folder, "case folder to make")->required();
   verb->add_option("--series", request->series_uid,
                    "series UID, where INPUT holds several ('facenav series' lists them)");

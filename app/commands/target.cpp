@@ -7,6 +7,7 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
+#include "facenav/guidance/handle.h"
 #include "facenav/workflow/plan_edits.h"
 
 namespace facenav::app {
@@ -86,7 +87,7 @@ void addTarget(CLI::App& app, Context& context) {
       ->check(CLI::Range(-180.0, 180.0))
       ->capture_default_str();
   verb->add_option("--gap-mm", request->gap_mm, "between coil and scalp (hair)")
-      ->check(CLI::Range(0.0, 20.0))
+      ->check(CLI::Range(0.0, guidance::kMostGap_mm))
       ->capture_default_str();
   verb->callback([&context, place, request] {
     const auto store = casefile::CaseStore::open(place->case_folder);

@@ -5,6 +5,7 @@
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/scene/navigation_scene.h"
 #include "gui_fixtures.h"
+#include "presenters/sign_off_presenter.h"
 
 namespace facenav::ui {
 namespace {
@@ -89,7 +90,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   edit_.setTool(EditTool::brush);
   stroke(pixel(44, 0), pixel(48, 0));
   ASSERT_TRUE(edit_.hasUnsaved());
-  EXPECT_TRUE(model_.mayBeTreated());  // the case itself is as it was signed
+  EXPECT_FALSE(model_.mayBeTreated());  // nobody has checked what is seen now
   edit_.save();
   settle();
   EXPECT_FALSE(edit_.hasUnsaved());
@@ -104,6 +105,32 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   EXPECT_EQ(edit_.mask()->voxels, before.voxels);
   edit_.undo();
   EXPECT_TRUE(isBrain(46, 0));
+}
+
+TEST_F(EditPresenterTest, ACheckedCaseIsCheckedNoMoreFromTheFirstStrokeAndAgainOnceItIsDiscarded) {
+  casefile::signOff(model_.current().store, {"XY", "", true});
+  open();
+  SignOffPresenter sign_off(model_, tasks_);
+  ASSERT_TRUE(sign_off.holds());
+  EXPECT_TRUE(sign_off.statusWords().startsWith("checked"));
+  edit_.setTool(EditTool::brush);
+  edit_.setRadius_mm(20);
+  edit_.press(plane_, pixel(44, 0), false);  // not even let go
+  EXPECT_FALSE(sign_off.holds());
+  EXPECT_TRUE(sign_off.statusWords().contains("a correction of the brain is not saved"));
+  edit_.release(plane_);
+  EXPECT_EQ(model_.current().shownBrain()->voxels, edit_.mask()->voxels);
+  const QString volume = QString("brain %1 ml").arg(std::lround(edit_.mask()->volume_ml()));
+  EXPECT_TRUE(sign_off.volumes()[0].words.contains(volume)) << sign_off.volumes()[0].words.toStdString();
+  EXPECT_TRUE(sign_off.volumes()[0].words.contains("not saved"));
+  sign_off.setName("XY");
+  for (int i = 0; i < sign_off.items().size(); ++i) sign_off.setSeen(i, true);
+  EXPECT_FALSE(sign_off.canSign());  // what would be signed is not what is seen
+  EXPECT_TRUE(sign_off.whatIsMissing().contains("save or discard"));
+  edit_.discard();
+  EXPECT_TRUE(sign_off.holds());
+  EXPECT_TRUE(model_.mayBeTreated());
+  EXPECT_EQ(model_.current().shownBrain(), model_.current().brain_mask);
 }
 
 TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QLineEdit>
+#include <QtTest/QTest>
 #include <filesystem>
 
 #include "facenav/guidance/handle.h"
+#include "facenav/scene/display.h"
 #include "gui_fixtures.h"
+#include "widgets/handle_panel.h"
 
 namespace facenav::ui {
 namespace {
@@ -109,6 +113,66 @@ TEST_F(PlanPresenterTest, SaysOnWhichSideTheHandleLiesAndHowWideTheGapIs) {
   EXPECT_TRUE(presenter_.describe(targets[1]).contains("gap 0.0 mm"));
   const auto forehead = guidance::planTarget("front", *model_.current().scalp, Point<Mri>(2, 70, 5), 0.0);
   EXPECT_TRUE(presenter_.describe(forehead).contains(QString::fromUtf8("handle 0\u00b0 from superior")));
+}
+
+TEST_F(PlanPresenterTest, TakesTypedHandleAngleAndGapAndUndoesThem) {
+  plan("spot", 45, 4.0);
+  EXPECT_EQ(presenter_.handleFigure(), "+45");
+  EXPECT_EQ(presenter_.gapFigure(), "4.0");
+  presenter_.setHandle("-12,5");
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), -12.5, 1e-6);
+  EXPECT_EQ(presenter_.handleFigure(), "-12.5");
+  presenter_.setHandle(QString::fromUtf8(" +30\u00b0"));
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), 30, 1e-6);
+  presenter_.setGap("6,5 mm");
+  EXPECT_NEAR(guidance::hairGap_mm(*presenter_.active()), 6.5, 1e-9);
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), 30, 1e-6);
+  EXPECT_NEAR(guidance::hairGap_mm(model_.current().store.targets().targets[0]), 6.5, 1e-6);  // stored
+  EXPECT_TRUE(refusal_.isEmpty()) << refusal_.toStdString();
+  presenter_.undo();
+  presenter_.undo();
+  presenter_.undo();
+  EXPECT_NEAR(guidance::hairGap_mm(*presenter_.active()), 4.0, 1e-9);
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), 45, 1e-6);
+}
+
+TEST_F(PlanPresenterTest, RefusesAnAngleOrAGapThatCannotBeInOneLineAndChangesNothing) {
+  plan("spot", 45, 4.0);
+  const auto refuses = [&](void (PlanPresenter::*set)(const QString&), const char* typed) {
+    refusal_.clear();
+    (presenter_.*set)(typed);
+    return !refusal_.isEmpty() && !refusal_.contains('\n') && !presenter_.canUndo();
+  };
+  for (const char* typed : {"", "left", "181", "-190", "nan", "1,2,3", "4 5"})
+    EXPECT_TRUE(refuses(&PlanPresenter::setHandle, typed)) << typed;
+  for (const char* typed : {"", "thick", "-1", "20,5", "400", "inf"})
+    EXPECT_TRUE(refuses(&PlanPresenter::setGap, typed)) << typed;
+  EXPECT_NEAR(guidance::hairGap_mm(*presenter_.active()), 4.0, 1e-9);
+}
+
+TEST_F(PlanPresenterTest, TheFieldsShowTheActiveTargetAndGoBackToWhatHoldsWhenRefused) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  HandlePanel panel(presenter_);
+  panel.show();
+  const auto fields = panel.findChildren<QLineEdit*>();
+  ASSERT_EQ(fields.size(), 2);
+  EXPECT_FALSE(fields[0]->isEnabled());
+  plan("spot", -10, 3.0);
+  EXPECT_EQ(fields[0]->text(), "-10");
+  EXPECT_EQ(fields[1]->text(), "3.0");
+  const auto type = [](QLineEdit* field, const char* words) {
+    field->selectAll();
+    QTest::keyClicks(field, words);
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  type(fields[0], "60");
+  EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), 60, 1e-6);
+  EXPECT_EQ(fields[0]->text(), "+60");
+  type(fields[1], "99");
+  EXPECT_FALSE(refusal_.isEmpty());
+  EXPECT_EQ(fields[1]->text(), "3.0");
+  presenter_.undo();
+  EXPECT_EQ(fields[0]->text(), "-10");
 }
 
 TEST_F(PlanPresenterTest, AStepThatCouldNotBeWrittenCanStillBeUndoneAndDoneAgain) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "facenav/core/error.h"
+#include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
 
 namespace facenav::ui {
@@ -174,6 +175,23 @@ TEST_F(PrepareQueueTest, WhatWaitedWhenTheProgramEndedIsTakenUpAgain) {
   EXPECT_EQ(next.jobs().size(), 2u);
   ASSERT_TRUE(fixtures::waitFor([&] { return next.jobs().empty(); }));
   EXPECT_EQ(caseFolders().size(), 2u);
+}
+
+TEST(PrepareInput, TakesTheKindsOfFileThatTheCommandLineTakes) {
+  testing::TemporaryFolder folder;
+  const auto make = [&](const char* name) {
+    std::ofstream(folder.path() / name) << "x";
+    return QString::fromStdString((folder.path() / name).string());
+  };
+  for (const auto& ending : volume::niftiEndings()) {
+    const QString path = make(("t1" + ending).c_str());
+    EXPECT_TRUE(isNifti(path)) << ending;
+  }
+  EXPECT_EQ(inputOf(make("one.nii.gz")), make("one.nii.gz"));
+  const QString header = make("pair.hdr");
+  EXPECT_EQ(inputOf(make("pair.img")), header);  // both halves dropped: one volume
+  EXPECT_EQ(inputOf(header), header);
+  EXPECT_EQ(inputOf(make("IM0001")), QString::fromStdString(folder.path().string()));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <fstream>
@@ -278,6 +279,27 @@ TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {
   ASSERT_TRUE(fixtures::waitFor([&] { return figures->instruction().contains("ENDED"); }));
   EXPECT_EQ(figures->figures(), (std::array<QString, 4>{dash, dash, dash, dash}));
   EXPECT_FALSE(scene_view->scene().showsCoil());
+}
+
+TEST(Treat, HeaderAndPageTellOneTruthAboutTheAlignment) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  const auto case_folder = plannedCase(folder.path(), true);
+  casefile::StoredAlignment of_yesterday;
+  of_yesterday.rms_mm = 0.37, of_yesterday.predicted_tre_mm["spot"] = 0.4;
+  casefile::writeAlignment(of_yesterday, case_folder / "alignment.json");
+  MainWindow window(fakeServices());
+  window.show();
+  const auto* header = window.findChild<QFrame*>("header")->findChild<QLabel*>("muted");
+  const auto agree = [&] { return header->text().endsWith(window.treat().alignmentWords()); };
+  window.openCase(QString::fromStdString(case_folder.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  EXPECT_TRUE(header->text().endsWith("not aligned in this session")) << header->text().toStdString();
+  EXPECT_TRUE(agree());
+  window.play(QString::fromStdString(writeRecording(folder.path(), 50).string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isAligned() && window.isSettled(); }));
+  EXPECT_TRUE(window.treat().alignmentWords().startsWith("aligned"));
+  EXPECT_TRUE(agree()) << header->text().toStdString();
 }
 
 /// The button whose tooltip names the key.

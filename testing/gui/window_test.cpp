@@ -2,7 +2,9 @@
 #include <vtkRenderer.h>
 
 #include <QAbstractButton>
+#include <QMouseEvent>
 #include <QSettings>
+#include <QtTest/QTest>
 #include <set>
 #include <vector>
 
@@ -71,6 +73,50 @@ TEST(MainWindow, ShowsACaseInEveryWorkspace) {
   ASSERT_FALSE(slice.isNull());
   EXPECT_GT(qGreen(slice.pixel(slice.width() / 2 + 15, slice.height() / 2 + 15)), 120);  // tissue
   EXPECT_LT(qGreen(slice.pixel(4, slice.height() - 4)), 40);                             // air
+}
+
+void drag(QWidget* widget, Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& by) {
+  const QPoint from(widget->width() / 2, widget->height() / 2);
+  QTest::mousePress(widget, button, keys, from);
+  QMouseEvent move(QEvent::MouseMove, from + by, Qt::NoButton, button, keys);
+  QApplication::sendEvent(widget, &move);
+  QTest::mouseRelease(widget, button, keys, from + by);
+}
+
+TEST(SliceViews, SayTheirNumberPlaceAndValueAndComeBackToHowTheyWere) {
+  FACENAV_NEEDS_DISPLAY();
+  testing::TemporaryFolder folder;
+  const auto case_folder = fixtures::writeBallCase(folder.path());
+  MainWindow window{Services{}};
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  QApplication::setActiveWindow(&window);
+  SliceView* axial = nullptr;
+  for (auto* view : window.findChildren<SliceView*>())
+    if (!axial && view->isVisible()) axial = view;
+  ASSERT_NE(axial, nullptr);
+  EXPECT_EQ(axial->caption(), (QStringList{"axial  26/50", "S 0.0 mm", "value 160"}));
+  QWheelEvent up({50, 50}, {50, 50}, {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+  for (int i = 0; i < 6; ++i) QApplication::sendEvent(axial, &up);
+  EXPECT_EQ(axial->caption(), (QStringList{"axial  24/50", "I 6.0 mm", "value 160"}));
+  QApplication::processEvents();
+  const QImage before = axial->grab().toImage();
+  const auto upset = [&] {
+    drag(axial, Qt::RightButton, {}, {0, -40});                  // zoom
+    drag(axial, Qt::MiddleButton, {}, {30, 10});                 // pan
+    drag(axial, Qt::LeftButton, Qt::ControlModifier, {60, 40});  // window and level
+    EXPECT_NE(axial->grab().toImage(), before);
+  };
+  upset();
+  QTest::keyClick(&window, Qt::Key_R);
+  EXPECT_EQ(axial->grab().toImage(), before);
+  upset();
+  auto* button = axial->findChild<QAbstractButton*>();
+  ASSERT_NE(button, nullptr);
+  EXPECT_TRUE(button->toolTip().contains("(R)"));
+  button->click();
+  EXPECT_EQ(axial->grab().toImage(), before);
 }
 
 TEST(MainWindow, AMissingCaseIsSaidInWordsAndTheWindowLives) {

@@ -22,7 +22,6 @@ std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMo
   if (auto brain = store.brain()) loaded->brain = std::make_shared<surface::BrainModel>(std::move(*brain));
   loaded->findings = store.findings();
   loaded->plan = store.targets();
-  loaded->alignment = store.alignment();
   loaded->atlas = store.atlas();
   loaded->sign_off = casefile::signOffStatus(store);
   return loaded;
@@ -38,11 +37,6 @@ void CaseModel::setPlan(const guidance::TreatmentPlan& plan) {
   case_->store.setTargets(plan);
   case_->plan = plan;
   emit planChanged();
-}
-
-void CaseModel::setAlignment(const casefile::StoredAlignment& alignment) {
-  case_->alignment = alignment;
-  emit alignmentChanged();
 }
 
 void CaseModel::setLabel(const QString& label) {
@@ -67,6 +61,16 @@ void CaseModel::setBrain(std::shared_ptr<const volume::Mask> mask,
   emit signOffChanged();
 }
 
+void CaseModel::setDraft(std::shared_ptr<const volume::Mask> draft) {
+  const bool has_draft = draft != nullptr;
+  const bool is_new = has_draft != case_->sign_off.has_draft || has_draft != (case_->draft != nullptr);
+  case_->draft = std::move(draft);
+  case_->sign_off.has_draft = has_draft;
+  if (!is_new) return;
+  emit draftChanged();
+  emit signOffChanged();
+}
+
 void CaseModel::setOverride(const Override& given) {
   override_ = given;
   emit signOffChanged();
@@ -81,11 +85,15 @@ QString dayInWords(const std::string& utc) {
 }
 
 QString signOffWords(const casefile::SignOffStatus& status) {
-  if (!status.last) return CaseModel::tr("not signed off");
+  const QString not_saved = CaseModel::tr("a correction of the brain is not saved");
+  if (!status.last)
+    return status.has_draft ? CaseModel::tr("not signed off, %1").arg(not_saved)
+                            : CaseModel::tr("not signed off");
   const QString by = QString::fromStdString(status.last->by);
   if (status.holds()) return CaseModel::tr("checked %1 by %2").arg(dayInWords(status.last->utc), by);
   QStringList names;
   for (const auto& name : status.changed) names << QString::fromStdString(name);
+  if (status.has_draft) return CaseModel::tr("sign-off of %1 void: %2").arg(by, not_saved);
   return CaseModel::tr("sign-off of %1 void: %2 changed").arg(by, names.join(", "));
 }
 

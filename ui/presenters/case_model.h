@@ -17,14 +17,17 @@ struct LoadedCase {
   QString id, label;  // label: what people call it, or empty
   std::shared_ptr<const volume::Volume> mri;
   std::shared_ptr<const volume::Mask> head_mask, brain_mask;  // brain may be null
+  std::shared_ptr<const volume::Mask> draft;  // a correction of the brain that is not saved, as it stands now
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const surface::BrainModel> brain;  // may be null
   std::vector<std::string> findings;
   guidance::TreatmentPlan plan;
-  std::optional<casefile::StoredAlignment> alignment;
   std::optional<atlas::AtlasMap> atlas;             // nothing: no MNI coordinates
   std::map<std::string, std::string> shown_sha256;  // of the files that a sign-off vouches for, as loaded
   casefile::SignOffStatus sign_off;
+
+  /// What a person must judge: the correction under way, else the mask in force. May be null.
+  const std::shared_ptr<const volume::Mask>& shownBrain() const { return draft ? draft : brain_mask; }
 };
 /// A clinician's word that a case may be treated without a valid sign-off; recorded in the case.
 struct Override {
@@ -36,7 +39,8 @@ std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMo
 
 /// "20 Nov" from 20101120T134501Z, in local time; with the year when it is not this one's.
 QString dayInWords(const std::string& utc);
-/// "checked 20 Nov by XY", "not signed off", "sign-off of XY void: brain_mask.nii.gz changed".
+/// "checked 20 Nov by XY", "not signed off", "sign-off of XY void: brain_mask.nii.gz changed", "..: a
+/// correction of the brain is not saved".
 QString signOffWords(const casefile::SignOffStatus& status);
 
 class CaseModel : public QObject {
@@ -51,14 +55,14 @@ class CaseModel : public QObject {
   void open(std::shared_ptr<LoadedCase> loaded);
   /// Stores the plan in the case. Throws Error, and keeps the old plan, when it cannot be written.
   void setPlan(const guidance::TreatmentPlan& plan);
-  /// Already stored by the alignment step.
-  void setAlignment(const casefile::StoredAlignment& alignment);
   /// Already stored.
   void setLabel(const QString& label);
   void setSignOff(const casefile::SignOffStatus& status);
   /// A corrected brain, already stored; `shown`: hashes of the case's files now.
   void setBrain(std::shared_ptr<const volume::Mask> mask, std::shared_ptr<const surface::BrainModel> brain,
                 const std::map<std::string, std::string>& shown, const casefile::SignOffStatus& status);
+  /// A correction of the brain that is not saved, or null. No sign-off holds beside it.
+  void setDraft(std::shared_ptr<const volume::Mask> draft);
   /// Until the case is opened again. Already recorded in the case.
   void setOverride(const Override& given);
   const std::optional<Override>& override() const { return override_; }
@@ -70,7 +74,8 @@ class CaseModel : public QObject {
   void planChanged();
   void labelChanged();
   void brainChanged();
-  void alignmentChanged();
+  /// An unsaved correction of the brain has begun or is gone.
+  void draftChanged();
   /// Sign-off or override.
   void signOffChanged();
 

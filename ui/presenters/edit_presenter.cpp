@@ -22,13 +22,6 @@ Direction<Mri> normalOf(const volume::SlicePlane& plane) {
   return Direction<Mri>(plane.right.v.cross(plane.down.v));
 }
 
-/// Of the grid's indices, the one along which the plane's slices are counted.
-int sliceAxis(const volume::VoxelGrid& grid, const volume::SlicePlane& plane) {
-  Eigen::Index axis = 0;
-  (grid.mri_from_voxel.linear().colwise().normalized().transpose() * normalOf(plane).v)
-      .cwiseAbs()
-      .maxCoeff(&axis);
-  return int(axis);
 }
 
 }  // namespace
@@ -36,6 +29,8 @@ int sliceAxis(const volume::VoxelGrid& grid, const volume::SlicePlane& plane) {
 EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)
     : QObject(parent), model_(model), tasks_(tasks) {
   connect(&model_, &CaseModel::opened, this, &EditPresenter::open);
+  connect(this, &EditPresenter::changed, this, &EditPresenter::tellDraft);
+  connect(this, &EditPresenter::maskChanged, this, &EditPresenter::tellDraft);
   autosave_timer_.setInterval(kAutosave_ms);
   connect(&autosave_timer_, &QTimer::timeout, this, &EditPresenter::autosave);
   autosave_timer_.start();
@@ -93,6 +88,11 @@ void EditPresenter::open() {
   }
   emit changed();
   emit maskChanged(false);
+}
+
+/// The case is not as it was signed off while a correction is not saved.
+void EditPresenter::tellDraft() {
+  if (editor_ && model_.isOpen()) model_.setDraft(hasUnsaved() ? mask() : nullptr);
 }
 
 void EditPresenter::setTool(EditTool tool) {
@@ -193,7 +193,7 @@ void EditPresenter::release(const volume::SlicePlane& plane) {
 /// Slices drawn on by hand in one orientation: what interpolation goes between.
 void EditPresenter::noteSlice(const volume::SlicePlane& plane) {
   const auto& grid = editor_->mask().grid;
-  const int axis = sliceAxis(grid, plane);
+  const int axis = volume::sliceAxis(grid, normalOf(plane));
   const int slice = int(std::lround(grid.toVoxel(plane.toMri(last_px_.x(), last_px_.y()))[axis]));
   if (axis != drawn_axis_) drawn_slices_.clear();
   drawn_axis_ = axis;
@@ -314,12 +314,6 @@ void EditPresenter::discard() {
     casefile::removeBrainDraft(model_.current().store);
     open();
   });
-}
-
-QString EditPresenter::lastStep() const {
-  if (!canUndo()) return {};
-  const auto steps = editor_->steps();
-  return editor_->done() > 0 ? QString::fromStdString(steps[editor_->done() - 1]) : QString();
 }
 
 QString EditPresenter::words() const {

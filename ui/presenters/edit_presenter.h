@@ -31,7 +31,6 @@ class EditPresenter : public QObject, public SliceTool {
   void setTool(EditTool tool);
   double radius_mm() const { return radius_mm_; }
   void setRadius_mm(double radius_mm);
-  bool isBall() const { return is_ball_; }
   /// Ball, else a disc in the slice shown.
   void setBall(bool is_ball);
 
@@ -61,8 +60,6 @@ class EditPresenter : public QObject, public SliceTool {
   std::shared_ptr<const volume::Mask> automatic() const;
   /// "brush 5.0 mm   brain 1 412 ml   +120 -40 voxels": for the panel.
   QString words() const;
-  /// The last step's name, to say what Undo would undo.
-  QString lastStep() const;
 
   // SliceTool
   bool isActive() const override {
@@ -85,7 +82,6 @@ class EditPresenter : public QObject, public SliceTool {
   void refused(const QString& words);
 
  private:
-  struct Subject;
   void open();
   void keepDraft();
   std::unique_ptr<editing::MaskAutosave> makeAutosave() const;
@@ -94,6 +90,7 @@ class EditPresenter : public QObject, public SliceTool {
   void noteSlice(const volume::SlicePlane& plane);
   void autosave();
   void follow();
+  void tellDraft();
   template <class Action>
   void guarded(Action action);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/guidance/handle.h"
+#include "presenters/typed_coordinates.h"
 
 namespace facenav::ui {
 namespace {
@@ -20,6 +21,15 @@ QString wordsOf(const workflow::PlanRefused& refused, const QString& name) {
       return PlanPresenter::tr("no brain model: click on the slice where the target lies");
   }
   return {};
+}
+
+QString signedDegrees(double degrees) {
+  const long whole = std::lround(degrees);
+  return (whole > 0 ? "+" : "") + QString::number(whole);
+}
+
+QString gapWords(const guidance::Target& target) {
+  return QString::number(std::max(0.0, guidance::hairGap_mm(target)), 'f', 1);  // no "-0.0"
 }
 
 }  // namespace
@@ -100,6 +110,31 @@ void PlanPresenter::turnActive(double degrees) {
   if (active()) attempt([&] { editor_.turn(degrees * M_PI / 180.0); });
 }
 
+template <class Change>
+void PlanPresenter::setTyped(const QString& typed, const QString& unit, Change change) {
+  const auto* target = active();
+  if (!target) return;
+  const auto number = readNumber(typed, unit);
+  if (!number) return void(emit refused(tr("'%1' is no number").arg(typed.trimmed())));
+  try {
+    replaceActive(change(*target, *number));
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+}
+
+void PlanPresenter::setHandle(const QString& typed) {
+  setTyped(typed, QString(QChar(0xb0)), [this](const guidance::Target& target, double degrees) {
+    return guidance::withHandleAngle(target, *model_.current().scalp, degrees * M_PI / 180.0);
+  });
+}
+
+void PlanPresenter::setGap(const QString& typed) {
+  setTyped(typed, tr("mm"), [](const guidance::Target& target, double gap_mm) {
+    return guidance::withHairGap(target, gap_mm);
+  });
+}
+
 void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
   if (active()) attempt([&] { editor_.nudge(x_mm, y_mm); });
 }
@@ -116,13 +151,19 @@ double PlanPresenter::handleAngle_deg(const guidance::Target& target) const {
   return guidance::handleAngle(target, *model_.current().scalp).angle_rad * 180.0 / M_PI;
 }
 
+QString PlanPresenter::handleFigure() const {
+  if (!active()) return {};
+  const double tenths = std::round(10.0 * handleAngle_deg(*active()));
+  return (tenths > 0 ? "+" : "") + QString::number(tenths / 10.0 + 0.0);  // no "-0"
+}
+
+QString PlanPresenter::gapFigure() const { return active() ? gapWords(*active()) : QString(); }
+
 QString PlanPresenter::handleWords(const guidance::Target& target) const {
   const auto handle = guidance::handleAngle(target, *model_.current().scalp);
-  const long angle_deg = std::lround(handle.angle_rad * 180.0 / M_PI);
   const bool is_anterior = handle.reference == guidance::HandleReference::anterior;
-  return tr("handle %1%2\u00b0 from %3 (+ to the midline)")
-      .arg(angle_deg > 0 ? "+" : "")
-      .arg(angle_deg)
+  return tr("handle %1\u00b0 from %2 (+ to the midline)")
+      .arg(signedDegrees(handle.angle_rad * 180.0 / M_PI))
       .arg(is_anterior ? tr("anterior") : tr("superior"));
 }
 
@@ -131,11 +172,10 @@ QString PlanPresenter::describe(const guidance::Target& target) const {
   const auto side = [](double mm, const QString& positive, const QString& negative) {
     return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
   };
-  const double gap_mm = std::max(0.0, guidance::hairGap_mm(target));  // no "-0.0"
   return tr("%1 %2 %3\n%4 mm below the skin, gap %5 mm\n%6")
       .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
       .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
-      .arg(gap_mm, 0, 'f', 1)
+      .arg(gapWords(target))
       .arg(handleWords(target));
 }
 

@@ -27,6 +27,10 @@ class PlanPresenter : public QObject {
   void renameActive(const QString& name);
   /// Turns the handle; > 0 as seen along the coil's z, clockwise.
   void turnActive(double degrees);
+  /// The active target's handle angle (as handleAngle_deg) and gap, as typed: "+45", "-12,5°", "4 mm". What
+  /// is no number, or lies outside guidance's ranges, is refused in one line.
+  void setHandle(const QString& typed);
+  void setGap(const QString& typed);
   /// Moves the active target along the scalp (Coil x and y, mm); its handle keeps its direction, the coil its
   /// gap.
   void nudgeActive(double x_mm, double y_mm);
@@ -41,6 +45,9 @@ class PlanPresenter : public QObject {
   void setActive(const QString& name);
   QString activeName() const { return QString::fromStdString(editor_.activeName()); }
   const guidance::Target* active() const;
+  /// "+45" (or "+43.7") and "4.0", as the fields show them; empty without an active target.
+  QString handleFigure() const;
+  QString gapFigure() const;
   /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. Only while a case is open, as
   /// are those below.
   double handleAngle_deg(const guidance::Target& target) const;
@@ -59,6 +66,8 @@ class PlanPresenter : public QObject {
   template <class Edit>
   void attempt(Edit edit, const QString& name = {});
   void replaceActive(const guidance::Target& target);
+  template <class Change>
+  void setTyped(const QString& typed, const QString& unit, Change change);
 
   CaseModel& model_;
   workflow::PlanEditor editor_;

@@ -117,7 +117,7 @@ std::vector<FindingLine> PreparePresenter::findings() const {
                        .arg(spacing_mm.x(), 0, 'f', 2)
                        .arg(spacing_mm.y(), 0, 'f', 2)
                        .arg(spacing_mm.z(), 0, 'f', 2),
-                   spacing_mm.maxCoeff() > 1.3});
+                   spacing_mm.maxCoeff() > volume::kNavigationVoxel_mm});
   lines.push_back(
       {c.scalp->has_face ? tr("a face to align to") : tr("no face to align to"), !c.scalp->has_face});
   if (c.brain_mask) lines.push_back({tr("brain %1 ml").arg(std::lround(c.brain_mask->volume_ml())), false});

@@ -14,6 +14,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
+#include "facenav/volume/nifti.h"
 
 namespace facenav::ui {
 namespace fs = std::filesystem;
@@ -52,14 +53,14 @@ QString receivedFolder() {
   return folder;
 }
 
-bool isNifti(const QString& path) {
-  return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) ||
-         path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
-}
+bool isNifti(const QString& path) { return volume::isNiftiName(path.toStdString()); }
 
 QString inputOf(const QString& dropped_path) {
   const QFileInfo info(dropped_path);
-  return info.isFile() && !isNifti(dropped_path) ? info.absolutePath() : info.absoluteFilePath();
+  if (!info.isFile()) return info.absoluteFilePath();
+  const QString header = info.absolutePath() + "/" + info.completeBaseName() + ".hdr";
+  if (info.suffix().toLower() == "img" && QFileInfo::exists(header)) return header;  // a pair is one volume
+  return isNifti(dropped_path) ? info.absoluteFilePath() : info.absolutePath();
 }
 
 QString choiceWords(const PrepareJob& job) {

@@ -92,7 +92,7 @@ class PrepareQueue : public QObject {
 QString receivedFolder();
 /// NIfTI by its name.
 bool isNifti(const QString& path);
-/// The folder of a DICOM file; a folder or a NIfTI file as it is.
+/// The folder of a DICOM file; a folder or a NIfTI file as it is, of a pair the .hdr.
 QString inputOf(const QString& dropped_path);
 /// Why somebody must choose: "images of 2 patients", "no series is recommended".
 QString choiceWords(const PrepareJob& job);

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/segmentation/brain_norms.h"
 #include "facenav/workflow/sign_off_gate.h"
 
 namespace facenav::ui {
 namespace {
 
-// Adults' brain with cerebellum, both sexes; the same limits as the segmentation's own check.
-constexpr double kNormalBrainLeast_ml = 1100, kNormalBrainMost_ml = 1700;
 const char* const kName = "sign_off/by";
 
 }  // namespace
@@ -26,6 +25,7 @@ SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject*
   };
   connect(&model_, &CaseModel::opened, this, beginAnew);
   connect(&model_, &CaseModel::brainChanged, this, beginAnew);  // what was ticked was another outline
+  connect(&model_, &CaseModel::draftChanged, this, beginAnew);
   connect(&model_, &CaseModel::signOffChanged, this, &SignOffPresenter::changed);
 }
 
@@ -44,26 +44,27 @@ void SignOffPresenter::setName(const QString& name) {
 std::vector<VolumeLine> SignOffPresenter::volumes() const {
   std::vector<VolumeLine> lines;
   if (!model_.isOpen()) return lines;
-  if (!model_.current().brain_mask)
-    return {{tr("no brain model: the case holds the scalp alone"), false, 0.0}};
-  const double ml = model_.current().brain_mask->volume_ml();
+  const auto& c = model_.current();
+  if (!c.shownBrain()) return {{tr("no brain model: the case holds the scalp alone"), false}};
+  const double ml = c.shownBrain()->volume_ml();
   VolumeLine line;
-  line.is_normal = ml >= kNormalBrainLeast_ml && ml <= kNormalBrainMost_ml;
-  line.fraction = (ml - kNormalBrainLeast_ml) / (kNormalBrainMost_ml - kNormalBrainLeast_ml);
-  line.words = tr("brain %1 ml, %2 the normal range of adults, %3 to %4 ml")
+  line.is_normal = segmentation::isNormalBrain(ml);
+  line.words = tr("brain %1 ml%2, %3 the normal range of adults, %4 to %5 ml")
                    .arg(std::lround(ml))
-                   .arg(line.is_normal              ? tr("inside")
-                        : ml < kNormalBrainLeast_ml ? tr("below")
-                                                    : tr("above"))
-                   .arg(kNormalBrainLeast_ml, 0, 'f', 0)
-                   .arg(kNormalBrainMost_ml, 0, 'f', 0);
+                   .arg(c.draft ? tr(" (correction, not saved)") : QString())
+                   .arg(line.is_normal                            ? tr("inside")
+                        : ml < segmentation::kNormalBrainLeast_ml ? tr("below")
+                                                                  : tr("above"))
+                   .arg(segmentation::kNormalBrainLeast_ml, 0, 'f', 0)
+                   .arg(segmentation::kNormalBrainMost_ml, 0, 'f', 0);
   lines.push_back(line);
   return lines;
 }
 
 QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
-  workflow::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds()};
+  workflow::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds(),
+                               model_.current().sign_off.has_draft};
   if (!seen_.empty()) {  // the outlines are the first item
     claim.outlines_seen = seen_.front();
     claim.findings_seen.erase(claim.findings_seen.begin());

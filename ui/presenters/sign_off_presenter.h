@@ -11,9 +11,8 @@
 namespace facenav::ui {
 
 struct VolumeLine {
-  QString words;  // "brain 1 412 ml, normal 1 100-1 700 ml"
+  QString words;  // "brain 1 412 ml (correction, not saved), inside the normal range .."
   bool is_normal = true;
-  double fraction = 0.5;  // place in the normal range, 0..1 inside it
 };
 
 class SignOffPresenter : public QObject {
@@ -24,7 +23,6 @@ class SignOffPresenter : public QObject {
 
   /// What must be ticked: the outlines on the montage, then each finding, word for word.
   const QStringList& items() const { return items_; }
-  bool isSeen(int item) const { return seen_[std::size_t(item)]; }
   void setSeen(int item, bool is_seen);
   QString name() const { return name_; }
   /// Name or initials; remembered for the next case.

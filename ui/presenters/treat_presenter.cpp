@@ -129,7 +129,6 @@ void TreatPresenter::align(bool then_start) {
             std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
         return [this, outcome, then_start] {
           outcome_ = outcome;
-          model_.setAlignment(outcome->stored());
           emit changed();
           if (then_start) start();
         };

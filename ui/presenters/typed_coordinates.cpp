@@ -30,6 +30,15 @@ bool haveDecimalCommas(const QStringList& parts) {
 
 }  // namespace
 
+std::optional<double> readNumber(const QString& typed, const QString& unit) {
+  static const QRegularExpression kNumber("^[+-]?(\\d+([.,]\\d*)?|[.,]\\d+)$");
+  QString text = typed.trimmed();
+  if (text.endsWith(unit)) text = text.left(text.size() - unit.size()).trimmed();
+  text.replace(QChar(0x2212), '-');
+  if (!kNumber.match(text).hasMatch()) return std::nullopt;
+  return text.replace(',', '.').toDouble();
+}
+
 TypedCoordinates readCoordinates(const QString& typed) {
   static const QRegularExpression kBetween("\\s*;\\s*|\\s*,\\s+|\\s+,\\s*|\\s+");
   QString text = typed.trimmed();

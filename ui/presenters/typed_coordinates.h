@@ -20,4 +20,8 @@ struct TypedCoordinates {
 /// 40".
 TypedCoordinates readCoordinates(const QString& typed);
 
+/// One number as people type it: "-38.5", "+45", "12,5", with or without its unit behind it. Nothing where it
+/// is none.
+std::optional<double> readNumber(const QString& typed, const QString& unit);
+
 }  // namespace facenav::ui

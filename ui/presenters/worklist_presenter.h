@@ -51,7 +51,6 @@ class WorklistPresenter : public QObject {
   void refresh();
   /// What people call the case; empty takes it away. refused() says why it could not be done.
   void setLabel(const QString& case_folder, const QString& words);
-  bool isReading() const { return reader_.isRunning(); }
 
   const std::vector<WorklistRow>& rows() const { return rows_; }
   /// Why the folder cannot be read; empty while it can.

@@ -4,6 +4,8 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include "appearance.h"
+
 namespace facenav::ui {
 
 BullsEyeView::BullsEyeView(QWidget* parent)
@@ -12,13 +14,18 @@ BullsEyeView::BullsEyeView(QWidget* parent)
   window->SetMultiSamples(4);
   setRenderWindow(window);
   window->AddRenderer(bulls_eye_->renderer());
-  setMinimumSize(180, 180);
+  setMinimumSize(sized(180), sized(180));
   setToolTip(
       tr("Centre: the target. Cross: the coil, seen along the coil into the head, handle below. "
          "Stroke: tilt, one ring is 5 mm or 5\u00b0. Tick on the rim: twist."));
 }
 
 BullsEyeView::~BullsEyeView() = default;
+
+void BullsEyeView::resizeEvent(QResizeEvent* event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  bulls_eye_->fit(width(), height());
+}
 
 void BullsEyeView::set(const guidance::GuidanceState& guidance) {
   bulls_eye_->set(guidance);

@@ -17,6 +17,9 @@ class BullsEyeView : public QVTKOpenGLNativeWidget {
   ~BullsEyeView() override;
   void set(const guidance::GuidanceState& guidance);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   std::unique_ptr<scene::BullsEye> bulls_eye_;
 };

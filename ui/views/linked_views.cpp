@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QGridLayout>
 #include <QLabel>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 namespace facenav::ui {
@@ -33,7 +34,9 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
     connect(view, &SliceView::chosen, this,
             [this](double x, double y, double z) { emit chosen(x, y, z, false); });
     connect(view, &SliceView::windowChanged, this, [this] { refreshSlices(); });
+    connect(view, &SliceView::resetWanted, this, &LinkedViews::resetSlices);
   }
+  connect(new QShortcut(Qt::Key_R, this), &QShortcut::activated, this, &LinkedViews::resetSlices);
   connect(scene_view_, &SceneView::picked, this, [this](double x, double y, double z, bool is_brain) {
     setCrosshair({x, y, z});
     emit chosen(x, y, z, !is_brain);
@@ -142,6 +145,12 @@ void LinkedViews::setCrosshair(const Point<Mri>& at) {
   scene_view_->refresh();
   refreshSlices();
   emit crosshairMoved();
+}
+
+void LinkedViews::resetSlices() {
+  if (!slice_scene_) return;
+  scene::setUsualWindow(*slice_scene_);
+  for (auto* view : slices_) view->reset();
 }
 
 void LinkedViews::refreshSlices() {

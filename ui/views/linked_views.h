@@ -34,10 +34,10 @@ class LinkedViews : public QWidget {
   void setTool(SliceTool* tool);
   Point<Mri> crosshair() const;
   void refreshSlices();
+  /// Zoom, pan and window of the slices as at first; the crosshair stays.
+  void resetSlices();
   void setCrosshair(const Point<Mri>& at);
   SceneView& sceneView() { return *scene_view_; }
-  /// Null before it is first asked for.
-  SceneView* modelView() { return model_view_; }
 
  signals:
   void crosshairMoved();

@@ -31,8 +31,9 @@ void MontageView::show(const LoadedCase& loaded) {
   scene_.mri = loaded.mri;
   scene::setUsualWindow(scene_);
   scene_.contours = {{loaded.head_mask, scene::palette::kOrange}};
-  if (loaded.brain_mask) scene_.contours.push_back({loaded.brain_mask, scene::palette::kBlue});
-  content_ = loaded.brain_mask ? loaded.brain_mask : loaded.head_mask;
+  const auto& brain = loaded.shownBrain();
+  if (brain) scene_.contours.push_back({brain, scene::palette::kBlue});
+  content_ = brain ? brain : loaded.head_mask;
   draw();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -25,16 +26,23 @@ QString nameOf(volume::Anatomical orientation) {
 }  // namespace
 
 SliceView::SliceView(volume::Anatomical orientation, QWidget* parent)
-    : QWidget(parent), orientation_(orientation) {
+    : QWidget(parent), orientation_(orientation), reset_(new QToolButton(this)) {
   setMinimumSize(160, 140);
   setFocusPolicy(Qt::ClickFocus);
   setToolTip(
       tr("left: crosshair   wheel: slice   right: zoom   middle: pan   Ctrl+left: window/level   double "
-         "click: choose"));
+         "click: choose   R: zoom, pan and window as at first"));
+  reset_->setText(tr("1:1"));
+  reset_->setToolTip(tr("zoom, pan and window as at first, in all slices (R)"));
+  connect(reset_, &QToolButton::clicked, this, &SliceView::resetWanted);
 }
 
 void SliceView::setScene(std::shared_ptr<scene::SliceScene> scene) {
   scene_ = std::move(scene);
+  reset();
+}
+
+void SliceView::reset() {
   zoom_ = 1.0;
   pan_mm_.setZero();
   refresh();
@@ -82,9 +90,32 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (is_outdated_) picture_ = toQImage(scene_->picture(plane()));
   is_outdated_ = false;
   painter.drawImage(0, 0, picture_);
-  painter.setPen(QColor(158, 171, 184));
-  painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignLeft | Qt::AlignTop, nameOf(orientation_));
+  paintCaption(painter);
   if (draws()) paintTool(painter);
+}
+
+QStringList SliceView::caption() const {
+  if (!scene_ || !scene_->mri) return {};
+  const auto shown = plane();
+  const auto slice = volume::sliceNumber(scene_->mri->grid, shown);
+  const auto position = scene::positionOf(shown);
+  const auto value = scene_->valueAtCrosshair();
+  return {tr("%1  %2/%3")
+              .arg(nameOf(orientation_),
+                   slice.number > 0 ? QString::number(slice.number) : QString(QChar(0x2013)))
+              .arg(slice.count),
+          tr("%1 %2 mm").arg(QLatin1Char(position.side)).arg(position.distance_mm, 0, 'f', 1),
+          value ? tr("value %1").arg(double(*value), 0, 'g', 5) : tr("outside the scan")};
+}
+
+void SliceView::paintCaption(QPainter& painter) {
+  painter.setPen(QColor(158, 171, 184));
+  const QFontMetrics metrics = painter.fontMetrics();
+  int y_px = 4 + metrics.ascent();
+  for (const QString& line : caption()) {
+    painter.drawText(8, y_px, metrics.elidedText(line, Qt::ElideRight, reset_->x() - 12));
+    y_px += metrics.lineSpacing();
+  }
 }
 
 void SliceView::paintTool(QPainter& painter) {
@@ -169,6 +200,10 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   moveCrosshair(Point<Mri>(from - step_mm * normal));
 }
 
-void SliceView::resizeEvent(QResizeEvent*) { refresh(); }
+void SliceView::resizeEvent(QResizeEvent*) {
+  reset_->adjustSize();
+  reset_->move(width() - reset_->width() - 2, 2);
+  refresh();
+}
 
 }  // namespace facenav::ui

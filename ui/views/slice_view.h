@@ -1,15 +1,18 @@
 #pragma once
 // SliceView: one anatomical plane through the crosshair. Left: crosshair, wheel: slice, right: zoom, middle:
-// pan, Ctrl+left: window and level, double click: a point is chosen. The picture comes from
-// scene::SliceScene.
+// pan, Ctrl+left: window and level, double click: a point is chosen; 1:1 (or R): zoom, pan and window as at
+// first. The picture comes from scene::SliceScene.
 
 #include <QImage>
 #include <QPoint>
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 
 #include "facenav/scene/slice_scene.h"
 #include "views/slice_tool.h"
+
+class QToolButton;
 
 namespace facenav::ui {
 
@@ -22,6 +25,11 @@ class SliceView : public QWidget {
   void setScene(std::shared_ptr<scene::SliceScene> scene);
   /// Draws again after the scene's content changed.
   void refresh();
+  /// Zoom and pan as at first.
+  void reset();
+  /// "axial  88/176", "S 12.3 mm" and "value 512": the slice's number in the scan, its place, and the MRI's
+  /// value under the crosshair. Empty without a scene.
+  QStringList caption() const;
   /// While it is active the left button draws; it must outlive the view. Null: none.
   void setTool(SliceTool* tool);
 
@@ -30,6 +38,8 @@ class SliceView : public QWidget {
   void chosen(double x_mm, double y_mm, double z_mm);
   /// The scene's window changed; the linked views draw again.
   void windowChanged();
+  /// Zoom, pan and window are wanted as at first, in all linked views.
+  void resetWanted();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -44,6 +54,7 @@ class SliceView : public QWidget {
  private:
   bool draws() const { return tool_ && tool_->isActive(); }
   void paintTool(QPainter& painter);
+  void paintCaption(QPainter& painter);
   volume::SlicePlane plane() const;
   Point<Mri> pointAt(const QPoint& position) const;
   void moveCrosshair(const Point<Mri>& to);
@@ -56,6 +67,7 @@ class SliceView : public QWidget {
   Eigen::Vector2d pan_mm_ = Eigen::Vector2d::Zero();
   QPoint last_, pointer_{-1, -1};
   SliceTool* tool_ = nullptr;
+  QToolButton* reset_;
   bool is_stroke_ = false;
 };
 

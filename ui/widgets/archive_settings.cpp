@@ -12,7 +12,6 @@ namespace facenav::ui {
 ArchiveSettings::ArchiveSettings(ArchivePresenter& presenter, QWidget* parent)
     : QFrame(parent), presenter_(presenter) {
   setObjectName("panel");
-  setFixedWidth(360);
   auto* column = new QVBoxLayout(this);
   auto* heading = new QLabel(tr("The archive"), this);
   heading->setObjectName("heading");

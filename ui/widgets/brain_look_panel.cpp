@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "appearance.h"
 #include "widgets/distance_legend.h"
 
 namespace facenav::ui {
@@ -46,10 +47,10 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
   peel_->setAccessibleName(tr("peel depth"));
   peel_->setToolTip(tr("how deep below the surface the MRI is shown, 0 to 40 mm (arrows, Page up and down)"));
   peel_words_ = new QLabel(this);
-  peel_words_->setMinimumWidth(110);
+  peel_words_->setMinimumWidth(sized(110));
   column->addLayout(row);
   auto* below_box = new QWidget(this);
-  below_box->setMinimumHeight(36);  // whatever is in it: the view above keeps its size
+  below_box->setMinimumHeight(sized(36));  // whatever is in it: the view above keeps its size
   auto* below = new QHBoxLayout(below_box);
   below->setContentsMargins(0, 0, 0, 0);
   below->addWidget(peel_, 1);
@@ -57,9 +58,10 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
   legend_ = new DistanceLegend(this);
   words_ = new QLabel(this);
   words_->setObjectName("muted");
+  words_->setWordWrap(true);
   words_->setToolTip(tr("of the distances between the phi-theta model and the true surface, all vertices"));
   below->addWidget(legend_, 1);
-  below->addWidget(words_);
+  below->addWidget(words_, 1);
   column->addWidget(below_box);
   connect(looks_, &QButtonGroup::idClicked, this, [this](int id) {
     id == kBeside ? presenter_.setBesideModel() : presenter_.setLook(scene::BrainLook(id));

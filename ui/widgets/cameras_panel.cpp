@@ -59,6 +59,10 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   auto* grid = new QGridLayout;
   left_ = new QComboBox(this);
   right_ = new QComboBox(this);
+  for (auto* box : {left_, right_}) {  // as wide as there is room, not as the longest name
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(10);
+  }
   left_->setToolTip(tr("the camera on the left as seen from behind the pair, facing the patient"));
   right_->setToolTip(tr("the camera on the right as seen from behind the pair, facing the patient"));
   auto* again = button(tr("Look again"), tr("which cameras are plugged in"), Qt::Key_F5);

@@ -2,12 +2,13 @@
 
 #include <QPainter>
 
+#include "appearance.h"
 #include "facenav/scene/cortex_picture.h"
 
 namespace facenav::ui {
 
 DistanceLegend::DistanceLegend(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(220, 36);
+  setMinimumSize(sized(220), sized(36));
   setToolTip(
       tr("distance of the true surface from the phi-theta model: blue lies below it (a sulcus that the "
          "model spans), orange beyond it; the ends of the scale also hold what lies further"));
@@ -20,7 +21,7 @@ void DistanceLegend::setScale(double full_mm) {
 
 void DistanceLegend::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  const int margin = 34, bar_height = 12, width_px = std::max(1, width() - 2 * margin);
+  const int margin = sized(34), bar_height = 12, width_px = std::max(1, width() - 2 * margin);
   for (int x = 0; x < width_px; ++x) {
     const auto c = scene::distanceColour((2.0 * x / width_px - 1.0) * full_mm_, full_mm_);
     painter.fillRect(margin + x, 0, 1, bar_height, QColor::fromRgbF(c[0], c[1], c[2]));
@@ -33,7 +34,8 @@ void DistanceLegend::paintEvent(QPaintEvent*) {
     QString words = QString::number(value, 'f', value == int(value) ? 0 : 1);
     if (value > 0) words.prepend('+');
     if (share == 0.0) words += tr(" mm");  // at an end it would run into its neighbour
-    painter.drawText(QRect(x - 34, bar_height + 3, 68, height() - bar_height - 3), Qt::AlignHCenter, words);
+    painter.drawText(QRect(x - margin, bar_height + 3, 2 * margin, height() - bar_height - 3),
+                     Qt::AlignHCenter, words);
   }
 }
 

@@ -5,18 +5,25 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "appearance.h"
+
 namespace facenav::ui {
 
 namespace {
+
+constexpr int kLeastWidth_px = 410;
 
 /// "FACE NOT SEEN: let .." as what is wrong, to be read from two metres, above what to do.
 QString twoLines(const ReadOut& read_out) {
   const QString mark = read_out.level == Level::lost ? QStringLiteral("\u2715&nbsp;") : QString();
   const int colon = read_out.instruction.indexOf(": ");
   const QString head = read_out.instruction.left(colon < 0 ? read_out.instruction.size() : colon);
-  QString text = QStringLiteral("<div style='font-size:30pt'>%1%2</div>").arg(mark, head.toHtmlEscaped());
+  QString text = QStringLiteral("<div style='font-size:%1pt'>%2%3</div>")
+                     .arg(30 * textScale())
+                     .arg(mark, head.toHtmlEscaped());
   if (colon >= 0)
-    text += QStringLiteral("<div style='font-size:19pt'>%1</div>")
+    text += QStringLiteral("<div style='font-size:%1pt'>%2</div>")
+                .arg(19 * textScale())
                 .arg(read_out.instruction.mid(colon + 2).toHtmlEscaped());
   return text;
 }
@@ -31,7 +38,7 @@ FiguresPanel::FiguresPanel(QWidget* parent)
   banner_->setWordWrap(true);
   banner_->setAlignment(Qt::AlignCenter);
   banner_->setTextFormat(Qt::RichText);
-  banner_->setMinimumHeight(112);
+  banner_->setMinimumHeight(sized(90));
   column->addWidget(banner_);
   auto* grid = new QGridLayout;
   const QString names[4] = {tr("across, mm"), tr("depth, mm"), tr("tilt"), tr("twist")};
@@ -54,6 +61,7 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     grid->addWidget(name, i / 2 * 2 + 1, i % 2, Qt::AlignCenter);
   }
   column->addLayout(grid, 1);
+  setMinimumWidth(sized(kLeastWidth_px));  // the longest figures side by side
   predicted_->setObjectName("muted");
   predicted_->setAlignment(Qt::AlignCenter);
   predicted_->setToolTip(tr("predicted error of the alignment at the target (one standard deviation)"));

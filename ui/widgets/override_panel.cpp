@@ -5,6 +5,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "appearance.h"
+
 namespace facenav::ui {
 
 OverridePanel::OverridePanel(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
@@ -17,8 +19,8 @@ OverridePanel::OverridePanel(TreatPresenter& presenter, CaseModel& model, QWidge
   reason_ = new QLineEdit(this);
   name_->setPlaceholderText(tr("your name"));
   reason_->setPlaceholderText(tr("reason"));
-  name_->setMaximumWidth(170);
-  reason_->setMaximumWidth(300);
+  name_->setMaximumWidth(sized(170));
+  reason_->setMaximumWidth(sized(300));
   name_->setToolTip(tr("who takes it upon them to treat; kept with the case"));
   reason_->setToolTip(tr("why it cannot wait for the sign-off; kept with the case"));
   override_ = new QPushButton(tr("Treat nevertheless"), this);

@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/narrow_label.h"
+
 namespace facenav::ui {
 
 PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
@@ -19,7 +21,7 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   words_->setObjectName("figures_text");
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
-  words_->setWordWrap(true);
+  makeNarrow(*words_);
   frame_ = new QComboBox(this);
   frame_->addItems({tr("MNI"), tr("RAS")});
   frame_->setToolTip(tr("what the typed numbers are"));
@@ -32,7 +34,7 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   target_->setToolTip(tr("a target at the cortex under it (T)"));
   target_->setShortcut(Qt::Key_T);
   fault_->setObjectName("fault");
-  fault_->setWordWrap(true);
+  makeNarrow(*fault_);
   fault_->hide();
   auto* row = new QHBoxLayout;
   row->addWidget(frame_);

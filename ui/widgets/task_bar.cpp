@@ -8,13 +8,15 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "appearance.h"
 #include "presenters/task_runner.h"
+#include "widgets/elided_label.h"
 
 namespace facenav::ui {
 
 TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
     : QFrame(parent),
-      words_(new QLabel(this)),
+      words_(new ElidedLabel(this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName("taskbar");
@@ -23,7 +25,7 @@ TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
   row->addWidget(words_, 1);
   row->addWidget(bar_);
   row->addWidget(cancel_);
-  bar_->setFixedWidth(260);
+  bar_->setFixedWidth(sized(260));
   bar_->setRange(0, 1000);
   cancel_->setToolTip(tr("stop this step; nothing half-done is kept (Esc)"));
   cancel_->setShortcut(Qt::Key_Escape);
@@ -51,8 +53,8 @@ void TaskBar::setBusy(bool is_busy) {
 void TaskBar::showProgress(const QString& step, double fraction) {
   bar_->setValue(int(1000 * std::clamp(fraction, 0.0, 1.0)));
   words_->setProperty("level", "none");
-  words_->setText(step.isEmpty() ? title_ + QChar(0x2026)
-                                 : tr("%1: %2  (%3 s)").arg(title_, step).arg(elapsed_.elapsed() / 1000));
+  words_->set(step.isEmpty() ? title_ + QChar(0x2026)
+                             : tr("%1: %2  (%3 s)").arg(title_, step).arg(elapsed_.elapsed() / 1000));
 }
 
 void TaskBar::showMessage(const QString& words, bool is_failure) {
@@ -66,8 +68,7 @@ void TaskBar::say(const QString& words, bool is_caution) {
   words_->setProperty("level", is_caution ? "caution" : "none");
   words_->style()->unpolish(words_);
   words_->style()->polish(words_);
-  words_->setText(words);
-  words_->setToolTip(words);
+  words_->set(words);
 }
 
 }  // namespace facenav::ui

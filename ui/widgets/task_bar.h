@@ -4,12 +4,12 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace facenav::ui {
 
+class ElidedLabel;
 class TaskRunner;
 
 class TaskBar : public QFrame {
@@ -26,7 +26,7 @@ class TaskBar : public QFrame {
   void setBusy(bool is_busy);
   void showProgress(const QString& step, double fraction);
 
-  QLabel* words_;
+  ElidedLabel* words_;
   QProgressBar* bar_;
   QPushButton* cancel_;
   QElapsedTimer elapsed_;

@@ -9,9 +9,13 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "appearance.h"
 #include "views/linked_views.h"
 #include "widgets/brain_look_panel.h"
+#include "widgets/handle_panel.h"
+#include "widgets/narrow_label.h"
 #include "widgets/place_panel.h"
+#include "widgets/scroll_column.h"
 
 namespace facenav::ui {
 
@@ -64,7 +68,6 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
 QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  panel->setFixedWidth(320);
   auto* column = new QVBoxLayout(panel);
   auto* heading = new QLabel(tr("Targets"), panel);
   heading->setObjectName("heading");
@@ -72,19 +75,24 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   targets_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   targets_->setToolTip(tr("double click or F2: rename"));
   detail_ = new QLabel(panel);
-  detail_->setWordWrap(true);
+  makeNarrow(*detail_);
   detail_->setObjectName("figures_text");
   detail_->setToolTip(tr(
       "mm and degrees; gap: between coil and skin, for hair; handle: 0\u00b0 points straight back, + turns "
       "its front to the midline; over forehead and occiput it is measured from superior"));
   auto* hint = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target."), panel);
   hint->setObjectName("muted");
-  hint->setWordWrap(true);
+  makeNarrow(*hint);
   column->addWidget(heading);
   column->addWidget(hint);
-  column->addWidget(targets_, 1);
-  column->addWidget(detail_);
-  column->addWidget(makeHandleRow());
+  auto* body = new QWidget(panel);
+  auto* within = new QVBoxLayout(body);
+  within->setContentsMargins(0, 0, 0, 0);
+  targets_->setMinimumHeight(sized(90));
+  targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what room is left
+  within->addWidget(targets_, 1);
+  within->addWidget(detail_);
+  within->addWidget(new HandlePanel(presenter_, panel));
   auto* edit = new QHBoxLayout;
   undo_ = new QPushButton(tr("Undo"), panel);
   redo_ = new QPushButton(tr("Redo"), panel);
@@ -93,7 +101,8 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   redo_->setToolTip(tr("Ctrl+Shift+Z"));
   remove_->setToolTip(tr("Del"));
   for (auto* button : {undo_, redo_, remove_}) edit->addWidget(button);
-  column->addLayout(edit);
+  within->addLayout(edit);
+  column->addWidget(new ScrollColumn(body, sized(300), panel), 1);
   place_panel_ = new PlacePanel(place_, panel);
   column->addWidget(place_panel_);
   connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
@@ -106,24 +115,6 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
     if (!is_filling_) presenter_.renameActive(item->text());
   });
   return panel;
-}
-
-QWidget* PlanWorkspace::makeHandleRow() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  auto* left = new QPushButton(tr("\u21ba 5\u00b0"), box);
-  auto* right = new QPushButton(tr("\u21bb 5\u00b0"), box);
-  left->setToolTip(tr("turn the handle anticlockwise, seen from above the coil (Q)"));
-  right->setToolTip(tr("turn the handle clockwise, seen from above the coil (E)"));
-  auto* words = new QLabel(tr("handle"), box);
-  words->setObjectName("muted");
-  row->addWidget(words);
-  row->addWidget(left);
-  row->addWidget(right);
-  connect(left, &QPushButton::clicked, this, [this] { presenter_.turnActive(-5); });
-  connect(right, &QPushButton::clicked, this, [this] { presenter_.turnActive(5); });
-  return box;
 }
 
 void PlanWorkspace::addKeys() {

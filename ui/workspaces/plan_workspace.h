@@ -28,7 +28,6 @@ class PlanWorkspace : public QWidget {
 
  private:
   QWidget* makeTargetsPanel();
-  QWidget* makeHandleRow();
   void addKeys();
   void showCase();
   void showPlan();

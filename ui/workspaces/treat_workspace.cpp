@@ -8,6 +8,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "appearance.h"
 #include "views/bulls_eye_view.h"
 #include "views/scene_view.h"
 #include "widgets/camera_row.h"
@@ -15,6 +16,7 @@
 #include "widgets/elided_label.h"
 #include "widgets/figures_panel.h"
 #include "widgets/override_panel.h"
+#include "widgets/scroll_column.h"
 #include "widgets/words_of_button.h"
 
 namespace facenav::ui {
@@ -22,6 +24,7 @@ namespace {
 
 constexpr int kRefresh_ms = 33;
 constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
+constexpr int kLow_px = 740;      // no room for the bull's eye above the figures
 
 }  // namespace
 
@@ -60,16 +63,15 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
 
 QWidget* TreatWorkspace::makeSide() {
   side_ = new QStackedWidget(this);
-  side_->setMinimumWidth(kFigures_px);
   auto* side = new QWidget(side_);
-  side_->addWidget(side);
-  side_->addWidget(new CamerasPanel(presenter_, side_));
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   bulls_eye_ = new BullsEyeView(side);
   figures_ = new FiguresPanel(side);
-  column->addWidget(bulls_eye_, 4);
-  column->addWidget(figures_, 5);
+  bulls_eye_and_figures_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  bulls_eye_and_figures_->addWidget(bulls_eye_, 4);
+  bulls_eye_and_figures_->addWidget(figures_, 5);
+  column->addLayout(bulls_eye_and_figures_, 1);
   auto* session = new QHBoxLayout;
   pulses_ = new QLabel(side);
   pulses_->setObjectName("session");
@@ -80,6 +82,8 @@ QWidget* TreatWorkspace::makeSide() {
   session->addWidget(pulses_, 1);
   session->addWidget(pulse_);
   column->addLayout(session);
+  side_->addWidget(new ScrollColumn(side, sized(kFigures_px), side_));
+  side_->addWidget(new ScrollColumn(new CamerasPanel(presenter_, side_), sized(kFigures_px), side_));
   connect(pulse_, &QPushButton::clicked, this, [this] {
     presenter_.countPulse();
     showSession();
@@ -104,7 +108,8 @@ QWidget* TreatWorkspace::makeSteps() {
   guide_->setShortcut(Qt::Key_Space);
   guide_->setObjectName("primary");
   target_ = new QComboBox(bar);
-  target_->setMinimumWidth(160);
+  target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  target_->setMinimumContentsLength(14);
   target_->setToolTip(tr("the target to guide to"));
   words_ = new ElidedLabel(bar);
   words_->setObjectName("muted");
@@ -247,6 +252,12 @@ void TreatWorkspace::refresh() {
 void TreatWorkspace::showEvent(QShowEvent*) {
   showCase();
   timer_.start();
+}
+
+/// A low window folds: the bull's eye beside the figures.
+void TreatWorkspace::resizeEvent(QResizeEvent*) {
+  const bool is_low = height() < sized(kLow_px);
+  bulls_eye_and_figures_->setDirection(is_low ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void TreatWorkspace::hideEvent(QHideEvent*) { timer_.stop(); }

@@ -8,6 +8,7 @@
 
 #include "presenters/treat_presenter.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -36,6 +37,7 @@ class TreatWorkspace : public QWidget {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeSide();
@@ -52,6 +54,7 @@ class TreatWorkspace : public QWidget {
   SceneView* scene_;
   CameraRow* pictures_;
   BullsEyeView* bulls_eye_;
+  QBoxLayout* bulls_eye_and_figures_;
   FiguresPanel* figures_;
   QComboBox* target_;
   QStackedWidget* side_;

@@ -247,8 +247,4 @@ std::optional<StoredAlignment> CaseStore::alignment() const {
   return readAlignment(folder_ / "alignment.json");
 }
 
-void CaseStore::setAlignment(const StoredAlignment& alignment) const {
-  writeAlignment(alignment, folder_ / "alignment.json");
-}
-
 }  // namespace facenav::casefile

@@ -65,8 +65,10 @@ void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
   surface::writeCortex(*cortex, folded, FileAccess::owner_only);
 }
 
+bool hasBrainDraft(const CaseStore& store) { return fs::exists(store.folder() / kDraft); }
+
 std::optional<volume::Mask> brainDraft(const CaseStore& store) {
-  if (!fs::exists(store.folder() / kDraft)) return std::nullopt;
+  if (!hasBrainDraft(store)) return std::nullopt;
   return volume::readMask(store.folder() / kDraft);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
@@ -133,6 +134,9 @@ std::map<std::string, std::string> seenFiles(const CaseStore& store) {
 SignOff signOff(const CaseStore& store, const SignOffRequest& request) {
   const auto findings = store.findings();
   requireWillingness(request, findings);
+  if (hasBrainDraft(store))
+    throw Error("a correction of the brain is not saved", store.folder().string(),
+                "save or discard it first (window: Prepare, step 3)");
   SignOff sign_off{request.by, utcNow(), request.note, findings, std::nullopt, seenFiles(store)};
   requireUnchanged(request, sign_off.seen_sha256);
   if (const auto brain = store.brainMask()) sign_off.brain_ml = brain->volume_ml();
@@ -142,6 +146,7 @@ SignOff signOff(const CaseStore& store, const SignOffRequest& request) {
 
 SignOffStatus signOffStatus(const CaseStore& store) {
   SignOffStatus status;
+  status.has_draft = hasBrainDraft(store);
   const fs::path path = store.folder() / kFile;
   if (!fs::exists(path)) return status;
   status.last = readSignOff(path);

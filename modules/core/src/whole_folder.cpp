@@ -86,5 +86,13 @@ void makePrivateFolder(const fs::path& folder) {
   if (::mkdir(folder.c_str(), 0700) != 0) refuseWriting(folder);
 }
 
+void makePrivateAndDurable(const fs::path& folder) {
+  makePrivate(folder);
+  if (::chmod(folder.c_str(), 0700) != 0) refuseWriting(folder);
+  syncAllIn(folder);
+}
+
+void makeNamesDurable(const fs::path& folder) { syncNamesIn(folder); }
+
 }  // namespace core
 }  // namespace facenav

@@ -12,16 +12,6 @@ namespace facenav::dicom {
 namespace fs = std::filesystem;
 namespace {
 
-bool isNiftiName(const fs::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  const auto ends = [&](const std::string& end) {
-    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-  };
-  return ends(".nii") || ends(".nii.gz") || ends(".hdr") || ends(".img");
-}
-
 std::string gridInWords(const volume::VoxelGrid& grid) {
   const Eigen::Vector3d spacing_mm = grid.spacing_mm();
   return formatted("%d x %d x %d voxels of %.3g x %.3g x %.3g mm", grid.size[0], grid.size[1], grid.size[2],
@@ -121,7 +111,7 @@ ImportedVolume importVolume(const fs::path& input, const std::optional<std::stri
   std::error_code error;
   if (!fs::exists(input, error)) throw Error("does not exist", input.string(), "check the path");
   const bool is_folder = fs::is_directory(input, error) || isDicomDir(input);
-  if (!is_folder && isNiftiName(input)) return importNifti(input, transform);
+  if (!is_folder && volume::isNiftiName(input)) return importNifti(input, transform);
   const auto series = is_folder ? listSeries(input, monitor) : seriesAround(input, monitor);
   ImportedVolume imported;
   imported.series = series_id ? chooseById(series, *series_id, input) : choose(series, input);

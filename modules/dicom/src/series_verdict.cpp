@@ -12,7 +12,6 @@
 namespace facenav::dicom {
 namespace {
 
-constexpr double kFinestVoxel_mm = 1.205;  // the navigation T1's largest voxel edge, 1.2 as written
 constexpr double kMostVoxels = 1e9;
 
 bool startsWith(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
@@ -149,7 +148,7 @@ void describeFitness(SeriesInfo& info) {
   if (info.modality == "MR" && info.contrast != "T1")
     against.push_back(info.contrast.empty() ? "T1 weighting not certain"
                                             : info.contrast + "-weighted, not T1");
-  if (info.spacing_mm.maxCoeff() > kFinestVoxel_mm)
+  if (info.spacing_mm.maxCoeff() > volume::kNavigationVoxel_mm)
     against.push_back(
         formatted("voxels up to %.3g mm (1.2 mm or finer is needed)", info.spacing_mm.maxCoeff()));
   if (info.extent_mm.x() < 120 || info.extent_mm.y() < 150 || info.extent_mm.z() < 150)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/error.h"
 #include "tangent_directions.h"
 
 namespace facenav::guidance {
@@ -46,6 +47,30 @@ HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp
 double hairGap_mm(const Target& target) {
   return (target.scalp_point.mm - target.mri_T_target.translation_mm())
       .dot(target.mri_T_target.rotation().col(2));
+}
+
+Target withHandleAngle(const Target& target, const surface::ScalpSurface& scalp, double angle_rad) {
+  if (!(std::abs(angle_rad) <= kMostHandle_rad))
+    throw Error("a handle angle lies between -180 and 180 degrees", {}, "0 points straight back");
+  Eigen::Matrix3d axes = target.mri_T_target.rotation();
+  const auto directions = tangentDirections(scalp.mesh, axes.col(2), target.cortex_point);
+  axes.col(1) = std::cos(angle_rad) * directions.forward + std::sin(angle_rad) * directions.medial;
+  axes.col(0) = axes.col(1).cross(axes.col(2));
+  Target turned = target;
+  turned.mri_T_target =
+      RigidTransform<Mri, frames::Target>(Eigen::Quaterniond(axes), target.mri_T_target.translation_mm());
+  return turned;
+}
+
+Target withHairGap(const Target& target, double gap_mm) {
+  if (!(gap_mm >= 0 && gap_mm <= kMostGap_mm))
+    throw Error("a gap for hair lies between 0 and " + std::to_string(int(kMostGap_mm)) + " mm", {},
+                "measure it on the patient");
+  const Eigen::Vector3d z = target.mri_T_target.rotation().col(2);
+  const Eigen::Vector3d place_mm = target.mri_T_target.translation_mm() + (hairGap_mm(target) - gap_mm) * z;
+  Target moved = target;
+  moved.mri_T_target = RigidTransform<Mri, frames::Target>(target.mri_T_target.quaternion(), place_mm);
+  return moved;
 }
 
 Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp, double x_mm, double y_mm) {

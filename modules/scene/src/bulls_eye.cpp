@@ -20,7 +20,7 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kEdge_mm = 20.0;
+constexpr double kEdge_mm = 20.0, kHalfHeight_mm = 1.18 * kEdge_mm;
 constexpr double kStroke_mm_per_deg = 1.0;
 
 vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& colour, double opacity,
@@ -80,7 +80,7 @@ BullsEye::Implementation::Implementation() {
   renderer->SetBackground(palette::kPanel.data());
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
-  camera->SetParallelScale(kEdge_mm * 1.18);
+  camera->SetParallelScale(kHalfHeight_mm);
   camera->SetPosition(0, 0, 100);
   camera->SetFocalPoint(0, 0, 0);
   camera->SetClippingRange(1, 200);
@@ -143,6 +143,11 @@ void BullsEye::set(const guidance::GuidanceState& guidance) {
   if (has_values) b.place(*guidance.values);
 }
 
+void BullsEye::fit(int width_px, int height_px) {
+  const double narrowness = double(std::max(1, height_px)) / std::max(1, width_px);
+  implementation_->renderer->GetActiveCamera()->SetParallelScale(kHalfHeight_mm * std::max(1.0, narrowness));
+}
+
 vtkRenderer* BullsEye::renderer() const { return implementation_->renderer; }
 
 RgbImage BullsEye::render(int width_px, int height_px) {
@@ -153,6 +158,7 @@ RgbImage BullsEye::render(int width_px, int height_px) {
     b.offscreen->SetMultiSamples(4);
     b.offscreen->AddRenderer(b.renderer);
   }
+  fit(width_px, height_px);
   b.offscreen->SetSize(width_px, height_px);
   return grab(b.offscreen);
 }

@@ -92,6 +92,16 @@ char sideLetter(const Direction<Mri>& direction) {
   return direction.v[axis] > 0 ? "RAS"[axis] : "LPI"[axis];
 }
 
+SlicePosition positionOf(const volume::SlicePlane& plane) {
+  const Eigen::Vector3d normal = plane.right.v.cross(plane.down.v);
+  const double along_mm = plane.origin.mm.dot(normal);
+  return {sideLetter(Direction<Mri>(along_mm < 0 ? Eigen::Vector3d(-normal) : normal)), std::abs(along_mm)};
+}
+
+std::optional<float> SliceScene::valueAtCrosshair() const {
+  return mri && crosshair ? volume::valueAt(*mri, *crosshair) : std::nullopt;
+}
+
 void setUsualWindow(SliceScene& scene) {
   if (!scene.mri) return;
   scene.black = volume::percentile(*scene.mri, 0.005);

@@ -15,7 +15,6 @@ using volume::Mask;
 constexpr double kLeast_ml = 600, kMost_ml = 2200;  // no brain that rTMS treats lies outside
 // Per ball by the head, of which the three real heads' brains measure 0.94 to 1.19; and whatever the head.
 constexpr double kMostOfBall = 1.3, kMostEver_ml = 2600;
-constexpr double kNormalLeast_ml = 1100, kNormalMost_ml = 1700;
 constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
 constexpr double kLeastExtent_mm = 100;
 constexpr double kThickSlice_mm = 3;
@@ -91,9 +90,6 @@ std::vector<std::string> checkBrain(const Mask& brain, const BetSphere& by_head)
     noBrain("what looks like a brain measures " + millilitres(ml) + " (600 to " +
             std::to_string(int(std::lround(most_ml))) + " is possible in this head)");
   std::vector<std::string> warnings;
-  if (ml < kNormalLeast_ml || ml > kNormalMost_ml)
-    warnings.push_back("the brain measures " + millilitres(ml) +
-                       ", adults have 1100 to 1700 ml: check its outline");
   constexpr std::array<const char*, 6> kSides{"left", "right", "back", "front", "bottom", "top"};
   const auto area = areaAtEdges_mm2(brain);
   for (int side = 0; side < 6; ++side)

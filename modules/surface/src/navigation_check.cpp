@@ -53,10 +53,10 @@ CheckFinding checkVertex(const ScanQuality& scan) {
 }
 
 CheckFinding checkSpacing(const ScanQuality& scan) {
-  constexpr double kFine_mm = 1.205, kUsable_mm = 2.0;
+  constexpr double kUsable_mm = 2.0;
   const std::string words =
       formatted("voxels of %.2f to %.2f mm", scan.smallest_voxel_mm, scan.largest_voxel_mm);
-  if (scan.largest_voxel_mm <= kFine_mm) return {"spacing", Verdict::fine, words, ""};
+  if (scan.largest_voxel_mm <= volume::kNavigationVoxel_mm) return {"spacing", Verdict::fine, words, ""};
   const bool is_usable = scan.largest_voxel_mm <= kUsable_mm;
   return {"spacing", is_usable ? Verdict::caution : Verdict::not_usable,
           words + (is_usable ? ": the skin is placed less well than with 1 mm"

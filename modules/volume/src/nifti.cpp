@@ -263,6 +263,21 @@ void fill(nifti_image& image, const std::vector<Source>& voxels) {
 
 }  // namespace
 
+const std::vector<std::string>& niftiEndings() {
+  static const std::vector<std::string> kEndings{".nii", ".nii.gz", ".hdr", ".img"};
+  return kEndings;
+}
+
+bool isNiftiName(const std::filesystem::path& path) {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  const auto ends = [&](const std::string& end) {
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+  };
+  return std::any_of(niftiEndings().begin(), niftiEndings().end(), ends);
+}
+
 NiftiTransform niftiTransformNamed(const std::string& name) {
   if (name == "automatic") return NiftiTransform::automatic;
   if (name == "sform") return NiftiTransform::sform;

@@ -42,6 +42,20 @@ Eigen::Vector3d SlicePlane::toPixel(const Point<Mri>& p) const {
   return {d.dot(right.v) / spacing_mm, d.dot(down.v) / spacing_mm, d.dot(right.v.cross(down.v))};
 }
 
+int sliceAxis(const VoxelGrid& grid, const Direction<Mri>& normal) {
+  Eigen::Index axis = 0;
+  (grid.mri_from_voxel.linear().colwise().normalized().transpose() * normal.v).cwiseAbs().maxCoeff(&axis);
+  return int(axis);
+}
+
+SliceNumber sliceNumber(const VoxelGrid& grid, const SlicePlane& plane) {
+  const int axis = sliceAxis(grid, Direction<Mri>(plane.right.v.cross(plane.down.v)));
+  const Point<Mri> middle = plane.toMri(0.5 * (plane.width - 1), 0.5 * (plane.height - 1));
+  const int count = grid.size[std::size_t(axis)];
+  const long number = std::lround(grid.toVoxel(middle)[axis]) + 1;
+  return {number >= 1 && number <= count ? int(number) : 0, count};
+}
+
 SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const Point<Mri>& through,
                            double spacing_mm) {
   const Box box = boundsOf(grid);

@@ -30,6 +30,13 @@ float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outsi
   return mix(mix(row(j, k), row(j + dj, k), y), mix(row(j, k + dk), row(j + dj, k + dk), y), z);
 }
 
+std::optional<float> valueAt(const Volume& volume, const Point<Mri>& p) {
+  const Eigen::Vector3d nearest = volume.grid.toVoxel(p).array().round();
+  for (int a = 0; a < 3; ++a)
+    if (!(nearest[a] >= 0 && nearest[a] < volume.grid.size[std::size_t(a)])) return std::nullopt;
+  return volume.at(int(nearest.x()), int(nearest.y()), int(nearest.z()));
+}
+
 float percentile(const Volume& volume, double fraction) {
   constexpr std::size_t kMostSamples = 2'000'000;
   const std::size_t step = std::max<std::size_t>(1, volume.voxels.size() / kMostSamples);

@@ -1,5 +1,6 @@
 #include "facenav/workflow/align_case.h"
 
+#include "facenav/casefile/alignment_json.h"
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/error.h"
 #include "facenav/pictures/skin_fit_picture.h"
@@ -8,17 +9,24 @@
 
 namespace facenav::workflow {
 
+void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& rig,
+                    const capture::CapturePair& capture, const AlignmentOutcome& outcome) {
+  casefile::FileGroup group(store.folder());
+  writeStoredCapture(group, rig, capture);
+  casefile::writeSkinFit(outcome.result, outcome.face.cloud, group.staging() / "skin_fit.vtp");
+  writePrivatePng(pictures::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+                  group.staging() / "skin_fit.png");
+  casefile::writeAlignment(outcome.stored(), group.staging() / "alignment.json");
+  group.commit("alignment.json");
+}
+
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const stereo::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor) {
   const auto detector = methods.face_detector();
   auto outcome = alignFromCapture(rig, capture, store.scalp(), *methods.aligners.create(aligner), *detector,
                                   store.targets().targets, monitor, store.scalpField());
-  writeStoredCapture(store.folder(), rig, capture);
-  casefile::writeSkinFit(outcome.result, outcome.face.cloud, store.folder() / "skin_fit.vtp");
-  writePrivatePng(pictures::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
-                  store.folder() / "skin_fit.png");
-  store.setAlignment(outcome.stored());
+  storeAlignment(store, rig, capture, outcome);
   return outcome;
 }
 

@@ -7,14 +7,13 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/segmentation/brain_norms.h"
 #include "facenav/workflow/align_from_capture.h"
 #include "facenav/workflow/brain_confidence.h"
 #include "facenav/workflow/brain_surfaces.h"
 
 namespace facenav::workflow {
 namespace {
-
-constexpr double kBrainLow_ml = 900.0, kBrainHigh_ml = 1900.0;  // adults, sexes together, with margin
 
 struct HeadPart {
   volume::Mask mask;
@@ -91,10 +90,8 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
   try {
     auto result = segmenter.segment(mri, monitor);
     part.findings = std::move(result.warnings);
-    const double volume_ml = result.mask.volume_ml();
-    const std::string figure = "brain " + std::to_string(std::lround(volume_ml)) + " ml";
-    if (volume_ml < kBrainLow_ml || volume_ml > kBrainHigh_ml)
-      part.findings.push_back(figure + ", outside the usual 900-1900 ml of adults: check the mask");
+    if (const auto finding = segmentation::brainVolumeFinding(result.mask.volume_ml()))
+      part.findings.insert(part.findings.begin(), *finding);
     part.mask = std::move(result.mask);
     TaskMonitor surface_monitor;  // quiet: its cancellation is this thread's
     auto surfaces =

@@ -14,27 +14,13 @@ bool isSameRig(const stereo::StereoRig& a, const stereo::StereoRig& b) {
          cv::norm(a.right.k - b.right.k) < 1e-3 && motion.rotation_rad < 1e-6 && motion.translation_mm < 1e-4;
 }
 
-// Photographs of the patient's face.
-void keepPrivate(const fs::path& folder) {
-  fs::permissions(folder, fs::perms::owner_all);
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    fs::permissions(entry.path(), entry.is_directory() ? fs::perms::owner_all
-                                                       : fs::perms::owner_read | fs::perms::owner_write);
-}
-
 }  // namespace
 
-void writeStoredCapture(const fs::path& case_folder, const stereo::StereoRig& rig,
+void writeStoredCapture(const casefile::FileGroup& group, const stereo::StereoRig& rig,
                         const capture::CapturePair& pair) {
-  const fs::path folder = folderIn(case_folder);
-  const fs::path previous = case_folder / ".previous_alignment_capture";
-  fs::remove_all(previous);
-  if (fs::exists(folder)) fs::rename(folder, previous);
-  capture::RecordingWriter writer(folder, rig);
+  capture::RecordingWriter writer(folderIn(group.staging()), rig);
   writer.setCapture(pair);
   writer.close();
-  keepPrivate(folder);
-  fs::remove_all(previous);
 }
 
 std::optional<capture::CapturePair> readStoredCapture(const fs::path& case_folder,

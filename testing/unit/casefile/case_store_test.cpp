@@ -129,7 +129,7 @@ TEST(CaseStore, IsPrivateToTheUser) {
   const TemporaryFolder folder;
   const CaseStore store = CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);
   store.setTargets(onePlan());
-  store.setAlignment({});
+  writeAlignment({}, store.folder() / "alignment.json");
   EXPECT_EQ(mode(folder.path() / "case"), 0700);
   for (const auto& entry : fs::directory_iterator(folder.path() / "case"))
     EXPECT_EQ(mode(entry.path()), 0600) << entry;
@@ -141,7 +141,7 @@ TEST(CaseStore, ReplacingKeepsIdTargetsAndSessionsButNoStaleAlignment) {
   const CaseStore before = CaseStore::create(path, preparedCase(), provenance(), false);
   const std::string id = before.caseId();
   before.setTargets(onePlan());
-  before.setAlignment({});
+  writeAlignment({}, path / "alignment.json");
   fs::create_directories(path / "sessions/20260101T000000Z");
   writeWholeFile(path / "sessions/20260101T000000Z/poses.csv", "x");
   const CaseStore after = CaseStore::create(path, withoutBrain(), provenance(), true);

@@ -1,5 +1,5 @@
-#include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sign_off.h"
+#include "facenav/casefile/edited_brain.h"
 
 #include <gmock/gmock.h>
 
@@ -49,6 +49,19 @@ TEST(SignOff, IsRefusedWithOpenFindingsOrWithoutAName) {
   EXPECT_FALSE(fs::exists(store.folder() / "sign_off.json"));
 }
 
+TEST(SignOff, IsVoidAndRefusedWhileACorrectionOfTheBrainIsUnderWay) {
+  const facenav::testing::TemporaryFolder folder;
+  const auto store = madeStore(folder.path() / "case");
+  signOff(store, {"A. R.", "", true});
+  saveBrainDraft(store, testing::ball(6));
+  EXPECT_FALSE(signOffStatus(store).holds());
+  EXPECT_EQ(stateOf(store), CaseState::prepared);
+  EXPECT_EQ(listCases(folder.path()).front().checked_by, "");
+  EXPECT_THROW(signOff(store, {"A. R.", "", true}), Error);
+  removeBrainDraft(store);
+  EXPECT_EQ(stateOf(store), CaseState::checked);
+}
+
 TEST(SignOff, IsVoidOnceTheMaskIsAnother) {
   const facenav::testing::TemporaryFolder folder;
   const auto store = madeStore(folder.path() / "case");
@@ -86,7 +99,8 @@ TEST(SignOff, ACorrectedMaskMakesItVoidAndTheAutomaticOneIsKept) {
   auto edited = automatic;
   edited.voxels.front() = !edited.voxels.front();
   saveBrainDraft(store, edited);
-  EXPECT_TRUE(signOffStatus(store).holds());  // a draft is not the case's mask yet
+  EXPECT_FALSE(signOffStatus(store).holds());
+  EXPECT_TRUE(signOffStatus(store).changed.empty());  // a draft is not the case's mask yet
   EXPECT_EQ(brainDraft(store)->voxels, edited.voxels);
   saveEditedBrainMask(store, edited);
   removeBrainDraft(store);

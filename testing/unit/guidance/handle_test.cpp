@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "facenav/core/error.h"
 #include "made_targets.h"
 #include "support/matchers.h"
 
@@ -74,6 +75,32 @@ TEST(MovedAlongScalp, NeverTurnsTheHandleRoundOnTheWayFromForeheadToCrown) {
   }
   EXPECT_GT(target.cortex_point.mm.z(), kCentre_mm.z() + 40);    // it went up
   EXPECT_NEAR(target.mri_T_target.rotation()(0, 1), 0.0, 0.05);  // and stayed in the midline's plane
+}
+
+TEST(HandleAngle, CanBeSetAnywhereAndKeepsPlaceAxisAndGap) {
+  for (const auto& place : {kForehead, kOcciput, kVertex, kLeft, kM1Left, kM1Right})
+    for (const double wanted_deg : {-180.0, -60.0, 0.0, 14.0, 45.0, 179.0}) {
+      const Target before = over(place, 33, 4.5);
+      const Target after = withHandleAngle(before, roundHead(), rad(wanted_deg));
+      EXPECT_NEAR(std::remainder(angle_deg(after) - wanted_deg, 360.0), 0.0, 1e-6);
+      EXPECT_THAT(after.mri_T_target.translation_mm(), EigenNear(before.mri_T_target.translation_mm(), 1e-9));
+      EXPECT_NEAR(after.mri_T_target.rotation().col(2).dot(before.mri_T_target.rotation().col(2)), 1, 1e-9);
+      EXPECT_NEAR(hairGap_mm(after), 4.5, 1e-9);
+    }
+  for (const double beyond_deg : {-181.0, 270.0, std::nan("")})
+    EXPECT_THROW(withHandleAngle(over(kLeft, 0), roundHead(), rad(beyond_deg)), Error);
+}
+
+TEST(HairGap, CanBeSetAndMovesTheCoilAlongItsAxisOnly) {
+  const Target before = over(kM1Left, -20, 2.0), after = withHairGap(before, 6.5);
+  EXPECT_NEAR(hairGap_mm(after), 6.5, 1e-9);
+  EXPECT_NEAR(angle_deg(after), -20, 1e-9);
+  const Eigen::Vector3d z = before.mri_T_target.rotation().col(2);
+  EXPECT_THAT(after.mri_T_target.translation_mm(),
+              EigenNear(before.mri_T_target.translation_mm() - 4.5 * z, 1e-9));
+  EXPECT_THAT(after.scalp_point.mm, EigenNear(before.scalp_point.mm, 0.0));
+  for (const double beyond_mm : {-0.1, 20.1, std::nan("")})
+    EXPECT_THROW(withHairGap(before, beyond_mm), Error);
 }
 
 }  // namespace

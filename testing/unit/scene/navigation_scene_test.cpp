@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "facenav/scene/bulls_eye.h"
 #include "facenav/scene/display.h"
 #include "facenav/scene/navigation_display.h"
 #include "facenav/scene/palette.h"
@@ -149,6 +150,23 @@ TEST_F(NavigationSceneTest, DisplayBlanksTheFiguresWhenLost) {
   const RgbImage without = display.render(content);
   ASSERT_EQ(lost.rgb.size(), 640u * 360 * 3);
   EXPECT_EQ(lost.rgb, without.rgb);
+}
+
+TEST(BullsEye, IsWholeInANarrowPictureToo) {
+  if (!hasDisplay()) GTEST_SKIP() << "no X display here";
+  BullsEye bulls_eye;
+  for (const auto& [width, height] : {std::pair(300, 300), std::pair(400, 200), std::pair(150, 400)}) {
+    const RgbImage image = bulls_eye.render(width, height);
+    const auto shown = [&](int u, int v) {
+      return std::vector<int>(image.pixel(u, v), image.pixel(u, v) + 3);
+    };
+    const auto panel = shown(0, 0);
+    for (int v = 0; v < height; ++v) {
+      EXPECT_EQ(shown(2, v), panel) << width << " x " << height << ", line " << v;
+      EXPECT_EQ(shown(width - 3, v), panel);
+    }
+    EXPECT_NE(shown(width / 2, height / 2), panel);
+  }
 }
 
 }  // namespace

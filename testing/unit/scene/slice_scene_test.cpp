@@ -82,5 +82,21 @@ TEST(SliceScene, DrawsOnlyPointsNearThePlane) {
   EXPECT_EQ(red(Point<Mri>(10, 0, 0)), 0);
 }
 
+TEST(SlicePosition, IsTheDistanceFromTheOriginAndTheSide) {
+  volume::VoxelGrid grid;
+  grid.size = {200, 200, 200};
+  grid.mri_from_voxel.translation() << -100, -100, -100;
+  const auto at = [&](volume::Anatomical orientation, const Point<Mri>& through) {
+    return positionOf(volume::anatomicalPlane(grid, orientation, through));
+  };
+  EXPECT_EQ(at(volume::Anatomical::axial, Point<Mri>(1, 2, 12.3)).side, 'S');
+  EXPECT_NEAR(at(volume::Anatomical::axial, Point<Mri>(1, 2, 12.3)).distance_mm, 12.3, 1e-9);
+  EXPECT_EQ(at(volume::Anatomical::axial, Point<Mri>(1, 2, -3)).side, 'I');
+  EXPECT_EQ(at(volume::Anatomical::coronal, Point<Mri>(0, -7, 0)).side, 'P');
+  EXPECT_NEAR(at(volume::Anatomical::coronal, Point<Mri>(0, -7, 0)).distance_mm, 7, 1e-9);
+  EXPECT_EQ(at(volume::Anatomical::sagittal, Point<Mri>(-37, 0, 0)).side, 'L');
+  EXPECT_EQ(at(volume::Anatomical::sagittal, Point<Mri>(37, 0, 0)).side, 'R');
+}
+
 }  // namespace
 }  // namespace facenav::scene

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/segmentation/brain_norms.h"
 
 // Balls of known volume as brains.
 
@@ -32,9 +33,15 @@ TEST(BrainChecks, GrantsABrainThatFillsALargeHead) {
 }
 
 TEST(BrainChecks, GrantsMoreToAHeadThatIsItselfLarge) {
-  const auto warnings = checkBrain(ballOf_ml(2300), headOf_ml(2350));
-  ASSERT_EQ(warnings.size(), 1u);  // still far from what adults have
-  EXPECT_NE(warnings[0].find("adults have 1100 to 1700 ml"), std::string::npos) << warnings[0];
+  EXPECT_NO_THROW(checkBrain(ballOf_ml(2300), headOf_ml(2350)));
+}
+
+TEST(BrainNorms, AVolumeThatNoAdultHasIsFoundOnceAndSaysWhatIsNormal) {
+  EXPECT_FALSE(brainVolumeFinding(1100));
+  EXPECT_FALSE(brainVolumeFinding(1700));
+  EXPECT_EQ(brainVolumeFinding(1099),
+            "the brain measures 1099 ml, adults have 1100 to 1700 ml: check its outline");
+  EXPECT_TRUE(brainVolumeFinding(2300));
 }
 
 TEST(BrainChecks, HasNothingToSayOfAnAdultsBrain) {

@@ -208,6 +208,31 @@ TEST(Nifti, TruncatedCompressedFileIsRefused) {
   EXPECT_THROW(volume::readNifti(path), Error);
 }
 
+TEST(Nifti, APairOfHeaderAndImageIsReadByEitherName) {
+  const TemporaryFolder folder;
+  volume::writeNifti(numberedVolume(), folder.path() / "a.nii");
+  Raw raw(folder.path() / "a.nii");
+  const auto offset = std::size_t(raw.header.vox_offset);
+  std::memcpy(raw.header.magic, "ni1", 4);
+  raw.header.vox_offset = 0;
+  raw.save();
+  writeWholeFile(folder.path() / "pair.hdr", raw.bytes.substr(0, offset));
+  writeWholeFile(folder.path() / "pair.img", raw.bytes.substr(offset));
+  for (const char* name : {"pair.hdr", "pair.img"}) {
+    EXPECT_TRUE(volume::isNiftiName(name));
+    EXPECT_EQ(volume::readNifti(folder.path() / name).volume.voxels, numberedVolume().voxels) << name;
+  }
+}
+
+TEST(Nifti, IsToldByTheNameInUpperAndLowerCase) {
+  for (const auto& ending : volume::niftiEndings())
+    EXPECT_TRUE(volume::isNiftiName("/some.where/t1" + ending));
+  EXPECT_TRUE(volume::isNiftiName("T1.NII.GZ"));
+  EXPECT_TRUE(volume::isNiftiName("T1.IMG"));
+  for (const char* other : {"t1.dcm", "t1", "t1.nii.txt", "t1.gz", ".nii", "a.nii/IM0001"})
+    EXPECT_FALSE(volume::isNiftiName(other)) << other;
+}
+
 TEST(Nifti, BigEndianFileIsRead) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.nii";

@@ -45,5 +45,31 @@ TEST(SampleSlice, GivesTheValuesOfTheVolumeAtItsPoints) {
   EXPECT_GT(inside, 50);
 }
 
+TEST(SliceNumber, CountsTheFilesOwnSlicesFromOneAndKnowsWhatLiesOutside) {
+  volume::VoxelGrid grid;  // stored as sagittal slices from left to right, 2 mm apart
+  grid.size = {40, 50, 30};
+  grid.mri_from_voxel.linear() << 0, 0, 2, 1, 0, 0, 0, 1, 0;
+  grid.mri_from_voxel.translation() << -29, -20, -25;
+  const auto at = [&](Anatomical orientation, const Point<Mri>& through) {
+    return volume::sliceNumber(grid, volume::anatomicalPlane(grid, orientation, through));
+  };
+  EXPECT_EQ(at(Anatomical::sagittal, Point<Mri>(-29, 0, 0)).number, 1);
+  EXPECT_EQ(at(Anatomical::sagittal, Point<Mri>(-24.6, 0, 0)).number, 3);
+  EXPECT_EQ(at(Anatomical::sagittal, Point<Mri>(0, 0, 0)).count, 30);
+  EXPECT_EQ(at(Anatomical::coronal, Point<Mri>(0, -20, 0)).number, 1);
+  EXPECT_EQ(at(Anatomical::coronal, Point<Mri>(0, 19, 0)).number, 40);
+  EXPECT_EQ(at(Anatomical::axial, Point<Mri>(0, 0, 0)).number, 26);
+  EXPECT_EQ(at(Anatomical::axial, Point<Mri>(0, 0, 0)).count, 50);
+  EXPECT_EQ(at(Anatomical::axial, Point<Mri>(0, 0, 40)).number, 0);
+}
+
+TEST(ValueAt, IsThatOfTheNearestVoxelAndNothingOutside) {
+  const auto mri = numberedVolume();
+  const Eigen::Vector3d ijk(1, 0, 1);
+  EXPECT_EQ(volume::valueAt(mri, mri.grid.toMri(ijk + Eigen::Vector3d(0.4, -0.4, 0.3))), mri.at(1, 0, 1));
+  EXPECT_FALSE(volume::valueAt(mri, mri.grid.toMri(Eigen::Vector3d(0, 0, -0.6))));
+  EXPECT_FALSE(volume::valueAt(mri, mri.grid.toMri(Eigen::Vector3d(mri.grid.size[0], 0, 0))));
+}
+
 }  // namespace
 }  // namespace facenav::testing

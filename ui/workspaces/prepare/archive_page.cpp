@@ -11,7 +11,9 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "appearance.h"
 #include "widgets/archive_settings.h"
+#include "widgets/scroll_column.h"
 
 namespace facenav::ui {
 namespace {
@@ -40,11 +42,11 @@ ArchivePage::ArchivePage(ArchivePresenter& presenter, QWidget* parent)
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
   const int widths[] = {110, 60, 220, 260, 80};
-  for (int i = 0; i < patient; ++i) table_->setColumnWidth(i, widths[i]);
+  for (int i = 0; i < patient; ++i) table_->setColumnWidth(i, sized(widths[i]));
   column->addWidget(table_, 1);
   column->addWidget(makeFoot());
   row->addLayout(column, 1);
-  row->addWidget(new ArchiveSettings(presenter_, this));
+  row->addWidget(new ScrollColumn(new ArchiveSettings(presenter_, this), sized(370), this));
   connect(&presenter_, &ArchivePresenter::found, this, &ArchivePage::showFound);
   connect(&presenter_, &ArchivePresenter::changed, this, &ArchivePage::showState);
   connect(&presenter_, &ArchivePresenter::queued, this, &ArchivePage::queued);

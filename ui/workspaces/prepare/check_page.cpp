@@ -7,8 +7,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "appearance.h"
 #include "views/linked_views.h"
 #include "widgets/edit_panel.h"
+#include "widgets/scroll_column.h"
 #include "widgets/wrapped_list.h"
 
 namespace facenav::ui {
@@ -51,7 +53,6 @@ CheckPage::CheckPage(PreparePresenter& presenter, EditPresenter& edit, CaseModel
 QWidget* CheckPage::makeFindingsPanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  panel->setFixedWidth(330);
   auto* column = new QVBoxLayout(panel);
   auto* heading = new QLabel(tr("Findings"), panel);
   heading->setObjectName("heading");
@@ -68,11 +69,17 @@ QWidget* CheckPage::makeFindingsPanel() {
   go_on->setShortcut(Qt::CTRL + Qt::Key_Return);
   connect(masks, &QCheckBox::toggled, views_, &LinkedViews::setMasksShown);
   connect(go_on, &QPushButton::clicked, this, &CheckPage::goOn);
-  column->addWidget(heading);
-  column->addWidget(findings_, 1);
-  column->addWidget(masks);
+  findings_->setMinimumHeight(sized(110));
+  findings_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what room is left
+  auto* body = new QWidget(panel);
+  auto* within = new QVBoxLayout(body);
+  within->setContentsMargins(0, 0, 0, 0);
+  within->addWidget(findings_, 1);
+  within->addWidget(masks);
   auto* edit = new EditPanel(edit_, panel);
-  column->addWidget(edit);
+  within->addWidget(edit);
+  column->addWidget(heading);
+  column->addWidget(new ScrollColumn(body, sized(310), panel), 1);
   connect(edit, &EditPanel::automaticShown, this, [this](bool is_shown) {
     shows_automatic_ = is_shown;
     showContours();

@@ -8,6 +8,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "facenav/volume/nifti.h"
+#include "widgets/elided_label.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -38,7 +41,8 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   auto* archive = new QPushButton(tr("From the archive\u2026"), this);
   archive->setToolTip(tr("find and fetch a series of the hospital's PACS (Ctrl+Shift+A)"));
   archive->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_A);
-  input_ = new QLabel(tr("or drop a folder or a file anywhere in the window"), this);
+  input_ = new ElidedLabel(this);
+  input_->set(tr("or drop a folder or a file anywhere in the window"));
   input_->setObjectName("muted");
   head->addWidget(folder);
   head->addWidget(file);
@@ -81,14 +85,17 @@ void SeriesPage::chooseFolder() {
 }
 
 void SeriesPage::chooseFile() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Read NIfTI"), {}, tr("NIfTI (*.nii *.nii.gz)"));
+  QStringList patterns;
+  for (const auto& ending : volume::niftiEndings()) patterns << "*" + QString::fromStdString(ending);
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Read NIfTI"), {}, tr("NIfTI (%1)").arg(patterns.join(' ')));
   if (!path.isEmpty()) presenter_.openInput(path);
 }
 
 void SeriesPage::showLines() {
   series_->clear();
-  input_->setText(presenter_.lines().empty() ? tr("nothing found")
-                                             : tr("series found: %1").arg(presenter_.lines().size()));
+  input_->set(presenter_.lines().empty() ? tr("nothing found")
+                                         : tr("series found: %1").arg(presenter_.lines().size()));
   for (const auto& line : presenter_.lines()) {
     const QString mark = line.is_recommended ? tr("\u2605 recommended: ")
                          : line.is_usable    ? QString()

@@ -5,11 +5,12 @@
 
 #include "presenters/prepare_presenter.h"
 
-class QLabel;
 class QListWidget;
 class QPushButton;
 
 namespace facenav::ui {
+
+class ElidedLabel;
 
 class SeriesPage : public QWidget {
   Q_OBJECT
@@ -30,7 +31,7 @@ class SeriesPage : public QWidget {
 
   PreparePresenter& presenter_;
   QListWidget* series_;
-  QLabel* input_;
+  ElidedLabel* input_;
   QPushButton* prepare_;
 };
 

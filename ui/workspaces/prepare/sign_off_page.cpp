@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "appearance.h"
 #include "views/montage_view.h"
 #include "widgets/wrapped_list.h"
 
@@ -40,13 +41,14 @@ SignOffPage::SignOffPage(SignOffPresenter& presenter, CaseModel& model, QWidget*
   };
   connect(&model_, &CaseModel::opened, this, beginAnew);
   connect(&model_, &CaseModel::brainChanged, this, beginAnew);
+  connect(&model_, &CaseModel::draftChanged, this, beginAnew);
   showState();
 }
 
 QWidget* SignOffPage::makePanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  panel->setFixedWidth(380);
+  panel->setFixedWidth(sized(380));
   auto* column = new QVBoxLayout(panel);
   status_ = wrapped(panel, "verdict");
   volumes_ = wrapped(panel, "plain");
@@ -121,8 +123,8 @@ void SignOffPage::showState() {
 }
 
 void SignOffPage::showEvent(QShowEvent*) {
-  if (!is_outdated_ || !model_.isOpen()) return;
-  is_outdated_ = false;
+  if (!model_.isOpen() || (!is_outdated_ && !model_.current().draft)) return;
+  is_outdated_ = false;  // a draft may have been drawn on since
   montage_->show(model_.current());
   showState();
 }

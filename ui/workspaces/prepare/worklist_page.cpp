@@ -11,6 +11,8 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "appearance.h"
+#include "widgets/elided_label.h"
 #include "widgets/worklist_delegate.h"
 
 namespace facenav::ui {
@@ -51,13 +53,13 @@ QWidget* WorklistPage::makeHead() {
   search_->setToolTip(tr("every word must occur somewhere in the line (just type; Esc clears)"));
   search_->setClearButtonEnabled(true);
   search_->installEventFilter(this);
-  folder_ = new QLabel(head);
+  folder_ = new ElidedLabel(head);
   folder_->setObjectName("muted");
   auto* change = new QPushButton(tr("Cases folder\u2026"), head);
   change->setToolTip(tr("where cases are kept and made (remembered)"));
-  row->addWidget(search_, 1);
+  row->addWidget(search_, 2);
   row->addSpacing(12);
-  row->addWidget(folder_);
+  row->addWidget(folder_, 1);
   row->addWidget(change);
   connect(search_, &QLineEdit::textChanged, filter_, &WorklistFilter::setWords);
   connect(change, &QPushButton::clicked, this, &WorklistPage::chooseFolder);
@@ -78,11 +80,11 @@ void WorklistPage::makeTable() {
   view_->setTabKeyNavigation(false);
   view_->setAccessibleName(tr("worklist"));
   view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(36);
+  view_->verticalHeader()->setDefaultSectionSize(sized(36));
   view_->horizontalHeader()->setStretchLastSection(true);
   view_->horizontalHeader()->setHighlightSections(false);
   const int widths[] = {130, 220, 90, 90, 140};
-  for (int i = 0; i < 5; ++i) view_->setColumnWidth(i, widths[i]);
+  for (int i = 0; i < 5; ++i) view_->setColumnWidth(i, sized(widths[i]));
   view_->installEventFilter(this);
   connect(view_, &QTableView::doubleClicked, this, &WorklistPage::openChosen);
 }
@@ -111,7 +113,7 @@ QWidget* WorklistPage::makeActions() {
   remove_ = button(tr("Take off the list"), tr("forget this input; no file is touched (Del)"), [this] {
     if (const auto* row_ = chosen()) queue_.remove(row_->job_id);
   });
-  summary_ = new QLabel(box);
+  summary_ = new ElidedLabel(box);
   summary_->setObjectName("muted");
   for (auto* each : {open_, label_, cancel_, retry_, remove_}) row->addWidget(each);
   auto* by_patient = new QCheckBox(tr("label new cases with the patient's name"), box);
@@ -120,8 +122,7 @@ QWidget* WorklistPage::makeActions() {
   connect(by_patient, &QCheckBox::toggled, &queue_, &PrepareQueue::setLabelsByPatient);
   row->addSpacing(12);
   row->addWidget(by_patient);
-  row->addStretch(1);
-  row->addWidget(summary_);
+  row->addWidget(summary_, 1);
   return box;
 }
 
@@ -159,9 +160,9 @@ void WorklistPage::showState() {
   cancel_->setVisible(is_pending);
   retry_->setVisible(job && !is_pending);
   remove_->setVisible(job && !is_pending);
-  folder_->setText(presenter_.folder());
+  folder_->set(presenter_.folder());
   const int cases = int(presenter_.rows().size()) - int(queue_.jobs().size());
-  summary_->setText(QStringList{tr("cases: %1").arg(cases), queue_.summary()}.join(
+  summary_->set(QStringList{tr("cases: %1").arg(cases), queue_.summary()}.join(
       queue_.summary().isEmpty() ? "" : "   "));
   empty_->setText(!presenter_.problem().isEmpty()
                       ? presenter_.problem()

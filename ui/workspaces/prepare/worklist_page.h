@@ -12,6 +12,8 @@ class QTableView;
 
 namespace facenav::ui {
 
+class ElidedLabel;
+
 class WorklistPage : public QWidget {
   Q_OBJECT
 
@@ -43,7 +45,8 @@ class WorklistPage : public QWidget {
   WorklistFilter* filter_;
   QTableView* view_;
   QLineEdit* search_;
-  QLabel *folder_, *summary_, *empty_;
+  ElidedLabel *folder_, *summary_;
+  QLabel* empty_;
   QPushButton *open_, *label_, *cancel_, *retry_, *remove_;
 };
 

@@ -115,7 +115,6 @@ class CaseStore {
   guidance::TreatmentPlan targets() const;       // empty plan where targets.json is absent
   void setTargets(const guidance::TreatmentPlan& plan) const;
   std::optional<StoredAlignment> alignment() const;  // nothing where alignment.json is absent
-  void setAlignment(const StoredAlignment& alignment) const;
 
  private:
   explicit CaseStore(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -26,6 +26,7 @@ void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
 
 /// A correction under way (brain_mask_draft.nii.gz, 0600), saved now and then; the mask in force is as
 /// before.
+bool hasBrainDraft(const CaseStore& store);
 std::optional<volume::Mask> brainDraft(const CaseStore& store);
 void saveBrainDraft(const CaseStore& store, const volume::Mask& mask);
 void removeBrainDraft(const CaseStore& store);

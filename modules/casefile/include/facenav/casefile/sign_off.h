@@ -1,8 +1,8 @@
 #pragma once
 // SignOff: a named person's word that a case's model was looked at and may be treated on. It is kept as
 // sign_off.json in the case and holds for exactly the files that were seen: a mask edited or a model made
-// anew afterwards makes it void. The state of a case (prepared, checked, planned) follows from it and from
-// the targets; nothing stores a state apart.
+// anew afterwards makes it void, and so does a correction of the brain that is under way. The state of a case
+// (prepared, checked, planned) follows from it and from the targets; nothing stores a state apart.
 
 #include <map>
 #include <optional>
@@ -34,18 +34,18 @@ struct SignOffRequest {
   std::optional<std::map<std::string, std::string>> shown_sha256 = {};
 };
 
-/// Writes sign_off.json (whole, 0600). Throws Error: no name given, findings that were not acknowledged, or
-/// files that are no longer those shown.
+/// Writes sign_off.json (whole, 0600). Throws Error: no name given, findings that were not acknowledged,
+/// files that are no longer those shown, or a correction of the brain under way.
 SignOff signOff(const CaseStore& store, const SignOffRequest& request);
-/// Nothing where there is none, or where a file that it rests on has changed since. Throws Error for a
-/// malformed file.
+/// Nothing where there is none, or where it no longer holds. Throws Error for a malformed file.
 std::optional<SignOff> validSignOff(const CaseStore& store);
 /// The last sign-off and whether it still holds.
 struct SignOffStatus {
   std::optional<SignOff> last;       // nothing: the case was never signed off
   std::vector<std::string> changed;  // files that changed, came or went since
+  bool has_draft = false;            // a correction of the brain is under way (edited_brain.h)
 
-  bool holds() const { return last.has_value() && changed.empty(); }
+  bool holds() const { return last.has_value() && changed.empty() && !has_draft; }
 };
 /// Throws Error for a malformed file.
 SignOffStatus signOffStatus(const CaseStore& store);

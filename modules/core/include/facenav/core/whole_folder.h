@@ -40,6 +40,11 @@ class WholeFolder {
 
 /// Makes a folder of mode 0700. Throws Error where it exists or cannot be made.
 void makePrivateFolder(const std::filesystem::path& folder);
+/// Sets 0600 on files and 0700 on folders, recursively (links are left alone), and forces all to the disk.
+/// Throws Error.
+void makePrivateAndDurable(const std::filesystem::path& folder);
+/// The names in a folder outlast a power failure. Throws Error.
+void makeNamesDurable(const std::filesystem::path& folder);
 
 }  // namespace core
 }  // namespace facenav

@@ -24,7 +24,7 @@ struct ImportedVolume {
 };
 
 /// Reads `input`: a folder (the recommended series, the only loadable one, or `series_id` as listSeries gives
-/// it), one DICOM file (the series of its folder that it belongs to), or .nii / .nii.gz. Throws Error:
+/// it), one DICOM file (the series of its folder that it belongs to), or a NIfTI file. Throws Error:
 /// nothing loadable (naming the reason), several candidates and none recommended, images of several patients
 /// and no `series_id`, unknown id, damage.
 /// `transform` chooses between a NIfTI's two maps.

@@ -26,6 +26,8 @@ class BullsEye {
   void setTolerance(const guidance::Tolerance& tolerance);
   /// Values beyond the dial's edge (20 mm) are drawn at the edge.
   void set(const guidance::GuidanceState& guidance);
+  /// For a picture of this size: the whole dial fits, also into a narrow one.
+  void fit(int width_px, int height_px);
   vtkRenderer* renderer() const;
   RgbImage render(int width_px, int height_px);
 

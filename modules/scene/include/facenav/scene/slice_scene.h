@@ -32,12 +32,21 @@ struct SliceScene {
   double black = 0.0, white = 255.0;  // window: values shown black and white
   bool has_letters = true;
 
+  /// The MRI's value under the crosshair; nothing outside the MRI or without a crosshair.
+  std::optional<float> valueAtCrosshair() const;
   /// Picture of the plane, plane.width x plane.height. Black where `mri` is null.
   RgbImage picture(const volume::SlicePlane& plane) const;
 };
 
 /// Window that shows tissue well: 0.5th to 99.5th percentile of the volume.
 void setUsualWindow(SliceScene& scene);
+
+/// How far a plane lies from the world's origin, along its normal, and towards which side: S 12.3 mm.
+struct SlicePosition {
+  char side = 'S';
+  double distance_mm = 0.0;
+};
+SlicePosition positionOf(const volume::SlicePlane& plane);
 
 /// The letter (R L A P S I) of the patient's side towards which `direction` points.
 char sideLetter(const Direction<Mri>& direction);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "facenav/core/file_access.h"
 #include "facenav/volume/volume.h"
@@ -25,7 +26,13 @@ struct NiftiRead {
       warning;  // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
 };
 
-/// Reads .nii or .nii.gz, any scalar type, with scl_slope and scl_inter applied.
+/// What NIfTI files are called, window and command line alike: ".nii", ".nii.gz", and the two halves of a
+/// pair, ".hdr" and ".img" (either stands for both).
+const std::vector<std::string>& niftiEndings();
+/// By its name alone, upper or lower case.
+bool isNiftiName(const std::filesystem::path& path);
+
+/// Reads any of niftiEndings(), any scalar type, with scl_slope and scl_inter applied.
 /// Throws Error: missing, truncated, not NIfTI, not 3-D, colour, no orientation, not rigid up to scale, the
 /// map asked for is absent.
 NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice = NiftiTransform::automatic);

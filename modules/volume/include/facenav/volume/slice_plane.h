@@ -30,6 +30,15 @@ struct SlicePlane {
 SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const Point<Mri>& through,
                            double spacing_mm = 1.0);
 
+/// Of the grid's three indices, the one along which slices with this normal are counted.
+int sliceAxis(const VoxelGrid& grid, const Direction<Mri>& normal);
+
+/// Which of the grid's own slices a plane shows, counted from 1 in the file's order; 0: outside the grid.
+struct SliceNumber {
+  int number = 0, count = 0;
+};
+SliceNumber sliceNumber(const VoxelGrid& grid, const SlicePlane& plane);
+
 /// Row-major values, width x height, trilinear; 0 outside the volume.
 std::vector<float> sampleSlice(const Volume& volume, const SlicePlane& plane);
 /// Row-major 0/1, nearest voxel.

@@ -3,6 +3,7 @@
 // on a grid.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Mask {
 
 /// Trilinear value at continuous voxel coordinates; `outside` beyond the outermost voxel centres.
 float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside = 0.f);
+/// The value of the voxel that `p` lies in; nothing outside the volume.
+std::optional<float> valueAt(const Volume& volume, const Point<Mri>& p);
 /// The value below which `fraction` (0..1) of all finite voxels lie. Sampled at up to 2 million voxels.
 float percentile(const Volume& volume, double fraction);
 

@@ -11,6 +11,9 @@
 
 namespace facenav::volume {
 
+/// Largest edge of a voxel that a T1 for navigation has: 1.2 mm, as scanners round it.
+constexpr double kNavigationVoxel_mm = 1.205;
+
 struct VoxelGrid {
   std::array<int, 3> size{0, 0, 0};
   Eigen::Affine3d mri_from_voxel = Eigen::Affine3d::Identity();

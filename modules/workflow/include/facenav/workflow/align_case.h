@@ -17,6 +17,12 @@ AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseSto
                            const stereo::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor);
 
+/// Writes an alignment and what it rests on into the case: alignment.json, alignment_capture/ (photographs),
+/// skin_fit.vtp and skin_fit.png. All or nothing, for the user alone from the first byte. Throws Error; the
+/// alignment of before is whole then.
+void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& rig,
+                    const capture::CapturePair& capture, const AlignmentOutcome& outcome);
+
 /// The recording's own capture pair, else the one that the case was aligned with. Throws Error where there is
 /// none, or where the case's was taken with another rig.
 capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording);

@@ -6,10 +6,12 @@
 #include <optional>
 
 #include "facenav/capture/recording.h"
+#include "facenav/casefile/file_group.h"
 
 namespace facenav::workflow {
 
-void writeStoredCapture(const std::filesystem::path& case_folder, const stereo::StereoRig& rig,
+/// Into a group of the case's files: photographs of the patient's face, private from the first byte.
+void writeStoredCapture(const casefile::FileGroup& group, const stereo::StereoRig& rig,
                         const capture::CapturePair& pair);
 /// Nothing where there is none. Throws Error where it was taken with another rig than `rig`: the alignment
 /// then says nothing about these cameras.

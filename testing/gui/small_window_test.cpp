@@ -1,0 +1,200 @@
+// Every page in a window of 1280 x 720, and at twice the text size in one of 2560 x 1440: nothing that can be
+// pressed or typed into lies out of reach. FACENAV_GUI_PICTURES=DIR keeps a picture of each, of the first
+// case in FACENAV_GUI_CASES=DIR where that is given.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <cstdlib>
+
+#include "appearance.h"
+#include "facenav/scene/display.h"
+#include "gui_fixtures.h"
+#include "main_window.h"
+#include "widgets/scroll_column.h"
+#include "workspaces/prepare/prepare_workspace.h"
+#include "workspaces/treat_workspace.h"
+
+namespace facenav::ui {
+namespace {
+
+struct Page {
+  const char* name;
+  std::function<void(MainWindow&)> show;
+};
+
+QAbstractButton* buttonWith(QWidget& in, const QString& words) {
+  for (auto* button : in.findChildren<QAbstractButton*>())
+    if (button->isVisible() && button->text().contains(words)) return button;
+  return nullptr;
+}
+
+std::vector<Page> pages() {
+  const auto step = [](PrepareStep which) { return [which](MainWindow& w) { w.setPrepareStep(which); }; };
+  const auto treat = [](bool has_figures) {
+    return [has_figures](MainWindow& window) {
+      window.setWorkspace(Workspace::treat);
+      auto* cameras = buttonWith(window, "1 Cameras");
+      if (cameras->isChecked() == has_figures) cameras->click();
+    };
+  };
+  return {{"1_worklist", step(PrepareStep::worklist)},
+          {"2_series", step(PrepareStep::series)},
+          {"2_archive", step(PrepareStep::archive)},
+          {"3_check", step(PrepareStep::check)},
+          {"4_sign_off", step(PrepareStep::sign_off)},
+          {"5_plan", [](MainWindow& w) { w.setWorkspace(Workspace::plan); }},
+          {"5_plan_side_by_side",
+           [](MainWindow& w) {
+             w.setWorkspace(Workspace::plan);
+             if (auto* button = buttonWith(w, "Side by side")) button->click();
+             fixtures::waitFor([&] { return !w.cortex().isMaking() && w.cortex().cortex(); }, 30000);
+           }},
+          {"6_treat_cameras", treat(false)},
+          {"6_treat_figures", treat(true)}};
+}
+
+ScrollColumn* scrollAround(const QWidget& widget) {
+  for (auto* parent = widget.parentWidget(); parent; parent = parent->parentWidget())
+    if (auto* column = dynamic_cast<ScrollColumn*>(parent)) return column;
+  return nullptr;
+}
+
+bool isWhole(const QWidget& widget) { return widget.visibleRegion().boundingRect() == widget.rect(); }
+
+/// What a person presses, types into or reads a state from.
+std::vector<QWidget*> controlsOf(MainWindow& window) {
+  std::vector<QWidget*> controls;
+  for (auto* widget : window.findChildren<QWidget*>()) {
+    const bool is_control = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QLineEdit*>(widget) ||
+                            qobject_cast<QComboBox*>(widget) || qobject_cast<QSlider*>(widget) ||
+                            qobject_cast<QSpinBox*>(widget);
+    const QString name = widget->objectName();
+    const bool is_read =
+        name == "banner" || name == "verdict" || name == "session" || name.startsWith("figure");
+    const bool is_qts_own = name.startsWith("qt_") || qobject_cast<QAbstractSpinBox*>(widget->parentWidget());
+    if (widget->isVisible() && !is_qts_own && (is_control || is_read)) controls.push_back(widget);
+  }
+  return controls;
+}
+
+std::string nameOf(const QWidget& widget) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const QString words = button ? button->text() : widget.objectName() + " " + widget.toolTip().left(40);
+  return std::string(widget.metaObject()->className()) + " '" + words.toStdString() + "'";
+}
+
+/// Each as a whole within the window, where needed after scrolling to it, and no button's words cut.
+void expectInReach(MainWindow& window) {
+  for (auto* widget : controlsOf(window)) {
+    if (auto* column = scrollAround(*widget)) {
+      EXPECT_TRUE(isWhole(*column)) << "the column of " << nameOf(*widget);
+      const QPoint middle = widget->mapTo(column->widget(), widget->rect().center());
+      column->ensureVisible(middle.x(), middle.y(), 0, widget->height() / 2 + 2);
+      QApplication::processEvents();
+    }
+    EXPECT_TRUE(isWhole(*widget)) << nameOf(*widget);
+    if (qobject_cast<QPushButton*>(widget)) {
+      EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << nameOf(*widget);
+    }
+  }
+}
+
+/// Without scrolling: the step bars, the sign-off button, the typed coordinates.
+void expectAlwaysThere(MainWindow& window) {
+  const std::vector<const char*> names{"1  Worklist", "4  Sign off", "1 Cameras", "2 Align", "3 Guide"};
+  for (auto* button : window.findChildren<QAbstractButton*>()) {
+    const bool is_step = std::any_of(names.begin(), names.end(),
+                                     [&](const char* name) { return button->text().startsWith(name); });
+    const bool is_sign_off = button->text() == "Sign off" || button->text() == "Looks right: sign off";
+    if (button->isVisible() && (is_step || is_sign_off)) {
+      EXPECT_FALSE(scrollAround(*button)) << nameOf(*button);
+    }
+  }
+  for (auto* field : window.findChildren<QLineEdit*>())
+    if (field->isVisible() && field->placeholderText().startsWith("x y z")) {
+      EXPECT_FALSE(scrollAround(*field));
+    }
+}
+
+std::filesystem::path someCase(const std::filesystem::path& folder) {
+  if (const char* cases = std::getenv("FACENAV_GUI_CASES")) return casefile::listCases(cases).front().folder;
+  auto prepared = fixtures::ballWithBrain();
+  prepared.findings = {
+      "the brain measures 268 ml, adults have 1100 to 1700 ml: check its outline",
+      "the slices are thicker than 3 mm: the brain's surface is coarse",
+      "left temporal pole: 40 of 100 places are uncertain by more than 2 mm, look there first"};
+  prepared.label = "A name that is rather long, Family, Given, born 1970-01-31";
+  const auto store = casefile::CaseStore::create(folder / "case", prepared, {}, false);
+  guidance::TreatmentPlan plan;
+  for (const char* name : {"M1 hand L", "M1 hand R", "DLPFC left, by Beam F3, second try"})
+    plan.targets.push_back(guidance::planTarget(name, prepared.scalp, Point<Mri>(-30, 5, 30), 0.8, 4.0));
+  store.setTargets(plan);
+  return store.folder();
+}
+
+/// Of every page; leaves the usual text size behind.
+void expectEveryPageFits(const QSize& size, double text_scale, const QString& prefix) {
+  applyAppearance(*qApp, text_scale);
+  testing::TemporaryFolder folder;
+  {
+    MainWindow window{Services{}};
+    window.show();
+    window.setCasesFolder(QString::fromStdString(folder.path().string()));
+    window.openCase(QString::fromStdString(someCase(folder.path()).string()));
+    ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 60000));
+    for (const auto& page : pages()) {
+      SCOPED_TRACE(prefix.toStdString() + page.name);
+      page.show(window);
+      window.resize(size);
+      fixtures::waitFor([] { return false; }, 400);  // laid out and drawn
+      EXPECT_EQ(window.size(), size);
+      EXPECT_LE(window.minimumSizeHint().width(), size.width());
+      EXPECT_LE(window.minimumSizeHint().height(), size.height());
+      expectAlwaysThere(window);
+      if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+        window.grab().save(QString("%1/%2%3.png").arg(pictures, prefix, page.name));
+      expectInReach(window);
+    }
+  }
+  applyAppearance(*qApp);
+}
+
+TEST(SmallWindow, EveryPageFitsInto1280By720) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  expectEveryPageFits({1280, 720}, 1.0, "small_");
+}
+
+TEST(SmallWindow, EveryPageFitsInto2560By1440AtTwiceTheTextSize) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  expectEveryPageFits({2560, 1440}, 2.0, "doubled_");
+}
+
+TEST(SmallWindow, AllTextFollowsTheOneSetting) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto sizesAt = [](double scale) {
+    applyAppearance(*qApp, scale);
+    MainWindow window{Services{}};
+    std::vector<double> sizes;
+    for (auto* widget : window.findChildren<QWidget*>()) {
+      if (!qobject_cast<QLabel*>(widget) && !qobject_cast<QAbstractButton*>(widget)) continue;
+      widget->ensurePolished();
+      sizes.push_back(widget->font().pointSizeF());
+    }
+    applyAppearance(*qApp);
+    return sizes;
+  };
+  const auto usual = sizesAt(1.0), twice = sizesAt(2.0);
+  ASSERT_EQ(usual.size(), twice.size());
+  ASSERT_GT(usual.size(), 50u);
+  for (std::size_t i = 0; i < usual.size(); ++i) EXPECT_NEAR(twice[i], 2.0 * usual[i], 0.01) << i;
+}
+
+}  // namespace
+}  // namespace facenav::ui
