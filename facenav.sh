@@ -2,6 +2,7 @@
 # FaceNav's one script: sets up what is missing (Debian packages, one data package by name through npm), builds, runs.
 #   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: out/demo)
 #   ./facenav.sh test            all tests, under a virtual display
+#   ./facenav.sh check           before a commit: format and clang-tidy on what changed, layers, fast tests under sanitizers
 #   ./facenav.sh benchmark [WORD] every kernel beside its peers: Markdown tables, also in out/benchmarks.md
 #   ./facenav.sh gui [ARGS]      the workstation window
 #   ./facenav.sh build           set-up and build only
@@ -24,6 +25,7 @@ packages=(
   libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
   xvfb xauth mricron-data fonts-dejavu-core
 )
+check_packages=(clang-format clang-tidy git)
 test_packages=(libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk libgdcm-tools opencv-doc snakemake python3-skimage python3-nibabel)
 
 say() { printf 'facenav: %s\n' "$*"; }
@@ -144,6 +146,46 @@ run_benchmarks() {  # those whose name holds $1
   say "written: $root/out/benchmarks.md"
 }
 
+# What differs from the main line and is not ignored: sources by name, one a line.
+changed_sources() {
+  local base
+  base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null || git rev-parse HEAD)
+  [ "$base" = "$(git rev-parse HEAD)" ] && git diff --quiet HEAD && base=HEAD~1  # on the main line itself: the last commit
+  { git diff --name-only --diff-filter=d "$base" -- '*.h' '*.cpp' '*.cu'; git ls-files --others --exclude-standard -- '*.h' '*.cpp' '*.cu'; } | sort -u
+}
+
+# Tests that need no data, no screen and little time: what most faults of memory and threads show in.
+fast_tests=(core_test geometry_test guidance_test casefile_test volume_test capture_test)
+
+run_sanitized() {  # PRESET TEST..: builds them in build/PRESET and runs each
+  local preset=$1; shift
+  [ -f "build/$preset/build.ninja" ] ||
+    cmake --preset "$preset" -DFACENAV_BUILD_TESTS=ON -DFACENAV_BUILD_UI=OFF -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring $preset"
+  say "building under $preset: $*"
+  cmake --build "build/$preset" --target "$@" >"$log" 2>&1 || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building $preset"; }
+  for test in "$@"; do
+    say "$preset: $test"
+    ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
+      xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' "build/$preset/bin/$test" --gtest_brief=1 || fail "$test failed under $preset"
+  done
+}
+
+run_checks() {
+  local changed
+  mapfile -t changed < <(changed_sources)
+  say "${#changed[@]} sources changed"
+  if [ "${#changed[@]}" -gt 0 ]; then
+    clang-format --dry-run -Werror "${changed[@]}" || fail "format: run clang-format -i on the files named above"
+    mapfile -t changed < <(printf '%s\n' "${changed[@]}" | grep '\.cpp$')
+    say "clang-tidy on ${#changed[@]} of them"
+    printf '%s\0' "${changed[@]}" | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy -p build/release --quiet 2>"$log" || fail "clang-tidy: see above"
+  fi
+  cmake --build build/release --target facenav layers_test >"$log" 2>&1 || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
+  "$binaries/layers_test" --gtest_brief=1 || fail "layers: see above"
+  run_sanitized asan-ubsan "${fast_tests[@]}"
+  say "checked"
+}
+
 case "${1:-}" in
   test)
     shift
@@ -153,6 +195,12 @@ case "${1:-}" in
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"
     xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
+    ;;
+  check)
+    shift
+    set_up "${packages[@]}" "${test_packages[@]}" "${check_packages[@]}"
+    [ "$(tests_wanted)" = ON ] || cmake --preset release -DFACENAV_BUILD_TESTS=ON -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring"
+    run_checks
     ;;
   benchmark)
     shift
@@ -177,7 +225,7 @@ case "${1:-}" in
     cd "$caller" && exec "$binaries/facenav-gui" "$@"
     ;;
   '' | help)
-    sed -n '2,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     ;;
   *)
     set_up "${packages[@]}" python3-skimage

@@ -166,7 +166,7 @@ int main() {
       "p99 | max |\n|---|---|---|---|---|\n",
       kFrames);
   cv::setNumThreads(1);
-  const OneCoreOnly one_core;
+  one_core = std::make_unique<OneCoreOnly>();
   stateRow("treatment, the coil comes", both);
   stateRow("treatment, both lost every 9 frames", bothPass(film, *model, *marker, processorTime_ms, 9));
   const std::pair<const char*, const char*> others[] = {{"lost", "face away, gone, cameras at fault"},

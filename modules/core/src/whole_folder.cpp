@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// "out/" has an empty file name.
-fs::path withoutLastSlash(fs::path folder) {
+fs::path withoutLastSlash(const fs::path& folder) {
   return folder.has_filename() || !folder.has_parent_path() ? folder : folder.parent_path();
 }
 
@@ -57,8 +57,8 @@ void replace(const fs::path& fresh, const fs::path& folder) {
 
 }  // namespace
 
-WholeFolder::WholeFolder(fs::path folder, FileAccess access, Existing existing)
-    : folder_(withoutLastSlash(std::move(folder))), access_(access), existing_(existing) {
+WholeFolder::WholeFolder(const fs::path& folder, FileAccess access, Existing existing)
+    : folder_(withoutLastSlash(folder)), access_(access), existing_(existing) {
   if (existing_ == Existing::refuse && isTaken(folder_))
     throw Error("exists already and is not empty", folder_.string(), "choose another folder or remove it");
   temporary_ = temporaryBeside(folder_);

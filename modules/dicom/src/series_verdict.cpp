@@ -41,7 +41,7 @@ std::string objectProblem(const SliceHeader& header) {
   if (startsWith(kind, "77.")) return "photograph, no volume";
   // Some exports declare volumes secondary captures; those at least carry a position.
   const bool is_capture = kind == "7" || startsWith(kind, "7.");
-  if (is_capture && !(header.images.size() > 0 && header.images[0].position_lps_mm))
+  if (is_capture && !(!header.images.empty() && header.images[0].position_lps_mm))
     return "secondary capture (a screenshot), no volume";
   if (!header.layout.has_pixels) return "holds no image";
   return {};

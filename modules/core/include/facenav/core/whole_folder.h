@@ -19,7 +19,7 @@ class WholeFolder {
   /// Throws Error if the parent folder does not exist or cannot be written to, or if `folder` holds something
   /// and `existing` is refuse. With owner_only the temporary folder is 0700 from the start, so that nobody
   /// else reaches what is written in it.
-  explicit WholeFolder(std::filesystem::path folder, FileAccess access = FileAccess::by_umask,
+  explicit WholeFolder(const std::filesystem::path& folder, FileAccess access = FileAccess::by_umask,
                        Existing existing = Existing::refuse);
   ~WholeFolder();
   WholeFolder(const WholeFolder&) = delete;
