@@ -22,8 +22,6 @@ Direction<Mri> normalOf(const volume::SlicePlane& plane) {
   return Direction<Mri>(plane.right.v.cross(plane.down.v));
 }
 
-}
-
 }  // namespace
 
 EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)

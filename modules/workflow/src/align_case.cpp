@@ -1,6 +1,6 @@
 #include "facenav/workflow/align_case.h"
 
-#include "facenav/casefile/alignment_json.h"
+#include "facenav/casefile/file_group.h"
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/error.h"
 #include "facenav/pictures/skin_fit_picture.h"
