@@ -25,9 +25,7 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
 
 double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
   const auto alignment = store.alignment();
-  if (!alignment) return 0.0;
-  const auto found = alignment->predicted_tre_mm.find(target);
-  return found == alignment->predicted_tre_mm.end() ? 0.0 : found->second;
+  return alignment ? alignment->predictedError_mm(store.targets().find(target)).value_or(0.0) : 0.0;
 }
 
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,

@@ -70,12 +70,6 @@ Start startOf(const Registrations& methods, const TrackRequest& request, const c
   return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri, outcome.alignment->scalp};
 }
 
-/// At a target as it is planned now; 0 where alignment.json does not say.
-double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
-  const auto alignment = store.alignment();
-  return alignment ? alignment->predictedError_mm(store.targets().find(target)).value_or(0.0) : 0.0;
-}
-
 session::Navigator makeNavigator(const Registrations& methods, const TrackRequest& request,
                                  const capture::Recording& recording, Start start,
                                  const tracking::CoilModel& coil) {

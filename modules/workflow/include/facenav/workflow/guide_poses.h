@@ -10,7 +10,8 @@
 
 namespace facenav::workflow {
 
-/// What alignment.json says of a target, mm; 0 where it says nothing.
+/// Predicted error of the alignment at a target as it is planned now, mm; 0 where alignment.json does not
+/// say. Throws Error: no such target.
 double predictedError_mm(const casefile::CaseStore& store, const std::string& target);
 
 /// guidance.csv's rows from poses and the case's plan. Throws Error: no such target, or poses that are not
