@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "passive_surface.h"
 
 namespace facenav::tracking {
@@ -18,11 +19,6 @@ Vector6 basis(const Eigen::Vector2d& d) {
   Vector6 b;
   b << 1, d.x(), d.y(), d.x() * d.x(), d.x() * d.y(), d.y() * d.y();
   return b;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace
@@ -74,7 +70,7 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
     depths.push_back(inverse_depth_[i]);
   }
   if (mean.norm() > 0.45 * radius_px) return std::nullopt;
-  surface.c(0) = median(depths);
+  surface.c(0) = upperMedian(depths);
   const double mm = 1.0 / (surface.c(0) * surface.c(0));  // d(depth) / d(inverse depth)
   double limit = 15.0 / mm;                               // 15 mm about the median at first
   for (int round = 0; round < 4; ++round) {
@@ -92,7 +88,7 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
       g += double(inverse_depth_[points[k]]) * weighted;
     }
     if (round == 3) {
-      surface.rms_mm = 1.4826 * median(errors) * mm;
+      surface.rms_mm = kSigmaPerMad * upperMedian(errors) * mm;
       double squares = 0;
       for (double error : errors) squares += std::pow(std::min(error * mm, kRoughest_mm), 2);
       surface.roughness_mm = std::sqrt(squares / double(errors.size()));
@@ -104,7 +100,7 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
     Vector6 c = h.ldlt().solve(g);
     const double s = 1 / radius_px;
     surface.c << c(0), c(1) * s, c(2) * s, c(3) * s * s, c(4) * s * s, c(5) * s * s;
-    limit = std::max(4.0 * 1.4826 * median(errors), 0.3 / mm);
+    limit = std::max(4.0 * kSigmaPerMad * upperMedian(errors), 0.3 / mm);
   }
   if (surface.rms_mm > kRoughest_mm || !(surface.c(0) > 0)) return std::nullopt;
   return surface;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::tracking {
 namespace {
@@ -43,12 +44,6 @@ class MeasuredFace {
   int columns_, rows_;
   std::vector<Eigen::Vector4d> sum_mm_;  // and their number
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -132,8 +127,8 @@ std::optional<ShapeFit> FaceShape::fit(const stereo::StereoRig& rig, const stere
     if (!xi.allFinite()) return std::nullopt;
     fit.camera_T_head = fit.camera_T_head * Eigen::Translation3d(centre_mm_) * expRigid(xi) *
                         Eigen::Translation3d(-centre_mm_);
-    scale = std::max(0.7, 1.4826 * median(distances));
-    fit.rms_mm = 1.4826 * median(rigid_mm), fit.nodes = int(distances.size());
+    scale = std::max(0.7, kSigmaPerMad * upperMedian(distances));
+    fit.rms_mm = kSigmaPerMad * upperMedian(rigid_mm), fit.nodes = int(distances.size());
     if (xi.tail<3>().norm() + 60.0 * xi.head<3>().norm() < kSettled_mm) break;
   }
   return fit;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "skin_field.h"
 
 namespace facenav::tracking {
@@ -30,13 +31,6 @@ struct Solution {
   std::vector<Eigen::Vector2d> residual;  // px, of each match
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::Matrix2d>& precision) {
   Solution s;
   s.weight.assign(matches.size(), 1.0);
@@ -58,7 +52,7 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
       s.residual[i] = matches[i].offset_px - matches[i].jacobian * s.xi;
       distance[i] = std::sqrt(std::max(0.0, s.residual[i].dot(precision[i] * s.residual[i])));
     }
-    s.scale = std::max(kLeastScale, median(distance) / 1.177);  // of a 2-D normal error's length
+    s.scale = std::max(kLeastScale, upperMedian(distance) / 1.177);  // of a 2-D normal error's length
     for (std::size_t i = 0; i < matches.size(); ++i)
       s.weight[i] = (kFreedom + 2) / (kFreedom + std::pow(distance[i] / s.scale, 2));
     if (round > 2 && (s.xi - before).norm() < 1e-6) break;

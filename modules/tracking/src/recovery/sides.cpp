@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::tracking {
 namespace {
 
-constexpr double kSigmaOfMad = 1.4826, kMedianNoise = 1.25;  // of a median, by that of a mean
+constexpr double kMedianNoise = 1.25;  // of a median, by that of a mean
 constexpr int kFewest = 40;
 // In step: 0.13 px at most (60 pairs of one real person, three rigs, five moments), 0.21 where both pictures
 // are shifted sideways by 13 px. Two moments 1 mm apart: 0.23 to 0.50 px. All other moments: 2 px and more.
@@ -16,13 +18,6 @@ constexpr double kBias_px = 0.20, kSigmas = 1.5;
 constexpr double kSureAlone = 2.0;   // times the limit
 constexpr double kOneFault_s = 1.0;  // between two answers that are judged together
 constexpr double kClear_px = 1.0, kClearSigmas = 8.0, kClearSpread_px = 2.0;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Signed, px of the right camera: how far the right pixel lies off the left one's epipolar line.
 double offLine_px(const stereo::StereoRig& rig, const Eigen::Vector2d& left_px,
@@ -76,9 +71,9 @@ EpipolarOffset epipolarOffset(const stereo::StereoRig& rig, const std::vector<Sk
   }
   EpipolarOffset offset;
   offset.points = int(off_px.size());
-  offset.median_px = median(off_px);
+  offset.median_px = upperMedian(off_px);
   for (double& px : off_px) px = std::abs(px - offset.median_px);
-  offset.spread_px = kSigmaOfMad * median(off_px);
+  offset.spread_px = kSigmaPerMad * upperMedian(off_px);
   return offset;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::tracking {
 namespace {
 
@@ -60,12 +62,6 @@ Eigen::MatrixXd designOf(const SkinPoints& points, const std::vector<SkinMatch>&
   return design;
 }
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 struct Observations {
   Eigen::MatrixXd design;
   Eigen::VectorXd offset_px;               // two of each match
@@ -90,7 +86,7 @@ std::vector<double> weightsOf(const Observations& seen, const Eigen::VectorXd& r
     const Eigen::Vector2d r = residual_px.segment<2>(2 * i);
     distance.push_back(std::sqrt(std::max(0.0, r.dot(seen.precision[std::size_t(i)] * r))));
   }
-  const double scale = std::max(kLeastScale, medianOf(distance) / kMedianLength);
+  const double scale = std::max(kLeastScale, upperMedian(distance) / kMedianLength);
   for (const double d : distance) weight.push_back((kFreedom + 2) / (kFreedom + std::pow(d / scale, 2)));
   return weight;
 }
