@@ -48,14 +48,17 @@ QImage pictureOf(MainWindow& window) {
   return {};
 }
 
+void showBallCase(MainWindow& window, const std::filesystem::path& folder) {
+  window.show();
+  window.openCase(QString::fromStdString(fixtures::writeBallCase(folder).string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+}
+
 TEST(MainWindow, ShowsACaseInEveryWorkspace) {
   FACENAV_NEEDS_DISPLAY();
   testing::TemporaryFolder folder;
-  const auto case_folder = fixtures::writeBallCase(folder.path());
   MainWindow window{Services{}};
-  window.show();
-  window.openCase(QString::fromStdString(case_folder.string()));
-  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  showBallCase(window, folder.path());
   for (auto workspace : {Workspace::prepare, Workspace::plan}) {
     window.setWorkspace(workspace);
     QApplication::processEvents();
@@ -86,11 +89,8 @@ void drag(QWidget* widget, Qt::MouseButton button, Qt::KeyboardModifiers keys, c
 TEST(SliceViews, SayTheirNumberPlaceAndValueAndComeBackToHowTheyWere) {
   FACENAV_NEEDS_DISPLAY();
   testing::TemporaryFolder folder;
-  const auto case_folder = fixtures::writeBallCase(folder.path());
   MainWindow window{Services{}};
-  window.show();
-  window.openCase(QString::fromStdString(case_folder.string()));
-  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  showBallCase(window, folder.path());
   QApplication::setActiveWindow(&window);
   SliceView* axial = nullptr;
   for (auto* view : window.findChildren<SliceView*>())

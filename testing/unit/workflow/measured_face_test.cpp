@@ -133,6 +133,14 @@ class MeasuredFaces : public ::testing::Test {
     return std::sqrt(sum / double(squares.size()));
   }
 
+  void expectWithinStatedDeviation(const MeasuredFace& face) const {
+    const Errors errors = errorsOf(face.cloud);
+    EXPECT_GT(errors.points, 3000);
+    EXPECT_LT(errors.median_mm, 0.5);
+    EXPECT_GT(errors.within, 0.6);
+    EXPECT_GT(errors.within_two, 0.85);
+  }
+
   const stereo::StereoRig rig_ = facenav::testing::convergingRig();
   const SyntheticFace* face_ = nullptr;
   std::shared_ptr<const tracking::FaceDetector> detector_;
@@ -145,22 +153,14 @@ TEST_F(MeasuredFaces, PlainSkinIsMeasuredWithinItsStatedDeviation) {
   TaskMonitor monitor;
   const MeasuredFace face = measurePair(rig_, *frame, *frame, false, *detector_, monitor);
   ASSERT_EQ(face.cloud.frames.size(), face.cloud.face.cloud.size());
-  const Errors errors = errorsOf(face.cloud);
-  EXPECT_GT(errors.points, 3000);
-  EXPECT_LT(errors.median_mm, 0.5);
-  EXPECT_GT(errors.within, 0.6);
-  EXPECT_GT(errors.within_two, 0.85);
+  expectWithinStatedDeviation(face);
 }
 
 TEST_F(MeasuredFaces, SeveralFramesSayHowManyTheyAreAndHowFarTheyMayBeOff) {
   const MeasuredFace many = filmed(10, 5);
   EXPECT_EQ(many.fused, 9);
   EXPECT_EQ(many.lost, 1);
-  const Errors errors = errorsOf(many.cloud);
-  EXPECT_GT(errors.points, 3000);
-  EXPECT_LT(errors.median_mm, 0.5);
-  EXPECT_GT(errors.within, 0.6);
-  EXPECT_GT(errors.within_two, 0.85);
+  expectWithinStatedDeviation(many);
 }
 
 /// What changes from one film to another of the same motion with other noise.

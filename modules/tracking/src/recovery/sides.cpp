@@ -32,10 +32,14 @@ double sigmaOf(const EpipolarOffset& offset) {
   return kMedianNoise * offset.spread_px / std::sqrt(std::max(1.0, double(offset.points)));
 }
 
+double limitOf(const EpipolarOffset& offset, double allowed_px) {
+  return kBias_px + allowed_px + kSigmas * sigmaOf(offset);
+}
+
 }  // namespace
 
 bool EpipolarOffset::isOutOfStep(double allowed_px) const {
-  return points >= kFewest && std::abs(median_px) > kBias_px + allowed_px + kSigmas * sigmaOf(*this);
+  return points >= kFewest && std::abs(median_px) > limitOf(*this, allowed_px);
 }
 
 bool EpipolarOffset::isClearlyOutOfStep() const {
@@ -53,7 +57,7 @@ StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Ti
     both.points = offset.points + before->points;
   }
   const bool is_out = offset.isOutOfStep(allowed_px);
-  if (is_out && std::abs(offset.median_px) > kSureAlone * (kBias_px + allowed_px + kSigmas * sigmaOf(offset)))
+  if (is_out && std::abs(offset.median_px) > kSureAlone * limitOf(offset, allowed_px))
     return StepVerdict::out_of_step;
   if (before && both.isOutOfStep(allowed_px)) return StepVerdict::out_of_step;
   return is_out ? StepVerdict::unsure : StepVerdict::in_step;

@@ -11,7 +11,7 @@ namespace facenav::tracking {
 namespace {
 
 // Fitted on one real person (60 motions of five moments, three pairs of cameras against each other) and on
-// 15 moments of a room (`simulate moments`, seeds 1 to 3, errors against truth); some fifteen settings were
+// 15 moments of a room (`simulate moments`, seeds 1 to 3, errors against truth); some twenty settings were
 // tried.
 constexpr double kSpacing_mm = 60.0;  // between the field's nodes, and its length scale
 constexpr double kSharedPart = 0.3;   // of a part's mobility, that the field has; windows move by all of it

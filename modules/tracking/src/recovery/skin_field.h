@@ -1,10 +1,10 @@
 #pragma once
 // The head's pose from skin matches where skin has moved over the bone: rigid motion and a smooth field of
-// skin motion are estimated together. Neighbouring windows that move as one (a raised brow, a lock of hair)
-// count as one observation, so a large part cannot outvote a small part that lies on the bone. The
-// prior on the field comes from skin_mobility.h. Windows and nodes of the field have Cauchy's errors: most
-// skin stays, some moves far. The posterior covariance of the
-// pose then includes what the skin may have done. In: matches with offsets (px) from a pose near by.
+// skin motion are estimated together. Neighbouring windows that move as one (a cheek, a lock of hair) count
+// as few observations. The prior on the field comes from skin_mobility.h. Windows and nodes of the field have
+// Cauchy errors: most skin stays, some moves far. The posterior covariance of the pose includes the skin's
+// motion. Known limit: a whole forehead that moves far beyond its mobility still pulls the pose, by more than
+// the covariance says. In: matches with offsets (px) from a pose near by.
 
 #include <optional>
 #include <vector>
