@@ -4,10 +4,10 @@ namespace facenav::app {
 
 namespace {
 
-std::function<std::shared_ptr<const tracking::FaceDetector>()> madeOnce() {
+std::function<std::shared_ptr<const face::FaceDetector>()> madeOnce() {
   // The state is shared, so that copies of the function return the same detector.
-  return [made = std::make_shared<std::shared_ptr<const tracking::FaceDetector>>()] {
-    if (!*made) *made = tracking::makeFaceDetector();
+  return [made = std::make_shared<std::shared_ptr<const face::FaceDetector>>()] {
+    if (!*made) *made = face::makeFaceDetector();
     return *made;
   };
 }
@@ -36,10 +36,10 @@ workflow::Registrations makeRegistrations() {
                    registration::makeSurfaceAligner);
   all.aligners.add("icp", "the 2010 paper's iterative closest point", registration::makeIcpAligner);
   all.head_trackers.add("model", "skin patches fitted in both images at once",
-                        [face = all.face_detector] { return tracking::makeModelHeadTracker(face()); });
+                        [face = all.face_detector] { return head_tracking::makeModelHeadTracker(face()); });
   all.head_trackers.add("features7", "the 2010 paper's seven features",
-                        [face = all.face_detector] { return tracking::makeFeatureHeadTracker(face()); });
-  all.coil_trackers.add("marker", "printed square markers", tracking::makeMarkerCoilTracker);
+                        [face = all.face_detector] { return head_tracking::makeFeatureHeadTracker(face()); });
+  all.coil_trackers.add("marker", "printed square markers", coil_tracking::makeMarkerCoilTracker);
   addExporters(all.exporters);
   return all;
 }

@@ -25,12 +25,12 @@ cv::Mat readGrey(const std::filesystem::path& path) {
 }
 
 /// Capture pair and rig from single files; without a plain pair the dotted one serves for both.
-std::pair<stereo::StereoRig, capture::CapturePair> fromFiles(const AlignRequest& request) {
+std::pair<cameras::StereoRig, capture::CapturePair> fromFiles(const AlignRequest& request) {
   if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
       request.left.size() > 2)
     throw Error("give a RECORDING, or --rig with as many --left as --right images", {},
                 "first the image with dots, then the one without");
-  const auto rig = stereo::readRig(*request.rig);
+  const auto rig = cameras::readRig(*request.rig);
   capture::CapturePair pair;
   pair.pattern.left = readGrey(request.left.front());
   pair.pattern.right = readGrey(request.right.front());
@@ -45,7 +45,7 @@ std::pair<stereo::StereoRig, capture::CapturePair> fromFiles(const AlignRequest&
   return {rig, pair};
 }
 
-std::pair<stereo::StereoRig, capture::CapturePair> fromRecording(const std::filesystem::path& folder) {
+std::pair<cameras::StereoRig, capture::CapturePair> fromRecording(const std::filesystem::path& folder) {
   auto recording = capture::openCapture(folder);
   if (!recording.capture)
     throw Error("has no capture/ pair", folder.string(),

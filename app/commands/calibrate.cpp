@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "commands/commands.h"
+#include "facenav/cameras/calibrate.h"
+#include "facenav/cameras/rig_file.h"
 #include "facenav/capture/calibration_images.h"
 #include "facenav/core/log.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/stereo/calibrate.h"
-#include "facenav/stereo/rig_file.h"
 
 namespace facenav::app {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 struct Arguments {
   std::string board;
   double square_mm = 0, marker_mm = 0;
-  std::string dictionary = stereo::Board{}.dictionary;
+  std::string dictionary = cameras::Board{}.dictionary;
   std::vector<std::string> left, right;
   std::string output = "stereo.yml";
 };
@@ -30,7 +30,7 @@ std::string utcNow() {
   return text;
 }
 
-void printViews(const stereo::Calibration& result) {
+void printViews(const cameras::Calibration& result) {
   std::printf("%-32s %8s %8s\n", "view", "left px", "right px");
   for (const auto& view : result.views) {
     const char* state = view.is_used ? "" : "not used: ";
@@ -39,8 +39,8 @@ void printViews(const stereo::Calibration& result) {
   }
 }
 
-void printRig(const stereo::Calibration& result) {
-  const stereo::StereoRig& rig = result.rig;
+void printRig(const cameras::Calibration& result) {
+  const cameras::StereoRig& rig = result.rig;
   for (const auto& model : result.models)
     std::printf("distortion %-24s rms %.4f px, on views left out %.4f px%s\n", model.name.c_str(),
                 model.rms_px, model.held_out_rms_px, model.name == result.model ? "  <- taken" : "");
@@ -51,7 +51,7 @@ void printRig(const stereo::Calibration& result) {
   for (const auto& parameter : result.parameters)
     std::printf("  %-14s %12.6g +- %.2g\n", parameter.name.c_str(), parameter.value, parameter.sigma);
   std::printf("baseline %.3f mm, angle between the cameras %.3f deg\n", rig.baseline_mm(), angle_deg);
-  const stereo::HeadEffect& head = result.at_head;
+  const cameras::HeadEffect& head = result.at_head;
   std::printf(
       "effect at the head (%.0f mm away, 1 sigma): a point %.2f mm (%.2f mm of it in distance), a length of "
       "100 mm %.2f mm, a motion of 20 mm and 5 deg %.2f mm and %.3f deg\n",
@@ -59,13 +59,13 @@ void printRig(const stereo::Calibration& result) {
 }
 
 void run(const Arguments& arguments, Context& context) {
-  stereo::Board board = stereo::boardFromText(arguments.board, arguments.square_mm, arguments.marker_mm);
+  cameras::Board board = cameras::boardFromText(arguments.board, arguments.square_mm, arguments.marker_mm);
   board.dictionary = arguments.dictionary;
   const auto pairs = capture::readCalibrationImages(arguments.left, arguments.right);
-  const stereo::Calibration result = stereo::calibrate(pairs, board, context.monitor);
+  const cameras::Calibration result = cameras::calibrate(pairs, board, context.monitor);
   char board_text[96];
   std::snprintf(board_text, sizeof board_text, "%s, %g mm", arguments.board.c_str(), board.square_mm);
-  stereo::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow(), result.at_head});
+  cameras::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow(), result.at_head});
   for (const auto& warning : result.warnings) logWarning(warning);
   if (!context.is_quiet) {
     printViews(result);

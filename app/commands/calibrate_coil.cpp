@@ -4,7 +4,7 @@
 
 #include "commands/commands.h"
 #include "facenav/capture/recording.h"
-#include "facenav/tracking/coil_calibration.h"
+#include "facenav/coil_tracking/coil_calibration.h"
 
 namespace facenav::app {
 namespace {
@@ -13,13 +13,13 @@ struct Request {
   std::filesystem::path recording, jig, centre, handle, side, coil, output;
 };
 
-using MarkerPoses = std::vector<Tracked<tracking::CoilPose>>;
+using MarkerPoses = std::vector<Tracked<coil_tracking::CoilPose>>;
 
 /// One entry a frame for each of the models.
 std::vector<MarkerPoses> trackMarkers(Context& context, const std::filesystem::path& folder,
-                                      const std::vector<tracking::CoilModel>& models) {
+                                      const std::vector<coil_tracking::CoilModel>& models) {
   const auto recording = capture::openRecording(folder);
-  std::vector<std::unique_ptr<tracking::CoilTracker>> trackers;
+  std::vector<std::unique_ptr<coil_tracking::CoilTracker>> trackers;
   for (const auto& model : models) {
     trackers.push_back(
         context.registrations.coil_trackers.create(context.registrations.coil_trackers.defaultName()));
@@ -34,35 +34,37 @@ std::vector<MarkerPoses> trackMarkers(Context& context, const std::filesystem::p
   return poses;
 }
 
-tracking::CoilCalibration fromJig(Context& context, const Request& request, const tracking::CoilModel& coil) {
-  const auto jig = tracking::readCoil(request.jig);
+coil_tracking::CoilCalibration fromJig(Context& context, const Request& request,
+                                       const coil_tracking::CoilModel& coil) {
+  const auto jig = coil_tracking::readCoil(request.jig);
   const auto poses = trackMarkers(context, request.recording, {coil, jig});
-  std::vector<tracking::JigSighting> sightings;
+  std::vector<coil_tracking::JigSighting> sightings;
   for (std::size_t i = 0; i < poses[0].size(); ++i)
     if (poses[0][i] && poses[1][i])
       sightings.push_back({poses[0][i]->camera_T_marker, poses[1][i]->camera_T_marker});
-  return tracking::calibrateWithJig(sightings, jig.markers.front().coil_T_marker);
+  return coil_tracking::calibrateWithJig(sightings, jig.markers.front().coil_T_marker);
 }
 
-tracking::Pivot pivot(Context& context, const std::filesystem::path& folder,
-                      const tracking::CoilModel& coil) {
+coil_tracking::Pivot pivot(Context& context, const std::filesystem::path& folder,
+                           const coil_tracking::CoilModel& coil) {
   std::vector<RigidTransform<Camera, Marker>> poses;
   for (const auto& pose : trackMarkers(context, folder, {coil}).front())
     if (pose) poses.push_back(pose->camera_T_marker);
-  return tracking::fitPivot(poses);
+  return coil_tracking::fitPivot(poses);
 }
 
 void run(Context& context, const Request& request) {
-  const auto coil = request.coil.empty() ? tracking::defaultCoil() : tracking::readCoil(request.coil);
+  const auto coil =
+      request.coil.empty() ? coil_tracking::defaultCoil() : coil_tracking::readCoil(request.coil);
   const bool has_pivots = !request.centre.empty() && !request.handle.empty() && !request.side.empty();
   const bool has_jig = !request.jig.empty() && !request.recording.empty();
   if (has_jig == has_pivots)
     throw Error("give a RECORDING with --jig, or --centre, --handle and --side", {}, "see --help");
   const auto result = has_jig ? fromJig(context, request, coil)
-                              : tracking::calibrateWithPivots(pivot(context, request.centre, coil),
-                                                              pivot(context, request.handle, coil),
-                                                              pivot(context, request.side, coil));
-  tracking::writeCalibratedCoil(coil, result, request.output);
+                              : coil_tracking::calibrateWithPivots(pivot(context, request.centre, coil),
+                                                                   pivot(context, request.handle, coil),
+                                                                   pivot(context, request.side, coil));
+  coil_tracking::writeCalibratedCoil(coil, result, request.output);
   if (context.is_quiet) return;
   std::printf("%s: %d of %d frames, residual rms %.2f mm; standard error %.2f mm, %.2f deg\n",
               request.output.c_str(), result.used, result.frames, result.rms_mm, result.sigma_mm,

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "commands/commands.h"
-#include "facenav/tracking/marker_page.h"
+#include "facenav/coil_tracking/marker_page.h"
 
 namespace facenav::app {
 
@@ -13,7 +13,7 @@ void addMarker(CLI::App& app, Context& context) {
       app.add_subcommand("marker", "a page with the coil's markers at true size, to print (SVG, A4)");
   struct Request {
     std::filesystem::path coil, output;
-    tracking::MarkerModel marker;
+    coil_tracking::MarkerModel marker;
   };
   auto request = std::make_shared<Request>();
   auto* coil = verb->add_option("--coil", request->coil, "coil.json with the markers; else one marker:");
@@ -29,10 +29,10 @@ void addMarker(CLI::App& app, Context& context) {
       ->excludes(coil);
   verb->add_option("-o,--output", request->output, "SVG to write")->required();
   verb->callback([&context, request] {
-    tracking::CoilModel model = tracking::defaultCoil();
+    coil_tracking::CoilModel model = coil_tracking::defaultCoil();
     model.markers = {request->marker};
-    if (!request->coil.empty()) model = tracking::readCoil(request->coil);
-    tracking::writeMarkerPage(model, request->output);
+    if (!request->coil.empty()) model = coil_tracking::readCoil(request->coil);
+    coil_tracking::writeMarkerPage(model, request->output);
     if (!context.is_quiet)
       std::printf("%s: print at 100 %%, then check the 100 mm line\n", request->output.c_str());
   });

@@ -16,7 +16,7 @@ namespace facenav::app {
 
 struct PictureInput {
   const casefile::CaseStore& store;
-  const stereo::StereoRig& rig;
+  const cameras::StereoRig& rig;
   guidance::Target target;
   std::vector<std::shared_ptr<const session::NavigationState>> states;  // of the treatment, in order
 };

@@ -85,7 +85,7 @@ Truth readRoomTruth(const fs::path& recording) {
   Truth truth{capture::readTruth(recording / "truth/head.csv"), {}};
   if (!fs::exists(recording / "truth/coil.csv")) return truth;
   truth.coil = capture::readTruth(recording / "truth/coil.csv");
-  const auto marker_T_coil = tracking::readCoil(recording / "coil.json").marker_T_coil();
+  const auto marker_T_coil = coil_tracking::readCoil(recording / "coil.json").marker_T_coil();
   for (auto& [frame, pose] : truth.coil) pose = pose * marker_T_coil.isometry();
   return truth;
 }
@@ -185,7 +185,7 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   figures.alignment_at_target_mm = error.at_point_mm;
   watch.lap("align, track and guide the treatment");
 
-  const auto rig = stereo::readRig(folder / "recording/stereo.yml");
+  const auto rig = cameras::readRig(folder / "recording/stereo.yml");
   auto pictures = drawNavigation({store, rig, target, std::move(states)}, folder, context.monitor);
   for (auto& figure : drawAlignment(store, *tracked.alignment, folder)) pictures.push_back(std::move(figure));
   pictures.push_back({"Tracking error over the head's rotation (paper, figure 13).", "protractor_error.svg"});

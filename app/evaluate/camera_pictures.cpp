@@ -16,12 +16,12 @@ std::map<std::string, fs::path> picturesIn(const fs::path& folder) {
   return files;
 }
 
-std::map<std::string, stereo::StereoRig> rigsIn(const fs::path& folder) {
-  std::map<std::string, stereo::StereoRig> rigs;
+std::map<std::string, cameras::StereoRig> rigsIn(const fs::path& folder) {
+  std::map<std::string, cameras::StereoRig> rigs;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name.size() == 13 && name.substr(2) == "_stereo.yml")
-      rigs[name.substr(0, 2)] = stereo::readRig(entry.path());
+      rigs[name.substr(0, 2)] = cameras::readRig(entry.path());
   }
   return rigs;
 }

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 
 namespace facenav::app {
 
 /// By name, "l_418".
 std::map<std::string, std::filesystem::path> picturesIn(const std::filesystem::path& folder);
 /// By name, "lm". Throws Error of a file that is no rig.
-std::map<std::string, stereo::StereoRig> rigsIn(const std::filesystem::path& folder);
+std::map<std::string, cameras::StereoRig> rigsIn(const std::filesystem::path& folder);
 /// That both cameras have, in the order of their names: "418".
 std::vector<std::string> momentsOf(const std::map<std::string, std::filesystem::path>& pictures, char left,
                                    char right);

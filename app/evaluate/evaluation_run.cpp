@@ -9,7 +9,7 @@ namespace facenav::app {
 namespace {
 
 /// Whole square inside both images, seen from the front.
-bool isMarkerInView(const stereo::StereoRig& rig, const Eigen::Isometry3d& camera_T_marker, double size_mm) {
+bool isMarkerInView(const cameras::StereoRig& rig, const Eigen::Isometry3d& camera_T_marker, double size_mm) {
   constexpr double kMargin_px = 3.0;
   const Eigen::Isometry3d right_T_marker = rig.right_T_left.isometry() * camera_T_marker;
   for (const auto& [camera, pose] : {std::pair{&rig.left, camera_T_marker}, {&rig.right, right_T_marker}}) {
@@ -18,7 +18,7 @@ bool isMarkerInView(const stereo::StereoRig& rig, const Eigen::Isometry3d& camer
       for (const double y : {-0.5, 0.5}) {
         const Eigen::Vector3d p = pose * Eigen::Vector3d(x * size_mm, y * size_mm, 0.0);
         if (p.z() <= 0.0) return false;
-        const Eigen::Vector2d px = stereo::project(*camera, p);
+        const Eigen::Vector2d px = cameras::project(*camera, p);
         if (px.x() < kMargin_px || px.y() < kMargin_px || px.x() > rig.width_px - 1 - kMargin_px ||
             px.y() > rig.height_px - 1 - kMargin_px)
           return false;

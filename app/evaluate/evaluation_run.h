@@ -10,10 +10,10 @@
 #include "evaluate/evaluation_head.h"
 #include "facenav/capture/frame_source.h"
 #include "facenav/capture/recording.h"
+#include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/evaluation/cloud_evaluation.h"
 #include "facenav/evaluation/run_record.h"
 #include "facenav/room/scenario.h"
-#include "facenav/tracking/coil_tracker.h"
 #include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
@@ -29,7 +29,7 @@ struct EvaluationSequence {
   std::optional<capture::CapturePair> capture;
   std::optional<RigidTransform<Camera, Mri>> capture_truth;         // camera_T_mri at the capture
   std::function<evaluation::FrameTruth(std::int64_t frame)> truth;  // of a frame that source gave
-  tracking::CoilModel coil;
+  coil_tracking::CoilModel coil;
   double frames_per_s = 60.0;
   std::optional<evaluation::ExactDepth> capture_depth;
   std::optional<Point<Mri>> face_middle;

@@ -9,10 +9,10 @@ namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-tracking::CoilModel coilOf(const room::RoomCoil& coil) {
-  tracking::CoilModel model;
+coil_tracking::CoilModel coilOf(const room::RoomCoil& coil) {
+  coil_tracking::CoilModel model;
   model.name = coil.name;
-  tracking::MarkerModel marker;
+  coil_tracking::MarkerModel marker;
   marker.dictionary = coil.dictionary;
   marker.id = coil.marker_id;
   marker.size_mm = coil.marker_size_mm;
@@ -76,8 +76,8 @@ EvaluationSequence recordedSequence(const fs::path& folder) {
   const auto head = capture::readTruth(folder / "truth/head.csv");
   std::map<std::int64_t, Eigen::Isometry3d> marker;
   if (fs::exists(folder / "truth/coil.csv")) marker = capture::readTruth(folder / "truth/coil.csv");
-  sequence.coil =
-      fs::exists(folder / "coil.json") ? tracking::readCoil(folder / "coil.json") : tracking::defaultCoil();
+  sequence.coil = fs::exists(folder / "coil.json") ? coil_tracking::readCoil(folder / "coil.json")
+                                                   : coil_tracking::defaultCoil();
   nlohmann::json scenario = nlohmann::json::object();
   if (fs::exists(folder / "scenario.json"))
     scenario = nlohmann::json::parse(readWholeFile(folder / "scenario.json"));

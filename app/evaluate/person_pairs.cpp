@@ -21,12 +21,12 @@ constexpr double kNoise_grey = 0.7;  // fresh in each frame: repeated pictures a
 constexpr double kBehind_mm = 80.0;
 constexpr double kChiSquare95 = 7.815;  // of 3 degrees of freedom
 
-using Frames = std::map<std::string, stereo::StereoFrame>;  // by moment
+using Frames = std::map<std::string, cameras::StereoFrame>;  // by moment
 
 class Film {
  public:
-  stereo::StereoFrame next(const cv::Mat& left, const cv::Mat& right) {
-    stereo::StereoFrame frame;
+  cameras::StereoFrame next(const cv::Mat& left, const cv::Mat& right) {
+    cameras::StereoFrame frame;
     frame.left = noisy(left), frame.right = noisy(right);
     frame.number = number_++, frame.captured.s = now_s_;
     now_s_ += kFrame_s;
@@ -50,10 +50,11 @@ class Film {
   std::int64_t number_ = 0;
 };
 
-void play(tracking::HeadTracker& tracker, const stereo::StereoRig& rig, const stereo::StereoFrame& reference,
-          const cv::Mat& left, const cv::Mat& right, PairTrial& trial) {
+void play(head_tracking::HeadTracker& tracker, const cameras::StereoRig& rig,
+          const cameras::StereoFrame& reference, const cv::Mat& left, const cv::Mat& right,
+          PairTrial& trial) {
   Film film;
-  tracking::HeadReference start;
+  head_tracking::HeadReference start;
   start.frame = film.next(reference.left, reference.right);
   tracker.start(rig, start);
   for (int i = 0; i < kBefore; ++i) tracker.track(film.next(reference.left, reference.right));
@@ -61,7 +62,7 @@ void play(tracking::HeadTracker& tracker, const stereo::StereoRig& rig, const st
   for (trial.frames = 0; trial.frames < kAfter; ++trial.frames) {
     const auto pose = tracker.track(film.next(left, right));
     if (!pose) {
-      trial.detail = tracking::toString(tracker.lossDetail());
+      trial.detail = head_tracking::toString(tracker.lossDetail());
       continue;
     }
     if (!trial.found_after_s) trial.found_after_s = trial.frames * kFrame_s;
@@ -87,7 +88,7 @@ struct Motion {
   Matrix6d covariance;       // the tracker's, left camera's axes
 };
 
-Motion inShared(const tracking::HeadPose& pose, const stereo::StereoRig& rig, bool is_right_shared) {
+Motion inShared(const head_tracking::HeadPose& pose, const cameras::StereoRig& rig, bool is_right_shared) {
   const Eigen::Isometry3d shared_T_left =
       is_right_shared ? rig.right_T_left.isometry() : Eigen::Isometry3d::Identity();
   return {shared_T_left * pose.camera_T_head.isometry() * shared_T_left.inverse(), shared_T_left.linear(),
@@ -113,7 +114,7 @@ PairAgreement agreementOf(const Motion& a, const Motion& b) {
   return agreement;
 }
 
-void compareRigs(const std::map<std::string, stereo::StereoRig>& rigs, PairsResult& result) {
+void compareRigs(const std::map<std::string, cameras::StereoRig>& rigs, PairsResult& result) {
   for (const auto& a : result.trials)
     for (const auto& b : result.trials) {
       if (a.kind != PairTrial::Kind::same_person || b.kind != a.kind || !a.pose || !b.pose) continue;
@@ -134,33 +135,33 @@ double quantile(std::vector<double> values, double share) {
 
 struct Task {
   PairTrial trial;
-  stereo::StereoFrame reference;
+  cameras::StereoFrame reference;
   cv::Mat left, right;
 };
 
 // Where the face's lower half begins in a picture.
-int lowerFace_y(const tracking::FaceDetector& detector, const cv::Mat& picture) {
+int lowerFace_y(const face::FaceDetector& detector, const cv::Mat& picture) {
   const auto face = detector.detect(picture);
   if (!face) return picture.rows;
   return face->points68.size() == 68 ? int(face->points68[33].y()) : face->face.y + face->face.height / 2;
 }
 
 void addChanged(
-    const stereo::StereoFrame& frame,
-    const std::function<void(PairTrial::Kind, const std::string&, const stereo::StereoFrame&)>& add) {
-  static const auto detector = tracking::makeFaceDetector();
+    const cameras::StereoFrame& frame,
+    const std::function<void(PairTrial::Kind, const std::string&, const cameras::StereoFrame&)>& add) {
+  static const auto detector = face::makeFaceDetector();
   for (const auto& changed :
        changedPairs(frame, lowerFace_y(*detector, frame.left), lowerFace_y(*detector, frame.right)))
     add(PairTrial::Kind::changed, changed.change, changed.frame);
 }
 
-void addTasks(const std::string& name, const stereo::StereoRig& rig, const fs::path& person,
+void addTasks(const std::string& name, const cameras::StereoRig& rig, const fs::path& person,
               const std::vector<fs::path>& people, std::vector<Task>& tasks) {
   using Kind = PairTrial::Kind;
   const Frames own = framesOf(person, name);
   for (const auto& [from, reference] : own) {
     const auto add = [&, from = from, reference = reference](Kind kind, const std::string& to,
-                                                             const stereo::StereoFrame& frame) {
+                                                             const cameras::StereoFrame& frame) {
       PairTrial trial;
       trial.kind = kind, trial.rig = name, trial.person = person.filename().string(), trial.from = from,
       trial.to = to;
@@ -171,7 +172,7 @@ void addTasks(const std::string& name, const stereo::StereoRig& rig, const fs::p
       add(Kind::mirrored, "mirrored " + to, mirroredPair(rig, frame));
       if (to == from) continue;
       add(Kind::same_person, to, frame);
-      stereo::StereoFrame two_moments = reference;
+      cameras::StereoFrame two_moments = reference;
       two_moments.right = frame.right;
       add(Kind::out_of_step, from + "/" + to, two_moments);
     }
@@ -185,7 +186,7 @@ void addTasks(const std::string& name, const stereo::StereoRig& rig, const fs::p
 }  // namespace
 
 PairsResult evaluatePairs(const std::vector<fs::path>& people, const fs::path& rig_folder,
-                          const std::function<std::unique_ptr<tracking::HeadTracker>()>& make,
+                          const std::function<std::unique_ptr<head_tracking::HeadTracker>()>& make,
                           TaskMonitor& monitor) {
   const auto rigs = rigsIn(rig_folder);
   std::vector<Task> tasks;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "facenav/core/task_monitor.h"
-#include "facenav/tracking/head_tracker.h"
+#include "facenav/head_tracking/head_tracker.h"
 
 namespace facenav::app {
 
@@ -23,8 +23,8 @@ struct PairTrial {
   std::string rig, person, from, to;  // to: "418", or "418/835" of two moments; of whom, where it is another
   int frames = 0, shown = 0;          // after the loss
   std::optional<double> found_after_s;
-  std::string detail;                      // of the last frame that was lost
-  std::optional<tracking::HeadPose> pose;  // of the last frame shown; its left camera is the rig's
+  std::string detail;                           // of the last frame that was lost
+  std::optional<head_tracking::HeadPose> pose;  // of the last frame shown; its left camera is the rig's
 };
 
 /// What two pairs of cameras that share one tell of the same motion, in the shared camera.
@@ -43,7 +43,7 @@ struct PairsResult {
 /// `people`: a folder each (camera_pictures.h), `rigs`: of all. `make`: a tracker for each trial. Throws
 /// Error where no rig finds pictures, Cancelled.
 PairsResult evaluatePairs(const std::vector<std::filesystem::path>& people, const std::filesystem::path& rigs,
-                          const std::function<std::unique_ptr<tracking::HeadTracker>()>& make,
+                          const std::function<std::unique_ptr<head_tracking::HeadTracker>()>& make,
                           TaskMonitor& monitor);
 
 /// As Markdown: the goals' table, a table by moment, then every trial that went wrong.

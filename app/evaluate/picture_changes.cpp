@@ -11,15 +11,15 @@ constexpr int kShift_px = 13,  // sideways: nearly a turn of the whole rig
 constexpr double kDarker = 0.85;
 
 // As `camera` sees it, turned by `turn` (new axes from the mirrored ones), of what `other` saw.
-cv::Mat mirroredPicture(const stereo::CameraModel& camera, const Eigen::Matrix3d& turn,
-                        const stereo::CameraModel& other, const cv::Mat& seen) {
+cv::Mat mirroredPicture(const cameras::CameraModel& camera, const Eigen::Matrix3d& turn,
+                        const cameras::CameraModel& other, const cv::Mat& seen) {
   cv::Mat2f from(seen.size());
   for (int y = 0; y < seen.rows; ++y)
     for (int x = 0; x < seen.cols; ++x) {
       Eigen::Vector3d ray =
-          turn.transpose() * stereo::undistort(camera, {double(x), double(y)}).homogeneous();
+          turn.transpose() * cameras::undistort(camera, {double(x), double(y)}).homogeneous();
       ray.x() = -ray.x();
-      const Eigen::Vector2d px = ray.z() > 0 ? stereo::project(other, ray) : Eigen::Vector2d(-1, -1);
+      const Eigen::Vector2d px = ray.z() > 0 ? cameras::project(other, ray) : Eigen::Vector2d(-1, -1);
       from(y, x) = {float(px.x()), float(px.y())};
     }
   cv::Mat picture;
@@ -50,7 +50,7 @@ cv::Mat covered(const cv::Mat& picture, int from_y) {
 
 // Mirrored cameras change places: x_right' = M R^T M x_left' - M R^T T. Both are then turned about their own
 // centres so that they stand as the rig's do.
-stereo::StereoFrame mirroredPair(const stereo::StereoRig& rig, const stereo::StereoFrame& frame) {
+cameras::StereoFrame mirroredPair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame) {
   const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
   const Eigen::Matrix3d turn = rig.right_T_left.rotation();
   const Eigen::Vector3d shift_mm = rig.right_T_left.translation_mm();
@@ -59,16 +59,16 @@ stereo::StereoFrame mirroredPair(const stereo::StereoRig& rig, const stereo::Ste
   const Eigen::Matrix3d of_right =
       Eigen::Quaterniond::FromTwoVectors(mirrored_shift_mm, shift_mm).toRotationMatrix();
   const Eigen::Matrix3d of_left = turn.transpose() * of_right * mirrored_turn;
-  stereo::StereoFrame mirrored = frame;
+  cameras::StereoFrame mirrored = frame;
   mirrored.left = mirroredPicture(rig.left, of_left, rig.right, frame.right);
   mirrored.right = mirroredPicture(rig.right, of_right, rig.left, frame.left);
   return mirrored;
 }
 
-std::vector<ChangedPair> changedPairs(const stereo::StereoFrame& frame, int lower_face_y_left,
+std::vector<ChangedPair> changedPairs(const cameras::StereoFrame& frame, int lower_face_y_left,
                                       int lower_face_y_right) {
   const auto both = [&](auto change) {
-    stereo::StereoFrame changed = frame;
+    cameras::StereoFrame changed = frame;
     changed.left = change(frame.left), changed.right = change(frame.right);
     return changed;
   };
@@ -76,7 +76,7 @@ std::vector<ChangedPair> changedPairs(const stereo::StereoFrame& frame, int lowe
   changes.push_back({"shifted by 13 px", both(shifted)});
   changes.push_back({"15 % darker", both([](const cv::Mat& p) { return cv::Mat(p * kDarker); })});
   changes.push_back({"coarser JPEG", both(compressed)});
-  stereo::StereoFrame half = frame;
+  cameras::StereoFrame half = frame;
   half.left = covered(frame.left, lower_face_y_left), half.right = covered(frame.right, lower_face_y_right);
   changes.push_back({"lower face covered", half});
   return changes;

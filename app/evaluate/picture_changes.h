@@ -5,22 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 
 namespace facenav::app {
 
 /// The person mirrored left to right, as the same rig would have seen him: an exact pair of a person who does
 /// not exist, of nearly the same shape, with his skin's detail elsewhere. Black where nothing was seen.
-stereo::StereoFrame mirroredPair(const stereo::StereoRig& rig, const stereo::StereoFrame& frame);
+cameras::StereoFrame mirroredPair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame);
 
 struct ChangedPair {
   std::string change;  // "shifted by 13 px"
-  stereo::StereoFrame frame;
+  cameras::StereoFrame frame;
 };
 /// Both pictures shifted, darker, coarser compressed, and with the lower face covered. `lower_face_y`: rows
 /// from there on are covered, px of each picture.
-std::vector<ChangedPair> changedPairs(const stereo::StereoFrame& frame, int lower_face_y_left,
+std::vector<ChangedPair> changedPairs(const cameras::StereoFrame& frame, int lower_face_y_left,
                                       int lower_face_y_right);
 
 }  // namespace facenav::app

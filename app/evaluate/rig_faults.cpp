@@ -6,27 +6,27 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "evaluate/camera_pictures.h"
+#include "facenav/cameras/pair_matches.h"
+#include "facenav/cameras/rig_file.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/stereo/pair_matches.h"
-#include "facenav/stereo/rig_file.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-using stereo::PairFault;
-using Matches = std::vector<stereo::Correspondence>;
+using cameras::PairFault;
+using Matches = std::vector<cameras::Correspondence>;
 
 struct Trial {
   std::string kind, left, right, calibration;  // left, right: "l_418"
   PairFault expected;
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
 };
 
-stereo::StereoRig moved(const stereo::StereoRig& rig, const Eigen::Vector3d& turn_deg,
-                        const Eigen::Vector3d& shift_mm) {
-  stereo::StereoRig other = rig;
+cameras::StereoRig moved(const cameras::StereoRig& rig, const Eigen::Vector3d& turn_deg,
+                         const Eigen::Vector3d& shift_mm) {
+  cameras::StereoRig other = rig;
   Eigen::Isometry3d pose = rig.right_T_left.isometry();
   pose.prerotate(expRotation(turn_deg * M_PI / 180));
   pose.pretranslate(shift_mm);
@@ -54,7 +54,7 @@ void addMoved(const Trial& right_rig, std::vector<Trial>& trials) {
 }
 
 std::vector<Trial> trialsOf(const std::map<std::string, fs::path>& files,
-                            const std::map<std::string, stereo::StereoRig>& rigs) {
+                            const std::map<std::string, cameras::StereoRig>& rigs) {
   std::vector<Trial> trials;
   for (const auto& [name, rig] : rigs) {
     std::vector<std::string> moments;
@@ -107,10 +107,10 @@ std::vector<RigFaultRow> rigFaults(const fs::path& pictures, const fs::path& rig
     monitor.report("rigs: " + trial.kind, double(rows.size()) / double(trials.size()));
     const auto key = std::pair(trial.left, trial.right);
     if (!matched.count(key))
-      matched[key] = stereo::matchPictures(cv::imread(files.at(trial.left).string(), cv::IMREAD_GRAYSCALE),
-                                           cv::imread(files.at(trial.right).string(), cv::IMREAD_GRAYSCALE));
+      matched[key] = cameras::matchPictures(cv::imread(files.at(trial.left).string(), cv::IMREAD_GRAYSCALE),
+                                            cv::imread(files.at(trial.right).string(), cv::IMREAD_GRAYSCALE));
     rows.push_back({trial.kind, trial.left + " " + trial.right, trial.calibration, trial.expected,
-                    stereo::diagnoseMatches(trial.rig, matched[key])});
+                    cameras::diagnoseMatches(trial.rig, matched[key])});
   }
   return rows;
 }

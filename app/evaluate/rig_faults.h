@@ -1,5 +1,5 @@
 #pragma once
-// `facenav evaluate rigs`: what stereo::diagnosePair says of pictures of a known rig: as they are, with the
+// `facenav evaluate rigs`: what cameras::diagnosePair says of pictures of a known rig: as they are, with the
 // right camera's picture from another moment, exchanged, with another rig's calibration, and with a
 // calibration whose right camera has been turned or shifted since.
 
@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "facenav/cameras/pair_diagnosis.h"
 #include "facenav/core/task_monitor.h"
-#include "facenav/stereo/pair_diagnosis.h"
 
 namespace facenav::app {
 
 struct RigFaultRow {
   std::string kind;  // "right rig", "out of step", "swapped", "other rig", "turned 0.25 deg", ..
   std::string pictures, calibration;
-  stereo::PairFault expected = stereo::PairFault::none;
-  stereo::PairDiagnosis said;
+  cameras::PairFault expected = cameras::PairFault::none;
+  cameras::PairDiagnosis said;
 };
 
 /// `pictures`: files <camera>_<moment>.jpg|png, cameras named by one letter; `rigs`: <a><b>_stereo.yml.

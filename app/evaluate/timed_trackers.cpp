@@ -30,14 +30,14 @@ class OneThreadClock {
   double start_ms_ = 0.0;
 };
 
-class TimedHeadTracker : public tracking::HeadTracker {
+class TimedHeadTracker : public head_tracking::HeadTracker {
  public:
-  TimedHeadTracker(std::unique_ptr<tracking::HeadTracker> tracker, LastCall& last)
+  TimedHeadTracker(std::unique_ptr<head_tracking::HeadTracker> tracker, LastCall& last)
       : tracker_(std::move(tracker)), last_(last) {}
-  void start(const stereo::StereoRig& rig, const tracking::HeadReference& reference) override {
+  void start(const cameras::StereoRig& rig, const head_tracking::HeadReference& reference) override {
     tracker_->start(rig, reference);
   }
-  Tracked<tracking::HeadPose> track(const stereo::StereoFrame& frame) override {
+  Tracked<head_tracking::HeadPose> track(const cameras::StereoFrame& frame) override {
     auto pose = [&] {
       const OneThreadClock clock(last_);
       return tracker_->track(frame);
@@ -45,38 +45,38 @@ class TimedHeadTracker : public tracking::HeadTracker {
     last_.ms = std::max(0.0, last_.ms - tracker_->beside_ms());  // live, others' time
     return pose;
   }
-  void setPace(tracking::Pace pace) override { tracker_->setPace(pace); }
+  void setPace(head_tracking::Pace pace) override { tracker_->setPace(pace); }
   double beside_ms() const override { return tracker_->beside_ms(); }
-  tracking::LossDetail lossDetail() const override { return tracker_->lossDetail(); }
-  tracking::ExposureOffset exposureOffset() const override { return tracker_->exposureOffset(); }
-  tracking::FrameWork work() const override { return tracker_->work(); }
-  void leave(const tracking::FrameWork& work) override { tracker_->leave(work); }
+  head_tracking::LossDetail lossDetail() const override { return tracker_->lossDetail(); }
+  head_tracking::ExposureOffset exposureOffset() const override { return tracker_->exposureOffset(); }
+  FrameWork work() const override { return tracker_->work(); }
+  void leave(const FrameWork& work) override { tracker_->leave(work); }
   void forgetLearnt() override { tracker_->forgetLearnt(); }
 
  private:
-  std::unique_ptr<tracking::HeadTracker> tracker_;
+  std::unique_ptr<head_tracking::HeadTracker> tracker_;
   LastCall& last_;
 };
 
-class TimedCoilTracker : public tracking::CoilTracker {
+class TimedCoilTracker : public coil_tracking::CoilTracker {
  public:
-  TimedCoilTracker(std::unique_ptr<tracking::CoilTracker> tracker, LastCall& last)
+  TimedCoilTracker(std::unique_ptr<coil_tracking::CoilTracker> tracker, LastCall& last)
       : tracker_(std::move(tracker)), last_(last) {}
-  void start(const stereo::StereoRig& rig, const tracking::CoilModel& coil) override {
+  void start(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil) override {
     tracker_->start(rig, coil);
   }
-  Tracked<tracking::CoilPose> track(const stereo::StereoFrame& frame) override {
+  Tracked<coil_tracking::CoilPose> track(const cameras::StereoFrame& frame) override {
     const OneThreadClock clock(last_);
     return tracker_->track(frame);
   }
   void setRightLate(double late_s, double sigma_s) override { tracker_->setRightLate(late_s, sigma_s); }
-  void setWorkBefore(const tracking::FrameWork& work) override { tracker_->setWorkBefore(work); }
-  tracking::FrameWork work() const override { return tracker_->work(); }
-  tracking::FrameWork putOff() const override { return tracker_->putOff(); }
-  std::optional<tracking::MarkerSighting> sighting() const override { return tracker_->sighting(); }
+  void setWorkBefore(const FrameWork& work) override { tracker_->setWorkBefore(work); }
+  FrameWork work() const override { return tracker_->work(); }
+  FrameWork putOff() const override { return tracker_->putOff(); }
+  std::optional<coil_tracking::MarkerSighting> sighting() const override { return tracker_->sighting(); }
 
  private:
-  std::unique_ptr<tracking::CoilTracker> tracker_;
+  std::unique_ptr<coil_tracking::CoilTracker> tracker_;
   LastCall& last_;
 };
 
@@ -98,10 +98,12 @@ class TimedAligner : public registration::Aligner {
 
 }  // namespace
 
-std::unique_ptr<tracking::HeadTracker> timed(std::unique_ptr<tracking::HeadTracker> tracker, LastCall& last) {
+std::unique_ptr<head_tracking::HeadTracker> timed(std::unique_ptr<head_tracking::HeadTracker> tracker,
+                                                  LastCall& last) {
   return std::make_unique<TimedHeadTracker>(std::move(tracker), last);
 }
-std::unique_ptr<tracking::CoilTracker> timed(std::unique_ptr<tracking::CoilTracker> tracker, LastCall& last) {
+std::unique_ptr<coil_tracking::CoilTracker> timed(std::unique_ptr<coil_tracking::CoilTracker> tracker,
+                                                  LastCall& last) {
   return std::make_unique<TimedCoilTracker>(std::move(tracker), last);
 }
 std::unique_ptr<registration::Aligner> timed(std::unique_ptr<registration::Aligner> aligner, LastCall& last) {

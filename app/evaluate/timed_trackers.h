@@ -3,9 +3,9 @@
 
 #include <memory>
 
+#include "facenav/coil_tracking/coil_tracker.h"
+#include "facenav/head_tracking/head_tracker.h"
 #include "facenav/registration/aligner.h"
-#include "facenav/tracking/coil_tracker.h"
-#include "facenav/tracking/head_tracker.h"
 
 namespace facenav::app {
 
@@ -14,8 +14,10 @@ struct LastCall {
   double ms = 0.0;
 };
 
-std::unique_ptr<tracking::HeadTracker> timed(std::unique_ptr<tracking::HeadTracker> tracker, LastCall& last);
-std::unique_ptr<tracking::CoilTracker> timed(std::unique_ptr<tracking::CoilTracker> tracker, LastCall& last);
+std::unique_ptr<head_tracking::HeadTracker> timed(std::unique_ptr<head_tracking::HeadTracker> tracker,
+                                                  LastCall& last);
+std::unique_ptr<coil_tracking::CoilTracker> timed(std::unique_ptr<coil_tracking::CoilTracker> tracker,
+                                                  LastCall& last);
 std::unique_ptr<registration::Aligner> timed(std::unique_ptr<registration::Aligner> aligner, LastCall& last);
 
 }  // namespace facenav::app

@@ -20,23 +20,23 @@
 #include <random>
 #include <vector>
 
+#include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/tracking/coil_tracker.h"
 #include "support/stopwatch.h"
-#include "unit/tracking/coil_scene.h"
+#include "unit/coil_tracking/coil_scene.h"
 
 using namespace facenav;
-using namespace facenav::tracking;
+using namespace facenav::coil_tracking;
 using facenav::testing::quantile;
-namespace scene = facenav::tracking::testing;
+namespace scene = facenav::coil_tracking::testing;
 
 namespace {
 
 using Pose = RigidTransform<Camera, Marker>;
-using Method = std::function<std::optional<Pose>(const stereo::StereoFrame&)>;
+using Method = std::function<std::optional<Pose>(const cameras::StereoFrame&)>;
 
 double rms(const std::vector<double>& values) {
   double squares = 0;
@@ -45,13 +45,13 @@ double rms(const std::vector<double>& values) {
 }
 
 struct View {
-  stereo::StereoFrame frame;
+  cameras::StereoFrame frame;
   Pose truth;
 };
 
 struct Conditions {
   const char* name;
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   double nearest_mm, farthest_mm, most_tilt_deg;
   scene::SceneOptions options;
 };
@@ -79,23 +79,23 @@ std::vector<View> views(const Conditions& conditions, int count, int dictionary 
 }
 
 /// From the corners in both images: top left, top right, bottom right, bottom left of a print of 60 mm.
-std::optional<Pose> poseOf(const stereo::StereoRig& rig, const std::vector<cv::Point2f>& left,
+std::optional<Pose> poseOf(const cameras::StereoRig& rig, const std::vector<cv::Point2f>& left,
                            const std::vector<cv::Point2f>& right) {
   if (left.empty() || right.empty()) return std::nullopt;
   std::vector<Eigen::Vector3d> from_mm, to_mm;
   for (std::size_t i = 0; i < 4; ++i) {
     from_mm.emplace_back(i == 1 || i == 2 ? 30.0 : -30.0, i < 2 ? -30.0 : 30.0, 0.0);
-    to_mm.push_back(stereo::triangulate(rig, {left[i].x, left[i].y}, {right[i].x, right[i].y}).mm);
+    to_mm.push_back(cameras::triangulate(rig, {left[i].x, left[i].y}, {right[i].x, right[i].y}).mm);
   }
   return Pose::fromIsometry(fitRigidPoints(from_mm, to_mm).to_T_from);
 }
 
 class Aruco {
  public:
-  explicit Aruco(const stereo::StereoRig& rig) : rig_(rig) {
+  explicit Aruco(const cameras::StereoRig& rig) : rig_(rig) {
     parameters_->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
   }
-  std::optional<Pose> fromLeft(const stereo::StereoFrame& frame) const {
+  std::optional<Pose> fromLeft(const cameras::StereoFrame& frame) const {
     const auto corners = detect(frame.left);
     if (corners.empty()) return std::nullopt;
     cv::Vec3d rotation, translation;
@@ -108,7 +108,7 @@ class Aruco {
     pose.translation() << translation[0], translation[1], translation[2];
     return Pose::fromIsometry(pose);
   }
-  std::optional<Pose> fromBoth(const stereo::StereoFrame& frame) const {
+  std::optional<Pose> fromBoth(const cameras::StereoFrame& frame) const {
     return poseOf(rig_, detect(frame.left), detect(frame.right));
   }
 
@@ -124,7 +124,7 @@ class Aruco {
       if (ids[i] == 7) return corners[i];
     return {};
   }
-  const stereo::StereoRig& rig_;
+  const cameras::StereoRig& rig_;
   cv::Ptr<cv::aruco::Dictionary> dictionary_ = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50);
   cv::Ptr<cv::aruco::DetectorParameters> parameters_ = cv::aruco::DetectorParameters::create();
 };
@@ -133,7 +133,7 @@ class Aruco {
 /// The AprilTag library on a print of its own family, as it comes but for full resolution.
 class AprilTag {
  public:
-  explicit AprilTag(const stereo::StereoRig& rig) : rig_(rig) {
+  explicit AprilTag(const cameras::StereoRig& rig) : rig_(rig) {
     apriltag_detector_add_family(detector_, family_);
     detector_->quad_decimate = 1.0f;  // half resolution, its default, loses corners' exactness
     detector_->nthreads = 1;
@@ -144,7 +144,7 @@ class AprilTag {
   }
   AprilTag(const AprilTag&) = delete;
   AprilTag& operator=(const AprilTag&) = delete;
-  std::optional<Pose> fromBoth(const stereo::StereoFrame& frame) const {
+  std::optional<Pose> fromBoth(const cameras::StereoFrame& frame) const {
     return poseOf(rig_, detect(frame.left), detect(frame.right));
   }
 
@@ -166,7 +166,7 @@ class AprilTag {
     apriltag_detections_destroy(found);
     return corners;
   }
-  const stereo::StereoRig& rig_;
+  const cameras::StereoRig& rig_;
   apriltag_family_t* family_ = tag36h11_create();
   apriltag_detector_t* detector_ = apriltag_detector_create();
 };
@@ -211,7 +211,7 @@ Figures tracked(const Conditions& conditions, const std::vector<View>& found, do
   int count = 0;
   for (const View& view : found) {
     if (!tracker->track(view.frame)) continue;
-    stereo::StereoFrame next = view.frame;
+    cameras::StereoFrame next = view.frame;
     next.captured.s += 0.01;
     const double start = processorTime_ms();
     const auto pose = tracker->track(next);
@@ -237,7 +237,7 @@ void compare(const Conditions& conditions, int count) {
   const auto whole = makeMarkerCoilTracker();
   whole->start(conditions.rig, defaultCoil());
   printRow(conditions.name, "FaceNav, whole frame",
-           measure(found, [&](const stereo::StereoFrame& frame) -> std::optional<Pose> {
+           measure(found, [&](const cameras::StereoFrame& frame) -> std::optional<Pose> {
              const auto pose = whole->track(frame);
              if (!pose) return std::nullopt;
              return pose->camera_T_marker;
@@ -260,7 +260,7 @@ void compare(const Conditions& conditions, int count) {
 }
 
 /// Frames without the marker: what a lost coil costs.
-void printLost(const stereo::StereoRig& rig, int count) {
+void printLost(const cameras::StereoRig& rig, int count) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(rig, defaultCoil());
   const Aruco aruco(rig);

@@ -29,7 +29,7 @@ std::shared_ptr<const room::VirtualPatient> patient() {
 
 /// A scenario, rendered once: what the trackers get, and the truth.
 Film filmOf(const char* scenario, const std::shared_ptr<const room::VirtualPatient>& patient,
-            const tracking::FaceDetector& detector) {
+            const face::FaceDetector& detector) {
   room::ScenarioOptions options;
   options.name = scenario;
   options.frames = kFrames;
@@ -66,16 +66,16 @@ Pass run(const Film& film, Tracker& tracker, Clock clock, const ErrorOf& error_m
   return pass;
 }
 
-Pass headPass(const Film& film, tracking::HeadTracker& tracker, Clock clock) {
+Pass headPass(const Film& film, head_tracking::HeadTracker& tracker, Clock clock) {
   tracker.start(film.rig, film.reference);
-  return run(film, tracker, clock, [&](const tracking::HeadPose& pose, std::size_t frame) {
+  return run(film, tracker, clock, [&](const head_tracking::HeadPose& pose, std::size_t frame) {
     return film.errorAtTarget_mm(pose, frame);
   });
 }
 
-Pass coilPass(const Film& film, tracking::CoilTracker& tracker, Clock clock) {
+Pass coilPass(const Film& film, coil_tracking::CoilTracker& tracker, Clock clock) {
   tracker.start(film.rig, film.coil);
-  return run(film, tracker, clock, [&](const tracking::CoilPose& pose, std::size_t frame) {
+  return run(film, tracker, clock, [&](const coil_tracking::CoilPose& pose, std::size_t frame) {
     return (pose.camera_T_marker.translation_mm() - film.truth[frame].camera_T_marker->translation_mm())
         .norm();
   });
@@ -83,15 +83,15 @@ Pass coilPass(const Film& film, tracking::CoilTracker& tracker, Clock clock) {
 
 /// Head and coil as the session tracks them, sharing the frame's work. `forget_every` frames, if any, both
 /// are lost: as long a time passes as makes every prediction worthless.
-Pass bothPass(const Film& film, tracking::HeadTracker& head, tracking::CoilTracker& coil, Clock clock,
-              int forget_every = 0) {
+Pass bothPass(const Film& film, head_tracking::HeadTracker& head, coil_tracking::CoilTracker& coil,
+              Clock clock, int forget_every = 0) {
   constexpr double kForgotten_s = 10.0;
   head.start(film.rig, film.reference);
   coil.start(film.rig, film.coil);
   Pass pass;
   double passed_s = 0.0;
   for (std::size_t i = 0; i < film.frames.size(); ++i) {
-    stereo::StereoFrame frame = *film.frames[i];
+    cameras::StereoFrame frame = *film.frames[i];
     if (forget_every > 0 && i % std::size_t(forget_every) == 0) passed_s += kForgotten_s;
     frame.captured.s += passed_s;
     const double start_ms = clock();
@@ -129,7 +129,7 @@ int main() {
     std::printf("\nThe virtual patient's MRI is not here: the frame benchmark is left out.\n");
     return 0;
   }
-  const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
+  const std::shared_ptr<const face::FaceDetector> detector = face::makeFaceDetector();
   const auto seated = patient();
   const Film film = filmOf("treatment", seated, *detector);
   std::printf(
@@ -139,9 +139,9 @@ int main() {
       "all cores: "
       "median, ms | p99 |\n|---|---|---|---|---|---|\n",
       kFrames);
-  const auto model = tracking::makeModelHeadTracker(detector),
-             features = tracking::makeFeatureHeadTracker(detector);
-  const auto marker = tracking::makeMarkerCoilTracker();
+  const auto model = head_tracking::makeModelHeadTracker(detector),
+             features = head_tracking::makeFeatureHeadTracker(detector);
+  const auto marker = coil_tracking::makeMarkerCoilTracker();
   cv::setNumThreads(1);
   auto one_core = std::make_unique<OneCoreOnly>();
   const Pass head = headPass(film, *model, processorTime_ms),

@@ -12,7 +12,7 @@
 #include "facenav/core/processor_time.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rigid_fit.h"
-#include "facenav/tracking/head_tracker.h"
+#include "facenav/head_tracking/head_tracker.h"
 #include "support/stopwatch.h"
 #include "support/synthetic_face.h"
 
@@ -51,7 +51,7 @@ support::SyntheticView viewAt(int frame, double yaw_deg) {
 /// OpenCV's parts, put together the usual way.
 class LucasKanadeTracker {
  public:
-  LucasKanadeTracker(const stereo::StereoRig& rig, const tracking::HeadReference& reference)
+  LucasKanadeTracker(const cameras::StereoRig& rig, const head_tracking::HeadReference& reference)
       : rig_(rig), left_(reference.frame.left), right_(reference.frame.right) {
     cv::Mat1b face(left_.size(), uchar(0));
     cv::Mat1i point(left_.size(), -1);
@@ -68,7 +68,7 @@ class LucasKanadeTracker {
       const int i = point(int(corner.y), int(corner.x));
       if (i < 0) continue;
       const Eigen::Vector2d right =
-          stereo::project(rig.right, rig.right_T_left.isometry() * reference.surface.points_mm[i]);
+          cameras::project(rig.right, rig.right_T_left.isometry() * reference.surface.points_mm[i]);
       corners_.push_back(corner), in_right_.emplace_back(float(right.x()), float(right.y()));
     }
     follow(left_, right_, corners_, in_right_, seen_right_);
@@ -77,14 +77,14 @@ class LucasKanadeTracker {
     last_left_ = corners_, last_right_ = in_right_;
   }
 
-  Eigen::Isometry3d track(const stereo::StereoFrame& frame) {
+  Eigen::Isometry3d track(const cameras::StereoFrame& frame) {
     std::vector<uchar> seen_left, seen_right;
     follow(left_, frame.left, corners_, last_left_, seen_left);
     follow(right_, frame.right, in_right_, last_right_, seen_right);
     std::vector<Eigen::Vector3d> from, to;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (!seen_right_[i] || !seen_left[i] || !seen_right[i] ||
-          stereo::epipolarError_px(rig_, at(last_left_[i]), at(last_right_[i])) > 1.5)
+          cameras::epipolarError_px(rig_, at(last_left_[i]), at(last_right_[i])) > 1.5)
         continue;
       from.push_back(reference_mm_[i]), to.push_back(triangulated(last_left_[i], last_right_[i]));
     }
@@ -108,19 +108,19 @@ class LucasKanadeTracker {
                              cv::OPTFLOW_USE_INITIAL_FLOW);
   }
   Eigen::Vector3d triangulated(const cv::Point2f& left, const cv::Point2f& right) const {
-    return stereo::triangulate(rig_, at(left), at(right)).mm;
+    return cameras::triangulate(rig_, at(left), at(right)).mm;
   }
   static Eigen::Vector2d at(const cv::Point2f& px) { return {px.x, px.y}; }
 
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   cv::Mat left_, right_;
   std::vector<cv::Point2f> corners_, in_right_, last_left_, last_right_;
   std::vector<uchar> seen_right_;
   std::vector<Eigen::Vector3d> reference_mm_;
 };
 
-using Frames = std::vector<std::pair<support::SyntheticView, stereo::StereoFrame>>;
-using Track = std::function<std::optional<Eigen::Isometry3d>(const stereo::StereoFrame&)>;
+using Frames = std::vector<std::pair<support::SyntheticView, cameras::StereoFrame>>;
+using Track = std::function<std::optional<Eigen::Isometry3d>(const cameras::StereoFrame&)>;
 
 Result run(const Frames& frames, const Track& track) {
   Result result;
@@ -154,16 +154,16 @@ void print(const char* motion, const char* method, const Result& result, double 
               support::quantile(result.time_ms, 0.99), median_ms / own_ms);
 }
 
-Track of(tracking::HeadTracker& tracker) {
-  return [&tracker](const stereo::StereoFrame& frame) -> std::optional<Eigen::Isometry3d> {
+Track of(head_tracking::HeadTracker& tracker) {
+  return [&tracker](const cameras::StereoFrame& frame) -> std::optional<Eigen::Isometry3d> {
     const auto pose = tracker.track(frame);
     if (!pose) return std::nullopt;
     return pose->camera_T_head.isometry();
   };
 }
 
-void compare(const Motion& motion, const support::SyntheticFace& face, const stereo::StereoRig& rig,
-             const std::shared_ptr<const tracking::FaceDetector>& detector) {
+void compare(const Motion& motion, const support::SyntheticFace& face, const cameras::StereoRig& rig,
+             const std::shared_ptr<const face::FaceDetector>& detector) {
   Frames frames;
   for (int i = 0; i < kFrames; ++i) {
     const auto view = viewAt(i, motion.yaw_deg);
@@ -172,8 +172,8 @@ void compare(const Motion& motion, const support::SyntheticFace& face, const ste
   support::SyntheticView still;
   still.seed = 99;
   const auto reference = face.reference(rig, true, still);
-  const auto model = tracking::makeModelHeadTracker(detector),
-             features = tracking::makeFeatureHeadTracker(detector);
+  const auto model = head_tracking::makeModelHeadTracker(detector),
+             features = head_tracking::makeFeatureHeadTracker(detector);
   model->start(rig, reference), features->start(rig, reference);
   LucasKanadeTracker lucas_kanade(rig, reference);
   const Result own = run(frames, of(*model));
@@ -184,9 +184,9 @@ void compare(const Motion& motion, const support::SyntheticFace& face, const ste
         run(frames, [&](const auto& frame) { return std::optional(lucas_kanade.track(frame)); }), own_ms);
 }
 
-void findLost(const support::SyntheticFace& face, const stereo::StereoRig& rig,
-              const std::shared_ptr<const tracking::FaceDetector>& detector) {
-  const auto model = tracking::makeModelHeadTracker(detector);
+void findLost(const support::SyntheticFace& face, const cameras::StereoRig& rig,
+              const std::shared_ptr<const face::FaceDetector>& detector) {
+  const auto model = head_tracking::makeModelHeadTracker(detector);
   model->start(rig, face.reference(rig, true));
   model->track(face.render(rig, viewAt(0, 10)));
   support::SyntheticView hidden = viewAt(1, 10);
@@ -218,7 +218,7 @@ int main() {
   }
   const auto rig = support::convergingRig();
   const auto face = support::SyntheticFace::astronaut();
-  const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
+  const std::shared_ptr<const face::FaceDetector> detector = face::makeFaceDetector();
   std::printf("# Head tracking, VGA stereo, noise 1.5 grey levels, %d frames at 30 a second, one core\n\n",
               kFrames);
   std::printf(

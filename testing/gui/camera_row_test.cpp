@@ -10,10 +10,10 @@ namespace {
 session::NavigationState stateAt(double arrived_s, bool has_coil) {
   session::NavigationState state;
   state.arrived = {arrived_s};
-  state.head = {tracking::HeadPose{}, 0.9};
+  state.head = {head_tracking::HeadPose{}, 0.9};
   state.camera_T_mri = {RigidTransform<Camera, Mri>(), 0.9};
   if (!has_coil) return state;
-  state.coil = {tracking::CoilPose{}, 0.9};
+  state.coil = {coil_tracking::CoilPose{}, 0.9};
   state.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
   return state;
 }
@@ -74,7 +74,7 @@ TEST_F(CameraRowTest, APictureThatComesTooLateIsNotShown) {
 TEST_F(CameraRowTest, NoPictureOfASessionComesBackIntoThePreview) {
   const auto tracked = stateAt(10.0, true);
   row_.follow(shared(tracked));
-  stereo::StereoFrame frame;
+  cameras::StereoFrame frame;
   frame.left = frame.right = cv::Mat(30, 40, CV_8UC1, cv::Scalar(90));
   row_.showPlain(frame);
   row_.showDrawn(redPictureOf(tracked));

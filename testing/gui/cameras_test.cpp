@@ -22,8 +22,8 @@ class FakeCameras : public capture::FrameSource {
     if (++*open_ > 1) throw Error("camera cannot be opened", "camera 4", "is it plugged in and free?");
   }
   ~FakeCameras() override { --*open_; }
-  const stereo::StereoRig& rig() const override { return rig_; }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
     do {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     } while (*hung_);
@@ -32,7 +32,7 @@ class FakeCameras : public capture::FrameSource {
   }
 
  private:
-  stereo::StereoRig rig_ = fakes::rig();
+  cameras::StereoRig rig_ = fakes::rig();
   std::shared_ptr<std::atomic<int>> open_;
   std::shared_ptr<std::atomic<bool>> unplugged_, hung_;
   std::int64_t number_ = 0;
@@ -42,7 +42,7 @@ class CamerasTest : public ::testing::Test {
  protected:
   CamerasTest() {
     services_.listCameras = [this] { return plugged_in_; };
-    services_.openCameras = [this](const stereo::StereoRig&, int left, int right) {
+    services_.openCameras = [this](const cameras::StereoRig&, int left, int right) {
       opened_ = {left, right};
       return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
     };
@@ -61,7 +61,7 @@ class CamerasTest : public ::testing::Test {
     };
     treat_ = std::make_unique<TreatPresenter>(services_, model_, tasks_);
     QObject::connect(treat_.get(), &TreatPresenter::refused, [this](const QString& w) { refused_ = w; });
-    stereo::writeRig(fakes::rig(), folder_.path() / "stereo.yml");
+    cameras::writeRig(fakes::rig(), folder_.path() / "stereo.yml");
     const auto case_folder = fixtures::writeBallCase(folder_.path());
     casefile::signOff(casefile::CaseStore::open(case_folder), {"XY", "", true});
     TaskMonitor monitor;

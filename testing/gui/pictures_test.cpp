@@ -51,13 +51,13 @@ class Pictures {
 class PlayedCameras : public capture::FrameSource {
  public:
   explicit PlayedCameras(const std::string& folder) : recording_(capture::openRecording(folder)) {}
-  const stereo::StereoRig& rig() const override { return recording_.rig; }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
+  const cameras::StereoRig& rig() const override { return recording_.rig; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     if (!source_) source_ = capture::makeSource(recording_);
     auto frame = source_->next();
     if (!frame) return source_ = nullptr, next();
-    auto now = std::make_shared<stereo::StereoFrame>(*frame);
+    auto now = std::make_shared<cameras::StereoFrame>(*frame);
     now->number = number_++;
     now->captured = Timestamp::now();
     return now;
@@ -101,7 +101,7 @@ Services exampleServices() {
                ? std::vector<capture::CameraDevice>{{0, "FLIR Blackfly, left"}, {2, "FLIR Blackfly, right"}}
                : std::vector<capture::CameraDevice>();
   };
-  services.openCameras = [recording](const stereo::StereoRig&, int, int) {
+  services.openCameras = [recording](const cameras::StereoRig&, int, int) {
     return std::make_unique<PlayedCameras>(recording);
   };
   services.readTemplate = [] { return atlas::readColin27(); };
@@ -204,12 +204,12 @@ std::vector<RigidTransform<To, From>> readTruth(const std::filesystem::path& rec
   return poses;
 }
 
-class TrueCoil : public tracking::CoilTracker {
+class TrueCoil : public coil_tracking::CoilTracker {
  public:
   explicit TrueCoil(std::vector<RigidTransform<Camera, Marker>> poses) : poses_(std::move(poses)) {}
-  void start(const stereo::StereoRig&, const tracking::CoilModel&) override {}
-  Tracked<tracking::CoilPose> track(const stereo::StereoFrame& frame) override {
-    tracking::CoilPose coil;
+  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
+  Tracked<coil_tracking::CoilPose> track(const cameras::StereoFrame& frame) override {
+    coil_tracking::CoilPose coil;
     coil.camera_T_marker = poses_[std::size_t(frame.number) % poses_.size()];
     return {coil, 0.9};
   }

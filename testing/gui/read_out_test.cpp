@@ -12,10 +12,10 @@ namespace {
 session::NavigationState trackedState() {
   session::NavigationState state;
   state.frame = 7;
-  state.images = std::make_shared<stereo::StereoFrame>();
+  state.images = std::make_shared<cameras::StereoFrame>();
   state.is_aligned = true;
-  state.head = {tracking::HeadPose{}, 0.9};
-  state.coil = {tracking::CoilPose{}, 0.9};
+  state.head = {head_tracking::HeadPose{}, 0.9};
+  state.coil = {coil_tracking::CoilPose{}, 0.9};
   state.camera_T_mri = {RigidTransform<Camera, Mri>(), 0.9};
   state.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
   state.target = "spot";

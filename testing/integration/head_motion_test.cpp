@@ -25,7 +25,7 @@ struct Head {
 
 class HeadMotion : public ::testing::TestWithParam<Head> {};
 
-RoomFilm turning(const Head& head, const tracking::FaceDetector& detector) {
+RoomFilm turning(const Head& head, const face::FaceDetector& detector) {
   TaskMonitor monitor;
   room::PatientOptions skin;
   skin.skin_brightness = head.skin_brightness, skin.seed = head.seed;
@@ -41,9 +41,9 @@ RoomFilm turning(const Head& head, const tracking::FaceDetector& detector) {
 
 TEST_P(HeadMotion, IsHeldWithinThreeTenthsOfAMillimetreAndFoundFromTheSide) {
   FACENAV_NEEDS(GetParam().mri);
-  const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
+  const std::shared_ptr<const face::FaceDetector> detector = face::makeFaceDetector();
   const RoomFilm film = turning(GetParam(), *detector);
-  const auto tracker = tracking::makeModelHeadTracker(detector);
+  const auto tracker = head_tracking::makeModelHeadTracker(detector);
   tracker->start(film.rig, film.reference);
   double squares_mm2 = 0;
   int tracked = 0;
@@ -75,7 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Room, HeadMotion,
                                            Head{"Colin27", colin27(), 1.0, 21, 800, 120}),
                          [](const auto& head) { return std::string(head.param.name); });
 
-// Ordinary cameras are not triggered together. Left unallowed for, 12 ms are a millimetre and half a degree here.
+// Ordinary cameras are not triggered together. Left unallowed for, 12 ms are a millimetre and half a degree
+// here.
 TEST(FreeRunningCameras, AreKnownByTheMovingHeadAndAllowedFor) {
   FACENAV_NEEDS(virtualPatientMri());
   TaskMonitor monitor;
@@ -83,12 +84,12 @@ TEST(FreeRunningCameras, AreKnownByTheMovingHeadAndAllowedFor) {
   options.name = "free_motion";
   options.frames = 32, options.seed = 3, options.motion = 1.5;
   options.right_late_ms = 12.0;
-  const std::shared_ptr<const tracking::FaceDetector> detector = tracking::makeFaceDetector();
+  const std::shared_ptr<const face::FaceDetector> detector = face::makeFaceDetector();
   const RoomFilm film = filmed(options,
                                std::make_shared<const room::VirtualPatient>(room::makePatient(
                                    volume::readNifti(virtualPatientMri()).volume, {}, monitor)),
                                *detector);
-  const auto tracker = tracking::makeModelHeadTracker(detector);
+  const auto tracker = head_tracking::makeModelHeadTracker(detector);
   tracker->start(film.rig, film.reference);
   double squares_mm2 = 0;
   constexpr std::size_t kKnown = 20;

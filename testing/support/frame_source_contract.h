@@ -17,7 +17,7 @@ namespace facenav::testing {
 /// frames.
 inline void expectFrameSourceContract(const std::function<std::unique_ptr<capture::FrameSource>()>& make) {
   const auto source = make(), again = make();
-  std::shared_ptr<const stereo::StereoFrame> first, last;
+  std::shared_ptr<const cameras::StereoFrame> first, last;
   cv::Mat first_left;
   std::int64_t count = 0;
   while (const auto frame = source->next()) {

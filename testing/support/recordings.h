@@ -9,8 +9,8 @@
 
 namespace facenav::testing {
 
-inline stereo::StereoRig smallRig() {
-  stereo::StereoRig rig = convergingRig();
+inline cameras::StereoRig smallRig() {
+  cameras::StereoRig rig = convergingRig();
   rig.width_px = 64;
   rig.height_px = 48;
   return rig;
@@ -23,8 +23,8 @@ inline cv::Mat noiseImage(int seed, int width_px = 64, int height_px = 48) {
   return image;
 }
 
-inline stereo::StereoFrame noiseFrame(std::int64_t number, double t_s) {
-  stereo::StereoFrame frame;
+inline cameras::StereoFrame noiseFrame(std::int64_t number, double t_s) {
+  cameras::StereoFrame frame;
   frame.left = noiseImage(int(2 * number));
   frame.right = noiseImage(int(2 * number + 1));
   frame.number = number;

@@ -5,8 +5,8 @@
 namespace facenav::testing {
 namespace {
 
-tracking::CoilModel modelOf(const room::RoomCoil& coil) {
-  tracking::CoilModel model = tracking::defaultCoil();
+coil_tracking::CoilModel modelOf(const room::RoomCoil& coil) {
+  coil_tracking::CoilModel model = coil_tracking::defaultCoil();
   model.markers.front().dictionary = coil.dictionary;
   model.markers.front().id = coil.marker_id;
   model.markers.front().size_mm = coil.marker_size_mm;
@@ -15,8 +15,8 @@ tracking::CoilModel modelOf(const room::RoomCoil& coil) {
 }
 
 /// The face as the capture pair with dots measures it, in the plain pair's frame.
-tracking::HeadReference referenceOf(const stereo::StereoRig& rig, const capture::CapturePair& pair,
-                                    const tracking::FaceDetector& detector) {
+head_tracking::HeadReference referenceOf(const cameras::StereoRig& rig, const capture::CapturePair& pair,
+                                         const face::FaceDetector& detector) {
   TaskMonitor monitor;
   const auto landmarks = workflow::findFace(rig, pair.plain, detector);
   const auto face = workflow::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
@@ -25,13 +25,13 @@ tracking::HeadReference referenceOf(const stereo::StereoRig& rig, const capture:
 
 }  // namespace
 
-double RoomFilm::errorAtTarget_mm(const tracking::HeadPose& pose, std::size_t frame) const {
+double RoomFilm::errorAtTarget_mm(const head_tracking::HeadPose& pose, std::size_t frame) const {
   const auto camera_T_mri = pose.camera_T_head * at_reference.reframe<Head, Mri>();
   return ((camera_T_mri * target).mm - (truth[frame].camera_T_mri * target).mm).norm();
 }
 
 RoomFilm filmed(const room::ScenarioOptions& options, std::shared_ptr<const room::VirtualPatient> patient,
-                const tracking::FaceDetector& detector) {
+                const face::FaceDetector& detector) {
   room::SyntheticSource source(options, std::move(patient));
   RoomFilm film;
   film.rig = source.rig();

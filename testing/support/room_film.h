@@ -5,27 +5,27 @@
 #include <memory>
 #include <vector>
 
+#include "facenav/coil_tracking/coil_tracker.h"
+#include "facenav/head_tracking/head_tracker.h"
 #include "facenav/room/synthetic_source.h"
-#include "facenav/tracking/coil_tracker.h"
-#include "facenav/tracking/head_tracker.h"
 
 namespace facenav::testing {
 
 struct RoomFilm {
-  stereo::StereoRig rig;
-  tracking::HeadReference reference;
-  tracking::CoilModel coil;
+  cameras::StereoRig rig;
+  head_tracking::HeadReference reference;
+  coil_tracking::CoilModel coil;
   RigidTransform<Camera, Mri> at_reference;
   Point<Mri> target;  // in the cortex
-  std::vector<std::shared_ptr<const stereo::StereoFrame>> frames;
+  std::vector<std::shared_ptr<const cameras::StereoFrame>> frames;
   std::vector<room::GroundTruth> truth;
 
   /// Of a pose since the reference, at the target: the alignment's error apart.
-  double errorAtTarget_mm(const tracking::HeadPose& pose, std::size_t frame) const;
+  double errorAtTarget_mm(const head_tracking::HeadPose& pose, std::size_t frame) const;
 };
 
 /// Rendered anew. The reference's surface is measured from the dots, as the alignment does.
 RoomFilm filmed(const room::ScenarioOptions& options, std::shared_ptr<const room::VirtualPatient> patient,
-                const tracking::FaceDetector& detector);
+                const face::FaceDetector& detector);
 
 }  // namespace facenav::testing

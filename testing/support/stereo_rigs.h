@@ -4,8 +4,8 @@
 
 #include <initializer_list>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::testing {
 
@@ -18,8 +18,8 @@ inline cv::Matx33d cameraMatrix(double f_px, double cx_px, double cy_px) {
 }
 
 /// 640 x 480, f 800 px, baseline 120 mm, converging by 10 degrees on a point 600 mm away.
-inline stereo::StereoRig convergingRig() {
-  stereo::StereoRig rig;
+inline cameras::StereoRig convergingRig() {
+  cameras::StereoRig rig;
   rig.width_px = 640;
   rig.height_px = 480;
   rig.left = {cameraMatrix(800, 322.3, 238.1), distortion({-0.21, 0.11, 0.0007, -0.0004, 0.02})};
@@ -31,16 +31,16 @@ inline stereo::StereoRig convergingRig() {
 }
 
 /// The same cameras, the second above the first.
-inline stereo::StereoRig verticalRig() {
-  stereo::StereoRig rig = convergingRig();
+inline cameras::StereoRig verticalRig() {
+  cameras::StereoRig rig = convergingRig();
   const Eigen::Matrix3d r = expRotation({10.0 * M_PI / 180, 0.01, 0.008});
   rig.right_T_left = {Eigen::Quaterniond(r), -r * Eigen::Vector3d(2.0, -119.5, 10.5)};
   return rig;
 }
 
 /// Both cameras of the converging rig rolled about their axes by 30 and 38 degrees.
-inline stereo::StereoRig rolledRig() {
-  stereo::StereoRig rig = convergingRig();
+inline cameras::StereoRig rolledRig() {
+  cameras::StereoRig rig = convergingRig();
   const Eigen::Isometry3d left_roll(expRigid((Vector6d() << 0, 0, 30 * M_PI / 180, 0, 0, 0).finished()));
   const Eigen::Isometry3d right_roll(expRigid((Vector6d() << 0, 0, 38 * M_PI / 180, 0, 0, 0).finished()));
   rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(
@@ -48,8 +48,8 @@ inline stereo::StereoRig rolledRig() {
   return rig;
 }
 
-inline stereo::StereoRig fullyDistortedRig() {
-  stereo::StereoRig rig = convergingRig();
+inline cameras::StereoRig fullyDistortedRig() {
+  cameras::StereoRig rig = convergingRig();
   rig.left.distortion = distortion(
       {-0.2, 0.1, 0.001, -0.002, 0.03, 0.05, -0.02, 0.01, 0.002, -0.001, 0.0015, 0.0008, 0.01, -0.02});
   rig.right.distortion = distortion({0.1, -0.05, 0.001, 0.001, 0.01, 0.15, -0.08, 0.02});
@@ -57,8 +57,8 @@ inline stereo::StereoRig fullyDistortedRig() {
 }
 
 /// The middle 320 x 240 pixels of a rig's images: the same pixels, a quarter of the work.
-inline stereo::StereoRig cropped(stereo::StereoRig rig) {
-  for (stereo::CameraModel* camera : {&rig.left, &rig.right}) {
+inline cameras::StereoRig cropped(cameras::StereoRig rig) {
+  for (cameras::CameraModel* camera : {&rig.left, &rig.right}) {
     camera->k(0, 2) -= 160;
     camera->k(1, 2) -= 120;
   }

@@ -7,8 +7,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/cameras/stereo_frame.h"
 #include "facenav/stereo/dot_pattern.h"
-#include "facenav/stereo/stereo_frame.h"
 #include "support/stereo_rigs.h"
 
 namespace facenav::testing {
@@ -63,8 +63,8 @@ class Scene {
     cv::GaussianBlur(pattern, pattern_, {}, options.projector.blur_px);
   }
 
-  stereo::StereoFrame render(const stereo::StereoRig& rig) const {
-    stereo::StereoFrame frame;
+  cameras::StereoFrame render(const cameras::StereoRig& rig) const {
+    cameras::StereoFrame frame;
     const auto left_T_right = rig.right_T_left.inverse().isometry();
     frame.left = image(rig, rig.left, Eigen::Isometry3d::Identity(), 1.0, 0.0, options_.seed);
     frame.right = image(rig, rig.right, left_T_right, options_.right_gain, options_.right_offset_grey,
@@ -73,8 +73,9 @@ class Scene {
   }
 
   /// True distance along the ray of a left pixel, NaN where it sees nothing.
-  double distance_mm(const stereo::StereoRig& rig, const Eigen::Vector2d& left_px) const {
-    return surface_(Eigen::Vector3d::Zero(), stereo::undistort(rig.left, left_px).homogeneous().normalized());
+  double distance_mm(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px) const {
+    return surface_(Eigen::Vector3d::Zero(),
+                    cameras::undistort(rig.left, left_px).homogeneous().normalized());
   }
 
  private:
@@ -92,7 +93,7 @@ class Scene {
     return options_.ambient_grey + options_.dots_grey * dots;
   }
 
-  cv::Mat image(const stereo::StereoRig& rig, const stereo::CameraModel& camera,
+  cv::Mat image(const cameras::StereoRig& rig, const cameras::CameraModel& camera,
                 const Eigen::Isometry3d& left_T_camera, double gain, double offset_grey, int seed) const {
     cv::Mat grey(rig.height_px, rig.width_px, CV_64F), noise(grey.size(), CV_64F), out;
     constexpr int kSamples = 3;
@@ -103,7 +104,7 @@ class Scene {
           const Eigen::Vector2d pixel(x + (i % kSamples - 1) / double(kSamples),
                                       y + (i / kSamples - 1) / double(kSamples));
           const Eigen::Vector3d ray =
-              left_T_camera.linear() * stereo::undistort(camera, pixel).homogeneous().normalized();
+              left_T_camera.linear() * cameras::undistort(camera, pixel).homogeneous().normalized();
           const double t = surface_(left_T_camera.translation(), ray);
           if (!std::isnan(t)) sum += brightness(left_T_camera.translation() + t * ray);
         }

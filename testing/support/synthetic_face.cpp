@@ -98,20 +98,20 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
 }
 
 // The rays of all pixels of a camera; undistorting is what takes most of a picture's time.
-const cv::Mat2d& SyntheticFace::raysOf(const stereo::CameraModel& camera, cv::Size size) const {
+const cv::Mat2d& SyntheticFace::raysOf(const cameras::CameraModel& camera, cv::Size size) const {
   for (const auto& [k, rays] : rays_)
     if (cv::norm(k - camera.k) == 0 && rays.size() == size) return rays;
   cv::Mat2d rays(size);
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
-      const Eigen::Vector2d n = stereo::undistort(camera, {double(x), double(y)});
+      const Eigen::Vector2d n = cameras::undistort(camera, {double(x), double(y)});
       rays(y, x) = {n.x(), n.y()};
     }
   rays_.emplace_back(camera.k, rays);
   return rays_.back().second;
 }
 
-cv::Mat SyntheticFace::image(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_left,
+cv::Mat SyntheticFace::image(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_left,
                              cv::Size size, const SyntheticView& view, std::uint64_t seed) const {
   cv::Mat1f shaded(size);
   const cv::Mat2d& rays = raysOf(camera, size);
@@ -158,18 +158,18 @@ cv::Mat SyntheticFace::image(const stereo::CameraModel& camera, const Eigen::Iso
   return result;
 }
 
-stereo::StereoFrame SyntheticFace::render(const stereo::StereoRig& rig, const SyntheticView& view) const {
+cameras::StereoFrame SyntheticFace::render(const cameras::StereoRig& rig, const SyntheticView& view) const {
   const cv::Size size(rig.width_px, rig.height_px);
-  stereo::StereoFrame frame;
+  cameras::StereoFrame frame;
   frame.left = image(rig.left, Eigen::Isometry3d::Identity(), size, view, 2 * view.seed);
   frame.right = image(rig.right, rig.right_T_left.isometry(), size, view, 2 * view.seed + 1);
   frame.captured.s = view.time_s;
   return frame;
 }
 
-tracking::HeadReference SyntheticFace::reference(const stereo::StereoRig& rig, bool with_surface,
-                                                 const SyntheticView& view) const {
-  tracking::HeadReference reference;
+head_tracking::HeadReference SyntheticFace::reference(const cameras::StereoRig& rig, bool with_surface,
+                                                      const SyntheticView& view) const {
+  head_tracking::HeadReference reference;
   reference.frame = render(rig, view);
   if (!with_surface) return reference;
   const Eigen::Isometry3d head_T_camera = view.motion.inverse();
@@ -177,7 +177,7 @@ tracking::HeadReference SyntheticFace::reference(const stereo::StereoRig& rig, b
     double near_t = 0;
     for (int x = 0; x < rig.width_px; x += 2) {
       bool is_hit = false;
-      const Eigen::Vector3d ray = stereo::undistort(rig.left, {double(x), double(y)}).homogeneous();
+      const Eigen::Vector3d ray = cameras::undistort(rig.left, {double(x), double(y)}).homogeneous();
       const Eigen::Vector3d p =
           hit(head_T_camera.translation(), (head_T_camera.linear() * ray).normalized(), is_hit, near_t);
       if (!is_hit || p.z() > 70) continue;
@@ -188,8 +188,8 @@ tracking::HeadReference SyntheticFace::reference(const stereo::StereoRig& rig, b
   return reference;
 }
 
-stereo::StereoRig convergingRig() {
-  stereo::StereoRig rig;
+cameras::StereoRig convergingRig() {
+  cameras::StereoRig rig;
   rig.width_px = 640, rig.height_px = 480;
   rig.left.k = cv::Matx33d(800, 0, 318, 0, 802, 242, 0, 0, 1);
   rig.right.k = cv::Matx33d(795, 0, 325, 0, 796, 236, 0, 0, 1);

@@ -8,9 +8,9 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
-#include "facenav/tracking/head_tracker.h"
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
+#include "facenav/head_tracking/head_tracker.h"
 
 namespace facenav::testing {
 
@@ -34,15 +34,15 @@ class SyntheticFace {
   /// Another person: the portrait's features moved and mirrored.
   static SyntheticFace stranger();
 
-  stereo::StereoFrame render(const stereo::StereoRig& rig, const SyntheticView& view) const;
+  cameras::StereoFrame render(const cameras::StereoRig& rig, const SyntheticView& view) const;
   /// Reference with the exact surface, as the dense dots would give it, or without one.
-  tracking::HeadReference reference(const stereo::StereoRig& rig, bool with_surface,
-                                    const SyntheticView& view = {}) const;
+  head_tracking::HeadReference reference(const cameras::StereoRig& rig, bool with_surface,
+                                         const SyntheticView& view = {}) const;
 
  private:
-  cv::Mat image(const stereo::CameraModel& camera, const Eigen::Isometry3d& camera_T_left, cv::Size size,
+  cv::Mat image(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_left, cv::Size size,
                 const SyntheticView& view, std::uint64_t seed) const;
-  const cv::Mat2d& raysOf(const stereo::CameraModel& camera, cv::Size size) const;
+  const cv::Mat2d& raysOf(const cameras::CameraModel& camera, cv::Size size) const;
   double height(double x, double y) const;
   /// `near_t`: where a ray close by hit, or 0; set to where this one does.
   Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit,
@@ -56,6 +56,6 @@ class SyntheticFace {
 };
 
 /// Converging pair: f 800 px, 640 x 480, baseline 120 mm, 10 degrees, mild distortion; the face at 600 mm.
-stereo::StereoRig convergingRig();
+cameras::StereoRig convergingRig();
 
 }  // namespace facenav::testing

@@ -61,7 +61,7 @@ void CamerasPresenter::readRig() {
   rig_problem_.clear();
   if (rig_file_.isEmpty()) return;
   try {
-    rig_ = stereo::readRig(rig_file_.toStdString());
+    rig_ = cameras::readRig(rig_file_.toStdString());
   } catch (const Error& error) {
     rig_problem_ = QString::fromUtf8(error.what());
   }
@@ -119,7 +119,7 @@ std::shared_ptr<capture::LivePreview> CamerasPresenter::release() {
   return std::exchange(preview_, nullptr);
 }
 
-std::shared_ptr<const stereo::StereoFrame> CamerasPresenter::picture() const {
+std::shared_ptr<const cameras::StereoFrame> CamerasPresenter::picture() const {
   return preview_ ? preview_->latest() : nullptr;
 }
 
@@ -143,13 +143,13 @@ QString CamerasPresenter::words() const {
 }
 
 /// A picture that is older than half a second is not of now.
-std::optional<stereo::StereoFrame> CamerasPresenter::takeFresh() {
+std::optional<cameras::StereoFrame> CamerasPresenter::takeFresh() {
   const auto frame = picture();
   if (!isLive() || !isWell() || !frame) {
     emit refused(tr("no fresh picture from the cameras: nothing was taken"));
     return std::nullopt;
   }
-  return stereo::StereoFrame{frame->left.clone(), frame->right.clone(), frame->number, frame->captured};
+  return cameras::StereoFrame{frame->left.clone(), frame->right.clone(), frame->number, frame->captured};
 }
 
 void CamerasPresenter::takeDots() {

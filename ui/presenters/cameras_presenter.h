@@ -33,7 +33,7 @@ class CamerasPresenter : public QObject {
   /// The rig's stereo.yml; remembered.
   QString rigFile() const { return rig_file_; }
   void setRigFile(const QString& path);
-  const std::optional<stereo::StereoRig>& rig() const { return rig_; }
+  const std::optional<cameras::StereoRig>& rig() const { return rig_; }
   /// "1280 x 720 px, 119.8 mm apart, 0.21 px, of 20 Nov 2026", or what is wrong with it.
   QString rigWords() const;
   bool isRigGood() const { return rig_.has_value(); }
@@ -49,7 +49,7 @@ class CamerasPresenter : public QObject {
   bool isLive() const { return is_live_ && preview_; }
   bool hasPictures() const { return preview_ != nullptr; }
   /// The newest pair, or null.
-  std::shared_ptr<const stereo::StereoFrame> picture() const;
+  std::shared_ptr<const cameras::StereoFrame> picture() const;
   /// What comes in, or what to do: "no camera found: ..".
   QString words() const;
   /// False: `words` asks for something to be done.
@@ -73,18 +73,18 @@ class CamerasPresenter : public QObject {
  private:
   void retire(std::shared_ptr<capture::LivePreview> preview);
   void readRig();
-  std::optional<stereo::StereoFrame> takeFresh();
+  std::optional<cameras::StereoFrame> takeFresh();
 
   const Services& services_;
   TaskRunner& tasks_;
   std::vector<capture::CameraDevice> devices_;
   int left_ = -1, right_ = -1;
   QString rig_file_, rig_problem_;
-  std::optional<stereo::StereoRig> rig_;
+  std::optional<cameras::StereoRig> rig_;
   std::shared_ptr<capture::LivePreview> preview_;
   Retirement retirement_;
   bool is_live_ = false;
-  std::optional<stereo::StereoFrame> dots_, plain_;
+  std::optional<cameras::StereoFrame> dots_, plain_;
   Timestamp dots_taken_, plain_taken_;
 };
 

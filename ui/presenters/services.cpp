@@ -51,7 +51,7 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
                                                 all.coil_trackers.create(all.coil_trackers.defaultName()));
   };
   services.listCameras = [] { return capture::listCameras(); };
-  services.openCameras = [](const stereo::StereoRig& rig, int left, int right) {
+  services.openCameras = [](const cameras::StereoRig& rig, int left, int right) {
     return capture::openCameraPair(rig, left, right);
   };
   return services;

@@ -53,7 +53,7 @@ struct Services {
   /// Cameras that are plugged in; quick.
   std::function<std::vector<capture::CameraDevice>()> listCameras;
   /// A live pair, by index; it releases both cameras when destroyed.
-  std::function<std::unique_ptr<capture::FrameSource>(const stereo::StereoRig&, int left, int right)>
+  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, int left, int right)>
       openCameras;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas; throws Error where it is not installed.

@@ -46,7 +46,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
       model_(model),
       tasks_(tasks),
       cameras_(services, tasks),
-      coil_(tracking::defaultCoil()),
+      coil_(coil_tracking::defaultCoil()),
       overlays_(
           [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
             QMetaObject::invokeMethod(
@@ -85,8 +85,9 @@ void TreatPresenter::openRecording(const QString& folder) {
     const std::filesystem::path path(folder.toStdString());
     auto recording = std::make_shared<capture::Recording>(capture::openRecording(path));
     const auto coil_file = path / "coil.json";
-    auto coil = std::make_shared<tracking::CoilModel>(
-        std::filesystem::exists(coil_file) ? tracking::readCoil(coil_file) : tracking::defaultCoil());
+    auto coil = std::make_shared<coil_tracking::CoilModel>(std::filesystem::exists(coil_file)
+                                                               ? coil_tracking::readCoil(coil_file)
+                                                               : coil_tracking::defaultCoil());
     return [this, recording, coil] {
       stop();
       recording_ = *recording;
@@ -143,7 +144,7 @@ void TreatPresenter::start() {
   setup.camera_T_mri_at_reference = outcome_->result.camera_T_mri;
   setup.coil = coil_;
   setup.scalp = outcome_->scalp;
-  setup.pace = tracking::Pace::live;
+  setup.pace = head_tracking::Pace::live;
   tasks_.start(
       tr("Starting the trackers"),
       [this, setup, recording = *recording_, is_live = is_live_, left = cameras_.left(),

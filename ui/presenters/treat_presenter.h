@@ -92,7 +92,7 @@ class TreatPresenter : public QObject {
   std::optional<capture::Recording> recording_;  // of live cameras: the rig and the pictures taken
   bool is_live_ = false;
   mutable QString rig_fault_;
-  tracking::CoilModel coil_;
+  coil_tracking::CoilModel coil_;
   std::shared_ptr<const workflow::AlignmentOutcome> outcome_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;

@@ -24,7 +24,7 @@ void CameraRow::clear() {
   right_->set({});
 }
 
-void CameraRow::showPlain(const stereo::StereoFrame& frame) {
+void CameraRow::showPlain(const cameras::StereoFrame& frame) {
   now_.reset();
   shown_.reset();
   is_empty_ = false;

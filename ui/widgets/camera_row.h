@@ -19,7 +19,7 @@ class CameraRow : public QWidget {
   explicit CameraRow(QWidget* parent = nullptr);
 
   /// The pictures themselves, before anything is tracked.
-  void showPlain(const stereo::StereoFrame& frame);
+  void showPlain(const cameras::StereoFrame& frame);
   /// From now on only what may stand beside `now` (not null) is shown.
   void follow(std::shared_ptr<const session::NavigationState> now);
   /// A finished picture; left out where it does not fit the newest state.

@@ -31,14 +31,14 @@ std::vector<fs::path> expand(const std::vector<std::string>& patterns, const std
 
 }  // namespace
 
-std::vector<stereo::CalibrationPair> readCalibrationImages(const std::vector<std::string>& left,
-                                                           const std::vector<std::string>& right) {
+std::vector<cameras::CalibrationPair> readCalibrationImages(const std::vector<std::string>& left,
+                                                            const std::vector<std::string>& right) {
   const auto left_files = expand(left, "left"), right_files = expand(right, "right");
   if (left_files.size() != right_files.size())
     throw Error("left and right counts differ: " + std::to_string(left_files.size()) + " left images, " +
                     std::to_string(right_files.size()) + " right ones",
                 left.front() + ", " + right.front(), "each pair needs one image of both sides");
-  std::vector<stereo::CalibrationPair> pairs;
+  std::vector<cameras::CalibrationPair> pairs;
   for (std::size_t i = 0; i < left_files.size(); ++i) {
     const std::string name = left_files[i].filename().string() + ", " + right_files[i].filename().string();
     if (numberInName(left_files[i]) != numberInName(right_files[i]))

@@ -12,7 +12,7 @@ namespace {
 
 std::string nameOf(int index) { return "camera " + std::to_string(index); }
 
-cv::VideoCapture openCamera(const stereo::StereoRig& rig, int index) {
+cv::VideoCapture openCamera(const cameras::StereoRig& rig, int index) {
   const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::VideoCapture camera(index);
   cv::utils::logging::setLogLevel(level);
@@ -24,15 +24,15 @@ cv::VideoCapture openCamera(const stereo::StereoRig& rig, int index) {
 
 class CameraPairSource : public FrameSource {
  public:
-  CameraPairSource(const stereo::StereoRig& rig, int left_index, int right_index)
+  CameraPairSource(const cameras::StereoRig& rig, int left_index, int right_index)
       : rig_(rig),
         left_index_(left_index),
         right_index_(right_index),
         left_(openCamera(rig, left_index)),
         right_(openCamera(rig, right_index)) {}
-  const stereo::StereoRig& rig() const override { return rig_; }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
-    auto frame = std::make_shared<stereo::StereoFrame>();
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
+    auto frame = std::make_shared<cameras::StereoFrame>();
     const Timestamp before = Timestamp::now();
     const bool has_left = left_.grab(), has_right = right_.grab();
     frame->captured = {0.5 * (before.s + Timestamp::now().s)};
@@ -51,7 +51,7 @@ class CameraPairSource : public FrameSource {
     return toGrey8(image, 16).clone();
   }
 
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   int left_index_, right_index_;
   cv::VideoCapture left_, right_;
   std::int64_t number_ = 0;
@@ -59,7 +59,7 @@ class CameraPairSource : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> openCameraPair(const stereo::StereoRig& rig, int left_index, int right_index) {
+std::unique_ptr<FrameSource> openCameraPair(const cameras::StereoRig& rig, int left_index, int right_index) {
   if (left_index == right_index)
     throw Error("left and right are the same camera", nameOf(left_index), "give two different indices");
   return std::make_unique<CameraPairSource>(rig, left_index, right_index);

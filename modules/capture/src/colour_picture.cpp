@@ -20,14 +20,14 @@ bool isColoured(const cv::Mat& image) {
 }
 
 // As readGrey() sees it, not turned by what the file says of the camera's orientation.
-cv::Mat readColour(const fs::path& path, const stereo::StereoRig& rig) {
+cv::Mat readColour(const fs::path& path, const cameras::StereoRig& rig) {
   const cv::Mat image = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
   const bool has_rig_size = image.cols == rig.width_px && image.rows == rig.height_px;
   return has_rig_size && isColoured(image) ? image : cv::Mat();
 }
 
 template <class Matches>
-cv::Mat firstIn(const fs::path& folder, const stereo::StereoRig& rig, Matches&& matches) {
+cv::Mat firstIn(const fs::path& folder, const cameras::StereoRig& rig, Matches&& matches) {
   if (!fs::is_directory(folder)) return {};
   for (const auto& entry : fs::directory_iterator(folder))
     if (isImageFile(entry.path()) && matches(entry.path())) return readColour(entry.path(), rig);

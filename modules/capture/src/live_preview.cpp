@@ -19,7 +19,7 @@ constexpr double kRateOver_s = 1.0, kLongestWait_s = 1.0;
 struct LivePreview::Implementation {
   std::unique_ptr<FrameSource> source;
   bool is_paced;
-  LatestValue<stereo::StereoFrame> newest;
+  LatestValue<cameras::StereoFrame> newest;
   mutable std::mutex mutex;
   std::deque<double> arrivals_s;
   std::string failure;
@@ -76,7 +76,7 @@ LivePreview::~LivePreview() {
   implementation_->thread.join();
 }
 
-std::shared_ptr<const stereo::StereoFrame> LivePreview::latest() const {
+std::shared_ptr<const cameras::StereoFrame> LivePreview::latest() const {
   return implementation_->newest.latest();
 }
 

@@ -67,13 +67,14 @@ fs::path findStill(const fs::path& folder, const std::string& name) {
               "capture/ needs pattern_left, pattern_right, plain_left and plain_right");
 }
 
-stereo::StereoFrame readStill(const fs::path& folder, const std::string& kind, const stereo::StereoRig& rig) {
+cameras::StereoFrame readStill(const fs::path& folder, const std::string& kind,
+                               const cameras::StereoRig& rig) {
   const fs::path left_path = findStill(folder, kind + "_left"),
                  right_path = findStill(folder, kind + "_right");
   const cv::Mat left = readGrey(left_path), right = readGrey(right_path);
   requireRigSize(rig, left, right, left_path.string());
   const int bits = std::max(bitDepth(left), bitDepth(right));
-  stereo::StereoFrame frame;
+  cameras::StereoFrame frame;
   frame.left = toGrey8(left, bits);
   frame.right = toGrey8(right, bits);
   return frame;
@@ -84,7 +85,7 @@ Recording openFolder(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error("is no folder", folder.string(), "give the recording's folder");
   Recording recording;
   recording.folder = folder;
-  recording.rig = stereo::readRig(folder / "stereo.yml");
+  recording.rig = cameras::readRig(folder / "stereo.yml");
   if (fs::is_directory(folder / "capture"))
     recording.capture = CapturePair{readStill(folder / "capture", "pattern", recording.rig),
                                     readStill(folder / "capture", "plain", recording.rig)};
@@ -107,7 +108,7 @@ void describeFrames(Recording& recording, RecordingFrames& frames) {
 
 }  // namespace
 
-void requireRigSize(const stereo::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
+void requireRigSize(const cameras::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
                     const std::string& where) {
   for (const cv::Mat& image : {left, right})
     if (image.cols != rig.width_px || image.rows != rig.height_px)

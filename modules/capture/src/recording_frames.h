@@ -25,7 +25,7 @@ struct RecordingFrames {
 RecordingFrames openFrames(const std::filesystem::path& folder);
 
 /// Throws Error, naming `where`, unless both images have the rig's size.
-void requireRigSize(const stereo::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
+void requireRigSize(const cameras::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
                     const std::string& where);
 
 }  // namespace facenav::capture

@@ -11,13 +11,13 @@ class RecordingSource : public FrameSource {
     if (!frames_.pairs || frames_.numbers.empty())
       throw Error("the recording holds 0 frames", recording.folder.string(), "record it again");
   }
-  const stereo::StereoRig& rig() const override { return rig_; }
+  const cameras::StereoRig& rig() const override { return rig_; }
   std::optional<std::int64_t> frameCount() const override { return std::int64_t(frames_.numbers.size()); }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
+  std::shared_ptr<const cameras::StereoFrame> next() override {
     auto pair = frames_.pairs->next();
     if (!pair) return nullptr;
     requireRigSize(rig_, pair->left, pair->right, pair->where);
-    auto frame = std::make_shared<stereo::StereoFrame>();
+    auto frame = std::make_shared<cameras::StereoFrame>();
     frame->left = pair->left;
     frame->right = pair->right;
     frame->number = frames_.numbers[at_];
@@ -27,7 +27,7 @@ class RecordingSource : public FrameSource {
   }
 
  private:
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   RecordingFrames frames_;
   std::size_t at_ = 0;
 };

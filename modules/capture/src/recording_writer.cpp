@@ -42,13 +42,13 @@ const fs::path& withParent(const fs::path& place) {
 }  // namespace
 
 struct RecordingWriter::Implementation {
-  Implementation(const fs::path& place, const stereo::StereoRig& r, FileAccess access, Existing existing)
+  Implementation(const fs::path& place, const cameras::StereoRig& r, FileAccess access, Existing existing)
       : place_name(place.string()), folder(withParent(place), access, existing), rig(r) {}
   const fs::path& path() const { return folder.temporaryPath(); }
 
   std::string place_name;
   WholeFolder folder;
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   std::string timestamps = "frame,t_s\n", head_truth, coil_truth;
   std::optional<std::int64_t> last_number;
   double last_s = 0;
@@ -57,16 +57,16 @@ struct RecordingWriter::Implementation {
   void requireOpen() const { FACENAV_EXPECT(!is_closed, "the recording is closed"); }
 };
 
-RecordingWriter::RecordingWriter(const fs::path& folder, const stereo::StereoRig& rig, FileAccess access,
+RecordingWriter::RecordingWriter(const fs::path& folder, const cameras::StereoRig& rig, FileAccess access,
                                  Existing existing)
     : implementation_(std::make_unique<Implementation>(folder, rig, access, existing)) {
   for (const char* side : {"left", "right"}) fs::create_directory(implementation_->path() / side);
-  stereo::writeRig(rig, implementation_->path() / "stereo.yml");
+  cameras::writeRig(rig, implementation_->path() / "stereo.yml");
 }
 
 RecordingWriter::~RecordingWriter() = default;
 
-void RecordingWriter::add(const stereo::StereoFrame& frame) {
+void RecordingWriter::add(const cameras::StereoFrame& frame) {
   Implementation& self = *implementation_;
   self.requireOpen();
   requireRigSize(self.rig, frame.left, frame.right, self.place_name);

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "facenav/cameras/rig_file.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/core/whole_folder.h"
 #include "facenav/geometry/json_transform.h"
-#include "facenav/stereo/rig_file.h"
 #include "utc_now.h"
 
 namespace facenav::casefile {
@@ -23,7 +23,7 @@ void writePicture(const cv::Mat& picture, const fs::path& path) {
   writeWholeFile(path, std::string(bytes.begin(), bytes.end()), FileAccess::owner_only);
 }
 
-cv::Mat readPicture(const fs::path& path, const stereo::StereoRig& rig) {
+cv::Mat readPicture(const fs::path& path, const cameras::StereoRig& rig) {
   const cv::Mat picture = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
   if (picture.cols != rig.width_px || picture.rows != rig.height_px)
     throw Error("this picture of the face is missing, or not of its rig's size", path.string(),
@@ -35,7 +35,7 @@ nlohmann::ordered_json written(const KeptLook& look, const fs::path& folder, std
   const std::string name = std::to_string(number);
   writePicture(look.frame.left, folder / (name + "_left.png"));
   writePicture(look.frame.right, folder / (name + "_right.png"));
-  stereo::writeRig(look.rig, folder / (name + "_stereo.yml"), {});
+  cameras::writeRig(look.rig, folder / (name + "_stereo.yml"), {});
   nlohmann::ordered_json json;
   json["name"] = name;
   json["captured_utc"] = look.captured_utc;
@@ -47,7 +47,7 @@ nlohmann::ordered_json written(const KeptLook& look, const fs::path& folder, std
 KeptLook readLook(const JsonReader& json, const fs::path& folder) {
   KeptLook look;
   const fs::path name = fs::path(json.at("name").text()).filename();
-  look.rig = stereo::readRig(folder / (name.string() + "_stereo.yml"));
+  look.rig = cameras::readRig(folder / (name.string() + "_stereo.yml"));
   look.frame.left = readPicture(folder / (name.string() + "_left.png"), look.rig);
   look.frame.right = readPicture(folder / (name.string() + "_right.png"), look.rig);
   look.captured_utc = json.at("captured_utc").text();

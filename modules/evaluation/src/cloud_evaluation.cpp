@@ -10,13 +10,13 @@ constexpr double kGross_mm = 2.0, kHidden_mm = 2.0, kStep_mm = 8.0;
 constexpr int kRim_px = 2;
 
 /// Points of the left depth map in Camera, one per pixel; z = 0 where nothing is seen.
-cv::Mat_<cv::Vec3d> placesOf(const stereo::StereoRig& rig, const cv::Mat& depth_mm) {
+cv::Mat_<cv::Vec3d> placesOf(const cameras::StereoRig& rig, const cv::Mat& depth_mm) {
   cv::Mat_<cv::Vec3d> places(depth_mm.size(), cv::Vec3d(0, 0, 0));
   for (int y = 0; y < depth_mm.rows; ++y)
     for (int x = 0; x < depth_mm.cols; ++x) {
       const double z = depth_mm.at<float>(y, x);
       if (z <= 0.0) continue;
-      const Eigen::Vector2d ray = stereo::undistort(rig.left, {double(x), double(y)});
+      const Eigen::Vector2d ray = cameras::undistort(rig.left, {double(x), double(y)});
       places(y, x) = {z * ray.x(), z * ray.y(), z};
     }
   return places;
@@ -34,11 +34,11 @@ bool isAtSilhouette(const cv::Mat& depth_mm, int x, int y) {
 }
 
 /// Seen by the right camera too: its depth map shows the same distance there.
-bool isSeenOnTheRight(const stereo::StereoRig& rig, const cv::Mat& right_mm,
+bool isSeenOnTheRight(const cameras::StereoRig& rig, const cv::Mat& right_mm,
                       const Eigen::Vector3d& p_camera) {
   const Eigen::Vector3d p = (rig.right_T_left * Point<Camera>(p_camera)).mm;
   if (p.z() <= 0.0) return false;
-  const Eigen::Vector2d px = stereo::project(rig.right, p);
+  const Eigen::Vector2d px = cameras::project(rig.right, p);
   const int x = int(std::lround(px.x())), y = int(std::lround(px.y()));
   if (x < 1 || y < 1 || x + 1 >= right_mm.cols || y + 1 >= right_mm.rows) return false;
   double nearest_mm = 1e9;  // steep skin: any of the pixels around may show it
@@ -66,7 +66,7 @@ double depthAt(const ExactDepth& depth, double x_px, double y_px) {
 
 }  // namespace
 
-cv::Mat visibleFace(const stereo::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
+cv::Mat visibleFace(const cameras::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
                     double reach_mm) {
   const auto places = placesOf(rig, depth.left_mm);
   const Eigen::Vector3d right_eye = rig.right_T_left.inverse().translation_mm();
@@ -87,7 +87,7 @@ cv::Mat visibleFace(const stereo::StereoRig& rig, const ExactDepth& depth, const
   return visible;
 }
 
-CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud& face,
+CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceCloud& face,
                            const ExactDepth& depth, const cv::Mat& visible) {
   CloudFigures figures;
   cv::Mat covered = cv::Mat::zeros(visible.size(), CV_8U);
@@ -101,7 +101,7 @@ CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud
     if (!visible.at<std::uint8_t>(y, x)) continue;
     const double truth_mm = depthAt(depth, px.x(), px.y());
     if (truth_mm <= 0.0) continue;
-    const double along = stereo::undistort(rig.left, px).homogeneous().norm();
+    const double along = cameras::undistort(rig.left, px).homogeneous().norm();
     const double error_mm = (face.cloud.points_mm[i].z() - truth_mm) * along;
     ++on_face;
     if (std::abs(error_mm) > kGross_mm) {

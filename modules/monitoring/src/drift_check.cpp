@@ -78,8 +78,8 @@ std::optional<float> DriftCheck::SkinMap::at(const Eigen::Vector2d& px) const {
   return misfit;
 }
 
-DriftCheck::DriftCheck(const stereo::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
-                       const tracking::HeadReference& reference,
+DriftCheck::DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
+                       const head_tracking::HeadReference& reference,
                        const RigidTransform<Camera, Mri>& camera_T_mri)
     : rig_(rig), scalp_(std::move(scalp)), mri_T_head_(camera_T_mri.isometry().inverse()) {
   FACENAV_EXPECT(scalp_ != nullptr, "a scalp is needed");
@@ -104,7 +104,7 @@ DriftCheck::DriftCheck(const stereo::StereoRig& rig, std::shared_ptr<const regis
   if (at_reference) bias_ = at_reference->xi;
 }
 
-std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const stereo::StereoFrame& frame,
+std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const cameras::StereoFrame& frame,
                                                         const Eigen::Isometry3d& motion) const {
   std::vector<Sample> samples;
   stereo::FaceCloudOptions options;
@@ -114,7 +114,7 @@ std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const stereo::StereoFram
   for (const auto& p_head_mm : surface_mm_) {
     const Eigen::Vector3d p_mm = motion * p_head_mm;
     if (p_mm.z() < 50) return samples;
-    const Eigen::Vector2d px = stereo::project(rig_.left, p_mm);
+    const Eigen::Vector2d px = cameras::project(rig_.left, p_mm);
     low = low.cwiseMin(px), high = high.cwiseMax(px);
     nearest_mm = std::min(nearest_mm, p_mm.z()), farthest_mm = std::max(farthest_mm, p_mm.z());
   }
@@ -137,7 +137,7 @@ std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const stereo::StereoFram
   for (std::size_t i = 0; i < face.cloud.size(); i += step) {
     const Eigen::Vector3d at_reference_mm = motion.inverse() * face.cloud.points_mm[i];
     if (at_reference_mm.z() < 50) continue;
-    const auto misfit_mm = skin_.at(stereo::project(rig_.left, at_reference_mm));
+    const auto misfit_mm = skin_.at(cameras::project(rig_.left, at_reference_mm));
     if (!misfit_mm) continue;
     samples.push_back({face.cloud.points_mm[i], face.left_px[i], *misfit_mm,
                        std::hypot(double(face.sigma_mm[i]),
@@ -191,7 +191,7 @@ std::optional<DriftCheck::Offset> DriftCheck::offsetOf(const std::vector<Sample>
   return offset;
 }
 
-DriftFinding DriftCheck::measure(const stereo::StereoFrame& frame,
+DriftFinding DriftCheck::measure(const cameras::StereoFrame& frame,
                                  const RigidTransform<Camera, Mri>& camera_T_mri) const {
   DriftFinding finding;
   const Eigen::Isometry3d motion = camera_T_mri.isometry() * mri_T_head_;  // = camera_T_head

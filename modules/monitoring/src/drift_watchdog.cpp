@@ -38,7 +38,7 @@ void DriftWatchdog::take(const Answer& answer) {
   interval_s_ = drifted_in_row_ > 0 || is_alarmed_ ? kRecheck_s : kInterval_s;
 }
 
-void DriftWatchdog::add(std::shared_ptr<const stereo::StereoFrame> frame,
+void DriftWatchdog::add(std::shared_ptr<const cameras::StereoFrame> frame,
                         const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const double now_s = frame->captured.s;

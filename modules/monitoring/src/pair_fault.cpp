@@ -5,34 +5,34 @@
 namespace facenav::monitoring {
 namespace {
 
-tracking::LossDetail detailOf(stereo::PairFault fault) {
+head_tracking::LossDetail detailOf(cameras::PairFault fault) {
   switch (fault) {
-    case stereo::PairFault::out_of_step:
-      return tracking::LossDetail::out_of_step;
-    case stereo::PairFault::swapped:
-      return tracking::LossDetail::swapped;
-    case stereo::PairFault::other_rig:
-      return tracking::LossDetail::other_rig;
-    case stereo::PairFault::moved:
-      return tracking::LossDetail::cameras_moved;
-    case stereo::PairFault::unknown:
-    case stereo::PairFault::none:
+    case cameras::PairFault::out_of_step:
+      return head_tracking::LossDetail::out_of_step;
+    case cameras::PairFault::swapped:
+      return head_tracking::LossDetail::swapped;
+    case cameras::PairFault::other_rig:
+      return head_tracking::LossDetail::other_rig;
+    case cameras::PairFault::moved:
+      return head_tracking::LossDetail::cameras_moved;
+    case cameras::PairFault::unknown:
+    case cameras::PairFault::none:
       break;
   }
-  return tracking::LossDetail::unknown;
+  return head_tracking::LossDetail::unknown;
 }
 
 }  // namespace
 
-std::optional<RigFault> rigFault(const stereo::PairDiagnosis& diagnosis) {
+std::optional<RigFault> rigFault(const cameras::PairDiagnosis& diagnosis) {
   if (!diagnosis.isFault()) return std::nullopt;
   return RigFault{detailOf(diagnosis.fault), diagnosis.words() + ": " + diagnosis.advice()};
 }
 
-PairError::PairError(const stereo::PairDiagnosis& diagnosis, const std::string& before)
+PairError::PairError(const cameras::PairDiagnosis& diagnosis, const std::string& before)
     : Error(before + diagnosis.words(), {}, diagnosis.advice()) {}
 
-void withPairFault(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
+void withPairFault(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                    const std::function<void()>& task) {
   try {
     task();
@@ -41,7 +41,7 @@ void withPairFault(const stereo::StereoRig& rig, const stereo::StereoFrame& fram
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
-    const auto diagnosis = stereo::diagnosePair(rig, frame);
+    const auto diagnosis = cameras::diagnosePair(rig, frame);
     if (diagnosis.isFault()) throw PairError(diagnosis);
     throw;
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "facenav/stereo/patch_match.h"
+#include "facenav/cameras/patch_match.h"
 
 namespace facenav::monitoring {
 namespace {
@@ -15,18 +15,18 @@ constexpr double kMostBetweenExposures_mm = 0.1;  // else the head's motion pass
 constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
 
-stereo::SquareSighting square(const tracking::MarkerSighting& marker) {
+cameras::SquareSighting square(const coil_tracking::MarkerSighting& marker) {
   return {marker.left_px, marker.right_px, marker.size_mm, marker.print_sigma_mm, marker.size_sigma_mm};
 }
 
 }  // namespace
 
-std::vector<stereo::Correspondence> matchSurface(const stereo::StereoRig& rig,
-                                                 const stereo::StereoFrame& frame,
-                                                 const PointCloud<Camera>& surface,
-                                                 const std::vector<Eigen::Vector2f>& left_px,
-                                                 std::size_t most) {
-  std::vector<stereo::Correspondence> found;
+std::vector<cameras::Correspondence> matchSurface(const cameras::StereoRig& rig,
+                                                  const cameras::StereoFrame& frame,
+                                                  const PointCloud<Camera>& surface,
+                                                  const std::vector<Eigen::Vector2f>& left_px,
+                                                  std::size_t most) {
+  std::vector<cameras::Correspondence> found;
   const std::size_t count = std::min(surface.points_mm.size(), left_px.size());
   const std::size_t tries = 4 * most, step = std::max<std::size_t>(1, count / tries);
   for (std::size_t i = step / 2; i < count && found.size() < most; i += step) {
@@ -34,18 +34,18 @@ std::vector<stereo::Correspondence> matchSurface(const stereo::StereoRig& rig,
     if (in_right_mm.z() <= 0) continue;
     const Eigen::Vector2d left = left_px[i].cast<double>();
     if (const auto match =
-            stereo::matchPatch(frame.left, frame.right, left, stereo::project(rig.right, in_right_mm)))
+            cameras::matchPatch(frame.left, frame.right, left, cameras::project(rig.right, in_right_mm)))
       found.push_back({left, match->right_px, match->sigma_px});
   }
   return found;
 }
 
-void RigCheck::start(const tracking::HeadReference& reference) {
+void RigCheck::start(const head_tracking::HeadReference& reference) {
   monitor_.add(matchSurface(rig_, reference.frame, reference.surface, reference.surface_left_px));
   verdict_ = monitor_.verdict();
-  const auto diagnosis = stereo::diagnosePair(rig_, reference.frame);
+  const auto diagnosis = cameras::diagnosePair(rig_, reference.frame);
   reference_fault_ = rigFault(diagnosis);
-  has_fitted_ = diagnosis.fault == stereo::PairFault::none;
+  has_fitted_ = diagnosis.fault == cameras::PairFault::none;
 }
 
 std::optional<RigFault> RigCheck::fault() const {
@@ -53,19 +53,19 @@ std::optional<RigFault> RigCheck::fault() const {
   if (!verdict_.hasMoved()) return std::nullopt;
   const bool is_clear = verdict_.statistic > kClearStatistic || verdict_.contradiction > kClearContradiction;
   if (has_fitted_ && !is_clear) return std::nullopt;
-  return RigFault{tracking::LossDetail::cameras_moved, verdict_.words()};
+  return RigFault{head_tracking::LossDetail::cameras_moved, verdict_.words()};
 }
 
-void RigCheck::add(const stereo::StereoFrame& frame, const Tracked<tracking::HeadPose>& head,
-                   const std::optional<tracking::MarkerSighting>& marker) {
+void RigCheck::add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
+                   const std::optional<coil_tracking::MarkerSighting>& marker) {
   const bool is_first = frames_ < kFirstFrames;
   if (marker) monitor_.add(square(*marker));
   if (head && !head->features.empty() && head->between_exposures_mm < kMostBetweenExposures_mm) {
-    std::vector<stereo::Correspondence> points;
+    std::vector<cameras::Correspondence> points;
     const std::size_t most = std::min(head->features.size(), is_first ? kFirstFeatures : kLaterFeatures);
     for (std::size_t i = 0; i < most; ++i) {
       const auto& feature = head->features[next_feature_++ % head->features.size()];
-      if (const auto match = stereo::matchPatch(frame.left, frame.right, feature.left_px, feature.right_px))
+      if (const auto match = cameras::matchPatch(frame.left, frame.right, feature.left_px, feature.right_px))
         points.push_back({feature.left_px, match->right_px, match->sigma_px});
     }
     next_feature_ += 7;  // not the same ones each time round

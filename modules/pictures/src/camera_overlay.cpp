@@ -13,14 +13,14 @@ const cv::Scalar kBlue(84, 178, 255), kOrange(255, 160, 51), kGrey(175, 180, 188
 
 struct View {
   cv::Mat image;  // 8-bit RGB
-  const stereo::CameraModel* camera;
+  const cameras::CameraModel* camera;
   Eigen::Isometry3d view_T_camera;
   double unit;  // line widths and letters scale with the image: 1 at 480 rows
 
   std::optional<cv::Point> toPixel(const Eigen::Vector3d& p_camera_mm) const {
     const Eigen::Vector3d p = view_T_camera * p_camera_mm;
     if (p.z() < 10.0) return std::nullopt;
-    const Eigen::Vector2d px = stereo::project(*camera, p);
+    const Eigen::Vector2d px = cameras::project(*camera, p);
     if (!px.allFinite() || px.cwiseAbs().maxCoeff() > 20000.0) return std::nullopt;
     return fixed(px);
   }
@@ -31,7 +31,7 @@ struct View {
   int thickness(double width) const { return std::max(1, int(std::lround(width * unit))); }
 };
 
-View makeView(const cv::Mat& grey, const stereo::CameraModel& camera,
+View makeView(const cv::Mat& grey, const cameras::CameraModel& camera,
               const Eigen::Isometry3d& view_T_camera) {
   View view{{}, &camera, view_T_camera, grey.rows / 480.0};
   cv::cvtColor(grey, view.image, cv::COLOR_GRAY2RGB);
@@ -53,7 +53,7 @@ void drawCorners(View& view, const cv::Rect& box) {
   }
 }
 
-void drawFeatures(View& view, const tracking::HeadPose& head, bool is_left) {
+void drawFeatures(View& view, const head_tracking::HeadPose& head, bool is_left) {
   const bool are_few = head.features.size() <= 20;  // seven features: rings; hundreds of patches: dots
   for (const auto& feature : head.features) {
     const Eigen::Vector2d& px = is_left ? feature.left_px : feature.right_px;
@@ -131,7 +131,7 @@ RgbImage drawView(View view, const session::NavigationState& state,
 
 }  // namespace
 
-CameraOverlay drawOverlay(const stereo::StereoRig& rig, const session::NavigationState& state,
+CameraOverlay drawOverlay(const cameras::StereoRig& rig, const session::NavigationState& state,
                           const std::optional<guidance::Target>& target) {
   CameraOverlay overlay;
   if (!state.images) return overlay;

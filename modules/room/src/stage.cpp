@@ -46,7 +46,7 @@ surface::TriangleMesh handMesh() {
 }  // namespace
 
 struct Stage::Implementation {
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   RigidTransform<Camera, Room> camera_T_room;
   std::shared_ptr<const VirtualPatient> patient;
   FaceShape face;
@@ -73,7 +73,7 @@ struct Stage::Implementation {
   std::array<Renderer, 2> renderers;
   Lighting lighting;
 
-  Implementation(const stereo::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p)
+  Implementation(const cameras::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p)
       : rig(r),
         camera_T_room(cameraFromRoom(r, roll_deg)),
         patient(std::move(p)),
@@ -161,8 +161,9 @@ struct Stage::Implementation {
   }
 };
 
-Stage::Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
-             const RoomCoil& coil, const std::array<FilmOptions, 2>& films)
+Stage::Stage(const cameras::StereoRig& rig, double rig_roll_deg,
+             std::shared_ptr<const VirtualPatient> patient, const RoomCoil& coil,
+             const std::array<FilmOptions, 2>& films)
     : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient))) {
   auto& all = *implementation_;
   all.coil = coil;
@@ -206,10 +207,10 @@ std::array<View, 2> Stage::view() const {
           all.renderers[1].render(all.scene, all.looks, all.lighting)};
 }
 
-stereo::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
-                                      bool is_left_open, bool is_right_open) const {
+cameras::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
+                                       bool is_left_open, bool is_right_open) const {
   const auto views = view();
-  stereo::StereoFrame frame;
+  cameras::StereoFrame frame;
   frame.number = number;
   frame.captured = Timestamp{time_s};
   const auto& films = implementation_->films;
@@ -242,6 +243,6 @@ double Stage::faceVisibleFraction() const {
 
 const RigidTransform<Camera, Room>& Stage::camera_T_room() const { return implementation_->camera_T_room; }
 const RoomCoil& Stage::coil() const { return implementation_->coil; }
-const stereo::StereoRig& Stage::rig() const { return implementation_->rig; }
+const cameras::StereoRig& Stage::rig() const { return implementation_->rig; }
 
 }  // namespace facenav::room

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "facenav/cameras/stereo_frame.h"
 #include "facenav/room/room_coil.h"
 #include "facenav/room/room_rig.h"
 #include "facenav/room/virtual_patient.h"
-#include "facenav/stereo/stereo_frame.h"
 #include "optics/film.h"
 #include "optics/renderer.h"
 #include "patient/expression.h"
@@ -38,7 +38,7 @@ struct Cast {
 
 class Stage {
  public:
-  Stage(const stereo::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
+  Stage(const cameras::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
         const RoomCoil& coil, const std::array<FilmOptions, 2>& films);
   ~Stage();
 
@@ -46,14 +46,14 @@ class Stage {
   /// Left and right in linear light, with depth and object maps.
   std::array<View, 2> view() const;
   /// A camera whose shutter stays shut gives black with noise.
-  stereo::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
-                                 bool is_left_open = true, bool is_right_open = true) const;
+  cameras::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
+                                  bool is_left_open = true, bool is_right_open = true) const;
   /// Share of the face's skin that both cameras see, 0..1.
   double faceVisibleFraction() const;
 
   const RigidTransform<Camera, Room>& camera_T_room() const;
   const RoomCoil& coil() const;
-  const stereo::StereoRig& rig() const;
+  const cameras::StereoRig& rig() const;
 
  private:
   struct Implementation;

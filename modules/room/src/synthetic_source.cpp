@@ -52,7 +52,7 @@ struct SyntheticSource::Implementation {
   Stage stage;
   std::unique_ptr<Script> script;
   std::int64_t number = 0;
-  stereo::StereoFrame last;
+  cameras::StereoFrame last;
   GroundTruth truth;
 
   Implementation(const ScenarioOptions& o, const std::shared_ptr<const VirtualPatient>& patient,
@@ -63,7 +63,7 @@ struct SyntheticSource::Implementation {
               coilFor(options, *patient, t), filmsOf(options)),
         script(makeScript(options, *patient, t, stage.coil().marker_T_coil)) {}
 
-  stereo::StereoFrame photograph(const Moment& moment) {
+  cameras::StereoFrame photograph(const Moment& moment) {
     const CameraFault fault = moment.fault;
     if (fault == CameraFault::frozen && !last.left.empty())
       return {last.left.clone(), last.right.clone(), number, {}};
@@ -113,9 +113,9 @@ SyntheticSource::SyntheticSource(const ScenarioOptions& options,
 
 SyntheticSource::~SyntheticSource() = default;
 
-const stereo::StereoRig& SyntheticSource::rig() const { return implementation_->stage.rig(); }
+const cameras::StereoRig& SyntheticSource::rig() const { return implementation_->stage.rig(); }
 
-std::shared_ptr<const stereo::StereoFrame> SyntheticSource::next() {
+std::shared_ptr<const cameras::StereoFrame> SyntheticSource::next() {
   auto& all = *implementation_;
   if (all.number >= all.script->frameCount()) return nullptr;
   const Moment moment = all.script->at(int(all.number));
@@ -127,7 +127,7 @@ std::shared_ptr<const stereo::StereoFrame> SyntheticSource::next() {
   frame.captured = Timestamp{double(all.number) / all.options.frames_per_s + moment.later_s};
   all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured};
   ++all.number;
-  return std::make_shared<const stereo::StereoFrame>(std::move(frame));
+  return std::make_shared<const cameras::StereoFrame>(std::move(frame));
 }
 
 std::optional<std::int64_t> SyntheticSource::frameCount() const {

@@ -9,14 +9,14 @@ constexpr double kAlignment_mm = 0.3, kAlignment_rad = 0.003;
 
 }  // namespace
 
-std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
-                                          const RigidTransform<Head, Mri>& head_T_mri) {
+std::vector<head_tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
+                                               const RigidTransform<Head, Mri>& head_T_mri) {
   Vector6d sigma;
   sigma << Eigen::Vector3d::Constant(kAlignment_rad), Eigen::Vector3d::Constant(kAlignment_mm);
   const Matrix6d of_two_alignments = 2.0 * Matrix6d(sigma.cwiseAbs2().asDiagonal());
-  std::vector<tracking::FaceLook> tracked;
+  std::vector<head_tracking::FaceLook> tracked;
   for (const auto& look : looks) {
-    tracking::FaceLook t;
+    head_tracking::FaceLook t;
     t.rig = look.rig;
     t.frame = look.frame;
     t.camera_T_head = (look.camera_T_mri * head_T_mri.inverse()).isometry();
@@ -26,7 +26,7 @@ std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>&
   return tracked;
 }
 
-std::vector<casefile::KeptLook> asKept(const std::vector<tracking::FaceLook>& looks,
+std::vector<casefile::KeptLook> asKept(const std::vector<head_tracking::FaceLook>& looks,
                                        const RigidTransform<Head, Mri>& head_T_mri) {
   std::vector<casefile::KeptLook> kept;
   for (const auto& look : looks) {

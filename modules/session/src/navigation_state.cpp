@@ -3,7 +3,7 @@
 namespace facenav::session {
 namespace {
 
-using tracking::LossDetail;
+using head_tracking::LossDetail;
 
 std::string detailWords(LossDetail detail) {
   switch (detail) {

@@ -12,7 +12,7 @@ namespace {
 // passes for some five times as much depth.
 constexpr double kMostBetweenExposures_mm = 0.2;
 
-bool isUsable(const stereo::StereoFrame& frame, const stereo::StereoRig& rig) {
+bool isUsable(const cameras::StereoFrame& frame, const cameras::StereoRig& rig) {
   const auto fits = [&](const cv::Mat& image) {
     return image.type() == CV_8UC1 && image.cols == rig.width_px && image.rows == rig.height_px;
   };
@@ -21,8 +21,8 @@ bool isUsable(const stereo::StereoFrame& frame, const stereo::StereoRig& rig) {
 
 }  // namespace
 
-Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::HeadTracker> head,
-                     std::unique_ptr<tracking::CoilTracker> coil)
+Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking::HeadTracker> head,
+                     std::unique_ptr<coil_tracking::CoilTracker> coil)
     : rig_(setup.rig),
       marker_T_coil_(setup.coil.marker_T_coil()),
       tolerance_(setup.tolerance),
@@ -41,8 +41,8 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::Head
                                                                       *setup.camera_T_mri_at_reference);
     watchdog_ = std::make_unique<monitoring::DriftWatchdog>(
         [check](const auto& frame, const auto& camera_T_mri) { return check->measure(frame, camera_T_mri); },
-        setup.pace == tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
-                                           : monitoring::DriftWatchdog::Mode::in_line);
+        setup.pace == head_tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
+                                                : monitoring::DriftWatchdog::Mode::in_line);
   }
 }
 
@@ -55,7 +55,7 @@ void Navigator::setTarget(std::optional<ChosenTarget> target) {
   previous_ = {};
 }
 
-NavigationState Navigator::process(std::shared_ptr<const stereo::StereoFrame> frame) {
+NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const Timestamp begin = Timestamp::now();
   double watching_ms = 0.0;  // no part of tracking: live it runs beside it
@@ -106,7 +106,7 @@ void Navigator::place(NavigationState& state) const {
 }
 
 /// A face that no longer lies where it is tracked is lost, whatever the tracker says.
-void Navigator::watch(const std::shared_ptr<const stereo::StereoFrame>& frame, NavigationState& state) {
+void Navigator::watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
   if (!watchdog_) return;
   const bool was_alarmed = watchdog_->isAlarmed();
   if (!state.head || state.head->between_exposures_mm < kMostBetweenExposures_mm)

@@ -15,18 +15,18 @@ struct Recorder::Implementation {
   std::size_t limit;
   mutable std::mutex mutex;
   std::condition_variable changed;
-  std::deque<std::shared_ptr<const stereo::StereoFrame>> queue;
+  std::deque<std::shared_ptr<const cameras::StereoFrame>> queue;
   std::uint64_t written = 0, left_out = 0;
   std::string failure;
   bool is_closing = false, is_abandoned = false;
   std::thread thread;
 
-  std::shared_ptr<const stereo::StereoFrame> next();
+  std::shared_ptr<const cameras::StereoFrame> next();
   void run();
   void join(bool keep);
 };
 
-std::shared_ptr<const stereo::StereoFrame> Recorder::Implementation::next() {
+std::shared_ptr<const cameras::StereoFrame> Recorder::Implementation::next() {
   std::unique_lock lock(mutex);
   changed.wait(lock, [this] { return !queue.empty() || is_closing; });
   if (queue.empty() || is_abandoned) return nullptr;
@@ -61,7 +61,8 @@ void Recorder::Implementation::join(bool keep) {
   if (thread.joinable()) thread.join();
 }
 
-Recorder::Recorder(const std::filesystem::path& folder, const stereo::StereoRig& rig, std::size_t queue_limit)
+Recorder::Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig,
+                   std::size_t queue_limit)
     : implementation_(std::make_unique<Implementation>()) {
   implementation_->writer = std::make_unique<capture::RecordingWriter>(folder, rig);
   implementation_->limit = queue_limit;
@@ -72,7 +73,7 @@ Recorder::~Recorder() {
   if (implementation_->thread.joinable()) implementation_->join(false);
 }
 
-void Recorder::add(std::shared_ptr<const stereo::StereoFrame> frame) {
+void Recorder::add(std::shared_ptr<const cameras::StereoFrame> frame) {
   auto& r = *implementation_;
   {
     std::lock_guard lock(r.mutex);

@@ -12,7 +12,7 @@ namespace facenav::session {
 namespace {
 
 struct ArrivedFrame {
-  std::shared_ptr<const stereo::StereoFrame> frame;
+  std::shared_ptr<const cameras::StereoFrame> frame;
   Timestamp arrived;
 };
 

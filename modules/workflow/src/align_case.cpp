@@ -9,7 +9,7 @@
 
 namespace facenav::workflow {
 
-void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& rig,
+void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome) {
   casefile::FileGroup group(store.folder());
   writeStoredCapture(group, rig, capture);
@@ -21,7 +21,7 @@ void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& r
 }
 
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
-                           const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor) {
   const auto detector = methods.face_detector();
   auto outcome = alignFromCapture(rig, capture, store.scalp(), *methods.aligners.create(aligner), *detector,

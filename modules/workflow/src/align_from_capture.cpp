@@ -15,7 +15,7 @@ namespace facenav::workflow {
 namespace {
 
 /// The face's box grown to hold forehead, chin and temples; nothing where no face was found.
-std::optional<cv::Rect> region(const FaceInSpace& face, const stereo::StereoRig& rig) {
+std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
   if (!face.left) return std::nullopt;
   const cv::Rect& box = face.left->face;
   const int grow_x = box.width / 2, grow_y = int(0.6 * box.height);
@@ -25,7 +25,7 @@ std::optional<cv::Rect> region(const FaceInSpace& face, const stereo::StereoRig&
   return inside;
 }
 
-stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const stereo::StereoRig& rig) {
+stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras::StereoRig& rig) {
   stereo::FaceCloudOptions options;
   options.left_roi = region(face, rig);
   if (face.centre) {
@@ -79,25 +79,25 @@ std::optional<Error> errorOf(const std::function<void()>& task) {
 }
 
 /// Throws CamerasMoved where points of the face, matched anew, say so.
-void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFrame& frame,
-                           const stereo::StereoFrame& plain, const stereo::FaceCloud& face) {
-  stereo::RigMonitor monitor(rig);
+void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face) {
+  cameras::RigMonitor monitor(rig);
   monitor.add(monitoring::matchSurface(rig, frame, face.cloud, face.left_px));
   const auto verdict = monitor.verdict();
   if (!verdict.hasMoved()) return;
-  const auto diagnosis = stereo::diagnosePair(rig, plain);
+  const auto diagnosis = cameras::diagnosePair(rig, plain);
   if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
   // Plain skin that disagrees a little, where the whole plain pair fits, is no moved camera.
   const bool is_clear = verdict.statistic > kClearStatistic && showsDots({frame, plain});
-  if (diagnosis.fault != stereo::PairFault::none || is_clear)
+  if (diagnosis.fault != cameras::PairFault::none || is_clear)
     throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
 }
 
 /// The aligner and the measurement see only that nothing fits. The cameras are asked first, then the dots;
 /// what is left is the face.
-[[noreturn]] void refuse(const stereo::StereoRig& rig, const capture::CapturePair& capture,
+[[noreturn]] void refuse(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                          const Error& error) {
-  const auto diagnosis = stereo::diagnosePair(rig, capture.plain);
+  const auto diagnosis = cameras::diagnosePair(rig, capture.plain);
   if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
   if (showsDots(capture)) throw error;
   std::string reason = error.what();
@@ -108,15 +108,15 @@ void requireUnmovedCameras(const stereo::StereoRig& rig, const stereo::StereoFra
       "the capture's picture for the dots shows none (switch the projector on); without them: " + reason);
 }
 
-registration::AlignmentStart withSharedDepth(registration::AlignmentStart start, const stereo::StereoRig& rig,
-                                             const PointCloud<Camera>& face) {
+registration::AlignmentStart withSharedDepth(registration::AlignmentStart start,
+                                             const cameras::StereoRig& rig, const PointCloud<Camera>& face) {
   start.shared_depth_sigma_mm = sharedDepthSigma_mm(rig, face);
   return start;
 }
 
-tracking::HeadReference makeReference(const stereo::StereoFrame& plain, const stereo::FaceCloud& face,
-                                      const registration::AlignmentResult& result) {
-  tracking::HeadReference reference;
+head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, const stereo::FaceCloud& face,
+                                           const registration::AlignmentResult& result) {
+  head_tracking::HeadReference reference;
   reference.frame = plain;
   const bool has_pixels = face.left_px.size() == face.cloud.size();
   const bool has_flags = result.is_inlier.size() == face.cloud.size();
@@ -169,9 +169,9 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   return alignment;
 }
 
-AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::CapturePair& capture,
+AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
-                                  const tracking::FaceDetector& detector,
+                                  const face::FaceDetector& detector,
                                   const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
                                   const std::filesystem::path& field_file) {
   if (!scalp.has_face)

@@ -14,12 +14,12 @@ constexpr double kHeadDepth_mm = 220.0;
 
 using Triangulated = std::vector<std::optional<Eigen::Vector3d>>;
 
-Triangulated triangulateAll(const stereo::StereoRig& rig, const tracking::FaceLandmarks& left,
-                            const tracking::FaceLandmarks& right) {
+Triangulated triangulateAll(const cameras::StereoRig& rig, const face::FaceLandmarks& left,
+                            const face::FaceLandmarks& right) {
   Triangulated points(68);
   for (int i = 0; i < 68; ++i) {
-    if (stereo::epipolarError_px(rig, left.points68[i], right.points68[i]) > kEpipolarLimit_px) continue;
-    const Eigen::Vector3d p = stereo::triangulate(rig, left.points68[i], right.points68[i]).mm;
+    if (cameras::epipolarError_px(rig, left.points68[i], right.points68[i]) > kEpipolarLimit_px) continue;
+    const Eigen::Vector3d p = cameras::triangulate(rig, left.points68[i], right.points68[i]).mm;
     if (p.allFinite() && p.z() > 100.0 && p.z() < 5000.0) points[i] = p;
   }
   return points;
@@ -72,8 +72,8 @@ double nearestLargeDepth_mm(const PointCloud<Camera>& cloud) {
 
 }  // namespace
 
-FaceInSpace findFace(const stereo::StereoRig& rig, const stereo::StereoFrame& plain,
-                     const tracking::FaceDetector& detector) {
+FaceInSpace findFace(const cameras::StereoRig& rig, const cameras::StereoFrame& plain,
+                     const face::FaceDetector& detector) {
   FaceInSpace face;
   face.left = detector.detect(plain.left);
   face.right = detector.detect(plain.right);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "facenav/cameras/reduced_pair.h"
 #include "facenav/core/error.h"
-#include "facenav/stereo/reduced_pair.h"
 
 namespace facenav::workflow {
 namespace {
@@ -15,15 +15,15 @@ constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
 constexpr std::int64_t kMostMeasured =
     40;  // frames; more hardly gain, and each takes some tenths of a second
 
-cv::Rect roiAround(const stereo::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
-  const Eigen::Vector2d px = stereo::project(rig.left, centre_mm);
+cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
+  const Eigen::Vector2d px = cameras::project(rig.left, centre_mm);
   const double reach_px = kAround_mm * rig.left.k(0, 0) / centre_mm.z();
   return cv::Rect(cv::Point(int(px.x() - reach_px), int(px.y() - reach_px)),
                   cv::Point(int(px.x() + reach_px), int(px.y() + reach_px))) &
          cv::Rect(0, 0, rig.width_px, rig.height_px);
 }
 
-stereo::FaceCloud measureNear(const stereo::StereoRig& rig, const stereo::StereoFrame& frame, bool has_dots,
+stereo::FaceCloud measureNear(const cameras::StereoRig& rig, const cameras::StereoFrame& frame, bool has_dots,
                               const FaceInSpace& face, TaskMonitor& monitor) {
   stereo::FaceCloudOptions options = has_dots ? stereo::FaceCloudOptions() : stereo::plainFaceOptions();
   if (face.centre) {
@@ -39,7 +39,7 @@ stereo::FaceCloud measureNear(const stereo::StereoRig& rig, const stereo::Stereo
               "let the face look towards both cameras, or choose another frame");
 }
 
-std::shared_ptr<const stereo::StereoFrame> frameOf(capture::FrameSource& film, std::int64_t number) {
+std::shared_ptr<const cameras::StereoFrame> frameOf(capture::FrameSource& film, std::int64_t number) {
   while (auto frame = film.next())
     if (frame->number == number) return frame;
   const auto count = film.frameCount();
@@ -55,17 +55,17 @@ FaceInSpace moved(const FaceInSpace& first, const Eigen::Isometry3d& now_T_first
   return now;
 }
 
-int plainReduction(const stereo::StereoRig& rig, const FaceInSpace& face) {
-  return stereo::reductionFor(rig, face.centre ? face.centre->mm.z() : kUnknownDepth_mm,
-                              kPlainSkin_px_per_mm);
+int plainReduction(const cameras::StereoRig& rig, const FaceInSpace& face) {
+  return cameras::reductionFor(rig, face.centre ? face.centre->mm.z() : kUnknownDepth_mm,
+                               kPlainSkin_px_per_mm);
 }
 
 void toWholePicture(stereo::FaceCloud& cloud, int times) {
-  for (auto& px : cloud.left_px) px = stereo::inWholePicture(px, times);
+  for (auto& px : cloud.left_px) px = cameras::inWholePicture(px, times);
 }
 
 /// False where the frame shows too little to measure.
-bool addFrame(const stereo::StereoRig& rig, const stereo::StereoFrame& frame, const FaceInSpace& first,
+bool addFrame(const cameras::StereoRig& rig, const cameras::StereoFrame& frame, const FaceInSpace& first,
               const Eigen::Isometry3d& now_T_first, stereo::CloudFusion& fusion) {
   TaskMonitor silent;
   try {
@@ -78,14 +78,14 @@ bool addFrame(const stereo::StereoRig& rig, const stereo::StereoFrame& frame, co
 
 }  // namespace
 
-MeasuredFace measurePair(const stereo::StereoRig& rig, const stereo::StereoFrame& measured,
-                         const stereo::StereoFrame& plain, bool has_dots,
-                         const tracking::FaceDetector& detector, TaskMonitor& monitor) {
+MeasuredFace measurePair(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
+                         const cameras::StereoFrame& plain, bool has_dots, const face::FaceDetector& detector,
+                         TaskMonitor& monitor) {
   MeasuredFace result;
   result.landmarks = findFace(rig, plain, detector);
-  result.first = std::make_shared<const stereo::StereoFrame>(plain);
+  result.first = std::make_shared<const cameras::StereoFrame>(plain);
   const int times = has_dots ? 1 : plainReduction(rig, result.landmarks);
-  result.cloud.face = measureNear(stereo::reduced(rig, times), stereo::reduced(measured, times), has_dots,
+  result.cloud.face = measureNear(cameras::reduced(rig, times), cameras::reduced(measured, times), has_dots,
                                   result.landmarks, monitor);
   toWholePicture(result.cloud.face, times);
   if (result.cloud.face.cloud.empty()) refuseEmpty();
@@ -94,18 +94,18 @@ MeasuredFace measurePair(const stereo::StereoRig& rig, const stereo::StereoFrame
 }
 
 MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
-                         tracking::HeadTracker& tracker, const tracking::FaceDetector& detector,
+                         head_tracking::HeadTracker& tracker, const face::FaceDetector& detector,
                          TaskMonitor& monitor) {
-  const stereo::StereoRig& rig = film.rig();
+  const cameras::StereoRig& rig = film.rig();
   MeasuredFace result;
   result.first = frameOf(film, first);
   result.landmarks = findFace(rig, *result.first, detector);
-  tracker.setPace(tracking::Pace::patient);
+  tracker.setPace(head_tracking::Pace::patient);
   tracker.start(rig, {*result.first, {}, {}});
   const int times = plainReduction(rig, result.landmarks);
-  const stereo::StereoRig small = stereo::reduced(rig, times);
+  const cameras::StereoRig small = cameras::reduced(rig, times);
   stereo::CloudFusion fusion(small, stereo::kPlainSkinError_px);
-  fusion.add(measureNear(small, stereo::reduced(*result.first, times), false, result.landmarks, monitor),
+  fusion.add(measureNear(small, cameras::reduced(*result.first, times), false, result.landmarks, monitor),
              Eigen::Isometry3d::Identity());
   const std::int64_t step =
       std::min(last - first, film.frameCount().value_or(last - first)) / kMostMeasured + 1;
@@ -114,7 +114,7 @@ MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::in
     monitor.report("frames", double(frame->number - first) / double(last - first));
     const auto pose = tracker.track(*frame);
     if (pose && ++at % step != 0) continue;  // tracked over, not measured
-    const bool is_added = pose && addFrame(small, stereo::reduced(*frame, times), result.landmarks,
+    const bool is_added = pose && addFrame(small, cameras::reduced(*frame, times), result.landmarks,
                                            pose->camera_T_head.isometry(), fusion);
     ++(is_added ? result.fused : result.lost);
   }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/cameras/rig_monitor.h"
 #include "facenav/core/robust_statistics.h"
-#include "facenav/stereo/rig_monitor.h"
 
 namespace facenav::workflow {
 namespace {
@@ -26,19 +26,19 @@ Eigen::Vector3d medianOf(const PointCloud<Camera>& face) {
 }
 
 /// By how much the same two pixels lie deeper for rigs one standard deviation away.
-double byCalibration_mm(const stereo::StereoRig& rig, const Eigen::Vector3d& p_mm) {
-  const Eigen::Vector2d left_px = stereo::project(rig.left, p_mm),
-                        right_px = stereo::project(rig.right, rig.right_T_left.isometry() * p_mm);
-  const double as_is_mm = stereo::triangulate(rig, left_px, right_px).mm.norm();
+double byCalibration_mm(const cameras::StereoRig& rig, const Eigen::Vector3d& p_mm) {
+  const Eigen::Vector2d left_px = cameras::project(rig.left, p_mm),
+                        right_px = cameras::project(rig.right, rig.right_T_left.isometry() * p_mm);
+  const double as_is_mm = cameras::triangulate(rig, left_px, right_px).mm.norm();
   double squares = 0;
-  for (const stereo::StereoRig& other : stereo::uncertaintyOf(rig).one_sigma)
-    squares += std::pow(stereo::triangulate(other, left_px, right_px).mm.norm() - as_is_mm, 2);
+  for (const cameras::StereoRig& other : cameras::uncertaintyOf(rig).one_sigma)
+    squares += std::pow(cameras::triangulate(other, left_px, right_px).mm.norm() - as_is_mm, 2);
   return std::sqrt(squares);
 }
 
 }  // namespace
 
-double sharedDepthSigma_mm(const stereo::StereoRig& rig, const PointCloud<Camera>& face) {
+double sharedDepthSigma_mm(const cameras::StereoRig& rig, const PointCloud<Camera>& face) {
   if (face.empty()) return 0.0;
   const Eigen::Vector3d middle = medianOf(face);
   const double mm_per_px =

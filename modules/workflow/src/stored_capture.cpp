@@ -8,7 +8,7 @@ namespace {
 
 fs::path folderIn(const fs::path& case_folder) { return case_folder / "alignment_capture"; }
 
-bool isSameRig(const stereo::StereoRig& a, const stereo::StereoRig& b) {
+bool isSameRig(const cameras::StereoRig& a, const cameras::StereoRig& b) {
   const auto motion = poseError(a.right_T_left, b.right_T_left);
   return a.width_px == b.width_px && a.height_px == b.height_px && cv::norm(a.left.k - b.left.k) < 1e-3 &&
          cv::norm(a.right.k - b.right.k) < 1e-3 && motion.rotation_rad < 1e-6 && motion.translation_mm < 1e-4;
@@ -16,7 +16,7 @@ bool isSameRig(const stereo::StereoRig& a, const stereo::StereoRig& b) {
 
 }  // namespace
 
-void writeStoredCapture(const casefile::FileGroup& group, const stereo::StereoRig& rig,
+void writeStoredCapture(const casefile::FileGroup& group, const cameras::StereoRig& rig,
                         const capture::CapturePair& pair) {
   capture::RecordingWriter writer(folderIn(group.staging()), rig);
   writer.setCapture(pair);
@@ -24,7 +24,7 @@ void writeStoredCapture(const casefile::FileGroup& group, const stereo::StereoRi
 }
 
 std::optional<capture::CapturePair> readStoredCapture(const fs::path& case_folder,
-                                                      const stereo::StereoRig& rig) {
+                                                      const cameras::StereoRig& rig) {
   if (!fs::exists(folderIn(case_folder))) return std::nullopt;
   const auto stored = capture::openCapture(folderIn(case_folder));
   if (!isSameRig(stored.rig, rig))

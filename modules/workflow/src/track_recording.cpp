@@ -14,18 +14,18 @@ namespace {
 
 /// What the head tracker starts from, and where the head was then.
 struct Start {
-  tracking::HeadReference reference;
+  head_tracking::HeadReference reference;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;  // aligned to, where it was done now
 };
 
 /// The first frame in which both cameras see a face; tracking without an alignment starts there.
-std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(const Registrations& methods,
-                                                              const capture::Recording& recording,
-                                                              TaskMonitor& monitor) {
+std::shared_ptr<const cameras::StereoFrame> firstFrameWithFace(const Registrations& methods,
+                                                               const capture::Recording& recording,
+                                                               TaskMonitor& monitor) {
   const auto detector = methods.face_detector();
   const auto source = capture::makeSource(recording);
-  std::shared_ptr<const stereo::StereoFrame> first;
+  std::shared_ptr<const cameras::StereoFrame> first;
   for (std::int64_t i = 0; auto frame = source->next(); ++i) {
     if (!first) first = frame;
     monitor.report("looking for a face",
@@ -33,7 +33,7 @@ std::shared_ptr<const stereo::StereoFrame> firstFrameWithFace(const Registration
     if (detector->detect(frame->left) && detector->detect(frame->right)) return frame;
   }
   if (first) {
-    const auto diagnosis = stereo::diagnosePair(recording.rig, *first);
+    const auto diagnosis = cameras::diagnosePair(recording.rig, *first);
     if (diagnosis.isFault()) throw monitoring::PairError(diagnosis);
   }
   throw Error("no face was found in any of " + std::to_string(recording.frame_count) + " frames",
@@ -72,10 +72,10 @@ Start startOf(const Registrations& methods, const TrackRequest& request, const c
 
 session::Navigator makeNavigator(const Registrations& methods, const TrackRequest& request,
                                  const capture::Recording& recording, Start start,
-                                 const tracking::CoilModel& coil) {
+                                 const coil_tracking::CoilModel& coil) {
   session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
                                 start.scalp};
-  setup.pace = tracking::Pace::patient;  // nobody waits for a recording's frames
+  setup.pace = head_tracking::Pace::patient;  // nobody waits for a recording's frames
   if (request.case_folder) setup.looks = casefile::readFaceLooks(*request.case_folder);
   session::Navigator navigator(setup, methods.head_trackers.create(request.head_tracker),
                                methods.coil_trackers.create(request.coil_tracker));
@@ -122,7 +122,8 @@ double quantile(std::vector<double> values, double fraction) {
 TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& request, TaskMonitor& monitor,
                             const std::function<void(const session::NavigationState&)>& on_frame) {
   const auto recording = capture::openRecording(request.recording);
-  const auto coil = request.coil_file ? tracking::readCoil(*request.coil_file) : tracking::defaultCoil();
+  const auto coil =
+      request.coil_file ? coil_tracking::readCoil(*request.coil_file) : coil_tracking::defaultCoil();
   TrackOutcome outcome;
   Start start = startOf(methods, request, recording, outcome, monitor);
   const bool is_aligned = start.camera_T_mri.has_value();

@@ -17,18 +17,18 @@ namespace {
 class Frames : public FrameSource {
  public:
   Frames(int count, double interval_s, bool fails) : count_(count), interval_s_(interval_s), fails_(fails) {}
-  const stereo::StereoRig& rig() const override { return rig_; }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
     if (number_ == count_ && fails_) throw Error("camera gives no image", "camera 2", "check the cable");
     if (number_ == count_) return nullptr;
-    auto frame = std::make_shared<stereo::StereoFrame>();
+    auto frame = std::make_shared<cameras::StereoFrame>();
     frame->number = number_;
     frame->captured = {100.0 + number_++ * interval_s_};
     return frame;
   }
 
  private:
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   int count_, number_ = 0;
   double interval_s_;
   bool fails_;

@@ -24,7 +24,7 @@ fs::path makeFolder(const TemporaryFolder& folder) {
   const fs::path recording = folder.path() / "rec";
   fs::create_directories(recording / "left");
   fs::create_directories(recording / "right");
-  stereo::writeRig(support::smallRig(), recording / "stereo.yml");
+  cameras::writeRig(support::smallRig(), recording / "stereo.yml");
   return recording;
 }
 

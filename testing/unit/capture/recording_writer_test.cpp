@@ -28,7 +28,7 @@ TEST(RecordingWriter, WhatIsWrittenIsReadBack) {
   const auto source = makeSource(recording);
   for (int i = 0; i < 4; ++i) {
     const auto frame = source->next(),
-               expected = std::make_shared<const stereo::StereoFrame>(support::noiseFrame(17 + i, 0.02 * i));
+               expected = std::make_shared<const cameras::StereoFrame>(support::noiseFrame(17 + i, 0.02 * i));
     EXPECT_EQ(frame->number, expected->number);
     EXPECT_NEAR(frame->captured.s, expected->captured.s, 1e-9);
     EXPECT_EQ(cv::norm(frame->left, expected->left), 0);

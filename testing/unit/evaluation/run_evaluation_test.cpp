@@ -197,7 +197,7 @@ TEST(EvaluationReport, WritesItsFilesAndNoScript) {
 
 /// Two cameras in front of a plane at 600 mm.
 struct Plane {
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   ExactDepth depth;
   Plane() {
     rig.width_px = 160;

@@ -17,7 +17,7 @@ using facenav::testing::SyntheticView;
 constexpr double kDegree = M_PI / 180;
 
 /// The surface that the reference saw, as a mesh: its points lie on every second pixel.
-registration::SkinModel skinOf(const tracking::HeadReference& reference) {
+registration::SkinModel skinOf(const head_tracking::HeadReference& reference) {
   registration::SkinModel skin;
   skin.points.points_mm = reference.surface.points_mm;
   skin.points.normals.assign(skin.points.points_mm.size(), -Eigen::Vector3d::UnitZ());
@@ -52,21 +52,21 @@ class Sitting {
     static const Sitting sitting;
     return sitting;
   }
-  stereo::StereoFrame render(SyntheticView view) const { return face_.render(rig_, view); }
+  cameras::StereoFrame render(SyntheticView view) const { return face_.render(rig_, view); }
   /// A turn (rotation vector, degrees) about the face's centre, and a shift.
   Eigen::Isometry3d about(const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm) const {
     Vector6d xi;
     xi << turn_deg * kDegree, shift_mm;
     return Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_);
   }
-  DriftFinding measure(const stereo::StereoFrame& frame, const Eigen::Isometry3d& pose) const {
+  DriftFinding measure(const cameras::StereoFrame& frame, const Eigen::Isometry3d& pose) const {
     return check_->measure(frame, RigidTransform<Camera, Mri>::fromIsometry(pose));
   }
 
  private:
-  stereo::StereoRig rig_ = facenav::testing::convergingRig();
+  cameras::StereoRig rig_ = facenav::testing::convergingRig();
   SyntheticFace face_;
-  tracking::HeadReference reference_;
+  head_tracking::HeadReference reference_;
   std::shared_ptr<const DriftCheck> check_;
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
 };

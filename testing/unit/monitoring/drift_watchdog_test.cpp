@@ -13,8 +13,8 @@ using Mode = DriftWatchdog::Mode;
 constexpr double kFrame_s = 1.0 / 60;
 const RigidTransform<Camera, Mri> kPose;
 
-std::shared_ptr<const stereo::StereoFrame> frame(std::int64_t number, double captured_s) {
-  auto f = std::make_shared<stereo::StereoFrame>();
+std::shared_ptr<const cameras::StereoFrame> frame(std::int64_t number, double captured_s) {
+  auto f = std::make_shared<cameras::StereoFrame>();
   f->number = number;
   f->captured = {captured_s};
   return f;
@@ -36,7 +36,7 @@ Course courseOf(
     const std::function<bool(double)>& is_tracked = [](double) { return true; }) {
   Course course;
   DriftWatchdog watchdog(
-      [&](const stereo::StereoFrame& frame, const auto&) {
+      [&](const cameras::StereoFrame& frame, const auto&) {
         ++course.measured;
         return answer(verdict_at(frame.captured.s));
       },

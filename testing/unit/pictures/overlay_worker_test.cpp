@@ -19,8 +19,8 @@ session::NavigationState state(std::int64_t frame, bool is_tracked = true) {
   s.arrived = {1000.0 + frame * 0.02};
   s.is_aligned = true;
   if (!is_tracked) return s;
-  s.head = {tracking::HeadPose{}, 0.9};
-  s.coil = {tracking::CoilPose{}, 0.9};
+  s.head = {head_tracking::HeadPose{}, 0.9};
+  s.coil = {coil_tracking::CoilPose{}, 0.9};
   s.camera_T_mri = {RigidTransform<Camera, Mri>(), 0.9};
   s.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
   return s;

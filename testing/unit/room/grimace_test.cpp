@@ -158,8 +158,8 @@ TEST(Gloss, LiesElsewhereOnTheSkinForEachCamera) {
   const auto camera_T_mri = glossy.truths[0].camera_T_mri;
   const Eigen::Vector3d face = (camera_T_mri * testing::eggPatient()->face_middle).mm;
   const auto& rig = source.rig();
-  const double parallax = stereo::project(rig.left, face).x() -
-                          stereo::project(rig.right, rig.right_T_left.isometry() * face).x();
+  const double parallax = cameras::project(rig.left, face).x() -
+                          cameras::project(rig.right, rig.right_T_left.isometry() * face).x();
   EXPECT_GT(std::abs(left.column - right.column - parallax), 1.5);
 }
 

@@ -41,11 +41,11 @@ ScenarioOptions still(int frames) {
   return options;
 }
 
-std::vector<stereo::StereoFrame> filmed(const ScenarioOptions& options,
-                                        std::shared_ptr<const VirtualPatient> patient,
-                                        std::vector<GroundTruth>* truths = nullptr) {
+std::vector<cameras::StereoFrame> filmed(const ScenarioOptions& options,
+                                         std::shared_ptr<const VirtualPatient> patient,
+                                         std::vector<GroundTruth>* truths = nullptr) {
   SyntheticSource source(options, std::move(patient));
-  std::vector<stereo::StereoFrame> frames;
+  std::vector<cameras::StereoFrame> frames;
   while (const auto frame = source.next()) {
     frames.push_back(*frame);
     if (truths) truths->push_back(source.truth());
@@ -126,7 +126,7 @@ TEST(Blink, ChangesTheImageAtTheEyesAndNowhereElse) {
     for (int x = 0; x < changed.cols; ++x) {
       double away_px = 1e9;
       for (const double side : {1.0, -1.0})
-        away_px = std::min(away_px, (stereo::project(rig.left, camera_T_mri * onEgg(32.0 * side, 8.0)) -
+        away_px = std::min(away_px, (cameras::project(rig.left, camera_T_mri * onEgg(32.0 * side, 8.0)) -
                                      Eigen::Vector2d(x, y))
                                         .norm());
       double& worst = away_px < 26.0 * options.rig.focal_px / 500.0 ? inside : outside;

@@ -38,7 +38,7 @@ TEST(CameraRays, ProjectBackOntoThePixelTheyCameFrom) {
   for (double y = 0.3; y < rig.height_px - 1; y += 17.31)
     for (double x = 0.4; x < rig.width_px - 1; x += 13.77) {
       const Eigen::Vector3d p_world = rays.origin_mm() + 700.0 * rays.direction(x, y);
-      const auto pixel = stereo::project(rig.right, rig.right_T_left.isometry() * p_world);
+      const auto pixel = cameras::project(rig.right, rig.right_T_left.isometry() * p_world);
       worst_px = std::max(worst_px, (pixel - Eigen::Vector2d(x, y)).norm());
     }
   EXPECT_LT(worst_px, 1e-3);
@@ -64,7 +64,7 @@ TEST(Renderer, DepthOfASphereIsExactInBothCameras) {
     int pixels = 0;
     for (int y = 0; y < rig.height_px; ++y)
       for (int x = 0; x < rig.width_px; ++x) {
-        const Eigen::Vector2d ray = stereo::undistort(rays.camera(), {double(x), double(y)});
+        const Eigen::Vector2d ray = cameras::undistort(rays.camera(), {double(x), double(y)});
         const Eigen::Vector3d along = ray.homogeneous(), centre = camera_T_world * centre_mm;
         const double a = along.squaredNorm(), b = along.dot(centre),
                      c = centre.squaredNorm() - radius_mm * radius_mm;

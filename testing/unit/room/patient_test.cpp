@@ -64,7 +64,7 @@ TEST(VirtualPatient, HasAClosedSkinHairAndAFaceThatDetectorsFindInBothCameras) {
       Eigen::Vector3d p = (camera_T_mri * Point<Mri>(patient->landmarks68_mm[std::size_t(i)])).mm;
       if (is_right) p = rig.right_T_left.isometry() * p;
       sum_px +=
-          (stereo::project(is_right ? rig.right : rig.left, p) - (*points)[std::size_t(i)]).norm() / 51.0;
+          (cameras::project(is_right ? rig.right : rig.left, p) - (*points)[std::size_t(i)]).norm() / 51.0;
     }
     EXPECT_LT(sum_px, 6.0);
   }

@@ -12,13 +12,13 @@
 namespace facenav::testing {
 
 struct PlatePhotographer {
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   room::RayScene scene;
   std::vector<std::shared_ptr<const room::Look>> looks;
   std::array<room::CameraRays, 2> rays;
   room::Lighting lighting;
 
-  PlatePhotographer(const stereo::StereoRig& r, const surface::TriangleMesh& mesh,
+  PlatePhotographer(const cameras::StereoRig& r, const surface::TriangleMesh& mesh,
                     std::shared_ptr<const room::Look> look)
       : rig(r),
         looks{std::move(look)},
@@ -46,8 +46,8 @@ struct PlatePhotographer {
   Eigen::Vector2d project(std::size_t side, const Eigen::Isometry3d& camera_T_plate,
                           const Eigen::Vector3d& p_mm) const {
     const Eigen::Vector3d p = camera_T_plate * p_mm;
-    return side == 0 ? stereo::project(rig.left, p)
-                     : stereo::project(rig.right, rig.right_T_left.isometry() * p);
+    return side == 0 ? cameras::project(rig.left, p)
+                     : cameras::project(rig.right, rig.right_T_left.isometry() * p);
   }
 };
 

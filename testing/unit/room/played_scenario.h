@@ -18,7 +18,7 @@ inline room::ScenarioOptions smallScenario(const char* name, int frames = 0) {
 }
 
 struct Played {
-  std::vector<stereo::StereoFrame> frames;
+  std::vector<cameras::StereoFrame> frames;
   std::vector<room::GroundTruth> truths;
 };
 

@@ -22,7 +22,7 @@ ScenarioOptions named(const char* name, int frames = 0) {
 struct Played {
   std::shared_ptr<const VirtualPatient> patient = testing::eggPatient();
   RigidTransform<Mri, frames::Target> target = leftHandArea(*patient);
-  stereo::StereoRig rig = makeRig({});
+  cameras::StereoRig rig = makeRig({});
   RigidTransform<Marker, Coil> marker_T_coil =
       mountedCoil(target, *patient, {rig, cameraFromRoom(rig), seatedHead({}, *patient)}).marker_T_coil;
   std::unique_ptr<Script> operator()(const ScenarioOptions& options) const {

@@ -40,7 +40,7 @@ TEST(SyntheticSource, DepthAgreesWithTheTruePose) {
     for (int y = 0; y < depth.left_mm.rows; y += 3)
       for (int x = 0; x < depth.left_mm.cols; x += 3) {
         if (depth.left_object.at<std::uint8_t>(y, x) != 1) continue;
-        const Eigen::Vector2d ray = stereo::undistort(source.rig().left, {double(x), double(y)});
+        const Eigen::Vector2d ray = cameras::undistort(source.rig().left, {double(x), double(y)});
         const Eigen::Vector3d p_mri =
             (mri_T_camera * Point<Camera>(depth.left_mm.at<float>(y, x) * ray.homogeneous())).mm;
         // The egg with its hair: between 0 and 5 mm outside the ellipsoid, as a scale of its radii.
@@ -69,7 +69,7 @@ TEST(SyntheticSource, SaysWhenTheHeadCannotBeKnown) {
 
 TEST(SyntheticSource, FrozenCamerasRepeatAndBlackOnesAreBlack) {
   SyntheticSource source(testing::smallScenario("lost", 60), testing::eggPatient());
-  std::shared_ptr<const stereo::StereoFrame> last;
+  std::shared_ptr<const cameras::StereoFrame> last;
   while (const auto frame = source.next()) {
     if (source.truth().label == "cameras frozen") {
       EXPECT_EQ(cv::norm(frame->left, last->left, cv::NORM_INF), 0.0);

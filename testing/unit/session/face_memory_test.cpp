@@ -17,11 +17,11 @@ RigidTransform<Camera, Head> moved() {
 /// Learns one look of the face, and notes those that it is given.
 class LearningHead : public fakes::Head {
  public:
-  explicit LearningHead(std::vector<tracking::FaceLook>& given)
+  explicit LearningHead(std::vector<head_tracking::FaceLook>& given)
       : fakes::Head([](auto) { return moved(); }), given_(given) {}
-  void addLooks(const std::vector<tracking::FaceLook>& looks) override { given_ = looks; }
-  std::vector<tracking::FaceLook> learntLooks() const override {
-    tracking::FaceLook look;
+  void addLooks(const std::vector<head_tracking::FaceLook>& looks) override { given_ = looks; }
+  std::vector<head_tracking::FaceLook> learntLooks() const override {
+    head_tracking::FaceLook look;
     look.rig = fakes::rig();
     look.frame = *fakes::frame(1, 0.1);
     look.camera_T_head = moved().isometry();
@@ -29,16 +29,17 @@ class LearningHead : public fakes::Head {
   }
 
  private:
-  std::vector<tracking::FaceLook>& given_;
+  std::vector<head_tracking::FaceLook>& given_;
 };
 
-std::vector<casefile::KeptLook> learnt(const NavigatorSetup& setup, std::vector<tracking::FaceLook>& given) {
+std::vector<casefile::KeptLook> learnt(const NavigatorSetup& setup,
+                                       std::vector<head_tracking::FaceLook>& given) {
   return Navigator(setup, std::make_unique<LearningHead>(given), std::make_unique<fakes::Coil>(std::nullopt))
       .learntLooks();
 }
 
 TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
-  std::vector<tracking::FaceLook> given;
+  std::vector<head_tracking::FaceLook> given;
   NavigatorSetup first = fakes::setup();
   const auto kept = learnt(first, given);
   ASSERT_EQ(kept.size(), 1u);
@@ -60,7 +61,7 @@ TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
 }
 
 TEST(FaceMemory, WithoutAnAlignmentNothingIsKept) {
-  std::vector<tracking::FaceLook> given;
+  std::vector<head_tracking::FaceLook> given;
   NavigatorSetup setup = fakes::setup();
   setup.camera_T_mri_at_reference.reset();
   EXPECT_TRUE(learnt(setup, given).empty());

@@ -45,16 +45,16 @@ TEST(Navigator, ChainsHeadMotionWithTheAlignment) {
 /// Shows a marker whose corners disagree with the calibration by `off_px` across the epipolar lines.
 class CoilSeenByMovedCameras : public fakes::Coil {
  public:
-  CoilSeenByMovedCameras(const stereo::StereoRig& rig, double off_px)
+  CoilSeenByMovedCameras(const cameras::StereoRig& rig, double off_px)
       : fakes::Coil(kMarker), rig_(rig), off_px_(off_px) {}
-  std::optional<tracking::MarkerSighting> sighting() const override {
-    tracking::MarkerSighting marker;
+  std::optional<coil_tracking::MarkerSighting> sighting() const override {
+    coil_tracking::MarkerSighting marker;
     for (int i = 0; i < 4; ++i) {
       const Eigen::Vector3d p_mm =
           kMarker.isometry() * Eigen::Vector3d(i == 1 || i == 2 ? 30 : -30, i < 2 ? -30 : 30, 0);
-      marker.left_px[i] = stereo::project(rig_.left, p_mm);
+      marker.left_px[i] = cameras::project(rig_.left, p_mm);
       marker.right_px[i] =
-          stereo::project(rig_.right, rig_.right_T_left.isometry() * p_mm) + Eigen::Vector2d(0, off_px_);
+          cameras::project(rig_.right, rig_.right_T_left.isometry() * p_mm) + Eigen::Vector2d(0, off_px_);
     }
     marker.size_mm = 60;
     marker.print_sigma_mm = 0.1;
@@ -63,7 +63,7 @@ class CoilSeenByMovedCameras : public fakes::Coil {
   }
 
  private:
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   double off_px_;
 };
 
@@ -86,7 +86,7 @@ TEST(Navigator, RefusesEveryPoseWhenTheCamerasHaveMoved) {
 TEST(Navigator, ShowsNoPoseOfAHeadThatHasDrifted) {
   auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
   navigator.setWatchdog(std::make_unique<monitoring::DriftWatchdog>(
-      [](const stereo::StereoFrame& frame, const auto&) {
+      [](const cameras::StereoFrame& frame, const auto&) {
         monitoring::DriftFinding finding;
         const double t_s = frame.captured.s;
         finding.verdict = t_s > 2.0 && t_s < 5.0 ? monitoring::DriftFinding::Verdict::drifted
@@ -110,7 +110,7 @@ TEST(Navigator, ShowsNoPoseOfAHeadThatHasDrifted) {
 }
 
 TEST(NavigationState, SaysWhatALossLooksLike) {
-  using tracking::LossDetail;
+  using head_tracking::LossDetail;
   std::set<std::string> words;
   for (const auto detail : {LossDetail::unknown, LossDetail::not_found, LossDetail::covered,
                             LossDetail::too_far, LossDetail::blurred, LossDetail::one_camera,
@@ -119,7 +119,7 @@ TEST(NavigationState, SaysWhatALossLooksLike) {
     state.head = Lost{LostReason::few_features};
     state.head_detail = detail;
     words.insert(lossInWords(state));
-    EXPECT_EQ(lossWord(state), tracking::toString(detail));
+    EXPECT_EQ(lossWord(state), head_tracking::toString(detail));
   }
   EXPECT_EQ(words.size(), 9u);
   EXPECT_EQ(words.count(""), 0u);
@@ -128,7 +128,7 @@ TEST(NavigationState, SaysWhatALossLooksLike) {
 TEST(NavigationState, NamesAllThatIsLostInWordsAndNotInCodes) {
   NavigationState state;
   state.head = Lost{LostReason::few_features};
-  state.head_detail = tracking::LossDetail::covered;
+  state.head_detail = head_tracking::LossDetail::covered;
   state.coil = Lost{LostReason::no_marker};
   EXPECT_EQ(lossTitles(state), (std::vector<std::string>{"FACE COVERED", "COIL NOT SEEN"}));
   EXPECT_EQ(lossTitles(blanked(state, LostReason::stale)), std::vector<std::string>{"NO NEW IMAGES"});
@@ -141,8 +141,8 @@ struct NotedWork {
 class WorkingHead : public fakes::Head {
  public:
   explicit WorkingHead(NotedWork& noted) : fakes::Head([](auto) { return kMoved; }), noted_(noted) {}
-  tracking::FrameWork work() const override { return {1234}; }
-  void leave(const tracking::FrameWork& work) override { noted_.left_by_head = work.looks; }
+  FrameWork work() const override { return {1234}; }
+  void leave(const FrameWork& work) override { noted_.left_by_head = work.looks; }
 
  private:
   NotedWork& noted_;
@@ -151,8 +151,8 @@ class WorkingHead : public fakes::Head {
 class WaitingCoil : public fakes::Coil {
  public:
   explicit WaitingCoil(NotedWork& noted) : fakes::Coil(std::nullopt), noted_(noted) {}
-  void setWorkBefore(const tracking::FrameWork& work) override { noted_.before_coil = work.looks; }
-  tracking::FrameWork putOff() const override { return {567}; }
+  void setWorkBefore(const FrameWork& work) override { noted_.before_coil = work.looks; }
+  FrameWork putOff() const override { return {567}; }
 
  private:
   NotedWork& noted_;
@@ -215,7 +215,7 @@ TEST(Navigator, WithoutAnAlignmentTheHeadIsTrackedButNotPlaced) {
 
 TEST(Navigator, AFrameOfAnotherSizeIsACameraFault) {
   auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
-  auto wrong = std::make_shared<stereo::StereoFrame>(*fakes::frame(0, 0));
+  auto wrong = std::make_shared<cameras::StereoFrame>(*fakes::frame(0, 0));
   wrong->right = cv::Mat(10, 10, CV_8UC1, cv::Scalar(1));
   const auto state = navigator.process(wrong);
   ASSERT_FALSE(state.head);

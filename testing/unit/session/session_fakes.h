@@ -10,16 +10,16 @@
 
 namespace facenav::session::fakes {
 
-inline stereo::StereoRig rig() {
-  stereo::StereoRig r;
+inline cameras::StereoRig rig() {
+  cameras::StereoRig r;
   r.width_px = 64, r.height_px = 48;
   r.left.k = r.right.k = cv::Matx33d(80, 0, 32, 0, 80, 24, 0, 0, 1);
   r.right_T_left = RigidTransform<RightCamera, Camera>(Eigen::Quaterniond::Identity(), {-120, 0, 0});
   return r;
 }
 
-inline std::shared_ptr<const stereo::StereoFrame> frame(std::int64_t number, double captured_s) {
-  auto f = std::make_shared<stereo::StereoFrame>();
+inline std::shared_ptr<const cameras::StereoFrame> frame(std::int64_t number, double captured_s) {
+  auto f = std::make_shared<cameras::StereoFrame>();
   f->left = cv::Mat(48, 64, CV_8UC1, cv::Scalar(100));
   f->right = f->left.clone();
   f->number = number;
@@ -31,8 +31,8 @@ class Source : public capture::FrameSource {
  public:
   Source(int frames, double interval_s, int fails_at = -1)
       : frames_(frames), interval_s_(interval_s), fails_at_(fails_at) {}
-  const stereo::StereoRig& rig() const override { return rig_; }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
     if (number_ == fails_at_) throw Error("the frame cannot be read", "left/000005.png");
     if (number_ >= frames_) return nullptr;
     const int n = number_++;
@@ -40,23 +40,23 @@ class Source : public capture::FrameSource {
   }
 
  private:
-  stereo::StereoRig rig_ = fakes::rig();
+  cameras::StereoRig rig_ = fakes::rig();
   int frames_, number_ = 0;
   double interval_s_;
   int fails_at_;
 };
 
 /// The head's pose is a function of the frame; an empty answer is a loss.
-class Head : public tracking::HeadTracker {
+class Head : public head_tracking::HeadTracker {
  public:
   using Pose = std::function<std::optional<RigidTransform<Camera, facenav::Head>>(std::int64_t)>;
   explicit Head(Pose pose, int work_ms = 0) : pose_(std::move(pose)), work_ms_(work_ms) {}
-  void start(const stereo::StereoRig&, const tracking::HeadReference&) override {}
-  Tracked<tracking::HeadPose> track(const stereo::StereoFrame& f) override {
+  void start(const cameras::StereoRig&, const head_tracking::HeadReference&) override {}
+  Tracked<head_tracking::HeadPose> track(const cameras::StereoFrame& f) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(work_ms_));
     const auto pose = pose_(f.number);
     if (!pose) return Lost{LostReason::no_face};
-    tracking::HeadPose head;
+    head_tracking::HeadPose head;
     head.camera_T_head = *pose;
     return {head, 0.8};
   }
@@ -66,13 +66,13 @@ class Head : public tracking::HeadTracker {
   int work_ms_;
 };
 
-class Coil : public tracking::CoilTracker {
+class Coil : public coil_tracking::CoilTracker {
  public:
   explicit Coil(std::optional<RigidTransform<Camera, Marker>> pose) : pose_(std::move(pose)) {}
-  void start(const stereo::StereoRig&, const tracking::CoilModel&) override {}
-  Tracked<tracking::CoilPose> track(const stereo::StereoFrame&) override {
+  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
+  Tracked<coil_tracking::CoilPose> track(const cameras::StereoFrame&) override {
     if (!pose_) return Lost{LostReason::no_marker};
-    tracking::CoilPose coil;
+    coil_tracking::CoilPose coil;
     coil.camera_T_marker = *pose_;
     for (auto* corners : {&coil.left_corners_px, &coil.right_corners_px})
       *corners = {Eigen::Vector2d(20, 10), Eigen::Vector2d(40, 10), Eigen::Vector2d(40, 30),

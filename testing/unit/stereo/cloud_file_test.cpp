@@ -45,7 +45,7 @@ Ply readPly(const std::string& text) {
   return ply;
 }
 
-FusedCloud sphereSeenWithDots(const StereoRig& rig) {
+FusedCloud sphereSeenWithDots(const cameras::StereoRig& rig) {
   const support::Scene scene(support::sphere({0, 0, 660}, 60), {});
   TaskMonitor monitor;
   FusedCloud cloud{measureFace(rig, scene.render(rig), {}, monitor), {}};
@@ -56,7 +56,7 @@ FusedCloud sphereSeenWithDots(const StereoRig& rig) {
 }  // namespace
 
 TEST(CloudFile, IsReadBackAsItWasMeasured) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const FusedCloud cloud = sphereSeenWithDots(rig);
   cv::Mat left(rig.height_px, rig.width_px, CV_8U);
   for (int y = 0; y < left.rows; ++y)

@@ -27,7 +27,7 @@ Eigen::Isometry3d motionOf(int frame) {
 }
 
 /// The sphere as one frame measures it: its middle moved by `motion`, each point off along its ray.
-FaceCloud seenAt(const StereoRig& rig, const Eigen::Isometry3d& motion, unsigned seed,
+FaceCloud seenAt(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion, unsigned seed,
                  double wrong_share = 0) {
   const auto surface = support::sphere(motion * kMiddle, kRadius_mm);
   std::mt19937 random(seed);
@@ -50,7 +50,7 @@ FaceCloud seenAt(const StereoRig& rig, const Eigen::Isometry3d& motion, unsigned
   return cloud;
 }
 
-FusedCloud fusedOf(const StereoRig& rig, int frames, double wrong_share = 0) {
+FusedCloud fusedOf(const cameras::StereoRig& rig, int frames, double wrong_share = 0) {
   CloudFusion fusion(rig, 0);
   for (int i = 0; i < frames; ++i)
     fusion.add(seenAt(rig, motionOf(i), 10 + unsigned(i), wrong_share), motionOf(i).inverse());
@@ -81,7 +81,7 @@ Errors errorsOf(const FusedCloud& fused, int least_frames) {
 
 class Fusion : public ::testing::Test {
  protected:
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Accuracy {
 };
 
 // Along the ray of each left pixel; points on the surface at more than `farthest_mm` are not counted.
-Accuracy compare(const FaceCloud& face, const support::Scene& scene, const StereoRig& rig,
+Accuracy compare(const FaceCloud& face, const support::Scene& scene, const cameras::StereoRig& rig,
                  const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& normal_at,
                  double farthest_mm = 1e9) {
   Accuracy a;
@@ -45,14 +45,16 @@ Accuracy compare(const FaceCloud& face, const support::Scene& scene, const Stere
   return a;
 }
 
-FaceCloud measure(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options = {}) {
+FaceCloud measure(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                  const FaceCloudOptions& options = {}) {
   TaskMonitor monitor;
   return measureFace(rig, frame, options, monitor);
 }
 
 const Eigen::Vector3d kPlaneNormal = Eigen::Vector3d(0.2, 0.1, -1).normalized();
 
-std::string messageOf(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options = {}) {
+std::string messageOf(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                      const FaceCloudOptions& options = {}) {
   try {
     measure(rig, frame, options);
   } catch (const Error& error) {
@@ -64,7 +66,7 @@ std::string messageOf(const StereoRig& rig, const StereoFrame& frame, const Face
 }  // namespace
 
 TEST(FaceCloud, DottedPlaneIsMeasuredToAFifthOfAMillimetre) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   support::SceneOptions options;
   options.right_gain = 0.85;  // cameras never see skin equally bright
   options.right_offset_grey = 6;
@@ -82,8 +84,8 @@ TEST(FaceCloud, DottedPlaneIsMeasuredToAFifthOfAMillimetre) {
 }
 
 TEST(FaceCloud, VerticalAndRolledRigsMeasureAsWell) {
-  for (const StereoRig& whole : {support::verticalRig(), support::rolledRig()}) {
-    const StereoRig rig = support::cropped(whole);
+  for (const cameras::StereoRig& whole : {support::verticalRig(), support::rolledRig()}) {
+    const cameras::StereoRig rig = support::cropped(whole);
     const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
     const Accuracy a =
         compare(measure(rig, scene.render(rig)), scene, rig, [](const auto&) { return kPlaneNormal; });
@@ -94,7 +96,7 @@ TEST(FaceCloud, VerticalAndRolledRigsMeasureAsWell) {
 }
 
 TEST(FaceCloud, SphereIsNeitherFlattenedNorSwollen) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const Eigen::Vector3d centre(0, 0, 660);
   const support::Scene scene(
       support::both(support::sphere(centre, 60), support::plane({0, 0, 900}, {0, 0, -1})), {});
@@ -107,9 +109,9 @@ TEST(FaceCloud, SphereIsNeitherFlattenedNorSwollen) {
 }
 
 TEST(FaceCloud, AKnownSurfaceIsMeasuredWithoutASearch) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
-  const StereoFrame frame = scene.render(rig);
+  const cameras::StereoFrame frame = scene.render(rig);
   FaceCloudOptions options;
   const FaceCloud searched = measure(rig, frame, options);
   auto known = std::make_shared<PointCloud<Camera>>();
@@ -129,7 +131,7 @@ TEST(FaceCloud, AKnownSurfaceIsMeasuredWithoutASearch) {
 }
 
 TEST(FaceCloud, PeerMatcherSeesTheSamePlane) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
   FaceCloudOptions options;
   options.matcher = "sgbm";
@@ -142,7 +144,7 @@ TEST(FaceCloud, PeerMatcherSeesTheSamePlane) {
 }
 
 TEST(FaceCloud, RegionOfInterestHoldsAllPoints) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
   FaceCloudOptions options;
   options.left_roi = cv::Rect(100, 80, 120, 90);
@@ -154,11 +156,11 @@ TEST(FaceCloud, RegionOfInterestHoldsAllPoints) {
 }
 
 TEST(FaceCloud, CamerasThatHaveMovedShowInTheEpipolarError) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
-  const StereoFrame frame = scene.render(rig);
+  const cameras::StereoFrame frame = scene.render(rig);
   const auto tilted = [&](double by_px) {  // since the calibration
-    StereoRig moved = rig;
+    cameras::StereoRig moved = rig;
     const Eigen::Isometry3d tilt = expRigid((Vector6d() << by_px / 800, 0, 0, 0, 0, 0).finished());
     moved.right_T_left =
         RigidTransform<RightCamera, Camera>::fromIsometry(tilt * rig.right_T_left.isometry());
@@ -170,8 +172,8 @@ TEST(FaceCloud, CamerasThatHaveMovedShowInTheEpipolarError) {
 }
 
 TEST(FaceCloud, RefusesWhatCannotBeMeasured) {
-  const StereoRig rig = support::cropped(support::convergingRig());
-  StereoFrame frame;
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
+  cameras::StereoFrame frame;
   EXPECT_THAT(messageOf(rig, frame), HasSubstr("no left image"));
   frame.left = cv::Mat(240, 320, CV_8U, cv::Scalar(0));
   frame.right = frame.left.clone();
@@ -189,15 +191,15 @@ TEST(FaceCloud, RefusesWhatCannotBeMeasured) {
 }
 
 TEST(FaceCloud, SwappedImagesAreRecognised) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
-  StereoFrame frame = scene.render(rig);
+  cameras::StereoFrame frame = scene.render(rig);
   std::swap(frame.left, frame.right);
   EXPECT_THAT(messageOf(rig, frame), HasSubstr("swapped"));
 }
 
 TEST(FaceCloud, CancelStopsIt) {
-  const StereoRig rig = support::cropped(support::convergingRig());
+  const cameras::StereoRig rig = support::cropped(support::convergingRig());
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
   TaskMonitor monitor;
   monitor.cancel();

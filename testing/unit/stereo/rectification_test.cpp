@@ -13,8 +13,8 @@ namespace support = facenav::testing;
 
 namespace {
 
-StereoRig swappedRig() {
-  StereoRig rig = support::convergingRig();
+cameras::StereoRig swappedRig() {
+  cameras::StereoRig rig = support::convergingRig();
   std::swap(rig.left, rig.right);
   rig.right_T_left =
       rig.right_T_left.inverse().reframe<RightCamera, Camera>();  // names changed with the cameras
@@ -41,7 +41,7 @@ Eigen::Vector2d rectifiedPixel(const cv::Mat& map, const Eigen::Vector2d& record
 }  // namespace
 
 TEST(Rectification, PutsMatchesOnOneRowWhateverTheRelativePose) {
-  for (const StereoRig& rig :
+  for (const cameras::StereoRig& rig :
        {support::convergingRig(), support::verticalRig(), support::rolledRig(), swappedRig()}) {
     const Rectification r = rectify(rig, {400, 1000});
     for (const Eigen::Vector3d& p : {Eigen::Vector3d(10, 20, 600), {-60, 30, 620}, {50, -60, 700}}) {
@@ -64,7 +64,7 @@ TEST(Rectification, DepthPerDisparityIsTheDerivative) {
 }
 
 TEST(Rectification, RegionOfInterestIsAllThatIsSearched) {
-  const StereoRig rig = support::convergingRig();
+  const cameras::StereoRig rig = support::convergingRig();
   const Rectification whole = rectify(rig, {400, 1000}),
                       part = rectify(rig, {400, 1000}, {200, 150, 160, 120});
   EXPECT_LT(part.left_map.total(), whole.left_map.total() / 6);
@@ -78,7 +78,7 @@ TEST(Rectification, RegionOfInterestIsAllThatIsSearched) {
 }
 
 TEST(Rectification, RefusesCamerasInOneLineOrFacingApart) {
-  StereoRig rig = support::convergingRig();
+  cameras::StereoRig rig = support::convergingRig();
   rig.right_T_left = {Eigen::Quaterniond::Identity(), {0, 0, -120}};
   EXPECT_THROW(rectify(rig, {400, 1000}), Error);
   rig.right_T_left = {Eigen::Quaterniond(expRotation({0, 2.6, 0})), {-120, 0, 0}};

@@ -11,48 +11,48 @@ namespace facenav::workflow {
 namespace {
 
 /// 68 points of a face that looks at the left camera from 600 mm, projected into both images.
-class FakeDetector : public tracking::FaceDetector {
+class FakeDetector : public face::FaceDetector {
  public:
-  FakeDetector(const stereo::StereoRig& rig, bool finds_right) : rig_(rig), finds_right_(finds_right) {
+  FakeDetector(const cameras::StereoRig& rig, bool finds_right) : rig_(rig), finds_right_(finds_right) {
     points_.assign(68, Eigen::Vector3d(0, 0, 600));  // Camera: the patient's right is -x, up is -y
     for (int i = 36; i < 42; ++i) points_[i] = {-32, -30, 605};
     for (int i = 42; i < 48; ++i) points_[i] = {32, -30, 605};
     for (int i = 48; i < 68; ++i) points_[i] = {0, 40, 600};
     points_[30] = {0, 0, 575};
   }
-  std::optional<tracking::FaceLandmarks> detect(const cv::Mat& grey) const override {
+  std::optional<face::FaceLandmarks> detect(const cv::Mat& grey) const override {
     const bool is_left = grey.at<std::uint8_t>(0, 0) == 1;
     if (!is_left && !finds_right_) return std::nullopt;
-    tracking::FaceLandmarks face;
+    face::FaceLandmarks face;
     face.face = {200, 150, 180, 180};
     for (const auto& p : points_)
-      face.points68.push_back(is_left ? stereo::project(rig_.left, p)
-                                      : stereo::project(rig_.right, rig_.right_T_left.isometry() * p));
+      face.points68.push_back(is_left ? cameras::project(rig_.left, p)
+                                      : cameras::project(rig_.right, rig_.right_T_left.isometry() * p));
     return face;
   }
-  std::optional<tracking::FaceLandmarks> detectNear(const cv::Mat& grey,
-                                                    const tracking::FaceLandmarks&) const override {
+  std::optional<face::FaceLandmarks> detectNear(const cv::Mat& grey,
+                                                const face::FaceLandmarks&) const override {
     return detect(grey);
   }
-  std::optional<tracking::FaceLandmarks> detectAtRoll(const cv::Mat& grey, double) const override {
+  std::optional<face::FaceLandmarks> detectAtRoll(const cv::Mat& grey, double) const override {
     return detect(grey);
   }
   std::vector<Eigen::Vector3d> points_;
 
  private:
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   bool finds_right_;
 };
 
-stereo::StereoRig vgaRig() {
+cameras::StereoRig vgaRig() {
   auto rig = session::fakes::rig();
   rig.width_px = 640, rig.height_px = 480;
   rig.left.k = rig.right.k = cv::Matx33d(800, 0, 320, 0, 800, 240, 0, 0, 1);
   return rig;
 }
 
-stereo::StereoFrame taggedFrame() {
-  stereo::StereoFrame frame;
+cameras::StereoFrame taggedFrame() {
+  cameras::StereoFrame frame;
   frame.left = cv::Mat(480, 640, CV_8UC1, cv::Scalar(1));
   frame.right = cv::Mat(480, 640, CV_8UC1, cv::Scalar(2));
   return frame;
@@ -157,7 +157,7 @@ class MisledAlignment : public ::testing::Test {
     return alignFromCapture(rig, {pattern, plain}, scalp, aligner, detector, {}, monitor);
   }
 
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   FakeDetector detector;
   EasyAligner aligner;
   surface::ScalpSurface scalp;

@@ -19,13 +19,13 @@ using ::testing::HasSubstr;
 /// The head sways by some millimetres and degrees; one frame may be hidden.
 class SwayingFilm : public capture::FrameSource {
  public:
-  SwayingFilm(const SyntheticFace& face, const stereo::StereoRig& rig, int frames, int hidden = -1,
+  SwayingFilm(const SyntheticFace& face, const cameras::StereoRig& rig, int frames, int hidden = -1,
               std::uint64_t seed = 1)
       : face_(face), rig_(rig), frames_(frames), hidden_(hidden), seed_(seed) {}
-  const stereo::StereoRig& rig() const override { return rig_; }
-  std::shared_ptr<const stereo::StereoFrame> next() override {
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
     if (number_ >= frames_) return nullptr;
-    auto frame = std::make_shared<stereo::StereoFrame>(face_.render(rig_, viewAt(number_)));
+    auto frame = std::make_shared<cameras::StereoFrame>(face_.render(rig_, viewAt(number_)));
     frame->number = number_++;
     return frame;
   }
@@ -44,7 +44,7 @@ class SwayingFilm : public capture::FrameSource {
 
  private:
   const SyntheticFace& face_;
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   int frames_, hidden_, number_ = 0;
   std::uint64_t seed_;
 };
@@ -61,7 +61,7 @@ class MeasuredFaces : public ::testing::Test {
       GTEST_SKIP() << "no portrait (python3-skimage)";
     static const SyntheticFace shared = SyntheticFace::astronaut();
     face_ = &shared;
-    detector_ = tracking::makeFaceDetector();
+    detector_ = face::makeFaceDetector();
     if (truth_.empty()) makeTruth();
   }
 
@@ -108,7 +108,7 @@ class MeasuredFaces : public ::testing::Test {
 
   MeasuredFace filmed(int frames, int hidden = -1, std::uint64_t seed = 1) const {
     SwayingFilm film(*face_, rig_, frames, hidden, seed);
-    const auto tracker = tracking::makeModelHeadTracker(detector_);
+    const auto tracker = head_tracking::makeModelHeadTracker(detector_);
     TaskMonitor monitor;
     return measureFilm(film, 0, frames - 1, *tracker, *detector_, monitor);
   }
@@ -141,9 +141,9 @@ class MeasuredFaces : public ::testing::Test {
     EXPECT_GT(errors.within_two, 0.85);
   }
 
-  const stereo::StereoRig rig_ = facenav::testing::convergingRig();
+  const cameras::StereoRig rig_ = facenav::testing::convergingRig();
   const SyntheticFace* face_ = nullptr;
-  std::shared_ptr<const tracking::FaceDetector> detector_;
+  std::shared_ptr<const face::FaceDetector> detector_;
   static inline cv::Mat truth_;
 };
 
@@ -173,7 +173,7 @@ TEST_F(MeasuredFaces, SeveralFramesAreLessNoisyThanOne) {
 
 TEST_F(MeasuredFaces, AFilmWithoutTheFrameIsRefused) {
   SwayingFilm film(*face_, rig_, 2);
-  const auto tracker = tracking::makeModelHeadTracker(detector_);
+  const auto tracker = head_tracking::makeModelHeadTracker(detector_);
   TaskMonitor monitor;
   try {
     measureFilm(film, 7, 9, *tracker, *detector_, monitor);

@@ -14,8 +14,8 @@ PointCloud<Camera> faceAt(double z_mm) {
 }
 
 /// A calibration that knows all but this one parameter.
-stereo::StereoRig knownBut(int parameter, double sigma) {
-  stereo::StereoRig rig = facenav::testing::convergingRig();
+cameras::StereoRig knownBut(int parameter, double sigma) {
+  cameras::StereoRig rig = facenav::testing::convergingRig();
   const int n = 2 * (4 + 5) + 6;
   rig.covariance = cv::Mat::zeros(n, n, CV_64F);
   rig.covariance.at<double>(parameter, parameter) = sigma * sigma;

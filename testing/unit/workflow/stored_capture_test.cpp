@@ -23,15 +23,15 @@ using ::testing::ThrowsMessage;
 
 namespace fs = std::filesystem;
 
-capture::CapturePair someCapture(const stereo::StereoRig& rig, int grey = 90) {
+capture::CapturePair someCapture(const cameras::StereoRig& rig, int grey = 90) {
   capture::CapturePair pair;
-  for (stereo::StereoFrame* frame : {&pair.pattern, &pair.plain})
+  for (cameras::StereoFrame* frame : {&pair.pattern, &pair.plain})
     for (cv::Mat* image : {&frame->left, &frame->right})
       *image = cv::Mat(rig.height_px, rig.width_px, CV_8U, cv::Scalar(grey));
   return pair;
 }
 
-void store(const fs::path& folder, const stereo::StereoRig& rig, const capture::CapturePair& pair) {
+void store(const fs::path& folder, const cameras::StereoRig& rig, const capture::CapturePair& pair) {
   casefile::FileGroup group(folder);
   writeStoredCapture(group, rig, pair);
   group.commit("alignment_capture");

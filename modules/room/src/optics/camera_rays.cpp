@@ -6,17 +6,17 @@
 namespace facenav::room {
 namespace {
 
-std::vector<Eigen::Vector2d> undistortAll(const stereo::CameraModel& camera, int width, int height) {
+std::vector<Eigen::Vector2d> undistortAll(const cameras::CameraModel& camera, int width, int height) {
   std::vector<Eigen::Vector2d> table;
   table.reserve(std::size_t(width + 2) * std::size_t(height + 2));
   for (int y = -1; y <= height; ++y)
-    for (int x = -1; x <= width; ++x) table.push_back(stereo::undistort(camera, {double(x), double(y)}));
+    for (int x = -1; x <= width; ++x) table.push_back(cameras::undistort(camera, {double(x), double(y)}));
   return table;
 }
 
 }  // namespace
 
-CameraRays::CameraRays(const stereo::CameraModel& camera, int width_px, int height_px,
+CameraRays::CameraRays(const cameras::CameraModel& camera, int width_px, int height_px,
                        const Eigen::Isometry3d& camera_T_world)
     : camera_(camera),
       width_px_(width_px),
@@ -29,7 +29,7 @@ CameraRays::CameraRays(const stereo::CameraModel& camera, int width_px, int heig
 bool CameraRays::shows(const Eigen::Vector3d& p_world_mm) const {
   const Eigen::Vector3d p = camera_T_world_ * p_world_mm;
   if (p.z() <= 0.0 || p.head<2>().norm() > 1.2 * p.z()) return false;
-  const Eigen::Vector2d pixel = stereo::project(camera_, p);
+  const Eigen::Vector2d pixel = cameras::project(camera_, p);
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= width_px_ - 1.0 &&
          pixel.y() <= height_px_ - 1.0;
 }
@@ -42,7 +42,7 @@ std::optional<cv::Rect> CameraRays::boxOf(const Eigen::AlignedBox3d& box,
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d p = camera_T_object * box.corner(Eigen::AlignedBox3d::CornerType(corner));
     if (p.z() < 1.0 || p.head<2>().norm() > kWidest * p.z()) return std::nullopt;
-    around.extend(stereo::project(camera_, p));
+    around.extend(cameras::project(camera_, p));
   }
   const Eigen::Vector2d low = around.min().array() - kMargin_px,
                         size = around.sizes().array() + 2.0 * kMargin_px;

@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "facenav/stereo/stereo_rig.h"
+#include "facenav/cameras/stereo_rig.h"
 
 namespace facenav::room {
 
 class CameraRays {
  public:
   /// `camera_T_world` maps world (= left camera) to this camera.
-  CameraRays(const stereo::CameraModel& camera, int width_px, int height_px,
+  CameraRays(const cameras::CameraModel& camera, int width_px, int height_px,
              const Eigen::Isometry3d& camera_T_world);
 
   int width_px() const { return width_px_; }
@@ -29,11 +29,11 @@ class CameraRays {
   /// behind or beside the camera too far to say.
   std::optional<cv::Rect> boxOf(const Eigen::AlignedBox3d& box,
                                 const Eigen::Isometry3d& world_T_object) const;
-  const stereo::CameraModel& camera() const { return camera_; }
+  const cameras::CameraModel& camera() const { return camera_; }
   const Eigen::Isometry3d& camera_T_world() const { return camera_T_world_; }
 
  private:
-  stereo::CameraModel camera_;
+  cameras::CameraModel camera_;
   int width_px_, height_px_;
   Eigen::Isometry3d camera_T_world_;
   Eigen::Matrix3d world_from_camera_;

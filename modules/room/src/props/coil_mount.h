@@ -2,16 +2,16 @@
 // Where the marker's plate stands on the coil: in sight of both cameras while the coil is at its target, as a
 // clinic would mount it, and not before the face.
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/room/room_coil.h"
 #include "facenav/room/room_rig.h"
 #include "facenav/room/virtual_patient.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::room {
 
 /// The seated patient as the cameras have him.
 struct CoilView {
-  const stereo::StereoRig& rig;
+  const cameras::StereoRig& rig;
   RigidTransform<Camera, Room> camera_T_room;
   RigidTransform<Room, Mri> room_T_mri;
 };

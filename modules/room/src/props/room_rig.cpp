@@ -14,9 +14,9 @@ Eigen::Matrix3d turn(double degrees, const Eigen::Vector3d& axis) {
   return expRotation(degrees * kDegree * axis);
 }
 
-stereo::CameraModel camera(const RigOptions& options, double focal_scale, double dx_px, double dy_px,
-                           double bend) {
-  stereo::CameraModel model;
+cameras::CameraModel camera(const RigOptions& options, double focal_scale, double dx_px, double dy_px,
+                            double bend) {
+  cameras::CameraModel model;
   const double f = options.focal_px * focal_scale;
   model.k = cv::Matx33d(f, 0, 0.5 * (options.width_px - 1) + dx_px, 0, 1.0015 * f,
                         0.5 * (options.height_px - 1) + dy_px, 0, 0, 1);
@@ -61,7 +61,7 @@ RigOptions randomRig(std::uint64_t seed) {
   return rig;
 }
 
-stereo::StereoRig makeRig(const RigOptions& options) {
+cameras::StereoRig makeRig(const RigOptions& options) {
   const double half_deg = 0.5 * options.convergence_deg, half_mm = 0.5 * options.baseline_mm;
   const auto middle_T_left =
       placed(turn(half_deg, Eigen::Vector3d::UnitY()) * turn(0.35, Eigen::Vector3d::UnitZ()), -half_mm);
@@ -69,7 +69,7 @@ stereo::StereoRig makeRig(const RigOptions& options) {
       placed(turn(-half_deg, Eigen::Vector3d::UnitY()) * turn(-0.25, Eigen::Vector3d::UnitZ()) *
                  turn(0.2, Eigen::Vector3d::UnitX()),
              half_mm);
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   rig.width_px = options.width_px;
   rig.height_px = options.height_px;
   rig.left = camera(options, 1.0, 6.3, -4.2, 1.0);
@@ -79,7 +79,7 @@ stereo::StereoRig makeRig(const RigOptions& options) {
   return rig;
 }
 
-RigidTransform<Camera, Room> cameraFromRoom(const stereo::StereoRig& rig, double roll_deg) {
+RigidTransform<Camera, Room> cameraFromRoom(const cameras::StereoRig& rig, double roll_deg) {
   const Eigen::Isometry3d left_T_right = rig.right_T_left.inverse().isometry();
   const Eigen::Matrix3d mean = expRotation(0.5 * logRotation(left_T_right.linear()));
   Eigen::Isometry3d camera_T_room = Eigen::Isometry3d::Identity();

@@ -44,7 +44,7 @@ Distance meanOf(const std::vector<std::pair<double, double>>& seen, double share
 
 }  // namespace
 
-CloudFusion::CloudFusion(const StereoRig& rig, double shared_px)
+CloudFusion::CloudFusion(const cameras::StereoRig& rig, double shared_px)
     : rig_(rig), shared_px_(shared_px), cells_(std::size_t(rig.width_px) * std::size_t(rig.height_px)) {}
 
 void CloudFusion::see(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal, float sigma_mm) {

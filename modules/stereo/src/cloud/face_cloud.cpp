@@ -4,12 +4,12 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "cloud/epipolar_check.h"
 #include "cloud_normals.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/stereo/dense_matcher.h"
 #include "matchers/block_search.h"
-#include "rig/epipolar_check.h"
 
 namespace facenav::stereo {
 namespace {
@@ -31,7 +31,7 @@ double brightLevel(const cv::Mat& image) {
   return level;
 }
 
-void requireUsable(const StereoRig& rig, const StereoFrame& frame) {
+void requireUsable(const cameras::StereoRig& rig, const cameras::StereoFrame& frame) {
   for (const auto& [side, image] : {std::pair("left", &frame.left), std::pair("right", &frame.right)}) {
     if (image->empty())
       throw Error(std::string("there is no ") + side + " image", {}, "record the pair again");
@@ -81,8 +81,8 @@ PointCloud<Camera> roughSurface(const Rectification& rectification, const Rectif
   return rough;
 }
 
-FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
-                      TaskMonitor& monitor) {
+FaceCloud measureOnce(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                      const FaceCloudOptions& options, TaskMonitor& monitor) {
   const auto matcher = makeDenseMatcher(options.matcher);
   monitor.report("rectify", 0.0);
   const Rectification rectification =
@@ -105,9 +105,9 @@ FaceCloud measureOnce(const StereoRig& rig, const StereoFrame& frame, const Face
 
 // Swapped images of a converging pair match in places, at depths that look likely, and turn a face inside
 // out. Rows then disagree a little; the images put right match far better.
-void refuseSwapped(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
-                   const FaceCloud& face, TaskMonitor& monitor) {
-  StereoFrame swapped = frame;
+void refuseSwapped(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                   const FaceCloudOptions& options, const FaceCloud& face, TaskMonitor& monitor) {
+  cameras::StereoFrame swapped = frame;
   std::swap(swapped.left, swapped.right);
   const FaceCloud other = measureOnce(rig, swapped, options, monitor);
   if (other.cloud.size() > kFewestPoints && other.cloud.size() > face.cloud.size() &&
@@ -117,8 +117,8 @@ void refuseSwapped(const StereoRig& rig, const StereoFrame& frame, const FaceClo
 
 }  // namespace
 
-FaceCloud measureFace(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
-                      TaskMonitor& monitor) {
+FaceCloud measureFace(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                      const FaceCloudOptions& options, TaskMonitor& monitor) {
   requireUsable(rig, frame);
   FaceCloud face = measureOnce(rig, frame, options, monitor);
   const bool is_too_few = face.cloud.size() < kFewestPoints;

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "facenav/stereo/calibrate.h"
+#include "facenav/cameras/calibrate.h"
 
 namespace facenav::capture {
 
 /// Each of `left` and `right` is a list of files and globs ("left*.jpg"), expanded here and ordered by the
 /// number in the name. Throws Error: a glob without a match, counts or numbers that differ, an image that
 /// cannot be read.
-std::vector<stereo::CalibrationPair> readCalibrationImages(const std::vector<std::string>& left,
-                                                           const std::vector<std::string>& right);
+std::vector<cameras::CalibrationPair> readCalibrationImages(const std::vector<std::string>& left,
+                                                            const std::vector<std::string>& right);
 
 }  // namespace facenav::capture

@@ -12,6 +12,6 @@ namespace facenav::capture {
 /// Opens cameras `left_index` and `right_index` at the rig's image size. Throws Error naming the camera that
 /// does not open or does not give that size. Frames are numbered from 0 and stamped with the steady clock at
 /// the grab.
-std::unique_ptr<FrameSource> openCameraPair(const stereo::StereoRig& rig, int left_index, int right_index);
+std::unique_ptr<FrameSource> openCameraPair(const cameras::StereoRig& rig, int left_index, int right_index);
 
 }  // namespace facenav::capture

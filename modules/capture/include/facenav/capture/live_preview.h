@@ -19,7 +19,7 @@ class LivePreview {
   LivePreview& operator=(const LivePreview&) = delete;
 
   /// Null before the first.
-  std::shared_ptr<const stereo::StereoFrame> latest() const;
+  std::shared_ptr<const cameras::StereoFrame> latest() const;
   /// Since the newest frame came in, s; large before the first.
   double age_s() const;
   /// Over about the last second; 0 while unknown.

@@ -14,12 +14,12 @@ namespace facenav::capture {
 
 /// The still pairs for the initial alignment; the head has not moved between them.
 struct CapturePair {
-  stereo::StereoFrame pattern, plain;
+  cameras::StereoFrame pattern, plain;
 };
 
 struct Recording {
   std::filesystem::path folder;
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   std::optional<CapturePair> capture;  // where capture/ exists
   std::int64_t frame_count = 0;
   double frames_per_s = 60.0;
@@ -43,10 +43,10 @@ class RecordingWriter {
  public:
   /// Makes missing parent folders. Pictures of a patient's face: owner_only. Throws Error where `folder`
   /// holds something and `existing` is refuse.
-  RecordingWriter(const std::filesystem::path& folder, const stereo::StereoRig& rig,
+  RecordingWriter(const std::filesystem::path& folder, const cameras::StereoRig& rig,
                   FileAccess access = FileAccess::by_umask, Existing existing = Existing::refuse);
   ~RecordingWriter();
-  void add(const stereo::StereoFrame& frame);
+  void add(const cameras::StereoFrame& frame);
   void setCapture(const CapturePair& pair);
   void addTruth(std::int64_t frame, const std::optional<Eigen::Isometry3d>& camera_T_mri,
                 const std::optional<Eigen::Isometry3d>& camera_T_marker);

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/geometry/rigid_transform.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::casefile {
 
 struct KeptLook {
-  stereo::StereoRig rig;
-  stereo::StereoFrame frame;  // the pictures only, as recorded
+  cameras::StereoRig rig;
+  cameras::StereoFrame frame;  // the pictures only, as recorded
   RigidTransform<Camera, Mri> camera_T_mri;
   Matrix6d covariance = Matrix6d::Zero();  // of (w rad, v mm) about the face's centre, Camera's axes
   std::string captured_utc;                // 20100412T134501Z

@@ -3,9 +3,9 @@
 
 #include <opencv2/core.hpp>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/evaluation/run_record.h"
 #include "facenav/stereo/face_cloud.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::evaluation {
 
@@ -18,11 +18,11 @@ struct ExactDepth {
 /// 8-bit, left image: 255 where skin within `reach_mm` of the face's middle (Camera) is seen by both cameras
 /// at less than 70 degrees from its normal and does not lie at a silhouette (a neighbour 2 px away is more
 /// than 8 mm nearer or farther).
-cv::Mat visibleFace(const stereo::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
+cv::Mat visibleFace(const cameras::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
                     double reach_mm = 75.0);
 
 /// `face` as measured, each point at its pixel of the left image.
-CloudFigures evaluateCloud(const stereo::StereoRig& rig, const stereo::FaceCloud& face,
+CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceCloud& face,
                            const ExactDepth& depth, const cv::Mat& visible);
 
 }  // namespace facenav::evaluation

@@ -10,11 +10,11 @@
 #include <optional>
 #include <vector>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/head_tracking/head_tracker.h"
 #include "facenav/registration/scalp_field.h"
 #include "facenav/stereo/face_cloud.h"
-#include "facenav/stereo/stereo_rig.h"
-#include "facenav/tracking/head_tracker.h"
 
 namespace facenav::monitoring {
 
@@ -30,11 +30,11 @@ struct DriftFinding {
 class DriftCheck {
  public:
   /// `reference`: with the surface that was aligned; `camera_T_mri`: the alignment, at that frame.
-  DriftCheck(const stereo::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
-             const tracking::HeadReference& reference, const RigidTransform<Camera, Mri>& camera_T_mri);
+  DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
+             const head_tracking::HeadReference& reference, const RigidTransform<Camera, Mri>& camera_T_mri);
 
   /// Some 40 ms; const, and safe beside other threads.
-  DriftFinding measure(const stereo::StereoFrame& frame,
+  DriftFinding measure(const cameras::StereoFrame& frame,
                        const RigidTransform<Camera, Mri>& camera_T_mri) const;
 
  private:
@@ -59,10 +59,10 @@ class DriftCheck {
   };
 
   double depthPerPixel_mm(double depth_mm) const;  // of disparity
-  std::vector<Sample> measureSkin(const stereo::StereoFrame& frame, const Eigen::Isometry3d& motion) const;
+  std::vector<Sample> measureSkin(const cameras::StereoFrame& frame, const Eigen::Isometry3d& motion) const;
   std::optional<Offset> offsetOf(const std::vector<Sample>& samples, const Eigen::Isometry3d& motion) const;
 
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   std::shared_ptr<const registration::ScalpField> scalp_;
   Eigen::Isometry3d mri_T_head_;
   std::vector<Eigen::Vector3d> surface_mm_;  // some points of the reference's, Head

@@ -14,10 +14,10 @@ namespace facenav::monitoring {
 
 class DriftWatchdog {
  public:
-  using Measure = std::function<DriftFinding(const stereo::StereoFrame& frame,
+  using Measure = std::function<DriftFinding(const cameras::StereoFrame& frame,
                                              const RigidTransform<Camera, Mri>& camera_T_mri)>;
   struct Question {
-    std::shared_ptr<const stereo::StereoFrame> frame;
+    std::shared_ptr<const cameras::StereoFrame> frame;
     RigidTransform<Camera, Mri> camera_T_mri;
   };
   struct Answer {
@@ -34,7 +34,7 @@ class DriftWatchdog {
   DriftWatchdog(Measure measure, Mode mode);
 
   /// Each frame: with the pose as tracked, whether it is shown or not; without one where the head is lost.
-  void add(std::shared_ptr<const stereo::StereoFrame> frame,
+  void add(std::shared_ptr<const cameras::StereoFrame> frame,
            const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri);
   bool isAlarmed() const { return is_alarmed_; }
   /// The last answer.

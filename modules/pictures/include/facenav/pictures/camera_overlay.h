@@ -4,10 +4,10 @@
 
 #include <optional>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/rgb_image.h"
 #include "facenav/guidance/target.h"
 #include "facenav/session/navigation_state.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::pictures {
 
@@ -16,7 +16,7 @@ struct CameraOverlay {
 };
 
 /// `target` may be absent. A lost pose is not drawn; its absence is stated in words at the image's top.
-CameraOverlay drawOverlay(const stereo::StereoRig& rig, const session::NavigationState& state,
+CameraOverlay drawOverlay(const cameras::StereoRig& rig, const session::NavigationState& state,
                           const std::optional<guidance::Target>& target = std::nullopt);
 
 }  // namespace facenav::pictures

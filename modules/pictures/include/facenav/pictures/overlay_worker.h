@@ -12,7 +12,7 @@
 namespace facenav::pictures {
 
 struct OverlayOrder {
-  stereo::StereoRig rig;
+  cameras::StereoRig rig;
   std::shared_ptr<const session::NavigationState> state;  // not null
   std::optional<guidance::Target> target;
 };

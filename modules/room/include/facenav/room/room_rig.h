@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/field.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::room {
 
@@ -47,9 +47,9 @@ constexpr double kCloseHead_mm = 560.0;
 RigOptions randomRig(std::uint64_t seed);
 
 /// Two cameras that differ a little in focal length, principal point, distortion and roll, as real ones do.
-stereo::StereoRig makeRig(const RigOptions& options);
+cameras::StereoRig makeRig(const RigOptions& options);
 
 /// Camera from Room for any rig: Room's axes are the mean of the cameras', turned back by the rig's roll.
-RigidTransform<Camera, Room> cameraFromRoom(const stereo::StereoRig& rig, double roll_deg = 0.0);
+RigidTransform<Camera, Room> cameraFromRoom(const cameras::StereoRig& rig, double roll_deg = 0.0);
 
 }  // namespace facenav::room

@@ -21,8 +21,8 @@ class SyntheticSource : public capture::FrameSource {
                   const std::optional<RigidTransform<Mri, frames::Target>>& target = {});
   ~SyntheticSource() override;
 
-  const stereo::StereoRig& rig() const override;
-  std::shared_ptr<const stereo::StereoFrame> next() override;
+  const cameras::StereoRig& rig() const override;
+  std::shared_ptr<const cameras::StereoFrame> next() override;
   std::optional<std::int64_t> frameCount() const override;
 
   /// The still pair of the initial alignment, and the head's pose in it.

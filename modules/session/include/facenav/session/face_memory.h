@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "facenav/casefile/face_looks.h"
-#include "facenav/tracking/face_look.h"
+#include "facenav/head_tracking/face_look.h"
 
 namespace facenav::session {
 
 /// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both alignments err by some tenths
 /// of a millimetre: that is stated with the poses.
-std::vector<tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
-                                          const RigidTransform<Head, Mri>& head_T_mri);
-std::vector<casefile::KeptLook> asKept(const std::vector<tracking::FaceLook>& looks,
+std::vector<head_tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
+                                               const RigidTransform<Head, Mri>& head_T_mri);
+std::vector<casefile::KeptLook> asKept(const std::vector<head_tracking::FaceLook>& looks,
                                        const RigidTransform<Head, Mri>& head_T_mri);
 
 }  // namespace facenav::session

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/timestamp.h"
 #include "facenav/core/tracked.h"
 #include "facenav/guidance/guidance.h"
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/tracking/coil_tracker.h"
-#include "facenav/tracking/head_tracker.h"
+#include "facenav/head_tracking/head_tracker.h"
 
 namespace facenav::session {
 
@@ -20,14 +20,14 @@ struct NavigationState {
   std::int64_t frame = -1;  // -1: none yet
   Timestamp captured;       // the source's clock
   Timestamp arrived;        // steady clock, when the frame came in
-  std::shared_ptr<const stereo::StereoFrame> images;
+  std::shared_ptr<const cameras::StereoFrame> images;
 
-  Tracked<tracking::HeadPose> head = Lost{LostReason::stale};
-  Tracked<tracking::CoilPose> coil = Lost{LostReason::stale};
+  Tracked<head_tracking::HeadPose> head = Lost{LostReason::stale};
+  Tracked<coil_tracking::CoilPose> coil = Lost{LostReason::stale};
   Tracked<RigidTransform<Camera, Mri>> camera_T_mri = Lost{LostReason::stale};
   Tracked<RigidTransform<Camera, Coil>> camera_T_coil = Lost{LostReason::stale};
 
-  tracking::ExposureOffset exposure_offset;  // between the cameras, as known at this frame
+  head_tracking::ExposureOffset exposure_offset;  // between the cameras, as known at this frame
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen
@@ -36,11 +36,11 @@ struct NavigationState {
   double processing_ms = 0.0;  // head + coil + guidance
   double latency_ms = 0.0;     // from the frame's arrival to this state
   std::uint64_t dropped = 0;   // frames overwritten before they were tracked, since the start
-  tracking::LossDetail head_detail =
-      tracking::LossDetail::unknown;  // where the head is lost: what it looks like
-  bool has_drifted = false;           // the watchdog's alarm: the face does not lie where it is tracked
+  head_tracking::LossDetail head_detail =
+      head_tracking::LossDetail::unknown;  // where the head is lost: what it looks like
+  bool has_drifted = false;                // the watchdog's alarm: the face does not lie where it is tracked
   std::string rig_fault;  // why every pose is refused, in words: the cameras have moved, are out of step, ..
-  tracking::LossDetail rig_fault_detail = tracking::LossDetail::unknown;  // the same as one word
+  head_tracking::LossDetail rig_fault_detail = head_tracking::LossDetail::unknown;  // the same as one word
   std::string failure;  // an Error that ended the session, in words
 };
 

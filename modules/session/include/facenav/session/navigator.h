@@ -7,26 +7,26 @@
 #include <memory>
 #include <optional>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/casefile/face_looks.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/monitoring/drift_watchdog.h"
 #include "facenav/monitoring/rig_check.h"
 #include "facenav/session/navigation_state.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::session {
 
 struct NavigatorSetup {
-  stereo::StereoRig rig;
-  tracking::HeadReference reference;
+  cameras::StereoRig rig;
+  head_tracking::HeadReference reference;
   /// Of the reference frame's moment; none: the head is tracked, but not placed in the MRI.
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri_at_reference;
-  tracking::CoilModel coil;
+  coil_tracking::CoilModel coil;
   guidance::Tolerance tolerance;
   /// The skin that was aligned, for the drift watchdog; null: none watches.
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
   /// Of what takes longer than a frame: the drift watchdog, a lost face found anew.
-  tracking::Pace pace = tracking::Pace::as_live;
+  head_tracking::Pace pace = head_tracking::Pace::as_live;
   /// The patient's face in earlier sessions; used where the head is placed in the MRI.
   std::vector<casefile::KeptLook> looks = {};
 };
@@ -40,32 +40,32 @@ struct ChosenTarget {
 class Navigator {
  public:
   /// Starts both trackers. Throws Error when no face is found in the reference frame.
-  Navigator(const NavigatorSetup& setup, std::unique_ptr<tracking::HeadTracker> head,
-            std::unique_ptr<tracking::CoilTracker> coil);
+  Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking::HeadTracker> head,
+            std::unique_ptr<coil_tracking::CoilTracker> coil);
 
   void setTarget(std::optional<ChosenTarget> target);
   /// In place of the one that the setup's scalp gave; null: none.
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
-  const stereo::StereoRig& rig() const { return rig_; }
+  const cameras::StereoRig& rig() const { return rig_; }
   /// The patient's face as this session learnt it, to be kept with the case; empty without an alignment.
   std::vector<casefile::KeptLook> learntLooks() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
   /// ("camera").
-  NavigationState process(std::shared_ptr<const stereo::StereoFrame> frame);
+  NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);
 
  private:
   void place(NavigationState& state) const;
-  void watch(const std::shared_ptr<const stereo::StereoFrame>& frame, NavigationState& state);
+  void watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void guide(NavigationState& state);
 
-  stereo::StereoRig rig_;
+  cameras::StereoRig rig_;
   std::optional<RigidTransform<Head, Mri>> head_T_mri_;
   RigidTransform<Marker, Coil> marker_T_coil_;
   guidance::Tolerance tolerance_;
   monitoring::RigCheck rig_check_;
   std::unique_ptr<monitoring::DriftWatchdog> watchdog_;  // null: none
-  std::unique_ptr<tracking::HeadTracker> head_;
-  std::unique_ptr<tracking::CoilTracker> coil_;
+  std::unique_ptr<head_tracking::HeadTracker> head_;
+  std::unique_ptr<coil_tracking::CoilTracker> coil_;
   std::optional<ChosenTarget> target_;
   guidance::GuidanceState previous_;
 };

@@ -7,21 +7,21 @@
 #include <memory>
 #include <string>
 
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 
 namespace facenav::session {
 
 class Recorder {
  public:
-  Recorder(const std::filesystem::path& folder, const stereo::StereoRig& rig, std::size_t queue_limit = 120);
+  Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig, std::size_t queue_limit = 120);
   /// Without close(): nothing is left behind.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   /// Returns at once.
-  void add(std::shared_ptr<const stereo::StereoFrame> frame);
+  void add(std::shared_ptr<const cameras::StereoFrame> frame);
   /// Writes what is queued and makes the folder visible. Safe to call twice. Never throws: see failure().
   void close();
 

@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/stereo/face_cloud.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::stereo {
 
@@ -21,7 +21,7 @@ class CloudFusion {
  public:
   /// `shared_px`: of the clouds' deviations, what does not differ from frame to frame, as an error of the
   /// disparity (kPlainSkinError_px for plain skin).
-  CloudFusion(const StereoRig& rig, double shared_px);
+  CloudFusion(const cameras::StereoRig& rig, double shared_px);
 
   /// `first_T_now`: carries Camera coordinates of this cloud back to the first frame; identity for the first
   /// itself.
@@ -43,7 +43,7 @@ class CloudFusion {
   };
   void see(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal, float sigma_mm);
 
-  StereoRig rig_;
+  cameras::StereoRig rig_;
   double shared_px_;
   std::vector<Cell> cells_;  // a pixel of the left image each
   int clouds_ = 0;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/stereo/dense_matcher.h"
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
 
 namespace facenav::stereo {
 
@@ -84,7 +84,7 @@ struct FaceCloud {
 /// Measures the scene lit by the dot pattern, or plain skin (`has_dots`). Throws Error when the images are
 /// black, of the wrong size, or hold no texture that matches ("no dots found: ...", "too little texture:
 /// ...").
-FaceCloud measureFace(const StereoRig& rig, const StereoFrame& frame, const FaceCloudOptions& options,
-                      TaskMonitor& monitor);
+FaceCloud measureFace(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                      const FaceCloudOptions& options, TaskMonitor& monitor);
 
 }  // namespace facenav::stereo

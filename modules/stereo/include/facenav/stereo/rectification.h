@@ -11,8 +11,8 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include "facenav/stereo/stereo_frame.h"
-#include "facenav/stereo/stereo_rig.h"
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 
 namespace facenav::stereo {
 
@@ -38,13 +38,13 @@ struct Rectification {
 /// Maps for the part of the left image inside `left_roi` (all of it where empty) over a depth range. The
 /// rectified right image is `disparities` wider, so that no search runs out of it. Throws Error when one
 /// camera stands in front of the other or both do not look the same way.
-Rectification rectify(const StereoRig& rig, const DepthRange& range, const cv::Rect& left_roi = {});
+Rectification rectify(const cameras::StereoRig& rig, const DepthRange& range, const cv::Rect& left_roi = {});
 
 /// Both images at rectified pixels, 32-bit float (quintic B-splines).
 struct RectifiedPair {
   cv::Mat left, right;
 };
 
-RectifiedPair applyRectification(const Rectification& rectification, const StereoFrame& frame);
+RectifiedPair applyRectification(const Rectification& rectification, const cameras::StereoFrame& frame);
 
 }  // namespace facenav::stereo

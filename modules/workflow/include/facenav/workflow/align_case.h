@@ -14,13 +14,13 @@ namespace facenav::workflow {
 /// Aligns by the method registered as `aligner`, and writes alignment.json, the map of the skin's fit and the
 /// capture pair into the case. Throws Error ("not aligned: ..").
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
-                           const stereo::StereoRig& rig, const capture::CapturePair& capture,
+                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor);
 
 /// Writes an alignment and what it rests on into the case: alignment.json, alignment_capture/ (photographs),
 /// skin_fit.vtp and skin_fit.png. All or nothing, for the user alone from the first byte. Throws Error; the
 /// alignment of before is whole then.
-void storeAlignment(const casefile::CaseStore& store, const stereo::StereoRig& rig,
+void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome);
 
 /// The recording's own capture pair, else the one that the case was aligned with. Throws Error where there is

@@ -13,24 +13,24 @@
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/task_monitor.h"
+#include "facenav/face/face_landmarks.h"
 #include "facenav/guidance/target.h"
+#include "facenav/head_tracking/head_tracker.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/registration/skin_fit.h"
 #include "facenav/stereo/face_cloud.h"
 #include "facenav/surface/scalp_surface.h"
-#include "facenav/tracking/face_landmarks.h"
-#include "facenav/tracking/head_tracker.h"
 
 namespace facenav::workflow {
 
 /// The face as found in both images of a plain pair, and what that says in space (Camera, mm).
 struct FaceInSpace {
-  std::optional<tracking::FaceLandmarks> left, right;
+  std::optional<face::FaceLandmarks> left, right;
   registration::AlignmentStart start;   // what could be triangulated plausibly
   std::optional<Point<Camera>> centre;  // of the landmarks
 };
-FaceInSpace findFace(const stereo::StereoRig& rig, const stereo::StereoFrame& plain,
-                     const tracking::FaceDetector& detector);
+FaceInSpace findFace(const cameras::StereoRig& rig, const cameras::StereoFrame& plain,
+                     const face::FaceDetector& detector);
 
 /// The face's part of a cloud: near the landmarks where there are any, else the nearest large surface.
 stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& face);
@@ -45,7 +45,8 @@ struct AlignmentOutcome {
   stereo::FaceCloud face;  // what was offered to the aligner; result's lists run along it
   std::vector<registration::RegionFit> regions;  // how each part of the face fits, the worst first
   FaceInSpace landmarks;
-  tracking::HeadReference reference;  // for the head tracker: plain frame, inlier points with their pixels
+  head_tracking::HeadReference
+      reference;  // for the head tracker: plain frame, inlier points with their pixels
   // Per target: standard error, and what 95 of 100 errors stay below.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
@@ -57,9 +58,9 @@ struct AlignmentOutcome {
 /// `field_file`: where the scalp's distance field is kept (casefile::CaseStore::scalpField()); built there
 /// when missing. Throws Error: a scan without a face, no dots, or the aligner's own refusal ("not aligned:
 /// ..."), unchanged.
-AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::CapturePair& capture,
+AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
-                                  const tracking::FaceDetector& detector,
+                                  const face::FaceDetector& detector,
                                   const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
                                   const std::filesystem::path& field_file = {});
 

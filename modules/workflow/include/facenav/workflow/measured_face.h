@@ -15,21 +15,21 @@ namespace facenav::workflow {
 struct MeasuredFace {
   stereo::FusedCloud cloud;
   FaceInSpace landmarks;  // of the (first) frame
-  std::shared_ptr<const stereo::StereoFrame> first;
+  std::shared_ptr<const cameras::StereoFrame> first;
   int fused = 1, lost = 0;  // frames
 };
 
 /// One pair. `plain`: in which the face is looked for; the same as `measured` where there are no dots. Throws
 /// Error as stereo::measureFace does, and where no point of a face was found.
-MeasuredFace measurePair(const stereo::StereoRig& rig, const stereo::StereoFrame& measured,
-                         const stereo::StereoFrame& plain, bool has_dots,
-                         const tracking::FaceDetector& detector, TaskMonitor& monitor);
+MeasuredFace measurePair(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
+                         const cameras::StereoFrame& plain, bool has_dots, const face::FaceDetector& detector,
+                         TaskMonitor& monitor);
 
 /// The film's frames `first` to `last` (both included). `tracker` is started on the first. Frames in which
 /// the face is lost, or cannot be measured, are left out and counted. Of a long film, some 40 frames are
 /// measured, evenly. Throws Error: no such frame, no face in the first.
 MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
-                         tracking::HeadTracker& tracker, const tracking::FaceDetector& detector,
+                         head_tracking::HeadTracker& tracker, const face::FaceDetector& detector,
                          TaskMonitor& monitor);
 
 }  // namespace facenav::workflow

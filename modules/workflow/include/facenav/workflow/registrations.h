@@ -3,12 +3,12 @@
 // a step asks for a method by name and knows no implementation.
 
 #include "facenav/casefile/exporter.h"
+#include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/registry.h"
+#include "facenav/face/face_landmarks.h"
+#include "facenav/head_tracking/head_tracker.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/segmentation/segmenter.h"
-#include "facenav/tracking/coil_tracker.h"
-#include "facenav/tracking/face_landmarks.h"
-#include "facenav/tracking/head_tracker.h"
 
 namespace facenav::workflow {
 
@@ -16,11 +16,11 @@ struct Registrations {
   Registry<segmentation::Segmenter> head_segmenters{"head segmentation"};
   Registry<segmentation::Segmenter> brain_segmenters{"brain segmentation"};
   Registry<registration::Aligner> aligners{"aligner"};
-  Registry<tracking::HeadTracker> head_trackers{"head tracker"};
-  Registry<tracking::CoilTracker> coil_trackers{"coil tracker"};
+  Registry<head_tracking::HeadTracker> head_trackers{"head tracker"};
+  Registry<coil_tracking::CoilTracker> coil_trackers{"coil tracker"};
   Registry<casefile::Exporter> exporters{"export format"};
   /// The program's one face detector (its landmark model takes 100 MB), made when first asked for.
-  std::function<std::shared_ptr<const tracking::FaceDetector>()> face_detector;
+  std::function<std::shared_ptr<const face::FaceDetector>()> face_detector;
 };
 
 /// "model, features7": for help texts.

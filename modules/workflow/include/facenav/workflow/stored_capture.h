@@ -11,11 +11,11 @@
 namespace facenav::workflow {
 
 /// Into a group of the case's files: photographs of the patient's face, private from the first byte.
-void writeStoredCapture(const casefile::FileGroup& group, const stereo::StereoRig& rig,
+void writeStoredCapture(const casefile::FileGroup& group, const cameras::StereoRig& rig,
                         const capture::CapturePair& pair);
 /// Nothing where there is none. Throws Error where it was taken with another rig than `rig`: the alignment
 /// then says nothing about these cameras.
 std::optional<capture::CapturePair> readStoredCapture(const std::filesystem::path& case_folder,
-                                                      const stereo::StereoRig& rig);
+                                                      const cameras::StereoRig& rig);
 
 }  // namespace facenav::workflow

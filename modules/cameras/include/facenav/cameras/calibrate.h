@@ -1,0 +1,80 @@
+#pragma once
+// calibrate: pairs of chessboard or ChArUco images -> StereoRig. Zhang 2000 for each camera as start, then
+// all parameters of both cameras and all board poses together (cv::stereoCalibrate without fixed intrinsics).
+// Beyond that:
+// - views that disagree with the rest are left out and named, since one of them bends every parameter;
+// corners
+//   that one camera alone does not fit are told from boards that moved between both exposures;
+// - the distortion model is chosen by cross-validation: a fuller model always lowers the error on the views
+//   that it was fitted to, so it is taken only where views that it has not seen gain by it;
+// - principal point, tangential terms and aspect have a prior, for where the views leave them open;
+// - standard errors come from how far the views contradict one another, so that two calibrations of one
+// camera
+//   differ by what they state. They do not cover what all views share: the size of the printed squares.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/cameras/chessboard.h"
+#include "facenav/cameras/head_effect.h"
+#include "facenav/cameras/stereo_rig.h"
+#include "facenav/core/task_monitor.h"
+
+namespace facenav::cameras {
+
+struct CalibrationPair {
+  std::string name;     // for the report: "left01.jpg, right01.jpg"
+  cv::Mat left, right;  // 8-bit grey, all of one size
+};
+
+/// The corners of one pair: what is left of a CalibrationPair once the board has been found.
+struct BoardView {
+  std::string name;
+  std::vector<cv::Point2f> left, right;
+  std::vector<int> left_ids, right_ids;  // numbers of these corners on the board; empty: all, in order
+};
+
+struct ViewReport {
+  std::string name;
+  bool is_used = false;
+  std::string reason;  // why it is not used
+  double left_rms_px = 0,
+         right_rms_px = 0;  // against the final rig, used or not (0 where no board was found)
+};
+
+struct ModelReport {
+  std::string name;            // "k1 k2 p1 p2", "k1 k2", "k1 k2 p1 p2 k3", "rational"
+  double rms_px = 0;           // of the views it was fitted to
+  double held_out_rms_px = 0;  // of views left out in turn
+};
+
+/// A parameter of the rig with its standard error (jackknife over the views).
+struct ParameterError {
+  std::string name;  // "left fx px", "right k1", "yaw deg", "baseline mm"
+  double value = 0, sigma = 0;
+};
+
+struct Calibration {
+  StereoRig rig;               // rms_px is set
+  double rms_px = 0;           // sqrt(mean squared distance), all corners of all used views, left and right
+  double held_out_rms_px = 0;  // the chosen model's
+  double focal_sigma_px = 0, baseline_sigma_mm = 0;  // standard deviations of the fit
+  std::vector<ParameterError> parameters;            // all of them
+  HeadEffect at_head;
+  std::string model;
+  std::vector<ModelReport> models;  // all that were tried
+  std::vector<ViewReport> views;    // all pairs, in the order given
+  std::vector<std::string>
+      warnings;  // "left and right look swapped", "the board never came near the corners", ..
+  int usedViews() const;
+};
+
+/// Throws Error: no pairs, sizes differ, board found in too few of them, too few views left in which the
+/// board stood still between the two exposures.
+Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& board, TaskMonitor& monitor);
+/// The same from corners already found.
+Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size& image_size,
+                             const Board& board, TaskMonitor& monitor);
+
+}  // namespace facenav::cameras

@@ -1,0 +1,18 @@
+#pragma once
+// Places of one scene in two pictures, found without a rig: what tells whether a rig fits, whether left and
+// right are exchanged, or whether both pictures are of one moment. SIFT features (Lowe 2004, IJCV 60:91) that
+// agree with their neighbours are the seeds; from them textured corners are matched anew to a fraction of a
+// pixel, each patch warped as its neighbourhood is.
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "facenav/cameras/rig_monitor.h"
+
+namespace facenav::cameras {
+
+/// 8-bit grey images, of any sizes. Some hundred places on a face 300 px wide; few or none where the pictures
+/// show different scenes, or nothing. About 0.3 s for two pictures of a megapixel: for the cold path.
+std::vector<Correspondence> matchPictures(const cv::Mat& left, const cv::Mat& right);
+
+}  // namespace facenav::cameras

@@ -1,0 +1,27 @@
+#pragma once
+// What stereo.yml may say beside the rig (FORMATS.md: board, views, created; and the effect at the head, as
+// effect_distance_mm, effect_point_mm, effect_depth_mm, effect_length_mm, effect_motion_mm,
+// effect_motion_deg). All of it is optional.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "facenav/cameras/head_effect.h"
+#include "facenav/cameras/stereo_rig.h"
+
+namespace facenav::cameras {
+
+struct CalibrationNotes {
+  std::string board;    // "9x6, 25 mm"
+  int views = 0;        // pairs used
+  std::string created;  // UTC, ISO 8601
+  std::optional<HeadEffect> at_head;
+};
+
+/// Writes stereo.yml whole, with E, F (of undistorted pixels) and the notes that are not empty.
+void writeRig(const StereoRig& rig, const std::filesystem::path& path, const CalibrationNotes& notes);
+/// The notes of a stereo.yml; what it does not say stays empty. Throws Error when it is no YAML file.
+CalibrationNotes readCalibrationNotes(const std::filesystem::path& path);
+
+}  // namespace facenav::cameras

@@ -1,0 +1,57 @@
+#pragma once
+// StereoRig: two calibrated cameras (pinhole with OpenCV distortion, 4 to 14 coefficients), as stereo.yml
+// states them. x_right = R x_left + T is right_T_left. Pixels: (0, 0) is the centre of the top-left pixel, as
+// in OpenCV.
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "facenav/geometry/rigid_transform.h"
+
+namespace facenav::cameras {
+
+struct CameraModel {
+  cv::Matx33d k = cv::Matx33d::eye();  // fx 0 cx; 0 fy cy; 0 0 1, px
+  cv::Mat distortion;                  // 1 x n, 64-bit, n = 4, 5, 8, 12 or 14; empty: none
+};
+
+struct StereoRig {
+  int width_px = 0, height_px = 0;  // of both images
+  CameraModel left, right;
+  RigidTransform<RightCamera, Camera> right_T_left;
+  std::optional<double> rms_px;  // reprojection error of the calibration, where known
+  /// Of the calibration's parameters, where known: n x n, 64-bit, in the order left fx fy cx cy and
+  /// distortion, right likewise, increment of right_T_left (rotation rad, translation mm; applied on the
+  /// left). Empty: unknown.
+  cv::Mat covariance;
+
+  double baseline_mm() const { return right_T_left.inverse().translation_mm().norm(); }
+};
+
+/// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the key that is missing or malformed: K
+/// without positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5
+/// mm).
+StereoRig readRig(const std::filesystem::path& path);
+/// Writes stereo.yml whole.
+void writeRig(const StereoRig& rig, const std::filesystem::path& path);
+
+/// Distorted pixel of a point in the camera's own frame (mm). z must be > 0.
+Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm);
+/// The same with the derivative d(pixel)/d(p), 2 x 3.
+Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm,
+                        Eigen::Matrix<double, 2, 3>& jacobian);
+/// Undistorted normalised coordinates (x/z, y/z) of a pixel.
+Eigen::Vector2d undistort(const CameraModel& camera, const Eigen::Vector2d& pixel);
+
+/// The point that minimises the reprojection error of both pixels (mid-point start, Gauss-Newton), in Camera.
+Point<Camera> triangulate(const StereoRig& rig, const Eigen::Vector2d& left_px,
+                          const Eigen::Vector2d& right_px);
+/// Distance (px) of the right pixel from the left pixel's epipolar line, and back, the larger: a check of a
+/// match.
+double epipolarError_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
+                        const Eigen::Vector2d& right_px);
+
+}  // namespace facenav::cameras

@@ -1,0 +1,11 @@
+#pragma once
+// ChArUco boards, found by OpenCV's aruco module.
+
+#include "facenav/cameras/chessboard.h"
+
+namespace facenav::cameras {
+
+/// As findBoard(). Throws Error for an unknown dictionary, or one with too few markers for the board.
+SeenCorners findCharuco(const cv::Mat& image, const Board& board);
+
+}  // namespace facenav::cameras

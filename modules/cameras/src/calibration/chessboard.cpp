@@ -1,0 +1,155 @@
+#include "facenav/cameras/chessboard.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "charuco.h"
+#include "facenav/core/error.h"
+
+namespace facenav::cameras {
+namespace {
+
+using Corners = std::vector<cv::Point2f>;
+
+// Half window by the least distance of two corners. Measured on 13 real pairs: rms 0.210, 0.202, 0.197,
+// 0.194, 0.342 px at 0.20, 0.25, 0.30, 0.35, 0.40 (at 0.40 it reaches past the last squares).
+constexpr float kWindowBySpacing = 0.3f;
+
+// Wider pictures are searched at half their size first. Measured on 1024 x 1024: four times as fast.
+constexpr int kLarge_px = 900;
+
+Corners detect(const cv::Mat& image, const Board& board) {
+  Corners corners;
+  const bool is_found =
+      cv::findChessboardCorners(image, {board.columns, board.rows}, corners,
+                                cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
+  return is_found && int(corners.size()) == board.corners() ? corners : Corners();
+}
+
+// Where the corners are, to a pixel or two.
+Corners detectQuickly(const cv::Mat& image, const Board& board) {
+  if (std::max(image.cols, image.rows) > kLarge_px) {
+    cv::Mat half;
+    cv::resize(image, half, {}, 0.5, 0.5, cv::INTER_AREA);
+    Corners corners = detect(half, board);
+    for (auto& corner : corners) corner = 2 * corner + cv::Point2f(0.5f, 0.5f);
+    if (!corners.empty()) return corners;
+  }
+  return detect(image, board);
+}
+
+float leastSpacing_px(const Corners& corners, const Board& board) {
+  float least = 1e9f;
+  for (int r = 0; r < board.rows; ++r)
+    for (int c = 0; c < board.columns; ++c) {
+      const cv::Point2f here = corners[r * board.columns + c];
+      if (c + 1 < board.columns)
+        least = std::min(least, float(cv::norm(corners[r * board.columns + c + 1] - here)));
+      if (r + 1 < board.rows)
+        least = std::min(least, float(cv::norm(corners[(r + 1) * board.columns + c] - here)));
+    }
+  return least;
+}
+
+void refine(const cv::Mat& image, const Board& board, Corners& corners) {
+  const int half = std::clamp(int(std::lround(kWindowBySpacing * leastSpacing_px(corners, board))), 2, 25);
+  cv::cornerSubPix(image, corners, {half, half}, {-1, -1},
+                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4});
+}
+
+double meanGrey(const cv::Mat& image, const Corners& corners, const Board& board, int row, int column) {
+  const int i = row * board.columns + column;
+  const cv::Point2f middle =
+      0.25f * (corners[i] + corners[i + 1] + corners[i + board.columns] + corners[i + board.columns + 1]);
+  const int half = std::max(1, int(leastSpacing_px(corners, board) / 6));
+  const cv::Rect square(int(std::lround(middle.x)) - half, int(std::lround(middle.y)) - half, 2 * half + 1,
+                        2 * half + 1);
+  return cv::mean(image(square & cv::Rect(0, 0, image.cols, image.rows)))[0];
+}
+
+// Even rows of squares and odd ones differ by one step of colour: compare all squares of both colours.
+bool isFirstSquareBlack(const cv::Mat& image, const Corners& corners, const Board& board) {
+  double difference = 0;
+  for (int r = 0; r + 1 < board.rows; ++r)
+    for (int c = 0; c + 1 < board.columns; ++c)
+      difference += ((r + c) % 2 == 0 ? 1 : -1) * meanGrey(image, corners, board, r, c);
+  return difference < 0;
+}
+
+// Rows left to right as seen from the front (the detector may start at either end of a row).
+void makeRightHanded(const Board& board, Corners& corners) {
+  const cv::Point2f along = corners[board.columns - 1] - corners[0];
+  const cv::Point2f down = corners[std::size_t(board.columns) * (board.rows - 1)] - corners[0];
+  if (along.cross(down) > 0) return;
+  for (int r = 0; r < board.rows; ++r)
+    std::reverse(corners.begin() + std::ptrdiff_t(r) * board.columns,
+                 corners.begin() + std::ptrdiff_t(r + 1) * board.columns);
+}
+
+}  // namespace
+
+Board boardFromText(const std::string& whole, double square_mm, double marker_mm) {
+  const std::string prefix = "charuco:";
+  const bool is_charuco = whole.rfind(prefix, 0) == 0;
+  const std::string text = is_charuco ? whole.substr(prefix.size()) : whole;
+  Board board;
+  board.square_mm = square_mm;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, board.columns);
+  const bool has_cross =
+      first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
+  const auto second = has_cross ? std::from_chars(first.ptr + 1, end, board.rows) : first;
+  if (is_charuco) {  // squares -> inner corners
+    --board.columns;
+    --board.rows;
+    board.marker_mm = marker_mm > 0 ? marker_mm : 0.75 * square_mm;
+  }
+  if (!has_cross || second.ec != std::errc() || second.ptr != end || board.columns < 3 || board.rows < 3 ||
+      board.columns > 100 || board.rows > 100)
+    throw Error("'" + whole + "' is no board size", "--board",
+                "give a chessboard's inner corners, 9x6 say, or a ChArUco board's squares, charuco:7x5");
+  if (!(square_mm > 0 && square_mm < 10000)) throw Error("a square must be longer than 0 mm", "--square");
+  if (is_charuco && !(board.marker_mm < square_mm))
+    throw Error("the markers must be smaller than the squares", "--marker");
+  return board;
+}
+
+std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
+  FACENAV_EXPECT(image.type() == CV_8U, "8-bit grey expected");
+  Corners corners = detectQuickly(image, board);
+  if (corners.empty()) return {};
+  makeRightHanded(board, corners);
+  refine(image, board, corners);
+  const bool is_order_visible = (board.columns + board.rows) % 2 == 1;
+  if (is_order_visible && !isFirstSquareBlack(image, corners, board))
+    std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+std::vector<cv::Point3f> boardPoints(const Board& board) {
+  std::vector<cv::Point3f> points;
+  for (int r = 0; r < board.rows; ++r)
+    for (int c = 0; c < board.columns; ++c)
+      points.emplace_back(float(c * board.square_mm), float(r * board.square_mm), 0.f);
+  return points;
+}
+
+std::vector<cv::Point3f> boardPoints(const Board& board, const std::vector<int>& ids) {
+  const auto all = boardPoints(board);
+  if (ids.empty()) return all;
+  std::vector<cv::Point3f> points;
+  for (const int id : ids) points.push_back(all[std::size_t(id)]);
+  return points;
+}
+
+SeenCorners findBoard(const cv::Mat& image, const Board& board) {
+  if (board.isCharuco()) return findCharuco(image, board);
+  SeenCorners seen{findCorners(image, board), {}};
+  for (int id = 0; id < int(seen.px.size()); ++id) seen.ids.push_back(id);
+  return seen;
+}
+
+}  // namespace facenav::cameras

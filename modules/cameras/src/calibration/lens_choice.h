@@ -1,0 +1,30 @@
+#pragma once
+// Which lens model the views support, by cross-validation: a fuller model always lowers the error of the
+// views that it was fitted to, so that only views left out tell if it is better.
+
+#include "board_views.h"
+#include "facenav/core/task_monitor.h"
+#include "rig_adjustment.h"
+
+namespace facenav::cameras {
+
+struct LensModel {
+  const char* name;
+  LensTerms terms;
+};
+
+struct LensChoice {
+  LensModel taken;
+  double held_out_rms_px = 0;
+  std::vector<ModelReport> tried;
+};
+
+/// Two radial and two tangential terms: fits most lenses, and is the start of the choice.
+const LensModel& usualLens();
+
+RigFit solve(const BoardViews& task, const ViewIndices& used, const LensModel& model);
+
+/// Throws Error or cv::Exception where the views do not determine the cameras.
+LensChoice chooseLens(const BoardViews& task, const ViewIndices& used, TaskMonitor& monitor);
+
+}  // namespace facenav::cameras

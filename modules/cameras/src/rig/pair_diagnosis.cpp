@@ -1,0 +1,123 @@
+#include "facenav/cameras/pair_diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/cameras/pair_matches.h"
+#include "relative_pose.h"
+
+namespace facenav::cameras {
+namespace {
+
+constexpr std::size_t kFewestMatches = 25;
+// Of one match: texture and noise, the slant of skin and what compression leaves. On the boards' exact rigs
+// the residuals of a person's skin have a median of 0.18 to 0.35 px (median of |N(0, 0.3)|: 0.20).
+constexpr double kMatchSigma_px = 0.3;
+constexpr double kAgrees_px = 1.0;
+// Between that and what the smallest motion leaves that can be told from noise: 1 px of parallax.
+constexpr double kHolds_px = 0.5, kSwappedHolds_px = 1.0;
+constexpr double kExplainedShare = 0.7, kExplained_px = 0.4;
+constexpr double kExplainedCost = 3.8;  // per match: 1.9 of pure Student's t, twice that of skin
+constexpr PosePrior kKnock{0.02, 3.0};  // as in RigMonitor
+constexpr PosePrior kAnyRig{0.25, 60.0};
+constexpr double kKnockDoubt = 25.0;  // of cost: more than this is no knock
+
+std::vector<RayPair> raysOf(const StereoRig& rig, const std::vector<Correspondence>& matches,
+                            bool is_swapped) {
+  const double f_px = 0.5 * (rig.left.k(1, 1) + rig.right.k(1, 1));
+  std::vector<RayPair> rays;
+  for (const auto& match : matches)
+    rays.push_back({undistort(rig.left, is_swapped ? match.right_px : match.left_px),
+                    undistort(rig.right, is_swapped ? match.left_px : match.right_px),
+                    kMatchSigma_px / f_px});
+  return rays;
+}
+
+struct Fit {
+  double median_px = 0, share = 0;  // of the distances from the epipolar lines; of those within kAgrees_px
+};
+
+Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
+  std::vector<double> off_px;
+  for (const auto& pair : rays) off_px.push_back(kMatchSigma_px * epipolarDistance(pose, pair));
+  std::sort(off_px.begin(), off_px.end());
+  const auto within = std::lower_bound(off_px.begin(), off_px.end(), kAgrees_px) - off_px.begin();
+  return {off_px[off_px.size() / 2], double(within) / double(off_px.size())};
+}
+
+}  // namespace
+
+PairDiagnosis diagnoseMatches(const StereoRig& rig, const std::vector<Correspondence>& matches) {
+  PairDiagnosis diagnosis;
+  diagnosis.matches = matches.size();
+  diagnosis.right_T_left = rig.right_T_left;
+  if (matches.size() < kFewestMatches) return diagnosis;
+  const Eigen::Isometry3d calibrated = rig.right_T_left.isometry();
+  const auto rays = raysOf(rig, matches, false);
+  const Fit as_is = fitOf(calibrated, rays);
+  diagnosis.residual_px = as_is.median_px;
+  diagnosis.agreement = diagnosis.calibrated_agreement = as_is.share;
+  if (as_is.median_px < kHolds_px && as_is.share > kExplainedShare) {
+    diagnosis.fault = PairFault::none;
+    return diagnosis;
+  }
+  const Fit swapped = fitOf(calibrated, raysOf(rig, matches, true));
+  if (swapped.median_px < kSwappedHolds_px && swapped.share > as_is.share) {
+    diagnosis.fault = PairFault::swapped;
+    diagnosis.agreement = swapped.share;
+    return diagnosis;
+  }
+  const RelativePose best = refinePose(calibrated, rays, &kAnyRig),
+                     knocked = refinePose(calibrated, rays, &kKnock);
+  const Fit explained = fitOf(best.right_T_left, rays);
+  diagnosis.agreement = explained.share;
+  diagnosis.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(best.right_T_left);
+  const bool is_explained = explained.share > kExplainedShare && explained.median_px < kExplained_px &&
+                            best.cost < kExplainedCost * double(rays.size());
+  if (!is_explained)
+    diagnosis.fault = PairFault::out_of_step;
+  else
+    diagnosis.fault = knocked.cost - best.cost < kKnockDoubt ? PairFault::moved : PairFault::other_rig;
+  return diagnosis;
+}
+
+PairDiagnosis diagnosePair(const StereoRig& rig, const StereoFrame& frame) {
+  if (frame.left.empty() || frame.right.empty()) return {};
+  return diagnoseMatches(rig, matchPictures(frame.left, frame.right));
+}
+
+std::string PairDiagnosis::words() const {
+  switch (fault) {
+    case PairFault::out_of_step:
+      return "the two cameras' pictures are of different moments";
+    case PairFault::swapped:
+      return "left and right are exchanged";
+    case PairFault::moved:
+      return "the cameras have moved since their calibration";
+    case PairFault::other_rig:
+      return "the calibration does not belong to these cameras";
+    case PairFault::unknown:
+    case PairFault::none:
+      break;
+  }
+  return {};
+}
+
+std::string PairDiagnosis::advice() const {
+  switch (fault) {
+    case PairFault::out_of_step:
+      return "trigger both cameras together, or check cables and driver";
+    case PairFault::swapped:
+      return "exchange the cameras or the folders";
+    case PairFault::moved:
+      return "calibrate again; if that does not help, trigger both cameras together";
+    case PairFault::other_rig:
+      return "give the right stereo.yml, or calibrate";
+    case PairFault::unknown:
+    case PairFault::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace facenav::cameras

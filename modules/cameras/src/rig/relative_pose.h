@@ -1,0 +1,37 @@
+#pragma once
+// The pose of the right camera against the left one that explains matches best, without regard to its scale:
+// two angles of the baseline's direction and three of rotation, under Student's t, from a pose that is known
+// roughly.
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace facenav::cameras {
+
+/// One match as rays (x/z, y/z) of the two cameras.
+struct RayPair {
+  Eigen::Vector2d left, right;
+  double sigma = 0;  // across the epipolar line, in the same unit (px / f)
+};
+
+/// What is known beforehand of the right camera's pose: it stands at `pose`, give or take.
+struct PosePrior {
+  double turn_sigma_rad = 0, shift_sigma_mm = 0;
+};
+
+struct RelativePose {
+  Eigen::Isometry3d right_T_left;  // length of the baseline as it was given
+  double cost = 0;                 // -2 log likelihood under Student's t and the prior, up to a constant
+};
+
+/// Distance of a match from its epipolar lines (Sampson), in its own sigmas; infinite where the point would
+/// lie behind a camera.
+double epipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
+
+double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>& rays);
+
+/// Refined from `start`. `prior`: about `start`; none: free.
+RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPair>& rays,
+                        const PosePrior* prior = nullptr);
+
+}  // namespace facenav::cameras

@@ -1,0 +1,296 @@
+#include "facenav/cameras/rig_monitor.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
+#include "rig_motion.h"
+
+namespace facenav::cameras {
+namespace {
+
+constexpr double kColumns = 6, kRows = 4, kDepthBand_mm = 100;
+constexpr std::size_t kMemory = 60;  // samples of a cell; then the oldest are forgotten
+constexpr double kFewest = 12;       // samples before anything is said
+constexpr double kGross_px = 20;     // a wrong match, not a moved camera
+// Of 6000 drawn rigs as well calibrated as they say, every second with a tenth of wrong matches, none
+// passed 18.3 (99 % stayed below 12); of such that rolled by 0.25 degrees half reach 32 with 600 points of a
+// face.
+constexpr double kMovedStatistic = 20;
+// Half of the points beyond so many sigmas: 0.67 in a rig that holds. Of cameras that have moved by several
+// rows most matches are wrong, and wrong in all directions: no motion explains them, but nothing else does.
+constexpr double kContradicted = 2.0;
+constexpr double kHarmful_mm = 0.5;  // less is no reason to stop
+constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
+constexpr double kTellsScatter = 4;  // matches of a cell
+// Patches of 15 px that lie side by side on a glint, a fold, a strand of hair or a block of the compression
+// err alike: this share of their scatter does not average out in a cell.
+constexpr double kSharedShare = 0.3;
+// A camera that moved moves all points, a pattern that repeats (knitwear) those in one place: what the motion
+// takes off the mean over the points of their squared sigmas, of each at most four.
+constexpr double kComesNearer = 0.3;
+constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // how cameras move when they are knocked
+
+/// Relative error of the square's size as this rig sees it.
+double sizeError(const StereoRig& rig, const SquareSighting& square) {
+  std::array<Eigen::Vector3d, 4> corners_mm;
+  for (int i = 0; i < 4; ++i) corners_mm[i] = triangulate(rig, square.left_px[i], square.right_px[i]).mm;
+  double side_mm = 0;
+  for (int i = 0; i < 4; ++i) side_mm += (corners_mm[(i + 1) % 4] - corners_mm[i]).norm() / 4;
+  return side_mm / square.size_mm - 1.0;
+}
+
+/// Mean with a memory: `count` grows to kMemory, then older samples fade.
+template <class T>
+void average(T& mean, const T& sample, double count) {
+  mean += (sample - mean) / count;
+}
+
+std::array<int, 3> keyOf(const StereoRig& rig, const Eigen::Vector2d& left_px, double depth_mm) {
+  return {int(kColumns * left_px.x() / rig.width_px), int(kRows * left_px.y() / rig.height_px),
+          int(depth_mm / kDepthBand_mm)};
+}
+
+}  // namespace
+
+double epipolarResidual_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
+                           const Eigen::Vector2d& right_px) {
+  const Eigen::Vector3d point_mm = triangulate(rig, left_px, right_px).mm;
+  if (!point_mm.allFinite() || point_mm.z() <= 0) return std::nan("");
+  // The epipolar line near the right pixel: the left pixel's ray at the point's depth, and its direction.
+  const Eigen::Vector3d ray = undistort(rig.left, left_px).homogeneous();
+  Eigen::Matrix<double, 2, 3> by_point;
+  const Eigen::Vector3d in_right_mm = rig.right_T_left.isometry() * (ray * point_mm.z());
+  if (in_right_mm.z() <= 0) return std::nan("");
+  const Eigen::Vector2d on_line = project(rig.right, in_right_mm, by_point);
+  const Eigen::Vector2d along = (by_point * (rig.right_T_left.rotation() * ray)).normalized();
+  return Eigen::Vector2d(-along.y(), along.x()).dot(right_px - on_line);
+}
+
+RigMonitor::RigMonitor(const StereoRig& rig, RigUncertainty uncertainty)
+    : rig_(rig), uncertainty_(std::move(uncertainty)) {}
+
+void RigMonitor::add(const std::vector<Correspondence>& points) {
+  for (const Correspondence& point : points) {
+    const double residual_px = epipolarResidual_px(rig_, point.left_px, point.right_px);
+    if (!(std::abs(residual_px) < kGross_px)) continue;
+    const double depth_mm = triangulate(rig_, point.left_px, point.right_px).mm.z();
+    Cell& cell = cells_[keyOf(rig_, point.left_px, depth_mm)];
+    const double count = double(cell.residuals_px.size());
+    if (cell.residuals_px.size() < kMemory)
+      cell.residuals_px.push_back(residual_px), cell.sigmas_px.push_back(point.sigma_px);
+    else
+      cell.residuals_px[cell.next % kMemory] = residual_px,
+                                    cell.sigmas_px[cell.next++ % kMemory] = point.sigma_px;
+    average(cell.left_px, point.left_px, std::min(count + 1, double(kMemory)));
+    average(cell.right_px, point.right_px, std::min(count + 1, double(kMemory)));
+  }
+}
+
+void RigMonitor::add(const SquareSighting& square) {
+  std::vector<Correspondence> corners;
+  for (int i = 0; i < 4; ++i) corners.push_back({square.left_px[i], square.right_px[i], 0.05});
+  add(corners);
+  const double error = sizeError(rig_, square);
+  if (!std::isfinite(error)) return;
+  const double depth_mm = triangulate(rig_, square.left_px[0], square.right_px[0]).mm.z();
+  SizeCell& cell = size_cells_[keyOf(rig_, square.left_px[0], depth_mm)];
+  cell.square = square;
+  cell.count = std::min(double(kMemory), cell.count + 1);
+  average(cell.error, error, cell.count);
+  average(cell.variance, std::pow(square.sigma_mm / square.size_mm, 2), cell.count);
+}
+
+namespace {
+
+double scatterOf(const std::vector<double>& residuals_px, double middle) {
+  return kSigmaPerMad * medianAbsoluteDeviation(residuals_px, middle);
+}
+
+/// A median and its standard error: of the matches' own sigma, or of how they scatter where that is more. Of
+/// a few matches nothing is known of how they scatter: as those of the other cells do (`typical_px`).
+std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
+                                   const std::vector<double>& sigmas_px, double typical_px) {
+  const double middle = upperMedian(residuals_px), count = double(residuals_px.size());
+  const double here_px = count < kTellsScatter ? typical_px : scatterOf(residuals_px, middle);
+  const double each = std::max({upperMedian(sigmas_px), here_px, kSharedShare * typical_px});
+  return {middle, std::hypot(each * std::sqrt(M_PI / 2 / count), kSharedShare * each)};
+}
+
+/// What was measured, each value with its own deviation, as a linear model of what may explain it: the
+/// calibration's errors and the prints' (unit variance), then the six of a motion (scaled to unit variance).
+struct Explanation {
+  Eigen::VectorXd seen, sigma;
+  Eigen::MatrixXd by_calibration, by_motion;
+};
+
+struct Explained {
+  double cost = 0;                   // -2 log of the likelihood and the prior, up to a constant
+  Eigen::VectorXd unknowns, weight;  // weight: 1 of a measurement that fits, towards 0 of a wrong match
+  Eigen::MatrixXd precision;         // of the unknowns
+};
+
+/// The most likely unknowns under Student's t of the measurements, by reweighting (Lange, Little, Taylor
+/// 1989): a cell on a glint or a silhouette is off by pixels, and must not pass for a moved camera.
+Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
+  constexpr double kFreedom = 4.0;
+  constexpr int kRounds = 30;
+  Explained best;
+  best.unknowns = Eigen::VectorXd::Zero(design.cols());
+  best.weight = Eigen::VectorXd::Ones(model.seen.size());
+  const Eigen::MatrixXd whitened = model.sigma.cwiseInverse().asDiagonal() * design;
+  const Eigen::VectorXd seen = model.seen.cwiseQuotient(model.sigma);
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::MatrixXd normal = whitened.transpose() * best.weight.asDiagonal() * whitened;
+    normal.diagonal().array() += 1.0;
+    best.precision = normal;
+    best.unknowns = normal.ldlt().solve(whitened.transpose() * best.weight.asDiagonal() * seen);
+    const Eigen::ArrayXd z2 = (seen - whitened * best.unknowns).array().square();
+    best.weight = ((kFreedom + 1) / (kFreedom + z2)).matrix();
+    const double cost = best.unknowns.squaredNorm() + (kFreedom + 1) * (1 + z2 / kFreedom).log().sum();
+    const bool has_settled = round > 0 && best.cost - cost < 1e-3;
+    best.cost = cost;
+    if (has_settled) break;
+  }
+  return best;
+}
+
+double sizeCost(const Explanation& model, const Eigen::VectorXd& explained, int points) {
+  const Eigen::Index sizes = model.seen.size() - points;
+  const Eigen::ArrayXd z2 = (model.seen - explained).cwiseQuotient(model.sigma).tail(sizes).array().square();
+  return 5.0 * (1 + z2 / 4.0).log().sum();  // Student's t, as in explain()
+}
+
+/// The motion as far as the measurements tell it: without squares they hardly tell the yaw, and what is
+/// guessed of it would pass for centimetres of depth.
+Vector6d toldMotion(const Explained& moved) {
+  const Eigen::MatrixXd covariance =
+      moved.precision.ldlt().solve(Eigen::MatrixXd::Identity(moved.precision.rows(), moved.precision.cols()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(covariance.bottomRightCorner<6, 6>());
+  Vector6d along = axes.eigenvectors().transpose() * moved.unknowns.tail<6>();
+  for (int i = 0; i < 6; ++i)
+    if (along[i] * along[i] < 4 * axes.eigenvalues()[i])
+      along[i] = 0;  // within two standard deviations of none
+  return axes.eigenvectors() * along;
+}
+
+}  // namespace
+
+RigVerdict RigMonitor::verdict() const {
+  double samples = 0;
+  for (const auto& entry : cells_) samples += double(entry.second.residuals_px.size());
+  if (samples < kFewest) return {};
+  std::vector<const Cell*> cells;
+  for (const auto& entry : cells_) cells.push_back(&entry.second);
+  std::vector<const SizeCell*> sizes;
+  for (const auto& entry : size_cells_) sizes.push_back(&entry.second);
+  const int points = int(cells.size()), all = points + int(sizes.size());
+
+  const auto typicalScatter = [&] {
+    std::vector<double> off;
+    for (const Cell* cell : cells)
+      if (double(cell->residuals_px.size()) >= kTellsScatter)
+        off.push_back(scatterOf(cell->residuals_px, upperMedian(cell->residuals_px)));
+    return upperMedian(off);
+  };
+  const auto contradiction = [&](const Explanation& model) {
+    std::vector<double> z;  // of single points, with what the calibration leaves open there
+    for (int i = 0; i < points; ++i)
+      for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n)
+        z.push_back(std::abs(cells[i]->residuals_px[n]) /
+                    std::sqrt(std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
+                              model.by_calibration.row(i).squaredNorm()));
+    return upperMedian(z);
+  };
+  const auto clipped = [&](const Eigen::VectorXd& explained) {
+    double sum = 0, count = 0;
+    for (int i = 0; i < points; ++i)
+      for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n, ++count)
+        sum += std::min(4.0, std::pow(cells[i]->residuals_px[n] - explained[i], 2) /
+                                 (std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2)));
+    return sum / count;
+  };
+  const auto predict = [&](const StereoRig& rig) {  // what the cells would show if this were the true rig
+    Eigen::VectorXd values(all);
+    for (int i = 0; i < points; ++i)
+      values[i] = epipolarResidual_px(rig, cells[i]->left_px, cells[i]->right_px);
+    for (int i = points; i < all; ++i) values[i] = sizeError(rig, sizes[i - points]->square);
+    return values;
+  };
+  const Eigen::VectorXd nominal = predict(rig_);
+  const int axes = int(uncertainty_.one_sigma.size());
+  Explanation model{Eigen::VectorXd(all), Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, axes + 1),
+                    Eigen::MatrixXd(all, 6)};
+  const double typical_px = typicalScatter();
+  for (int i = 0; i < points; ++i) {
+    const auto [middle, sigma] = middleOf(cells[i]->residuals_px, cells[i]->sigmas_px, typical_px);
+    model.seen[i] = middle;
+    model.sigma[i] = std::hypot(uncertainty_.lens_px, sigma);
+  }
+  for (int i = points; i < all; ++i) {
+    const SizeCell& cell = *sizes[i - points];
+    model.seen[i] = cell.error;
+    model.sigma[i] = std::hypot(5e-4, std::sqrt(cell.variance));
+    model.by_calibration(i, axes) = cell.square.print_sigma_mm / cell.square.size_mm;  // one print, one error
+  }
+  for (int k = 0; k < axes; ++k) model.by_calibration.col(k) = nominal - predict(uncertainty_.one_sigma[k]);
+  // If the right camera moved by xi, its own rig would show nothing: seen = -d predict / d xi * xi.
+  for (int k = 0; k < 6; ++k) {
+    Vector6d step = Vector6d::Zero();
+    step[k] = k < 3 ? 1e-4 : 0.05;
+    const double prior = k < 3 ? kTurnSigma_rad : kShiftSigma_mm;
+    model.by_motion.col(k) = -(predict(turned(rig_, step)) - nominal) * (prior / step[k]);
+  }
+  Eigen::MatrixXd either(all, axes + 7);
+  either << model.by_calibration, model.by_motion;
+  const Explained holds = explain(model, model.by_calibration), moved = explain(model, either);
+  Vector6d motion = toldMotion(moved);
+  motion.head<3>() *= kTurnSigma_rad;
+  motion.tail<3>() *= kShiftSigma_mm;
+
+  RigVerdict verdict;
+  if (!motion.allFinite() || !std::isfinite(holds.cost)) return verdict;
+  verdict.statistic = holds.cost - moved.cost;
+  verdict.contradiction = contradiction(model);
+  const Eigen::VectorXd by_rest = model.by_calibration * holds.unknowns, by_all = either * moved.unknowns;
+  const double come_nearer = clipped(by_rest) - clipped(by_all);
+  // A size that does not fit is paid for by an unlikely calibration as much as by its own residual.
+  const double sizes_tell = sizes.empty()
+                                ? 0.0
+                                : sizeCost(model, by_rest, points) - sizeCost(model, by_all, points) +
+                                      holds.unknowns.squaredNorm() - moved.unknowns.squaredNorm();
+  verdict.turn_rad = motion.head<3>();
+  const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches are wrong under any motion
+  verdict.epipolar_px =
+      std::sqrt(weight.dot(model.seen.head(points).cwiseAbs2()) / std::max(1e-9, weight.sum()));
+  if (all > points) verdict.size_error = model.seen.tail(all - points).mean();
+  const StereoRig moved_rig = turned(rig_, motion);
+  double squares = 0;
+  for (const Cell* cell : cells)
+    squares += (triangulate(moved_rig, cell->left_px, cell->right_px).mm -
+                triangulate(rig_, cell->left_px, cell->right_px).mm)
+                   .squaredNorm();
+  verdict.displaced_mm = std::sqrt(squares / points);
+  const Eigen::VectorXd rows_px = model.by_motion.topRows(points) * moved.unknowns.tail<6>();
+  const bool is_contradicted = verdict.contradiction > kContradicted;
+  const bool is_harmful = verdict.displaced_mm > kHarmful_mm ||
+                          std::sqrt(rows_px.squaredNorm() / points) > kHarmful_px || is_contradicted;
+  const bool is_told = verdict.statistic > kMovedStatistic &&
+                       (come_nearer > kComesNearer || sizes_tell > 0.5 * verdict.statistic);
+  const bool has_moved = is_told || is_contradicted;
+  verdict.state = has_moved && is_harmful ? RigVerdict::State::moved : RigVerdict::State::holds;
+  return verdict;
+}
+
+std::string RigVerdict::words() const {
+  if (!hasMoved()) return {};
+  return formatted(
+      "the cameras have moved since their calibration (%.2f px across the epipolar lines, points off by "
+      "%.1f mm): calibrate again",
+      epipolar_px, displaced_mm);
+}
+
+}  // namespace facenav::cameras

@@ -1,0 +1,113 @@
+#include "coil_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::coil_tracking {
+namespace {
+
+// When a fit counts as the coil.
+constexpr double kMostRms_px = 0.6, kLeastInlierFraction = 0.6;
+constexpr double kMostShrink_px = 1.5;
+constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
+constexpr double kMostDepth_mm = 5000.0;
+constexpr double kMostSizeSigma = 2.5e-3;  // a size less well seen says nothing of the depth
+constexpr int kReadLooks = 40;             // the pattern, in both images
+// Of two starts: the other one is worth a fit, or has led to the same place.
+constexpr double kOutOfQuestion = 2.0;  // times the spread
+constexpr double kSame_mm = 1.0, kSame_rad = 0.02;
+
+bool isPlausible(const CoilSetup& setup, const MarkerFit& fit, const std::vector<std::size_t>& markers) {
+  // Of an ARToolKit picture only the outline is known: blur and size look alike, yaw stays invisible.
+  const bool has_inner_edges = std::any_of(
+      markers.begin(), markers.end(), [&](std::size_t marker) { return setup.patterns[marker].isBinary(); });
+  if (has_inner_edges && fit.size_sigma > kMostSizeSigma) return false;
+  const double rotation_variance = fit.covariance.diagonal().head<3>().maxCoeff();
+  const double translation_variance = fit.covariance.diagonal().tail<3>().maxCoeff();
+  return fit.bias_px <= kMostBias_px && fit.rms_px <= kMostRms_px &&
+         fit.inlier_fraction >= kLeastInlierFraction && std::abs(fit.shrink_px[0]) <= kMostShrink_px &&
+         std::abs(fit.shrink_px[1]) <= kMostShrink_px && fit.centre_mm.z() >= kLeastDepth_mm &&
+         fit.centre_mm.z() <= kMostDepth_mm && std::sqrt(rotation_variance) <= kMostRotationSigma_rad &&
+         std::sqrt(translation_variance) <= kMostTranslationSigma_mm * fit.centre_mm.z() / 600.0;
+}
+
+std::vector<SeenMarker> seenOf(const CoilSetup& setup, const std::vector<std::size_t>& markers) {
+  std::vector<SeenMarker> seen;
+  for (const std::size_t marker : markers) seen.push_back(setup.seen(marker));
+  return seen;
+}
+
+std::optional<CoilFit> finish(const CoilSetup& setup, const cameras::StereoFrame& frame,
+                              const std::vector<std::size_t>& markers, const FitState& start,
+                              FrameWork& work) {
+  const auto fit = fitMarkers(setup.rig, frame, seenOf(setup, markers), start, work);
+  if (!fit || !isPlausible(setup, *fit, markers)) return std::nullopt;
+  const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, fit->free_state, fit->centre_mm);
+  work.looks += kReadLooks * int(markers.size());
+  for (const std::size_t marker : markers)
+    if (!isReadInBoth(setup, frame, marker, fit->free_state.camera_T_coil, right_T_left)) return std::nullopt;
+  return CoilFit{*fit, markers};
+}
+
+std::optional<CoilFit> fitFrom(const CoilSetup& setup, const cameras::StereoFrame& frame,
+                               const std::vector<std::size_t>& markers, const FitStart& start,
+                               FrameWork& work) {
+  const auto rough = fitOutlines(setup.rig, frame, seenOf(setup, markers), start, work);
+  return rough ? finish(setup, frame, markers, rough->state, work) : std::nullopt;
+}
+
+/// With the other markers that both images show where the fit puts them.
+CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& frame, CoilFit found,
+                         FrameWork& work) {
+  std::vector<std::size_t> all = found.markers;
+  const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, found.fit.free_state, found.fit.centre_mm);
+  for (const std::size_t marker : markersInView(setup, found.fit.camera_T_coil)) {
+    if (std::find(all.begin(), all.end(), marker) != all.end()) continue;
+    work.looks += kReadLooks;
+    if (isReadInBoth(setup, frame, marker, found.fit.free_state.camera_T_coil, right_T_left))
+      all.push_back(marker);
+  }
+  if (all.size() == found.markers.size()) return found;
+  const auto together = fitFrom(setup, frame, all, {found.fit.camera_T_coil, 3}, work);
+  return together ? *together : found;
+}
+
+bool isSame(const FitState& a, const FitState& b) {
+  const Eigen::Isometry3d &at = a.camera_T_coil, &other = b.camera_T_coil;
+  return (at.translation() - other.translation()).norm() < kSame_mm &&
+         rotationAngle(at.linear().transpose() * other.linear()) < kSame_rad;
+}
+
+}  // namespace
+
+std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,
+                               const std::vector<std::size_t>& markers, const CoilToCamera& start,
+                               FrameWork& work) {
+  const auto found = fitFrom(setup, frame, markers, {start, searchReach_px(setup, markers, start)}, work);
+  if (!found) return std::nullopt;
+  return setup.patterns.size() == 1 ? *found : withOtherMarkers(setup, frame, *found, work);
+}
+
+std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::StereoFrame& frame,
+                                         std::size_t marker, const std::vector<CoilToCamera>& starts,
+                                         FrameWork& work) {
+  std::vector<OutlineFit> rough;
+  // Its size alone places the marker to 2 %: some pixels along the other image's epipolar line.
+  for (const CoilToCamera& start : starts)
+    if (const auto fit = fitOutlines(setup.rig, frame, seenOf(setup, {marker}),
+                                     {start, searchReach_px(setup, {marker}, start)}, work))
+      rough.push_back(*fit);
+  std::sort(rough.begin(), rough.end(),
+            [](const OutlineFit& a, const OutlineFit& b) { return a.spread < b.spread; });
+  std::optional<CoilFit> best;
+  for (const OutlineFit& fit : rough) {
+    const OutlineFit& first = rough.front();
+    if (best && (fit.spread > kOutOfQuestion * first.spread || isSame(fit.state, first.state))) continue;
+    const auto found = finish(setup, frame, {marker}, fit.state, work);
+    if (found && (!best || found->fit.bias_px < best->fit.bias_px)) best = found;
+  }
+  if (!best || setup.patterns.size() == 1) return best;
+  return withOtherMarkers(setup, frame, *best, work);
+}
+
+}  // namespace facenav::coil_tracking

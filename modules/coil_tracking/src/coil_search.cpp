@@ -1,0 +1,95 @@
+#include "coil_search.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace facenav::coil_tracking {
+namespace {
+
+constexpr double kSamePlace_mm = 5.0, kSamePlace_px = 4.0;
+constexpr int kOneLightLooks = 600;  // of an image, about
+constexpr int kMostPutOff = 3000;    // so that a tracked head has its fit
+
+/// Whether the fit has already told where this marker is.
+bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection& seen, bool is_left) {
+  const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, good.fit.free_state, good.fit.centre_mm);
+  const auto corners =
+      cornersInImage(setup, seen.marker, good.fit.free_state.camera_T_coil, is_left, right_T_left);
+  if (!corners) return false;
+  for (int i = 0; i < 4; ++i)
+    if (((*corners)[i] - seen.corners[i]).norm() > kSamePlace_px) return false;
+  return true;
+}
+
+/// The same coil as one found before, or another.
+void note(const CoilSetup& setup, const CoilFit& fit, std::size_t marker, std::vector<CoilFit>& good) {
+  const auto same = std::find_if(good.begin(), good.end(), [&](const CoilFit& other) {
+    return (other.fit.camera_T_coil.translation_mm() - fit.fit.camera_T_coil.translation_mm()).norm() <
+               kSamePlace_mm ||
+           (other.fit.centre_mm - fit.fit.centre_mm).norm() < 0.5 * setup.coil.markers[marker].size_mm;
+  });
+  if (same == good.end())
+    good.push_back(fit);
+  else if (fit.fit.bias_px < same->fit.bias_px)
+    *same = fit;
+}
+
+}  // namespace
+
+CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::StereoFrame& frame,
+                                   FrameWork& work) {
+  Found found;
+  put_off_looks_ = 0;
+  if (!put_off_.empty()) {
+    fit(setup, frame, std::exchange(put_off_, {}), found, work);
+    if (!found.good.empty() || !put_off_.empty()) return found;
+  }
+  const bool is_left_first = turn_ % 2 == 0, is_fresh = turn_ == 0;
+  for (const bool is_left : {is_left_first, !is_left_first}) {
+    const bool is_seen = found.is_seen_in_left || found.is_seen_in_right;
+    MarkerLight light = turn_ % 3 == 2 ? MarkerLight::dim : MarkerLight::bright;
+    if ((is_fresh && is_left == is_left_first) || is_seen) light = MarkerLight::bright_else_dim;
+    const int needed = light == MarkerLight::bright_else_dim ? 2 * kOneLightLooks : kOneLightLooks;
+    if (work.left() < needed) {
+      put_off_looks_ = needed + kNewFitLooks;
+      return found;
+    }
+    const bool shows_any = look(setup, frame, is_left, light, found, work);
+    if (!found.good.empty() || !put_off_.empty() || (!shows_any && !is_fresh)) break;
+  }
+  ++turn_;
+  return found;
+}
+
+bool CoilSearch::look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left,
+                      MarkerLight light, Found& found, FrameWork& work) {
+  const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup.patterns, light);
+  work.looks += seen.looks;
+  (is_left ? found.is_seen_in_left : found.is_seen_in_right) = !seen.markers.empty();
+  std::vector<Candidate> candidates;
+  for (const MarkerDetection& detection : seen.markers)
+    candidates.push_back({detection, is_left, posesFromOneImage(setup, detection, is_left)});
+  fit(setup, frame, std::move(candidates), found, work);
+  return !seen.markers.empty();
+}
+
+void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
+                     std::vector<Candidate> candidates, Found& found, FrameWork& work) {
+  for (const Candidate& candidate : candidates) {
+    const bool is_explained = std::any_of(found.good.begin(), found.good.end(), [&](const CoilFit& good) {
+      return explains(setup, good, candidate.seen, candidate.is_left);
+    });
+    if (is_explained) continue;
+    if (work.left() < kNewFitLooks) {
+      // Which of them is the coil is known when all are fitted.
+      put_off_looks_ = std::min(int(candidates.size()) * kNewFitLooks, kMostPutOff);
+      put_off_ = std::move(candidates);
+      found.good.clear();
+      return;
+    }
+    const auto fit = fitCoilFromEither(setup, frame, candidate.seen.marker, candidate.poses, work);
+    if (fit) note(setup, *fit, candidate.seen.marker, found.good);
+  }
+}
+
+}  // namespace facenav::coil_tracking

@@ -1,0 +1,34 @@
+#pragma once
+// LandmarkModel: dlib's 68-point shape predictor (Kazemi & Sullivan 2014), the file of Debian's libdlib-data.
+// It is 100 MB, so it is read at the first use and one object is handed round as a shared_ptr.
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace facenav::face {
+
+class LandmarkModel {
+ public:
+  explicit LandmarkModel(std::filesystem::path path = defaultPath());
+  ~LandmarkModel();
+  static std::filesystem::path defaultPath();
+
+  /// False where the file is not installed: landmarks() is then empty.
+  bool isInstalled() const;
+  /// The iBUG 68 points (px) of the upright face in `face`; 8-bit grey. Safe from several threads.
+  std::vector<Eigen::Vector2d> landmarks(const cv::Mat& grey, const cv::Rect& face) const;
+
+ private:
+  struct Predictor;
+  const Predictor* predictor() const;
+
+  std::filesystem::path path_;
+  mutable std::once_flag loaded_;
+  mutable std::unique_ptr<Predictor> predictor_;
+};
+
+}  // namespace facenav::face

@@ -1,0 +1,90 @@
+#include "facenav/face/stereo_face.h"
+
+#include <algorithm>
+
+#include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rigid_fit.h"
+
+namespace facenav::face {
+namespace {
+
+constexpr double kLandmarkEpipolarShare =
+    0.05;                                // of the face's width: landmarks are good to a few per cent of it
+constexpr double kLandmarkFit_mm = 9.0;  // depth of a landmark is good to several mm only
+
+bool agree(const cameras::StereoRig& rig, const StereoFace& face) {
+  std::vector<double> epipolar_px;
+  for (std::size_t i = 0; i < face.points_mm.size(); ++i) {
+    if (face.points_mm[i].z() <= 0) return false;
+    epipolar_px.push_back(cameras::epipolarError_px(rig, face.left.points68[i], face.right.points68[i]));
+  }
+  return epipolar_px.empty() || upperMedian(epipolar_px) < kLandmarkEpipolarShare * face.left.face.width;
+}
+
+std::optional<StereoFace> joined(const cameras::StereoRig& rig, const std::optional<FaceLandmarks>& left,
+                                 const std::optional<FaceLandmarks>& right) {
+  if (!left || !right) return std::nullopt;
+  StereoFace face{*left, *right, {}};
+  for (std::size_t i = 0; i < std::min(left->points68.size(), right->points68.size()); ++i)
+    face.points_mm.push_back(cameras::triangulate(rig, left->points68[i], right->points68[i]).mm);
+  if (!agree(rig, face)) return std::nullopt;
+  return face;
+}
+
+std::vector<double> residuals(const Eigen::Isometry3d& motion, const std::vector<Eigen::Vector3d>& from,
+                              const std::vector<Eigen::Vector3d>& to) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < from.size(); ++i) lengths.push_back((motion * from[i] - to[i]).norm());
+  return lengths;
+}
+
+}  // namespace
+
+std::optional<StereoFace> findStereoFace(const FaceDetector& detector, const cameras::StereoRig& rig,
+                                         const cameras::StereoFrame& frame, const StereoFace* near) {
+  if (near)
+    return joined(rig, detector.detectNear(frame.left, near->left),
+                  detector.detectNear(frame.right, near->right));
+  const auto left = detector.detect(frame.left);
+  if (!left) return std::nullopt;
+  auto right = detector.detectNear(frame.right, *left);
+  if (const auto face = joined(rig, left, right)) return face;
+  return joined(rig, left, detector.detect(frame.right));
+}
+
+std::optional<StereoFace> findStereoFaceAtRoll(const FaceDetector& detector, const cameras::StereoRig& rig,
+                                               const cameras::StereoFrame& frame, double roll_rad) {
+  const auto left = detector.detectAtRoll(frame.left, roll_rad);
+  if (!left) return std::nullopt;
+  return joined(rig, left, detector.detectAtRoll(frame.right, roll_rad));
+}
+
+std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vector3d>& reference_mm,
+                                                   const std::vector<Eigen::Vector3d>& current_mm) {
+  if (reference_mm.size() != 68 || current_mm.size() != 68) return std::nullopt;
+  std::vector<Eigen::Vector3d> from, to;
+  for (int i = 17; i < 48; ++i) from.push_back(reference_mm[i]), to.push_back(current_mm[i]);
+  std::vector<double> weights(from.size(), 1.0);
+  Eigen::Isometry3d motion;
+  for (int round = 0; round < 5; ++round) {
+    motion = fitRigidPoints(from, to, weights).to_T_from;
+    const auto lengths = residuals(motion, from, to);
+    const double scale = std::max(1.0, upperMedian(lengths));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      weights[i] = 1.0 / (1.0 + std::pow(lengths[i] / scale, 2));
+  }
+  if (upperMedian(residuals(motion, from, to)) > kLandmarkFit_mm) return std::nullopt;
+  return motion;
+}
+
+double depthOf(const cameras::StereoRig& rig, const StereoFace& face) {
+  std::vector<double> depths_mm;
+  for (const auto& p_mm : face.points_mm) depths_mm.push_back(p_mm.z());
+  if (!depths_mm.empty()) return upperMedian(std::move(depths_mm));
+  const auto centre = [](const cv::Rect& r) {
+    return Eigen::Vector2d(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
+  };
+  return cameras::triangulate(rig, centre(face.left.face), centre(face.right.face)).mm.z();
+}
+
+}  // namespace facenav::face

@@ -1,0 +1,93 @@
+#include "face_search.h"
+
+#include <algorithm>
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr double kLeastLikeness = 0.15;                         // of a coarse fit: less is no face
+constexpr double kLikely = 0.8;                                 // the head is there, about
+constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
+// What else a frame does, in the time of so many looks at a patch.
+constexpr int kPyramidLooks = 450, kEvenedLooks = 250;
+constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kWhoseLooks = 500;
+constexpr int kInAll = FrameWork::kMost - 700;  // a tracked coil has its turn, too
+constexpr int kFewestSteps = 4, kMostSteps = 8;
+
+}  // namespace
+
+bool HeadWork::leavesTimeToSearch() const { return looks <= std::max(0, kBeforeSearch - left_out); }
+bool HeadWork::leavesTimeToFit() const { return looks <= kBeforeFit - left_out; }
+
+int HeadWork::stepsLeft(const PatchModel& model) const {
+  const int a_step = std::max(1, 2 * int(model.level[0].patches.size()));
+  return std::clamp((kInAll - left_out - kWhoseLooks - looks) / a_step, kFewestSteps, kMostSteps);
+}
+
+FaceSearch::FaceSearch(const cameras::StereoRig& rig, const PatchModel& model,
+                       const std::array<ImagePyramid, 2>& key, FaceTemplate face)
+    : rig_(rig), model_(&model), coarse_(rig, key, std::move(face)), reference_(coarse_) {
+  rough_level_ = model.level[2].patches.size() < kFewestPatches ? 1 : 2;
+}
+
+void FaceSearch::add(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& motion) {
+  coarse_.add(rig_, now, motion);
+}
+
+void FaceSearch::forgetLearnt() {
+  coarse_ = reference_;
+  end();
+}
+
+PoseFit FaceSearch::roughly(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
+                            const Eigen::Isometry3d& start, HeadWork& work, int first_level) const {
+  PoseFit fit =
+      fitPose(rig_, *model_, keys.likeliest(start).level, now, start, first_level, {}, rough_level_);
+  work.looks += fit.looks;
+  return fit;
+}
+
+void FaceSearch::lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
+                          const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
+                          Found& found, HeadWork& work) const {
+  const CoarseSearch::Places places = coarse_.find(rig_, evened, from, turn_);
+  work.looks += places.looks;
+  for (const auto& start : places.starts) {
+    found.is_anything_alike = true;
+    if (found.best.likeness > kLikely || !work.leavesTimeToFit()) break;
+    PoseFit rough = roughly(keys, now, start, work, rough_level_);
+    if (rough.likeness > found.best.likeness) found.best = std::move(rough);
+  }
+}
+
+FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
+                                   const std::optional<Eigen::Isometry3d>& last,
+                                   const std::optional<Eigen::Isometry3d>& expected, bool is_first,
+                                   HeadWork& work) {
+  Found found;
+  work.looks += kPyramidLooks;
+  const bool was_put_off = put_off_.has_value();
+  if (was_put_off || last)
+    found.best = roughly(keys, now, put_off_ ? *put_off_ : expected.value_or(*last), work);
+  put_off_.reset();
+  const bool is_there = found.best.likeness > kLikely && (is_first || was_put_off);
+  if (!is_there) {
+    const EvenedPair evened(now);
+    work.looks += kEvenedLooks;
+    lookFrom(keys, now, evened, last, found, work);
+    if (last && is_first && found.best.likeness < kLikely)
+      lookFrom(keys, now, evened, std::nullopt, found, work);  // a leap, of a few frames a second
+    ++turn_;
+    found.is_swapped = last && found.best.likeness < kLikely &&
+                       roughly(keys, {now[1], now[0]}, *last, work).likeness >
+                           std::max(kSwappedLikeness, found.best.likeness + kSurelySwapped);
+  }
+  found.is_to_be_tried = !found.is_swapped && found.best.likeness >= kLeastLikeness;
+  if (found.is_to_be_tried && !work.leavesTimeToFit()) {
+    put_off_ = found.best.motion;
+    found.is_to_be_tried = false, found.is_put_off = true;
+  }
+  return found;
+}
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,91 @@
+#pragma once
+// FaceTemplate: the whole face at once, as some hundred points of skin with their looks in both cameras at a
+// quarter and an eighth of the size. From a start some ten degrees and centimetres off, where single patches
+// (pose_fit.h) already lie beside their place and catch on the next best thing, it finds the pose to a few
+// degrees: all points together have one best place only. Lucas-Kanade over the shape in space (6 degrees of
+// freedom, both images), on images evened against light: local mean taken off, divided by local contrast.
+
+#include <Eigen/Geometry>
+#include <array>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "face_region.h"
+#include "face_surface.h"
+#include "facenav/cameras/stereo_rig.h"
+#include "facenav/geometry/rotation.h"
+#include "image_pyramid.h"
+
+namespace facenav::head_tracking {
+
+/// A level without its light: deviation from the local mean in local standard deviations.
+cv::Mat1f evened(const BlurredImage& level);
+
+/// Both images (left, right) at the two coarsest levels.
+struct EvenedPair {
+  static constexpr std::array<int, 2> kLevel = {kLevels - 1, kLevels - 2};
+  std::array<std::array<cv::Mat1f, 2>, 2> image;  // [of kLevel][camera]
+
+  EvenedPair() = default;
+  explicit EvenedPair(const std::array<ImagePyramid, 2>& now);
+};
+
+class FaceTemplate {
+ public:
+  struct Point {
+    Eigen::Vector3d mm, normal;  // Head; towards the cameras
+  };
+  /// The points as one pair of images showed them; a camera that does not see one has no weight for it.
+  struct Looks {
+    struct Grey {
+      float value = 0.f, weight = 0.f;
+    };
+    std::array<std::array<std::vector<Grey>, 2>, 2> grey;  // [of EvenedPair::kLevel][camera][point]
+  };
+  struct Fit {
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head
+    double likeness = 0.0;                                     // correlation over both images, -1 .. 1
+  };
+
+  FaceTemplate() = default;
+  /// From the reference; `centre_mm`: that increments turn about, Head.
+  FaceTemplate(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
+               const Eigen::Vector3d& centre_mm);
+
+  const std::vector<Point>& points() const { return points_; }
+  const Eigen::Vector3d& centre_mm() const { return centre_mm_; }
+  /// Which points a camera sees at `camera_T_head`: turned towards it, and not behind others.
+  std::vector<bool> seenBy(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head) const;
+  Looks looksAt(const cameras::StereoRig& rig, const EvenedPair& images,
+                const Eigen::Isometry3d& motion) const;
+  Fit fit(const cameras::StereoRig& rig, const Looks& looks, const EvenedPair& now,
+          const Eigen::Isometry3d& start) const;
+
+ private:
+  /// Of one step of the fit, over points and cameras.
+  struct Sums {
+    Matrix6d normal = Matrix6d::Zero();
+    Vector6d pull = Vector6d::Zero();
+    double product = 0.0, now_squares = 0.0, then_squares = 0.0, seen = 0.0;
+    Sums& operator+=(const Sums& other);
+  };
+  /// The points that one camera looks for, placed by its model made linear near where they are expected.
+  class Looked {
+   public:
+    void add(const Point& point, const Looks::Grey& then, const Eigen::Matrix2d& d,
+             const Eigen::Vector2d& offset);
+    Sums sumsIn(const cv::Mat1f& image, const Eigen::Isometry3d& camera_T_head,
+                const Eigen::Vector3d& centre_mm) const;
+
+   private:
+    std::vector<float> blocks_;  // search::TemplateLook's
+    int count_ = 0;
+  };
+  Looked lookedFor(const cameras::StereoRig& rig, const Looks& looks, std::size_t l, int c,
+                   const Eigen::Isometry3d& motion) const;
+
+  std::vector<Point> points_;
+  Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,33 @@
+#include "light_field.h"
+
+#include <cmath>
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr float kMostChange = 0.35f;  // of a neighbour's ratio against the patch's own: an edge of a shadow
+constexpr float kRidge_px2 = 150.f;   // few neighbours to one side: rather no slope
+constexpr float kLeastWeight = 4.f;
+
+}  // namespace
+
+Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const PatchSights& sights,
+                           std::size_t patch, int camera) {
+  const float own = sights[patch][camera].brightness;
+  float n = 0, x = 0, y = 0, r = 0, xx = 0, xy = 0, yy = 0, xr = 0, yr = 0;
+  for (const auto& neighbour : neighbours) {
+    const PatchSight& sight = sights[neighbour.patch][camera];
+    const float change = sight.brightness - own;
+    if (!sight.is_visible || std::abs(change) > kMostChange * own) continue;
+    const float w = std::max(0.f, sight.ncc), u = neighbour.right_px, v = neighbour.down_px;
+    n += w, x += w * u, y += w * v, r += w * change;
+    xx += w * u * u, xy += w * u * v, yy += w * v * v, xr += w * u * change, yr += w * v * change;
+  }
+  if (n < kLeastWeight || own < 0.05f) return Eigen::Vector2f::Zero();
+  xx += kRidge_px2 - x * x / n, yy += kRidge_px2 - y * y / n, xy -= x * y / n;
+  xr -= x * r / n, yr -= y * r / n;
+  const float determinant = xx * yy - xy * xy;
+  return Eigen::Vector2f(yy * xr - xy * yr, xx * yr - xy * xr) / (determinant * own);
+}
+
+}  // namespace facenav::head_tracking

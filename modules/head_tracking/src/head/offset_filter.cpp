@@ -1,0 +1,91 @@
+#include "offset_filter.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr double kSharedError_px = 0.03;  // of the disparities: shape, glints
+constexpr double kSharedFor_s = 0.1;      // frames closer together share it
+constexpr double kDrift_s2_per_s = 4e-8;  // two free clocks: 0.2 ms in a second
+constexpr double kContradiction = 4.0;    // standard deviations
+constexpr int kBelieved = 20;             // so many contradictions in a row: the offset has jumped
+constexpr int kFewestPatches = 30;
+constexpr double kCertain = 2.0;  // standard deviations
+
+struct Measurement {
+  double offset_s = 0.0, variance_s2 = 0.0;
+  Vector6d by_offset;  // how the pose goes with it
+};
+
+// Least squares for pose and offset together, all patches at the spread that the fit leaves.
+std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity,
+                                   const Vector6d& allowed) {
+  Matrix6d h = Matrix6d::Zero();
+  Vector6d g = Vector6d::Zero(), cross = Vector6d::Zero();
+  double along = 0.0, along_d = 0.0, d2 = 0.0, weights = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < fit.sights.size(); ++i) {
+    const auto& sights = fit.sights[i];
+    if (!sights[0].isGood() || !sights[1].isGood()) continue;
+    ++count;
+    const double w = std::min(sights[0].weight, sights[1].weight);
+    for (int c = 0; c < 2; ++c) {
+      const auto& j = level.patches[i].view[c].jacobian;
+      Eigen::Vector2d d = sights[c].displacement.cast<double>();
+      if (c == 1) d += j * allowed;
+      h += w * j.transpose() * j;
+      g += w * j.transpose() * d;
+      d2 += w * d.squaredNorm();
+      weights += w;
+      if (c == 0) continue;
+      const Eigen::Vector2d u = j * velocity;
+      cross += w * j.transpose() * u;
+      along += w * u.squaredNorm();
+      along_d += w * u.dot(d);
+    }
+  }
+  if (count < kFewestPatches) return std::nullopt;
+  const Eigen::LDLT<Matrix6d> solver(h);
+  const Vector6d by_offset = solver.solve(cross);
+  const double information = along - cross.dot(by_offset);  // with the pose free
+  if (!(information > 1e-9 * along) || !(information > 0.0)) return std::nullopt;
+  const double told = along_d - cross.dot(solver.solve(g));
+  const double left_over = d2 - g.dot(solver.solve(g)) - told * told / information;
+  const double spread_px2 = std::max(1e-4, left_over / (2.0 * weights));
+  return Measurement{told / information,
+                     spread_px2 / information + kSharedError_px * kSharedError_px * weights / information,
+                     -by_offset};
+}
+
+}  // namespace
+
+double OffsetFilter::sigma_s() const { return std::sqrt(variance_s2_); }
+
+double OffsetFilter::late_s() const {
+  const double doubt = kCertain * kCertain * variance_s2_;
+  const double share = doubt / (offset_s_ * offset_s_);
+  return offset_s_ * offset_s_ > doubt ? offset_s_ * (1.0 - share * share) : 0.0;
+}
+
+void OffsetFilter::add(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity,
+                       const Vector6d& allowed, double since_s) {
+  variance_s2_ = std::min(kPrior_s * kPrior_s, variance_s2_ + kDrift_s2_per_s * since_s);
+  const auto measured = measure(level, fit, velocity, allowed);
+  by_offset_ = measured ? measured->by_offset : Vector6d(Vector6d::Zero());
+  if (!measured) return;
+  const double variance = measured->variance_s2 * std::max(1.0, kSharedFor_s / std::max(1e-3, since_s));
+  const double innovation = measured->offset_s - offset_s_, expected = variance_s2_ + variance;
+  if (innovation * innovation > kContradiction * kContradiction * expected) {
+    if (++contradicted_ >= kBelieved) reset();
+    return;
+  }
+  contradicted_ = 0;
+  const double gain = variance_s2_ / expected;
+  offset_s_ += gain * innovation;
+  variance_s2_ *= 1.0 - gain;
+}
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,53 @@
+#pragma once
+// PatchDoubt: whether a pose that the patches find may be shown. After another person's face, pictures of two
+// moments, or a return that looks different, it may not, until an answer of recovery (lost_face.h) clears the
+// face as the patient's, in step.
+
+#include <cmath>
+#include <optional>
+
+#include "facenav/head_tracking/head_tracker.h"
+#include "recovery/lost_face.h"
+
+namespace facenav::head_tracking {
+
+class PatchDoubt {
+ public:
+  struct Fault {
+    LostReason reason;
+    LossDetail detail;
+  };
+  static constexpr Fault kOtherFace = {LostReason::no_face, LossDetail::other_face};
+  static constexpr Fault kOutOfStep = {LostReason::camera, LossDetail::out_of_step};
+  static constexpr Fault kReturn = {LostReason::no_face, LossDetail::doubtful};  // nothing speaks against it
+
+  void start(const Fault& fault, Timestamp now) { fault_ = fault, since_ = now; }
+  void clear() { fault_.reset(), other_seen_.reset(); }
+
+  /// Without any answer a doubt ends after some seconds; the patches' own identity check remains.
+  std::optional<Fault> at(Timestamp now) {
+    if (fault_ && std::abs(now - since_) > kLongest_s) fault_.reset();
+    return fault_;
+  }
+
+  void hear(const LostFace::Found& answer, Timestamp now) {
+    if (answer.is_other) other_seen_ = now, since_ = now;
+    if (!fault_ || answer.is_out_of_step) return;
+    const bool is_of_return = fault_->detail == kReturn.detail;
+    const bool says_nothing = !answer.face.identity.isAnswered();
+    if (answer.is_patient || (is_of_return && says_nothing)) fault_.reset();
+  }
+
+  /// Another person's face was seen a moment ago.
+  bool wasOtherSeen(Timestamp now) const {
+    return other_seen_ && std::abs(now - *other_seen_) < kOtherSeen_s;
+  }
+
+ private:
+  static constexpr double kLongest_s = 5.0, kOtherSeen_s = 0.3;
+  std::optional<Fault> fault_;
+  Timestamp since_;
+  std::optional<Timestamp> other_seen_;
+};
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,33 @@
+#include "patch_trust.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr double kMemory_s = 0.7;     // over which a patch shows whether it moves by itself
+constexpr double kExpected = 4.0;     // square distance that noise explains
+constexpr double kMostAtOnce = 50.0;  // one bad frame says no more
+constexpr double kLongest_s = 0.1;    // between two frames, as it counts
+
+}  // namespace
+
+std::vector<float> PatchTrust::weights() const {
+  std::vector<float> factors;
+  for (const double wander : wander_) factors.push_back(float(1.0 / (1.0 + wander / kExpected)));
+  return factors;
+}
+
+void PatchTrust::learn(const PoseFit& fit, double since_s) {
+  const double share = 1.0 - std::exp(-std::clamp(since_s, 0.0, kLongest_s) / kMemory_s);
+  for (std::size_t i = 0; i < wander_.size(); ++i) {
+    double seen = -1.0;
+    for (const auto& sight : fit.sights[i])
+      if (sight.is_visible)
+        seen = std::max(seen, std::min(double(sight.distance * sight.distance), kMostAtOnce));
+    if (seen >= 0) wander_[i] += share * (std::max(0.0, seen - kExpected) - wander_[i]);
+  }
+}
+
+}  // namespace facenav::head_tracking

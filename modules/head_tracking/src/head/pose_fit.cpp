@@ -1,0 +1,321 @@
+#include "pose_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "level_sight.h"
+#include "patch_worth.h"
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (Huber 1981)
+constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's linearisation means nothing
+constexpr double kUnsettled_px = 0.1;    // in the last step: the fit has not arrived
+// Steps on the finest level after which a fit without so much of a face is given up, or with more of it that
+// is not arriving. What is alike hardly changes over the steps; the patient's face, three tenths of it
+// covered, showed 0.7 at least in its first step, and arrived within 0.1 px in two; others' 0.1 to 0.74, and
+// took eight steps or more.
+constexpr int kHopelessAfter = 1, kAstrayAfter = 3;
+constexpr double kHopeless = 0.2, kHopelessMoving = 0.5, kHopelessMoving_px = 0.2;
+constexpr double kAstray = 0.8;
+constexpr double kPlacedFor_px = 2.0;  // of motion: the cameras' models made linear at a patch hold
+constexpr float kLeastScale = 0.5f;
+// Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
+constexpr float kSharedError = 1.6f;
+constexpr float kPairLooks = 0.4f;                  // both cameras see the patch about equally well
+constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // of the finest: as the caller says
+constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
+
+// Of one level in both images, at poses near the one it was made for.
+class LevelFit {
+ public:
+  LevelFit(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
+           const std::array<ImagePyramid, 2>& now, const std::vector<float>& trust)
+      : rig_(rig), model_(model), level_(level), trust_(trust), seen_(rig, model, level, now) {}
+
+  bool isHopeless(int step, double moved_px) const {
+    if (step != kHopelessAfter && step != kAstrayAfter) return false;
+    const double alike = seen_.likeness();
+    if (step == kAstrayAfter) return alike < kAstray && moved_px > kUnsettled_px;
+    return alike < kHopeless || (alike < kHopelessMoving && moved_px > kHopelessMoving_px);
+  }
+
+  void placeAt(const Eigen::Isometry3d& motion) {
+    seen_.placeAt(motion);
+    is_assessed_ = false;
+  }
+
+  int placements() const {
+    return int(seen_.placed()[0].placements.size() + seen_.placed()[1].placements.size());
+  }
+
+  void look(const Eigen::Isometry3d& motion) {
+    seen_.look(motion);
+    if (!is_assessed_) assess(motion);
+  }
+
+  double likeness() const { return seen_.likeness(); }
+
+  // The increment xi (Head, about the model's centre) that explains the displacements.
+  Vector6d solve(int rounds, bool is_first) {
+    collect();
+    Vector6d xi = Vector6d::Zero();
+    for (int round = 0; round < rounds; ++round) {
+      weigh(xi, is_first && round == 0);
+      xi = normalSolution();
+      if (!xi.allFinite()) return Vector6d::Zero();
+    }
+    weigh(xi, false);
+    return xi;
+  }
+
+  void finish(PoseFit& fit, const Vector6d& last_step) {
+    seen_.markCentres(fit.motion);
+    PatchSights& all = seen_.sights();
+    fit.scale = std::max(scale_[0], scale_[1]);
+    for (float& scale : scale_) scale = std::max(1.f, scale);  // no surer than the errors that are known of
+    fit.information = information();
+    const Eigen::Matrix<float, 6, 1> step = last_step.cast<float>();
+    std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
+    for (auto& sights : all)
+      for (auto& sight : sights) sight.weight = sight.is_visible ? 1.f : 0.f;
+    std::vector<std::array<bool, 2>> is_told(all.size());
+    for (const auto& row : rows_) {
+      for (int c = 0; c < 2; ++c) {
+        if ((c == 0 && row.told == Told::by_right) || (c == 1 && row.told == Told::by_left)) continue;
+        auto& sight = all[row.patch][c];
+        is_told[row.patch][c] = row.prior > 0;
+        sight.weight = std::min(sight.weight, row.weight);
+        sight.distance = std::max(sight.distance, row.distance);
+        sight.residual_px =
+            (sight.displacement - level_.patches[row.patch].view[c].jacobian.cast<float>() * step).norm();
+      }
+      pulls[level_.patches[row.patch].region] +=
+          (sayOf(row) * (worth_[row.worth].weighted * row.e)).cast<double>();
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (int c = 0; c < 2; ++c)
+        if (!is_told[i][c]) all[i][c].weight = 0.f;
+    for (const auto& pull : pulls) {
+      fit.regions += pull.squaredNorm() > 0;
+      fit.pull += pull * pull.transpose();
+    }
+    fit.sights = std::move(all);
+  }
+
+  // How far the step moves the patches, pixels of the level.
+  double motion_px(const Vector6d& xi) const {
+    double most = 0;
+    for (const auto& patch : level_.patches)
+      most = std::max(most, (patch.view[0].jacobian * xi).squaredNorm());
+    return std::sqrt(most);
+  }
+
+ private:
+  // One PatchTelling: J, J' L J (upper triangle, row by row) and J' L.
+  struct Worth {
+    Eigen::Matrix<float, 2, 4> combine;
+    Eigen::Matrix<float, 2, 6> jacobian;
+    std::array<float, 24> normal{};
+    Eigen::Matrix<float, 6, 2> weighted;
+    Eigen::Matrix2f information;
+
+    explicit Worth(const PatchTelling& told)
+        : combine(told.combine.cast<float>()), jacobian(told.jacobian.cast<float>()) {
+      const Eigen::Matrix2d inverse = told.covariance.inverse();
+      information = inverse.cast<float>();
+      weighted = (told.jacobian.transpose() * inverse).cast<float>();
+      const Eigen::Matrix<float, 6, 6> product = weighted * jacobian;
+      for (int i = 0, n = 0; i < 6; ++i)
+        for (int j = i; j < 6; ++j) normal[n++] = product(i, j);
+    }
+  };
+
+  // What each patch can tell at this pose, from both cameras together where both look as they should.
+  void assess(const Eigen::Isometry3d& motion) {
+    const Eigen::Isometry3d left_T_right = rig_.right_T_left.isometry().inverse();
+    const Eigen::Vector3d eyes_mm[2] = {motion.inverse().translation(),
+                                        motion.inverse() * left_T_right.translation()};
+    std::vector<PatchChange> changes(level_.patches.size());
+    const double light_change = seen_.lightChange();
+    const auto& placed = seen_.placed();
+    for (int c = 0; c < 2; ++c)
+      for (std::size_t k = 0; k < placed[c].placements.size(); ++k) {
+        const int index = placed[c].placements[k].patch;
+        changes[index].key_from_now[c] = placed[c].key_from_now[k];
+        changes[index].ray[c] = (level_.patches[index].centre_mm - eyes_mm[c]).normalized();
+        changes[index].light_change = light_change;
+      }
+    worth_.clear(), worth_.reserve(2 * level_.patches.size());
+    rows_.clear(), rows_.reserve(2 * level_.patches.size());
+    for (std::size_t i = 0; i < level_.patches.size(); ++i) {
+      const Patch& patch = level_.patches[i];
+      const float looks[2] = {looksWeight(seen_.sights()[i][0]), looksWeight(seen_.sights()[i][1])};
+      const bool is_pair =
+          std::min(looks[0], looks[1]) > kPairLooks * std::max(looks[0], looks[1]) && canBePaired(patch);
+      if (is_pair) {
+        const auto told = toldByBoth(patch, changes[i]);
+        addRow(i, Told::mean, told[0]);
+        addRow(i, Told::difference, told[1]);
+      } else if (std::max(looks[0], looks[1]) > 0) {
+        for (int c = 0; c < 2; ++c)
+          if (looks[c] > 0)
+            addRow(i, c == 0 ? Told::by_left : Told::by_right, toldByOne(patch, c, changes[i]));
+      }
+    }
+    is_assessed_ = true;
+  }
+
+  enum class Told { by_left, by_right, mean, difference };
+
+  void addRow(std::size_t patch, Told told, const PatchTelling& telling) {
+    Row row;
+    row.patch = int(patch), row.told = told, row.worth = int(worth_.size());
+    worth_.emplace_back(telling);
+    rows_.push_back(row);
+  }
+
+  struct Row {
+    int patch = 0;
+    Told told = Told::mean;
+    int worth = 0;
+    float prior = 0.f;  // trust before geometry
+    Eigen::Vector2f displacement = Eigen::Vector2f::Zero(), e = Eigen::Vector2f::Zero();
+    float weight = 0.f, distance = 0.f;
+    /// Errors of differences and of all else are scaled apart.
+    int kind() const { return told == Told::difference ? 1 : 0; }
+  };
+
+  // Trust before geometry: looks as expected, and a displacement within reach.
+  static float looksWeight(const PatchSight& sight) {
+    if (!sight.is_visible || sight.expected_ncc <= 0.05f) return 0.f;
+    const float likeness = std::clamp((sight.ncc / sight.expected_ncc - 0.3f) / 0.5f, 0.f, 1.f);
+    return sight.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness : 0.1f * likeness;
+  }
+
+  // The displacements as they are now; a row whose patch no longer looks as it should has no say.
+  void collect() {
+    for (auto& row : rows_) {
+      const auto& sights = seen_.sights()[row.patch];
+      float looks = 0.f;
+      switch (row.told) {
+        case Told::by_left:
+          looks = looksWeight(sights[0]);
+          break;
+        case Told::by_right:
+          looks = looksWeight(sights[1]);
+          break;
+        default:
+          looks = std::min(looksWeight(sights[0]), looksWeight(sights[1]));
+      }
+      row.prior =
+          looks * float(level_.patches[row.patch].rigidity) * (trust_.empty() ? 1.f : trust_[row.patch]);
+      Eigen::Vector4f both;
+      both << sights[0].displacement, sights[1].displacement;
+      row.displacement = row.e = worth_[row.worth].combine * both;
+    }
+  }
+
+  void weigh(const Vector6d& xi, bool is_start) {
+    for (auto& list : distances_) list.clear();
+    const Eigen::Matrix<float, 6, 1> step = xi.cast<float>();
+    for (auto& row : rows_) {
+      const Worth& worth = worth_[row.worth];
+      row.e = row.displacement - worth.jacobian * step;
+      row.distance = std::sqrt(std::max(0.f, row.e.dot(worth.information * row.e)));
+      if (row.prior > 0) distances_[row.kind()].push_back(row.distance);
+    }
+    for (int kind = 0; kind < 2; ++kind) {
+      auto& list = distances_[kind];
+      if (list.empty()) continue;
+      const auto middle = list.begin() + std::ptrdiff_t(list.size() / 2);
+      std::nth_element(list.begin(), middle, list.end());
+      scale_[kind] = std::max(kLeastScale, *middle / 1.177f);  // of a 2-D normal error's length
+    }
+    for (auto& row : rows_) {
+      const float reach = kBiweight * scale_[row.kind()];
+      const float q2 = row.distance * row.distance / (reach * reach);
+      row.weight = is_start ? 1.f / (1.f + 4.f * q2) : (q2 < 1.f ? (1.f - q2) * (1.f - q2) : 0.f);
+    }
+  }
+
+  // Of a row in the fit: its robust weight and trust, and the scale of its kind's errors.
+  float sayOf(const Row& row) const {
+    const float scale = scale_[row.kind()] * (row.kind() == 0 ? kSharedError : 1.f);
+    return row.weight * row.prior / (scale * scale);
+  }
+
+  Matrix6d information() const {
+    std::array<float, 24> sum{};
+    for (const auto& row : rows_) {
+      const float w = sayOf(row);
+      for (int k = 0; k < 24; ++k) sum[k] += w * worth_[row.worth].normal[k];
+    }
+    Matrix6d h;
+    for (int i = 0, k = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j) h(i, j) = h(j, i) = sum[k++];
+    return h;
+  }
+
+  Vector6d normalSolution() const {
+    Matrix6d h = information();
+    Eigen::Matrix<float, 6, 1> g = Eigen::Matrix<float, 6, 1>::Zero();
+    for (const auto& row : rows_) g.noalias() += worth_[row.worth].weighted * (sayOf(row) * row.displacement);
+    h.diagonal() += 1e-6 * h.diagonal() + Vector6d::Constant(1e-9);
+    return h.ldlt().solve(g.cast<double>());
+  }
+
+  const cameras::StereoRig& rig_;
+  const PatchModel& model_;
+  const PatchLevel& level_;
+  const std::vector<float>& trust_;
+  LevelSight seen_;
+  bool is_assessed_ = false;
+  std::vector<Worth> worth_;
+  std::vector<Row> rows_;
+  std::array<std::vector<float>, 2> distances_;  // by kind of row
+  std::array<float, 2> scale_ = {1.f, 1.f};
+};
+
+Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
+  return Eigen::Translation3d(centre_mm) * expRigid(xi) * Eigen::Translation3d(-centre_mm);
+}
+
+}  // namespace
+
+PoseFit fitPose(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
+                const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
+                const std::vector<float>& trust, int last_level, int most_steps) {
+  PoseFit fit;
+  fit.motion = start;
+  const std::vector<float> even;
+  for (int l = first_level; l >= last_level; --l) {
+    const PatchLevel& patches = levels[l];
+    if (patches.patches.size() < kFewestPatches) continue;
+    LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
+    double moved_px = std::numeric_limits<double>::max(), since_placed_px = 0;
+    Vector6d xi = Vector6d::Zero();
+    for (int iteration = 0; iteration < (l == 0 ? most_steps : kIterations[l]); ++iteration) {
+      if (iteration == 0 || since_placed_px > kPlacedFor_px) level.placeAt(fit.motion), since_placed_px = 0;
+      level.look(fit.motion);
+      fit.looks += level.placements();
+      xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
+      fit.motion = fit.motion * about(model.centre_mm, xi);
+      moved_px = level.motion_px(xi);
+      since_placed_px += moved_px;
+      if (moved_px < kSettled_px[l]) break;
+      if (l == 0 && level.isHopeless(iteration, moved_px)) break;
+    }
+    if (l == last_level) fit.likeness = level.likeness();
+    if (l > 0) continue;
+    fit.is_settled = moved_px < kUnsettled_px;
+    level.finish(fit, xi);
+  }
+  return fit;
+}
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,80 @@
+#include "track_verdict.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr int kLeastGood = 15;            // patches in each camera
+constexpr double kLeastGoodShare = 0.25;  // of the telling patches in view
+constexpr double kWidestRatio = 3.5;      // between the cameras' shares
+// A pose more than 3 mm or 2 degrees off is wrong: a predicted standard error of a fifth of that may be
+// shown.
+constexpr double kWorstSigma_mm = 0.6;
+constexpr double kWorstSigma_rad = 0.4 * M_PI / 180;
+constexpr double kMomentDoubt = 5.0 / 3.0;  // a third of it where the face was found anew
+constexpr double kCortexDepth_mm = 90.0;    // from the face's centre, away from the cameras
+constexpr double kWorstScale = 6.0;
+
+struct Count {
+  int telling = 0, good = 0;
+  double share() const { return telling > 0 ? double(good) / telling : 0.0; }
+};
+
+Count count(const PoseFit& fit, int camera) {
+  Count n;
+  for (const auto& sight : fit.sights) {
+    if (!sight[camera].is_visible || sight[camera].expected_ncc < 0.5f) continue;
+    ++n.telling;
+    n.good += sight[camera].isGood();
+  }
+  return n;
+}
+
+// What the patches' own errors predict, and what the parts of the face show by pulling apart (a covariance
+// that holds for errors that a whole part shares, Liang & Zeger 1986).
+Matrix6d covarianceOf(const PoseFit& fit) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(fit.information);
+  if (!(solver.eigenvalues()(0) > 1e-9)) return Matrix6d::Identity() * 1e6;
+  Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
+  rotate.topLeftCorner<3, 3>() = fit.motion.linear();
+  rotate.bottomRightCorner<3, 3>() = fit.motion.linear();
+  const Matrix6d inverse = fit.information.inverse();
+  const double freedom = std::max(1.0, double(fit.regions - 6));
+  const Matrix6d seen = double(fit.regions) / freedom * inverse * fit.pull * inverse;
+  return rotate * (inverse + seen) * rotate.transpose();
+}
+
+double sigmaAtCortex_mm(const Matrix6d& covariance) {
+  Eigen::Matrix<double, 3, 6> carry;
+  carry << -skew(Eigen::Vector3d(0, 0, kCortexDepth_mm)), Eigen::Matrix3d::Identity();
+  return std::sqrt((carry * covariance * carry.transpose()).trace());
+}
+
+}  // namespace
+
+Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_covariance,
+              bool is_of_moment) {
+  Verdict verdict;
+  const Count left = count(fit, 0), right = count(fit, 1);
+  verdict.good_share = {left.share(), right.share()};
+  verdict.covariance = model.shape_doubt * covarianceOf(fit) + key_covariance;
+  const double doubt = std::sqrt(model.shape_doubt) * (is_of_moment ? kMomentDoubt : 1.0);
+  const double least = std::min(left.share(), right.share()), most = std::max(left.share(), right.share());
+  if (std::max(left.good, right.good) < kLeastGood || most < kLeastGoodShare) {
+    verdict.lost = LostReason::few_features;
+  } else if (std::min(left.good, right.good) < kLeastGood || least < kLeastGoodShare ||
+             most > kWidestRatio * least) {
+    verdict.lost = LostReason::camera;
+  } else if (!fit.is_settled || fit.scale > kWorstScale ||
+             sigmaAtCortex_mm(verdict.covariance) > doubt * kWorstSigma_mm ||
+             std::sqrt(verdict.covariance.topLeftCorner<3, 3>().trace()) > doubt * kWorstSigma_rad) {
+    verdict.lost = LostReason::high_residual;
+  }
+  verdict.quality = std::clamp(least / 0.9, 0.0, 1.0);
+  return verdict;
+}
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,137 @@
+#include "face_shape.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr double kNodesAcross = 60.0;     // of the face's width
+constexpr double kMostMobility_mm = 1.3;  // lips and chin say nothing of the skull
+constexpr double kRigid_mm = 0.6;
+constexpr double kReach_mm = 60.0;  // of the measured depth before and behind the expected face
+constexpr int kCell_px = 4, kFewestNodes = 150, kIterations = 25;
+constexpr double kStereo_mm =
+    0.6;                          // of skin without dots, what neighbours share (real skin, two pairs: 1 mm)
+constexpr double kFreedom = 3.0;  // of Student's t
+constexpr double kFarthest_mm = 12.0, kLeastFacing = 0.3, kSettled_mm = 0.01;
+
+// Mean of the measured points, by cells of the left picture.
+class MeasuredFace {
+ public:
+  MeasuredFace(const stereo::FaceCloud& cloud, cv::Size size)
+      : columns_(size.width / kCell_px + 1), rows_(size.height / kCell_px + 1) {
+    sum_mm_.assign(std::size_t(columns_) * std::size_t(rows_), Eigen::Vector4d::Zero());
+    for (std::size_t i = 0; i < cloud.cloud.size(); ++i) {
+      const int x = int(cloud.left_px[i].x()) / kCell_px, y = int(cloud.left_px[i].y()) / kCell_px;
+      if (x >= 0 && y >= 0 && x < columns_ && y < rows_)
+        sum_mm_[at(x, y)] += cloud.cloud.points_mm[i].homogeneous();
+    }
+  }
+  std::optional<Eigen::Vector3d> near(const Eigen::Vector2d& px) const {
+    const int x = int(px.x()) / kCell_px, y = int(px.y()) / kCell_px;
+    if (px.x() < 0 || px.y() < 0 || x >= columns_ || y >= rows_ || sum_mm_[at(x, y)].w() < 3)
+      return std::nullopt;
+    return Eigen::Vector3d(sum_mm_[at(x, y)].hnormalized());
+  }
+
+ private:
+  std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(columns_) + std::size_t(x); }
+  int columns_, rows_;
+  std::vector<Eigen::Vector4d> sum_mm_;  // and their number
+};
+
+}  // namespace
+
+FaceShape::FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
+                     const SkinMobility& mobility) {
+  const cv::Rect box = region.box();
+  const double step = std::max(2.0, box.width / kNodesAcross);
+  for (double y = box.y; y < box.br().y; y += step)
+    for (double x = box.x; x < box.br().x; x += step) {
+      const Eigen::Vector2d px(x, y);
+      if (!region.contains(px) || mobility.at(px).sigma_mm > kMostMobility_mm) continue;
+      const auto local = surface.around(px, 2 * step);
+      if (!local || !(local->inverseDepth(px) > 0)) continue;
+      const auto lift = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
+        return cameras::undistort(rig.left, p).homogeneous() / local->inverseDepth(p);
+      };
+      const Eigen::Vector3d across = lift({x + step, y}) - lift({x - step, y}),
+                            down = lift({x, y + step}) - lift({x, y - step});
+      const Node node{lift(px), down.cross(across).normalized(), mobility.at(px).sigma_mm};
+      if (node.mm.allFinite() && node.normal.allFinite()) nodes_.push_back(node);
+    }
+  for (const auto& node : nodes_) centre_mm_ += node.mm / double(nodes_.size());
+}
+
+std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                                       const Eigen::Isometry3d& start) const {
+  if (int(nodes_.size()) < kFewestNodes) return std::nullopt;
+  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+  double nearest_mm = 1e9, farthest_mm = 0;
+  for (const auto& node : nodes_) {
+    const Eigen::Vector3d p_mm = start * node.mm;
+    if (p_mm.z() < kReach_mm) return std::nullopt;
+    const Eigen::Vector2d px = cameras::project(rig.left, p_mm);
+    low = low.cwiseMin(px), high = high.cwiseMax(px);
+    nearest_mm = std::min(nearest_mm, p_mm.z()), farthest_mm = std::max(farthest_mm, p_mm.z());
+  }
+  const Eigen::Vector2d margin = 0.15 * (high - low);
+  if (!((high - low).maxCoeff() < 1e5)) return std::nullopt;
+  stereo::FaceCloudOptions options;
+  options.match = stereo::quickSkinOptions();
+  options.left_roi = cv::Rect(cv::Point(int(low.x() - margin.x()), int(low.y() - margin.y())),
+                              cv::Point(int(high.x() + margin.x()), int(high.y() + margin.y()))) &
+                     cv::Rect(0, 0, rig.width_px, rig.height_px);
+  options.nearest_mm = std::max(50.0, nearest_mm - kReach_mm), options.farthest_mm = farthest_mm + kReach_mm;
+  if (options.left_roi->area() < 1000) return std::nullopt;
+  stereo::FaceCloud cloud;
+  try {
+    TaskMonitor monitor;
+    cloud = stereo::measureFace(rig, frame, options, monitor);
+  } catch (const Error&) {  // too little texture, too dark: nothing is known
+    return std::nullopt;
+  }
+  const MeasuredFace face(cloud, frame.left.size());
+  ShapeFit fit;
+  fit.camera_T_head = start;
+  double scale = 3.0;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    const Eigen::Matrix3d& turn = fit.camera_T_head.linear();
+    Matrix6d h = Matrix6d::Identity() * 1e-6;
+    Vector6d g = Vector6d::Zero();
+    std::vector<double> distances, rigid_mm;
+    for (const auto& node : nodes_) {
+      const Eigen::Vector3d p_mm = fit.camera_T_head * node.mm, normal = turn * node.normal;
+      if (p_mm.z() < 50 || -normal.dot(p_mm.normalized()) < kLeastFacing) continue;
+      const auto measured_mm = face.near(cameras::project(rig.left, p_mm));
+      if (!measured_mm) continue;
+      const double off_mm = normal.dot(*measured_mm - p_mm);
+      if (std::abs(off_mm) > kFarthest_mm * std::max(1.0, scale)) continue;
+      const double sigma_mm = std::hypot(kStereo_mm, node.mobility_mm), distance = off_mm / sigma_mm;
+      distances.push_back(std::abs(distance));
+      if (node.mobility_mm <= kRigid_mm) rigid_mm.push_back(std::abs(off_mm));
+      const double weight =
+          (kFreedom + 1) / (kFreedom + std::pow(distance / scale, 2)) / (sigma_mm * sigma_mm);
+      Vector6d j;
+      j << (node.mm - centre_mm_).cross(node.normal), node.normal;
+      h.noalias() += weight * j * j.transpose();
+      g += weight * off_mm * j;
+    }
+    if (int(distances.size()) < kFewestNodes || int(rigid_mm.size()) < kFewestNodes / 3) return std::nullopt;
+    const Vector6d xi = h.ldlt().solve(g);
+    if (!xi.allFinite()) return std::nullopt;
+    fit.camera_T_head = fit.camera_T_head * Eigen::Translation3d(centre_mm_) * expRigid(xi) *
+                        Eigen::Translation3d(-centre_mm_);
+    scale = std::max(0.7, kSigmaPerMad * upperMedian(distances));
+    fit.rms_mm = kSigmaPerMad * upperMedian(rigid_mm), fit.nodes = int(distances.size());
+    if (xi.tail<3>().norm() + 60.0 * xi.head<3>().norm() < kSettled_mm) break;
+  }
+  return fit;
+}
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,164 @@
+#include "lost_face.h"
+
+#include <cmath>
+
+#include "facenav/core/processor_time.h"
+#include "head/pose_fit.h"
+#include "head/track_verdict.h"
+
+namespace facenav::head_tracking {
+namespace {
+
+constexpr double kAnswer_s = 0.1;     // time that a live answer takes on one core of a small machine
+constexpr double kOneMotion_s = 0.5;  // between two answers that tell how fast the head moves
+constexpr double kJitter_mm = 0.5;    // between two answers about a head at rest
+constexpr int kThoroughEvery = 4;     // questions; a search at any roll takes ten times longer
+constexpr int kMostSteps = 12, kFirstLevel = 1;
+// Errors of the reference's patches, by those expected: 0.6 to 1.5 on skin that has not moved (room), 3 to 7
+// on a real face with another expression. Below this limit the patches are more exact than recovery's
+// windows.
+constexpr double kAsExpected = 2.0;
+constexpr double kKnownLook = 0.8;     // share of the windows in place: 0.6-0.8 with another expression
+constexpr double kSamePlace_mm = 3.0;  // of the face, all the same
+// Agreement of both cameras on fine detail: 0.73 and more in uncompressed pictures of the room, 0.35 to 0.6
+// in strongly compressed photographs.
+constexpr double kDetailKept = 0.73;
+// Agreement with the reference by that of both cameras, mean and standard deviation: the room's table in
+// skin_detail.h (24 poses of patients, 24 of others).
+constexpr double kOwnDetail = 0.91, kOwnSigma = 0.15, kOtherDetail = 0.14, kOtherSigma = 0.13;
+
+// Log likelihood ratio of the skin's fine detail. It counts only where the pictures keep that detail, which
+// is where both cameras agree on it. Compressed pictures do not keep it: both cameras then agree by half.
+double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
+  if (of_both_cameras.value() < kDetailKept) return 0.0;
+  const double share = seen.value() / of_both_cameras.value();
+  const auto logNormal = [](double z, double sigma) { return -0.5 * z * z - std::log(sigma); };
+  const double own_sigma = std::hypot(kOwnSigma, seen.sigma()),
+               other_sigma = std::hypot(kOtherSigma, seen.sigma());
+  return logNormal((std::min(share, kOwnDetail) - kOwnDetail) / own_sigma, own_sigma) -
+         logNormal((std::max(share, kOtherDetail) - kOtherDetail) / other_sigma, other_sigma);
+}
+
+}  // namespace
+
+LostFace::LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace)
+    : recovery_(std::move(recovery)),
+      learnt_(learnt),
+      pace_(pace),
+      answers_([recovery = recovery_,
+                learnt](const Question& question) { return answer(*recovery, learnt, question); },
+               pace == Pace::live ? LaterAnswer<Question, Found>::Mode::own_thread
+                                  : LaterAnswer<Question, Found>::Mode::in_line,
+               pace == Pace::patient ? 0.0 : kAnswer_s) {}
+
+LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& learnt,
+                                 const Question& question) {
+  Found found;
+  found.captured = question.frame.captured, found.epoch = question.epoch;
+  auto face = recovery.find(question.frame, question.last, question.is_thorough);
+  if (!face) return found;
+  found.face = std::move(*face);
+  found.camera_T_head = found.face.pose.camera_T_head;
+  found.identify();
+  if (!found.is_patient) return found;
+  found.frame = question.frame;
+  const std::array<ImagePyramid, 2> now = {ImagePyramid(question.frame.left),
+                                           ImagePyramid(question.frame.right)};
+  const PatchModel& model = *learnt.model;
+  const PoseFit patches =
+      fitPose(*learnt.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {}, 0, kMostSteps);
+  const DetailAgreement detail = detailAgreement(*learnt.rig, model, model.level[0], now, patches);
+  found.face.identity.log_likelihood_ratio += evidenceOf(detail, *learnt.both_cameras);
+  found.identify();
+  found.is_other |= found.face.identity.verdict() == Identity::Verdict::other;
+  if (!found.is_patient) return found;
+  const double off_mm = (patches.motion * model.centre_mm - found.camera_T_head * model.centre_mm).norm();
+  if (patches.scale < kAsExpected && off_mm < kSamePlace_mm && judge(model, patches).isTracked() &&
+      whoseSkin(detail, *learnt.both_cameras) == Whose::patients)
+    found.camera_T_head = patches.motion;
+  else
+    learnMoment(recovery, learnt, found);
+  return found;
+}
+
+// The identity's verdict, and whether both pictures show one moment.
+void LostFace::Found::identify() {
+  const auto verdict = face.identity.verdict();
+  is_out_of_step = face.sides == SidesVerdict::out_of_step || face.lines.isClearlyOutOfStep();
+  is_patient = verdict == Identity::Verdict::patient && face.sides == SidesVerdict::agree;
+  is_other = verdict == Identity::Verdict::other && face.is_face_seen && !is_out_of_step;
+}
+
+// Patches learnt anew from the frame, at the pose that recovery found.
+void LostFace::learnMoment(const FaceRecovery& recovery, const Learnt& learnt, Found& found) {
+  const RecoveryPose& pose = found.face.pose;
+  const Eigen::Vector3d& centre_mm = learnt.model->centre_mm;
+  found.moment = KeyFrames::ofMoment(*learnt.rig, *learnt.model, found.frame, found.camera_T_head,
+                                     recovery.carried(pose, pose.covariance, centre_mm),
+                                     recovery.carried(pose, pose.unseen_covariance, centre_mm));
+  found.is_patient = found.moment.has_value();
+}
+
+std::optional<LostFace::Found> LostFace::take(Timestamp now) {
+  auto found = answers_.take(now.s);
+  if (is_to_forget_ && !answers_.isBusy()) recovery_->forgetRemembered(), is_to_forget_ = false;
+  if (!found || found->epoch != epoch_) return std::nullopt;
+  const double allowed = allowed_px(*found);
+  if (found->face.identity.verdict() != Identity::Verdict::patient) return found;
+  const auto verdict = step_.judge(found->face.lines, allowed, found->captured);
+  if (verdict == StepVerdict::in_step) return found;
+  found->is_patient = false, found->moment.reset();
+  found->is_out_of_step |= verdict == StepVerdict::out_of_step;
+  found->is_step_unsure = verdict == StepVerdict::unsure;
+  return found;
+}
+
+// How far the head's motion between the exposures of untriggered cameras may put the face off its epipolar
+// lines. The motion is known from the second answer on.
+double LostFace::allowed_px(const Found& found) {
+  const auto before = std::exchange(before_, Before{found.camera_T_head, found.captured});
+  if (!before) return 0.0;
+  const double since_s = std::abs(found.captured - before->captured);
+  if (since_s < 1e-3 || since_s > kOneMotion_s) return 0.0;
+  const Eigen::Vector3d& centre_mm = learnt_.model->centre_mm;
+  const Eigen::Vector3d now_mm = found.camera_T_head * centre_mm;
+  const double moved_mm = std::max(0.0, (now_mm - before->camera_T_head * centre_mm).norm() - kJitter_mm);
+  const double px_per_mm = learnt_.rig->right.k(1, 1) / std::max(1.0, now_mm.z());
+  return moved_mm / since_s * learnt_.late->mostLate_s() * px_per_mm;
+}
+
+void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last) {
+  if (answers_.isBusy()) return;
+  const double before_ms = processorTime_ms();
+  auto question = std::make_shared<Question>();
+  question->frame = frame;
+  question->frame.left = frame.left.clone(), question->frame.right = frame.right.clone();
+  question->last = last, question->is_thorough = asked_++ % kThoroughEvery == 0, question->epoch = epoch_;
+  answers_.ask(std::move(question), frame.captured.s);
+  if (pace_ != Pace::live) beside_ms_ += processorTime_ms() - before_ms;
+}
+
+// A face that looks as in the reference is not remembered.
+void LostFace::remember(const Found& found) {
+  const bool is_new = found.moment || found.face.identity.looks_share < kKnownLook;
+  if (answers_.isBusy() || !found.is_patient || !is_new) return;
+  RecoveredFace face = found.face;
+  face.pose.camera_T_head = found.camera_T_head;
+  recovery_->remember(face, found.frame);
+}
+
+void LostFace::add(const std::vector<FaceLook>& looks) {
+  FACENAV_EXPECT(!answers_.isBusy(), "looks are added before anything is asked");
+  for (const auto& look : looks) recovery_->add(look);
+}
+
+void LostFace::forget() {
+  ++epoch_;
+  is_to_forget_ = true;
+}
+
+bool LostFace::picturesKeepDetail() const { return learnt_.both_cameras->value() >= kDetailKept; }
+
+double LostFace::takeBeside_ms() { return std::exchange(beside_ms_, 0.0); }
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,55 @@
+#pragma once
+// A stereo pair of a printed marker with exact truth: every pixel is the mean of 25 rays to the plane of
+// the print, then blur, camera gamma and noise. No code is shared with the tracker but the camera model's
+// undistort().
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
+
+namespace facenav::coil_tracking::testing {
+
+/// What is printed: light 0..1 at a point of the print, in units of the black square's side (-.5..+.5
+/// inside).
+using Print = cv::Mat_<float>;  // cells of the square, border included; white around it
+
+/// The print of an ArUco marker.
+Print arucoPrint(int predefined_dictionary, int id);
+/// Left and right exchanged, as a mirror shows it.
+Print mirrored(const Print& print);
+
+struct PlacedPrint {
+  Print print;
+  double size_mm = 60.0;
+  RigidTransform<Camera, Marker> camera_T_marker;
+  double margin_cells = 1.0;  // white around the square
+};
+
+struct SceneOptions {
+  double white_grey = 200, black_grey = 25, ground_grey = 90;
+  double blur_sigma_px = 0.7, gamma = 1.0, noise_grey = 1.5;
+  double side_light = 0.0;  // grey changes by this share from left to right of the image
+  double shadow_from_x = 1e9,
+         shadow_factor = 1;  // pixels right of this column receive this share of the light
+  bool has_clutter = true;   // random dark shapes on the ground
+  unsigned seed = 1;
+};
+
+cameras::StereoFrame renderMarkers(const cameras::StereoRig& rig, const std::vector<PlacedPrint>& prints,
+                                   const SceneOptions& options = {});
+
+/// Two cameras as in the room: f 800 px at 640 x 480, baseline 120 mm, converging by 10 degrees, with
+/// distortion.
+cameras::StereoRig roomRig();
+/// Another: 1000 x 750, f 1150, baseline 180 mm along a direction rolled by 80 degrees (nearly vertical),
+/// rational model.
+cameras::StereoRig steepRig();
+
+/// A marker facing the rig at `distance_mm`: tilted about an axis in its plane at `axis_deg`, turned in its
+/// plane by `turn_deg`, `side_mm` off the axis.
+RigidTransform<Camera, Marker> markerPose(double distance_mm, double tilt_deg, double axis_deg,
+                                          double turn_deg, const Eigen::Vector2d& side_mm = {0, 0});
+
+}  // namespace facenav::coil_tracking::testing

@@ -1,0 +1,430 @@
+#include <gtest/gtest.h>
+
+#include <opencv2/aruco.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "coil_scene.h"
+#include "facenav/coil_tracking/coil_tracker.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/geometry/pose_error.h"
+#include "support/matchers.h"
+#include "support/test_data.h"
+
+namespace facenav::coil_tracking {
+namespace {
+using namespace testing;
+using facenav::testing::PoseNear;
+
+constexpr double kDegree = M_PI / 180;
+
+Print id7() { return arucoPrint(cv::aruco::DICT_4X4_50, 7); }
+
+Tracked<CoilPose> trackOnce(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                            const CoilModel& coil = defaultCoil()) {
+  const auto tracker = makeMarkerCoilTracker();
+  tracker->start(rig, coil);
+  return tracker->track(frame);
+}
+
+struct Errors {
+  double rotation_squares = 0, translation_squares = 0;
+  int count = 0, lost = 0;
+  double rotation_deg() const { return std::sqrt(rotation_squares / count) / kDegree; }
+  double translation_mm() const { return std::sqrt(translation_squares / count); }
+  void add(const Tracked<CoilPose>& pose, const RigidTransform<Camera, Marker>& truth) {
+    if (!pose) {
+      ++lost;
+      return;
+    }
+    const PoseError error = poseError(pose->camera_T_marker, truth);
+    rotation_squares += error.rotation_rad * error.rotation_rad;
+    translation_squares += error.translation_mm * error.translation_mm;
+    ++count;
+  }
+};
+
+std::ostream& operator<<(std::ostream& out, const Errors& e) {
+  return out << e.translation_mm() << " mm, " << e.rotation_deg() << " deg rms over " << e.count << ", lost "
+             << e.lost;
+}
+
+/// Poses over distance, tilt, its direction, the turn in the plane and the place in the image.
+Errors sweep(const cameras::StereoRig& rig, const std::vector<double>& distances_mm,
+             const std::vector<double>& tilts_deg, SceneOptions options = {}) {
+  Errors errors;
+  int n = 0;
+  for (const double distance_mm : distances_mm)
+    for (const double tilt_deg : tilts_deg) {
+      ++n;
+      const auto truth = markerPose(distance_mm, tilt_deg, 67.0 * n, 41.0 * n,
+                                    {35 * std::sin(2.1 * n), 40 * std::cos(1.7 * n)});
+      options.seed = unsigned(n);
+      errors.add(trackOnce(rig, renderMarkers(rig, {{id7(), 60.0, truth}}, options)), truth);
+    }
+  std::ostringstream figures;
+  figures << errors;
+  ::testing::Test::RecordProperty("errors", figures.str());
+  return errors;
+}
+
+TEST(CoilTracker, MeetsTheGoalAt400To700mmAndTiltsTo50Degrees) {
+  const Errors errors = sweep(roomRig(), {400, 500, 600, 700}, {0, 12, 25, 38, 50});
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LE(errors.translation_mm(), 0.1) << errors;
+  EXPECT_LE(errors.rotation_deg(), 0.15) << errors;
+}
+
+TEST(CoilTracker, MeetsTheGoalAt900mmAnd60Degrees) {
+  const Errors errors = sweep(roomRig(), {850, 900}, {0, 30, 50, 60});
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LE(errors.translation_mm(), 0.3) << errors;
+  EXPECT_LE(errors.rotation_deg(), 0.4) << errors;
+}
+
+TEST(CoilTracker, DoesNotCareWhichWayTheBaselineRuns) {
+  const Errors errors = sweep(steepRig(), {450, 700}, {0, 20, 45});
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LE(errors.translation_mm(), 0.1) << errors;
+  EXPECT_LE(errors.rotation_deg(), 0.15) << errors;
+}
+
+// Gamma and blur move every edge into the black; trusting the print's size then moves it by a millimetre.
+TEST(CoilTracker, GammaAndBlurDoNotMoveTheDepth) {
+  SceneOptions options;
+  options.gamma = 0.45;
+  options.blur_sigma_px = 1.3;
+  const Errors errors = sweep(roomRig(), {500, 600, 700}, {0, 20, 40}, options);
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LE(errors.translation_mm(), 0.2) << errors;
+  EXPECT_LE(errors.rotation_deg(), 0.25) << errors;
+}
+
+TEST(CoilTracker, StereoSetsTheDepthOfAPrintOfTheWrongSize) {
+  const auto truth = markerPose(600, 20, 30, 10);
+  const auto frame = renderMarkers(roomRig(), {{id7(), 59.4, truth}});  // printed at 99 %
+  CoilModel unmeasured = defaultCoil();
+  unmeasured.markers[0].size_sigma_mm = 0.6;
+  const auto pose = trackOnce(roomRig(), frame, unmeasured);
+  ASSERT_TRUE(pose);
+  EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.4));  // its size alone would put it 6 mm off
+}
+
+// A print that is known to be 60 mm and looks like 59.4 stands 6 mm too near: a camera has turned.
+TEST(CoilTracker, AMeasuredPrintOfTheWrongSizeMeansThatACameraMoved) {
+  const auto lost =
+      trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 59.4, markerPose(600, 20, 30, 10)}}));
+  ASSERT_FALSE(lost.isTracked());
+  EXPECT_EQ(lost.reason(), LostReason::camera);
+}
+
+TEST(CoilTracker, LightFromTheSideAndAShadowAreNoMatter) {
+  SceneOptions options;
+  options.side_light = 1.0;
+  const Errors lit = sweep(roomRig(), {600}, {0, 20, 40}, options);
+  EXPECT_EQ(lit.lost, 0);
+  EXPECT_LE(lit.translation_mm(), 0.15) << lit;
+  options.side_light = 0;
+  options.shadow_from_x = 325;
+  options.shadow_factor = 0.45;
+  const auto truth = markerPose(600, 10, 30, 10);
+  const auto pose = trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 60, truth}}, options));
+  ASSERT_TRUE(pose);
+  EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.3));
+}
+
+TEST(CoilTracker, WorksInLowLight) {
+  SceneOptions options;
+  options.white_grey = 48;
+  options.black_grey = 12;
+  options.ground_grey = 20;
+  const Errors errors = sweep(roomRig(), {600}, {0, 20, 40}, options);
+  EXPECT_EQ(errors.lost, 0);
+  EXPECT_LE(errors.translation_mm(), 0.3) << errors;
+}
+
+TEST(CoilTracker, AxesAreThoseOfTheFormat) {
+  const auto truth = markerPose(600, 0, 0, 0);
+  const auto pose = trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 60, truth}}));
+  ASSERT_TRUE(pose);
+  const auto& corners = pose->left_corners_px;  // printed upright: top left is top left in the image
+  EXPECT_LT(corners[0].x(), corners[1].x());
+  EXPECT_LT(corners[0].y(), corners[3].y());
+  EXPECT_GT(pose->camera_T_marker.rotation()(2, 2), 0.99);  // z into the plate, away from the viewer
+  const auto quarter =
+      trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 0, 0, 90)}}));
+  ASSERT_TRUE(quarter);
+  EXPECT_GT(quarter->camera_T_marker.rotation()(1, 0), 0.99);  // turned clockwise: its x points down
+}
+
+TEST(CoilTracker, AnotherIdIsNotTaken) {
+  for (const int id : {0, 3, 8, 23, 49})
+    for (const double turn_deg : {0.0, 90.0, 200.0}) {
+      const auto frame = renderMarkers(
+          roomRig(), {{arucoPrint(cv::aruco::DICT_4X4_50, id), 60, markerPose(550, 20, 70, turn_deg)}});
+      const auto pose = trackOnce(roomRig(), frame);
+      ASSERT_FALSE(pose.isTracked()) << "id " << id;
+      EXPECT_EQ(pose.reason(), LostReason::no_marker);
+    }
+}
+
+TEST(CoilTracker, AMirroredPrintIsNotTaken) {
+  for (const double turn_deg : {0.0, 90.0, 180.0, 270.0}) {
+    const auto frame = renderMarkers(roomRig(), {{mirrored(id7()), 60, markerPose(550, 15, 70, turn_deg)}});
+    EXPECT_FALSE(trackOnce(roomRig(), frame).isTracked());
+  }
+}
+
+TEST(CoilTracker, FindsItsMarkerBesideAnother) {
+  const auto truth = markerPose(600, 25, 120, 33, {45, 0});
+  const auto pose =
+      trackOnce(roomRig(), renderMarkers(roomRig(), {{arucoPrint(cv::aruco::DICT_4X4_50, 12), 60,
+                                                      markerPose(600, 25, 120, 33, {-60, 0})},
+                                                     {id7(), 60, truth}}));
+  ASSERT_TRUE(pose);
+  EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.2));
+}
+
+TEST(CoilTracker, SwappedImagesAreLost) {
+  for (const double distance_mm : {450.0, 600.0, 680.0, 800.0})
+    for (const double tilt_deg : {0.0, 30.0}) {
+      auto frame =
+          renderMarkers(roomRig(), {{id7(), 60, markerPose(distance_mm, tilt_deg, 70, 10, {30, 20})}});
+      std::swap(frame.left, frame.right);
+      EXPECT_FALSE(trackOnce(roomRig(), frame).isTracked()) << distance_mm << " mm, " << tilt_deg << " deg";
+    }
+}
+
+TEST(CoilTracker, AMovedCameraIsLost) {
+  auto moved = roomRig();
+  const auto frame = renderMarkers(moved, {{id7(), 60, markerPose(600, 20, 70, 10)}});
+  Eigen::Isometry3d pose = moved.right_T_left.isometry();
+  pose.prerotate(
+      Eigen::AngleAxisd(0.4 * kDegree, Eigen::Vector3d::UnitX()));  // 5 px across the epipolar lines
+  moved.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
+  const auto lost = trackOnce(moved, frame);
+  ASSERT_FALSE(lost.isTracked());
+  EXPECT_EQ(lost.reason(), LostReason::camera);
+}
+
+TEST(CoilTracker, OneImageAloneIsNotEnough) {
+  for (const bool is_left : {true, false}) {
+    auto frame = renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 20, 70, 10)}});
+    const auto empty = renderMarkers(roomRig(), {});
+    (is_left ? frame.right : frame.left) = is_left ? empty.right : empty.left;
+    const auto lost = trackOnce(roomRig(), frame);
+    ASSERT_FALSE(lost.isTracked());
+    EXPECT_EQ(lost.reason(), LostReason::no_marker);
+  }
+}
+
+TEST(CoilTracker, BlackOrWrongImagesAreTheCamerasFault) {
+  const auto rig = roomRig();
+  const auto good = renderMarkers(rig, {{id7(), 60, markerPose(600, 20, 70, 10)}});
+  auto black = good, small = good;
+  black.right = cv::Mat::zeros(good.right.size(), CV_8U);
+  small.left = good.left(cv::Rect(0, 0, 320, 240));
+  for (const auto& frame : {black, small, cameras::StereoFrame{}}) {
+    const auto lost = trackOnce(rig, frame);
+    ASSERT_FALSE(lost.isTracked());
+    EXPECT_EQ(lost.reason(), LostReason::camera);
+  }
+}
+
+TEST(CoilTracker, TheMarkerTwiceIsLostRatherThanGuessed) {
+  const auto frame = renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 15, 70, 10, {-60, 0})},
+                                               {id7(), 60, markerPose(600, 15, 70, 10, {60, 0})}});
+  EXPECT_FALSE(trackOnce(roomRig(), frame).isTracked());
+}
+
+TEST(CoilTracker, ClutterAloneIsNeverAMarker) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SceneOptions options;
+    options.seed = seed;
+    EXPECT_FALSE(trackOnce(roomRig(), renderMarkers(roomRig(), {}, options)).isTracked());
+  }
+}
+
+TEST(CoilTracker, FollowsMotionAndComesBackAfterALoss) {
+  const auto rig = roomRig();
+  const auto tracker = makeMarkerCoilTracker();
+  tracker->start(rig, defaultCoil());
+  for (int i = 0; i < 12; ++i) {
+    const auto truth = markerPose(600 - 5 * i, 10 + i, 70, 3 * i, {-30.0 + 6 * i, 4.0 * i});
+    auto frame = renderMarkers(rig, {{id7(), 60, truth}});
+    frame.captured.s = i / 60.0;
+    if (i == 6) frame.left = frame.right = cv::Mat(480, 640, CV_8U, cv::Scalar(90));
+    const auto pose = tracker->track(frame);
+    ASSERT_EQ(pose.isTracked(), i != 6) << i;
+    if (pose) {
+      EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.3)) << i;
+    }
+  }
+}
+
+/// Comes in at 300 mm/s and stops, as a coil does that is brought to the head.
+RigidTransform<Camera, Marker> broughtIn(double t_s) {
+  const double left_s = std::max(0.0, 0.4 - t_s), away_mm = 300 * left_s * left_s / 0.8;
+  return markerPose(600 + 0.3 * away_mm, 20, 70, 10, {0.8 * away_mm, -0.6 * away_mm});
+}
+
+// Unallowed for, 12 ms at 300 mm/s put it 15 mm off in depth; a velocity that lags a frame behind, 2 mm.
+TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExposesLater) {
+  const auto rig = roomRig();
+  constexpr double kLate_s = 0.012;
+  const auto tracker = makeMarkerCoilTracker();
+  tracker->start(rig, defaultCoil());
+  tracker->setRightLate(kLate_s, 5e-4);
+  for (int i = 0; i < 36; ++i) {
+    const double t_s = i / 60.0;
+    SceneOptions options;
+    options.seed = unsigned(i + 1);
+    auto frame = renderMarkers(rig, {{id7(), 60, broughtIn(t_s)}}, options);
+    frame.right = renderMarkers(rig, {{id7(), 60, broughtIn(t_s + kLate_s)}}, options).right;
+    frame.captured.s = t_s;
+    const auto pose = tracker->track(frame);
+    ASSERT_EQ(pose.isTracked(), i > 0) << i;  // one frame tells no velocity
+    if (pose) {
+      const bool has_stopped = i > 26;  // at 0.4 s; the velocity is taken over three frames
+      EXPECT_THAT(pose->camera_T_marker, PoseNear(broughtIn(t_s), 0.8, has_stopped ? 0.3 : 0.6)) << i;
+    }
+  }
+}
+
+cameras::StereoFrame movedFrame(const cameras::StereoRig& rig, int i) {
+  auto frame = renderMarkers(rig, {{id7(), 60, markerPose(600 - 3 * i, 20, 70, 2 * i, {5.0 * i, 0})}});
+  frame.captured.s = i / 60.0;
+  return frame;
+}
+
+// The head has had the frame: the coil is found in the next, where it is then.
+TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
+  const auto rig = roomRig();
+  for (const int before : {FrameWork::kMost - 100, FrameWork::kMost - 1500}) {  // to look, or only to fit
+    const auto tracker = makeMarkerCoilTracker();
+    tracker->start(rig, defaultCoil());
+    tracker->setWorkBefore({before});
+    EXPECT_FALSE(tracker->track(movedFrame(rig, 0)).isTracked());
+    EXPECT_LE(tracker->work().looks, FrameWork::kMost);
+    ASSERT_GT(tracker->putOff().looks, 0);
+    tracker->setWorkBefore({FrameWork::kMost - tracker->putOff().looks});
+    const auto pose = tracker->track(movedFrame(rig, 1));
+    ASSERT_TRUE(pose) << before;
+    EXPECT_THAT(pose->camera_T_marker, PoseNear(markerPose(597, 20, 70, 2, {5.0, 0}), 0.3, 0.3));
+    EXPECT_EQ(tracker->putOff().looks, 0);
+    EXPECT_LE(tracker->work().looks, FrameWork::kMost);
+  }
+}
+
+TEST(CoilTracker, TheFramesWorkKeepsItsLimitWhateverIsShown) {
+  const auto rig = roomRig();
+  constexpr int kTrackedHead = 1500;
+  for (const int prints : {0, 1, 2, 4})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SceneOptions options;
+      options.seed = seed;
+      std::vector<PlacedPrint> placed;
+      for (int i = 0; i < prints; ++i)
+        placed.push_back({id7(), 60, markerPose(500, 10.0 * seed, 70, 10, {-105.0 + 70 * i, 0})});
+      const auto tracker = makeMarkerCoilTracker();
+      tracker->start(rig, defaultCoil());
+      for (int i = 0; i < 4; ++i) {
+        auto frame = renderMarkers(rig, placed, options);
+        frame.captured.s = i / 60.0;
+        tracker->setWorkBefore({kTrackedHead});
+        const auto pose = tracker->track(frame);
+        EXPECT_EQ(pose.isTracked(), prints == 1);
+        EXPECT_LE(tracker->work().looks, FrameWork::kMost) << prints << " prints";
+      }
+    }
+}
+
+CoilModel twoMarkers() {
+  CoilModel coil = defaultCoil();
+  coil.markers[0].coil_T_marker = {Eigen::Quaterniond::Identity(), {-40, 0, 0}};
+  coil.markers.push_back(
+      {"5x5_100",
+       31,
+       {},
+       45.0,
+       0.1,
+       {Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY())), {40, 0, 10}}});
+  return coil;
+}
+
+TEST(CoilTracker, AnyOfSeveralMarkersGivesTheFirstOnesPose) {
+  const auto rig = roomRig();
+  const CoilModel coil = twoMarkers();
+  const auto camera_T_coil = markerPose(600, 15, 70, 10).reframe<Camera, Coil>();  // the scene's own choice
+  const auto first = camera_T_coil * coil.markers[0].coil_T_marker,
+             second = camera_T_coil * coil.markers[1].coil_T_marker;
+  const PlacedPrint print_a{id7(), 60, first}, print_b{arucoPrint(cv::aruco::DICT_5X5_100, 31), 45, second};
+  for (const auto& prints : std::vector<std::vector<PlacedPrint>>{{print_a}, {print_b}, {print_a, print_b}}) {
+    const auto pose = trackOnce(rig, renderMarkers(rig, prints), coil);
+    ASSERT_TRUE(pose);
+    EXPECT_THAT(pose->camera_T_marker, PoseNear(first, 0.35, 0.5));
+  }
+}
+
+/// A 16 x 16 picture without symmetry, as a .patt file and as a print (border a quarter of the side).
+struct Picture {
+  Print print;
+  std::string patt;
+};
+
+Picture picture(unsigned seed) {
+  cv::RNG random(seed);
+  cv::Mat_<float> small(4, 4), inner;
+  random.fill(small, cv::RNG::UNIFORM, 0.0, 1.0);
+  cv::resize(small, inner, {16, 16}, 0, 0, cv::INTER_CUBIC);
+  inner = cv::max(cv::min(inner, 1.0), 0.0);
+  Picture made;
+  made.print = Print::zeros(32, 32);
+  inner.copyTo(made.print(cv::Rect(8, 8, 16, 16)));
+  for (int turn = 0; turn < 4; ++turn) {
+    for (int plane = 0; plane < 3; ++plane)
+      for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) made.patt += std::to_string(int(std::lround(255 * inner(y, x)))) + " ";
+        made.patt += "\n";
+      }
+    made.patt += "\n";
+    cv::rotate(inner, inner, cv::ROTATE_90_COUNTERCLOCKWISE);
+  }
+  return made;
+}
+
+TEST(CoilTracker, RecognisesArToolKitPatterns) {
+  const facenav::testing::TemporaryFolder folder;
+  const Picture mine = picture(5), other = picture(9);
+  writeWholeFile(folder.path() / "coil.patt", mine.patt);
+  CoilModel coil = defaultCoil();
+  coil.markers[0].pattern = folder.path() / "coil.patt";
+  const auto rig = roomRig();
+  for (const double turn_deg : {0.0, 95.0, 180.0, 260.0}) {
+    const auto truth = markerPose(600, 25, 70, turn_deg);
+    const auto pose = trackOnce(rig, renderMarkers(rig, {{mine.print, 60, truth, 4.0}}), coil);
+    ASSERT_TRUE(pose) << turn_deg;
+    EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.3));
+    EXPECT_FALSE(trackOnce(rig, renderMarkers(rig, {{other.print, 60, truth, 4.0}}), coil).isTracked());
+    EXPECT_FALSE(
+        trackOnce(rig, renderMarkers(rig, {{mirrored(mine.print), 60, truth, 4.0}}), coil).isTracked());
+  }
+}
+
+TEST(CoilTracker, StatesAnErrorThatHolds) {
+  const auto rig = roomRig();
+  int inside = 0, count = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SceneOptions options;
+    options.seed = seed;
+    const auto truth = markerPose(450 + 45.0 * seed, 4.0 * seed, 50.0 * seed, 30.0 * seed);
+    const auto pose = trackOnce(rig, renderMarkers(rig, {{id7(), 60, truth}}, options));
+    ASSERT_TRUE(pose);
+    const double sigma_mm = std::sqrt(pose->covariance.diagonal().tail<3>().sum());
+    inside += poseError(pose->camera_T_marker, truth).translation_mm < 2 * sigma_mm;
+    ++count;
+  }
+  EXPECT_GE(inside, count - 1);
+}
+
+}  // namespace
+}  // namespace facenav::coil_tracking
