@@ -9,7 +9,7 @@ inline namespace core {
 
 void runInBackground() {
 #ifdef __linux__
-  setpriority(PRIO_PROCESS, 0, 10);  // 0: this thread alone
+  setpriority(PRIO_PROCESS, 0, 10);  // 0: this thread only
 #endif
 }
 

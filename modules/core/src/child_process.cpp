@@ -46,7 +46,7 @@ bool sendOutput(const ChildOptions& options) {
   return to >= 0 && ::dup2(to, STDOUT_FILENO) >= 0 && ::dup2(to, STDERR_FILENO) >= 0;
 }
 
-/// In the child. Only calls that are safe after a fork of a program with threads.
+/// Runs in the child. Uses only calls that are safe after a fork of a multi-threaded program.
 bool takeUp(const ChildOptions& options) {
   if (options.ends_with_parent) ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (options.ignores_terminal) ::setpgid(0, 0);
@@ -69,9 +69,9 @@ Pipe openPipe() {
   return {ends[0], ends[1]};
 }
 
-/// Forks; in the child runs `begin` with the pipe's writing end and leaves without the parent's destructors.
-/// One fork at a time: another child must not inherit this pipe's writing end, or its end would be awaited
-/// too.
+/// Forks. The child runs `begin` with the writing end of the pipe and exits without the parent's destructors.
+/// Only one fork at a time: another child would inherit this pipe's writing end, and the reader would wait
+/// for that child too.
 template <class Begin>
 std::pair<int, int> forkWith(Begin&& begin) {
   static std::mutex mutex;
@@ -107,7 +107,7 @@ int runAndTell(const std::function<void()>& work, const ChildOptions& options, i
 }  // namespace
 
 ChildProcess ChildProcess::run(const std::function<void()>& work, const ChildOptions& options) {
-  // What waits in buffers would be written by both.
+  // Otherwise parent and child would both write the buffered output.
   if (options.output == ChildOptions::Output::kept) std::fflush(nullptr);
   const auto [process, words] = forkWith([&](int out) { return runAndTell(work, options, out); });
   return {process, words};
@@ -124,7 +124,7 @@ ChildProcess ChildProcess::start(const std::vector<std::string>& command, const 
     return ::write(out, &fault, sizeof fault) > 0 ? 127 : 126;
   });
   ChildProcess child(process, words);
-  const std::string fault = readAll(words);  // its end closes where the program has begun
+  const std::string fault = readAll(words);  // reaches end of file when the program has started
   if (fault.empty()) return child;
   int number = 0;
   std::memcpy(&number, fault.data(), std::min(fault.size(), sizeof number));

@@ -14,15 +14,15 @@ namespace {
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
-/// `from`: where the part that may be trimmed begins; what was quoted before it stays.
+/// Trims blanks at the end, but not before `from` (the end of the quoted part).
 void trimEnd(std::string& field, std::size_t from) {
   while (field.size() > from && isBlank(field.back())) field.pop_back();
 }
 
-/// Fields of one line; a field may stand in double quotes, in which "" is a quote.
+/// Fields of one line. A field may be in double quotes, in which "" stands for one quote.
 std::vector<std::string> split(const std::string& line, bool allows_blanks) {
   std::vector<std::string> fields(1);
-  std::size_t quoted = 0;  // characters of the field that stood in quotes
+  std::size_t quoted = 0;  // characters of the field that were in quotes
   bool is_quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kManyFiles = 64;
 
-/// 0, or the errno of what failed.
+/// 0, or the errno of the failed call.
 int faultOfSync(const fs::path& path, int (*sync)(int)) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno;

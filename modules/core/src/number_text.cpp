@@ -12,7 +12,7 @@ namespace facenav {
 inline namespace core {
 namespace {
 
-/// The calling thread writes numbers as C does while this lives.
+/// While one exists, the calling thread formats numbers in the "C" locale.
 class PlainNumbers {
  public:
   PlainNumbers() : before_(::uselocale(plain())) {}

@@ -17,12 +17,13 @@ namespace {
 
 std::atomic<int> one_core_only{0};
 
-/// Its nice value is above the process' own: a shared thread would do its work at everybody's priority.
+/// True if the thread's nice value is above the process'. Shared threads would do its work at normal
+/// priority.
 bool isBackgroundThread() {
   return ::getpriority(PRIO_PROCESS, 0) > ::getpriority(PRIO_PROCESS, id_t(::getpid()));
 }
 
-/// On threads of its own, which inherit the caller's nice value.
+/// Uses new threads, which inherit the caller's nice value.
 void runOnOwnThreads(std::size_t workers, const std::function<void(std::size_t)>& run) {
   std::vector<std::thread> others;
   for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
@@ -41,7 +42,7 @@ void runOnWorkers(std::size_t workers, const std::function<void(std::size_t)>& r
   if (workers == 0) return;
   if (workers == 1) return run(0);
   if (isBackgroundThread()) return runOnOwnThreads(workers, run);
-  tbb::this_task_arena::isolate([&] {  // while it waits, a loop within a loop takes no item of the outer one
+  tbb::this_task_arena::isolate([&] {  // a nested loop that waits takes no item of the outer one
     tbb::task_group others;
     for (std::size_t worker = 1; worker < workers; ++worker) others.run([&run, worker] { run(worker); });
     run(0);

@@ -43,7 +43,7 @@ void WholeFile::commit() {
 }
 
 void WholeFile::publish() {
-  // A writer may have put another file under the name.
+  // A writer may have created a new file under this name.
   if (access_ == FileAccess::owner_only && ::chmod(temporary_.c_str(), 0600) != 0) refuseWriting(path_);
   syncFile(temporary_);
   std::error_code error;

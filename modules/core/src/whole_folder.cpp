@@ -30,7 +30,7 @@ void makePrivate(const fs::path& folder) {
       refuseWriting(entry.path());
 }
 
-/// For file systems that cannot swap: the old one steps aside first.
+/// For file systems that cannot swap two folders: the old one is moved aside first.
 void replaceInTwoSteps(const fs::path& fresh, const fs::path& folder) {
   const fs::path aside = fresh.string() + "_old";
   if (::rename(folder.c_str(), aside.c_str()) != 0) refuseWriting(folder);
@@ -49,7 +49,7 @@ void replace(const fs::path& fresh, const fs::path& folder) {
     if (::rename(fresh.c_str(), folder.c_str()) != 0) refuseWriting(folder);
   } else if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
     std::error_code ignored;
-    fs::remove_all(fresh, ignored);  // holds the old content now
+    fs::remove_all(fresh, ignored);  // now holds the old content
   } else {
     replaceInTwoSteps(fresh, folder);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// CsvTable: a CSV file with a header line (RFC 4180, UTF-8 with or without a byte order mark), read strictly:
-// columns are found by name, faults name file and line.
+// CsvTable: strict reader of a CSV file with a header line (RFC 4180, UTF-8 with or without a byte order
+// mark). Columns are found by name; errors name file and line.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +12,11 @@
 namespace facenav {
 inline namespace core {
 
-/// What files that people type may do and the program's own may not.
+/// Rules that are relaxed for files typed by people, but not for files written by the program.
 struct CsvRules {
-  bool allows_blanks = false;  // around a field, outside quotes: they are no part of it
+  bool allows_blanks = false;  // ignores blanks around a field, outside quotes
   bool allows_ragged_rows =
-      false;  // more or fewer fields than the header: only those asked for must be there
+      false;  // rows may have more or fewer fields than the header; only requested ones must exist
 };
 
 class CsvTable {
@@ -28,9 +28,9 @@ class CsvTable {
   /// Index of a column. Throws Error when the header lacks it.
   std::size_t column(const std::string& name) const;
   std::optional<std::size_t> findColumn(const std::string& name) const;
-  /// Throws Error where a ragged row ends before `column`.
+  /// Throws Error if a ragged row ends before `column`.
   const std::string& text(std::size_t row, std::size_t column) const;
-  /// A finite number, '.' decimals whatever the locale. Throws Error.
+  /// A finite number; the decimal point is '.' in every locale. Throws Error.
   double number(std::size_t row, std::size_t column) const;
   std::int64_t integer(std::size_t row, std::size_t column) const;
   /// Throws Error("<what>", "<file>, line <n>", "<remedy>").

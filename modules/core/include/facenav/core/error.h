@@ -1,8 +1,8 @@
 #pragma once
-// Error: the one exception type of FaceNav's cold path (files, DICOM, config, calibration). Its message is
-// one line that names what happened, where (file, tag, field), and what to do. Caught at three places only:
-// the CLI's main, the presenters' task runner, the session thread. FACENAV_EXPECT guards against bugs, in all
-// builds.
+// Error: the one exception type for everything outside the frame loop (files, DICOM, settings, calibration).
+// Its message is one line: what happened, where (file, tag, field), and what to do. It is caught at three
+// places only: the CLI's main, the presenters' task runner, the session thread. FACENAV_EXPECT checks for
+// bugs, in all builds.
 
 #include <filesystem>
 #include <stdexcept>

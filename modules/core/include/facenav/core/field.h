@@ -1,7 +1,7 @@
 #pragma once
 // Field: the description of one option. An algorithm's options struct names each option once, in a static
-// `visit(self, visitor)` that calls visitor(Field{...}, self.member); JSON, CLI flags and the GUI form come
-// from it.
+// `visit(self, visitor)` that calls visitor(Field{...}, self.member). JSON, CLI flags and the GUI form are
+// generated from it.
 //
 //   struct IcpOptions {
 //     double trim_fraction = 0.8;

@@ -1,11 +1,11 @@
 #pragma once
-// FileAccess: who may read a file or folder that the program makes.
+// FileAccess: who may read a file or folder that the program creates.
 
 namespace facenav {
 inline namespace core {
 
-/// by_umask: as the user's umask says (usually readable by all). owner_only: 0600 for files, 0700 for
-/// folders, from the first byte on; for all that is a patient's.
+/// by_umask: set by the user's umask (usually readable by all). owner_only: 0600 for files and 0700 for
+/// folders, from the first byte on; use it for all patient data.
 enum class FileAccess { by_umask, owner_only };
 
 }  // namespace core

@@ -1,14 +1,15 @@
 #pragma once
-// FrameWork: what head and coil have cost together in one frame. Counted, not timed, so that the same frames
-// give the same poses on any machine. A lost head or coil is looked for as far as the frame's limit allows
-// and further in the next frame, in its pictures; the head comes first, and what the coil had to put off is
-// left room for in the next frame.
+// FrameWork: the work that head and coil tracking have done together in one frame, and its limit. Work is
+// counted, not timed, so that the same frames give the same poses on any machine. The search for a lost head
+// or coil stops at the limit and goes on in the next frame, with that frame's pictures. The head has
+// priority. Search work that the coil had to defer gets its share of the next frame's limit.
 
 namespace facenav {
 
 struct FrameWork {
-  static constexpr int kMost = 7000;  // looks that a frame may take
-  int looks = 0;                      // at a skin patch, 0.6-0.8 us each; other work in the time of so many
+  static constexpr int kMost = 7000;  // patch comparisons allowed in a frame
+  int looks = 0;                      // patch comparisons so far, 0.6-0.8 us each; other work counts by its
+                                      // time
   int left() const { return kMost - looks; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Grouped: items brought together by their owner, such as a vertex' neighbours: two arrays, no list per
-// owner.
+// Grouped: items sorted by their owner, such as the neighbours of each vertex. Two arrays hold all of them;
+// there is no list per owner.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,12 +11,12 @@
 namespace facenav {
 inline namespace core {
 
-/// Owner o's items are all[first[o]] .. all[first[o + 1] - 1], ascending.
+/// The items of owner o are all[first[o]] .. all[first[o + 1] - 1], in ascending order.
 struct Grouped {
   std::vector<int> first, all;
 };
 
-/// Of pairs (owner, item), owners 0 .. `owners` - 1, in linear time; repeated pairs stay repeated.
+/// Groups pairs (owner, item), owners 0 .. `owners` - 1, in linear time. Duplicate pairs are kept.
 inline Grouped groupedByOwner(const std::vector<std::pair<int, int>>& pairs, std::size_t owners) {
   Grouped out{std::vector<int>(owners + 1, 0), std::vector<int>(pairs.size())};
   for (const auto& pair : pairs) ++out.first[std::size_t(pair.first) + 1];
@@ -28,7 +28,7 @@ inline Grouped groupedByOwner(const std::vector<std::pair<int, int>>& pairs, std
   return out;
 }
 
-/// The same without repetitions.
+/// The same without duplicates.
 inline Grouped withoutRepetitions(const Grouped& grouped) {
   Grouped out{std::vector<int>(grouped.first.size(), 0), {}};
   out.all.reserve(grouped.all.size());

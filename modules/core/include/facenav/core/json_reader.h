@@ -1,7 +1,7 @@
 #pragma once
-// JsonReader: a JSON file read strictly. Every value asked for that is missing or of the wrong kind throws an
-// Error naming the file and the key ("targets[1].mri_T_target"); keys nobody asks for are ignored, as
-// FORMATS.md wants.
+// JsonReader: strict reader of a JSON file. If a requested value is missing or has the wrong type, it throws
+// an Error that names the file and the key ("targets[1].mri_T_target"). Keys that nobody requests are
+// ignored, as FORMATS.md specifies.
 
 #include <cstddef>
 #include <filesystem>
@@ -15,24 +15,25 @@ inline namespace core {
 
 class JsonReader {
  public:
-  /// Throws Error when the file is missing, not valid JSON (position named), or its root is no object.
+  /// Throws Error if the file is missing, is not valid JSON (the message gives the position), or its root is
+  /// not an object.
   static JsonReader readFile(const std::filesystem::path& path);
 
   bool has(const std::string& key) const;
-  /// The member `key` of an object. Throws Error when it is missing.
+  /// The member `key` of an object. Throws Error if it is missing.
   JsonReader at(const std::string& key) const;
-  /// The elements of a list. Throws Error when this is no list.
+  /// The elements of a list. Throws Error if this is not a list.
   std::vector<JsonReader> elements() const;
-  /// The members of an object. Throws Error when this is no object.
+  /// The members of an object. Throws Error if this is not an object.
   std::map<std::string, JsonReader> members() const;
 
-  /// Finite number, else Error.
+  /// A finite number; throws Error otherwise.
   double number() const;
   int integer() const;
   std::string text() const;
-  /// Exactly `count` finite numbers, else Error.
+  /// Exactly `count` finite numbers; throws Error otherwise.
   std::vector<double> numbers(std::size_t count) const;
-  /// Throws Error("<what>", "<file>, key <key>"): for a value that is well-formed but wrong.
+  /// Throws Error("<what>", "<file>, key <key>"), for a value of the right type with a wrong content.
   [[noreturn]] void refuse(const std::string& what) const;
 
   ~JsonReader();

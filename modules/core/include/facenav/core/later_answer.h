@@ -1,8 +1,8 @@
 #pragma once
-// LaterAnswer: a question that takes longer than a frame, asked beside the frames. Live, a thread of its own
-// works at it at low priority and no frame waits. In recordings the work is done where it is asked, and its
-// answer counts from a fixed time later on, so that the same recording always gives the same result. One
-// question at a time; the answer is taken once.
+// LaterAnswer: runs work that takes longer than a frame without delaying the frames. In live use a
+// low-priority thread does the work. For recordings the work runs inside ask(), and its answer becomes
+// available after a fixed time, so that the same recording always gives the same result. One question at a
+// time; each answer is taken once.
 
 #include <chrono>
 #include <cmath>
@@ -20,7 +20,8 @@
 namespace facenav {
 inline namespace core {
 
-/// The calling thread, and loops that it starts, give way to all others of the process.
+/// Lowers the priority of the calling thread, and of the loops it starts, below all other threads of the
+/// process.
 void runInBackground();
 
 template <class Question, class Answer>
@@ -29,19 +30,20 @@ class LaterAnswer {
   using Work = std::function<Answer(const Question&)>;
   enum class Mode { in_line, own_thread };
 
-  /// `answer_s`: in line, from when on after asking the answer counts, by the clock of the questions.
+  /// `answer_s`: when the work runs inside ask(), the time from the question to its answer, by the caller's
+  /// clock.
   LaterAnswer(Work work, Mode mode, double answer_s) : work_(std::move(work)), answer_s_(answer_s) {
     FACENAV_EXPECT(bool(work_), "something must work");
     if (mode == Mode::own_thread) worker_ = std::make_unique<Worker>(work_);
   }
-  /// Waits for work that runs.
+  /// Waits for running work.
   ~LaterAnswer() = default;
   LaterAnswer(const LaterAnswer&) = delete;
   LaterAnswer& operator=(const LaterAnswer&) = delete;
 
   bool isBusy() const { return is_busy_; }
 
-  /// Not while isBusy().
+  /// Must not be called while isBusy().
   void ask(std::shared_ptr<const Question> question, double now_s) {
     FACENAV_EXPECT(!is_busy_ && question != nullptr, "one question at a time");
     is_busy_ = true, asked_s_ = now_s;
@@ -51,7 +53,8 @@ class LaterAnswer {
       pending_ = answerOf(work_, *question);
   }
 
-  /// The answer, once, when there is one. Empty too where the work failed; that is logged.
+  /// The answer, once it is available; returned only once. Also empty if the work failed; the failure is
+  /// logged.
   std::optional<Answer> take(double now_s) {
     if (!is_busy_) return std::nullopt;
     if (worker_) {
@@ -60,7 +63,7 @@ class LaterAnswer {
       is_busy_ = false;
       return *answer;
     }
-    if (std::abs(now_s - asked_s_) < answer_s_) return std::nullopt;  // a recording may start again
+    if (std::abs(now_s - asked_s_) < answer_s_) return std::nullopt;  // abs: a recording may start again
     is_busy_ = false;
     return std::exchange(pending_, std::nullopt);
   }
@@ -69,7 +72,7 @@ class LaterAnswer {
   static std::optional<Answer> answerOf(const Work& work, const Question& question) {
     try {
       return work(question);
-    } catch (const std::exception& error) {  // no failure beside the frames may end the program
+    } catch (const std::exception& error) {  // a failure here must not end the program
       logWarning(std::string("work beside the frames failed: ") + error.what());
       return std::nullopt;
     }
@@ -92,12 +95,12 @@ class LaterAnswer {
     Work work;
     LatestValue<Question> questions;
     LatestValue<std::optional<Answer>> answers;
-    std::thread thread;  // last: starts when the others stand
+    std::thread thread;  // last: starts after all other members exist
   };
 
   Work work_;
   double answer_s_, asked_s_ = 0.0;
-  std::unique_ptr<Worker> worker_;  // null: in line
+  std::unique_ptr<Worker> worker_;  // null: work runs inside ask()
   std::optional<Answer> pending_;
   bool is_busy_ = false;
 };

@@ -1,7 +1,7 @@
 #pragma once
 // LatestValue<T>: hands the newest value from one thread to others. Older values are overwritten, never
-// queued, and the overwritten ones counted. Values are shared as immutable shared_ptr<const T>; the lock is
-// held for a pointer swap.
+// queued; overwritten values are counted. Values are shared as immutable shared_ptr<const T>, so the lock is
+// held only while a pointer is swapped.
 
 #include <chrono>
 #include <condition_variable>
@@ -26,12 +26,12 @@ class LatestValue {
     }
     changed_.notify_all();
   }
-  /// The newest value (null before the first), whether read before or not.
+  /// The newest value, taken or not; null before the first one.
   Pointer latest() const {
     std::lock_guard lock(mutex_);
     return value_;
   }
-  /// Waits for a value not taken before; null on time-out or after close().
+  /// Waits for a value that was not taken before; null on time-out or after close().
   Pointer take(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, timeout, [this] { return is_unread_ || is_closed_; });

@@ -1,5 +1,5 @@
 #pragma once
-// One log for the whole program (stderr). Log once, where an error is handled; never a patient's name.
+// One log for the whole program (stderr). Log an error once, where it is handled. Never log a patient's name.
 
 #include <string>
 
@@ -8,7 +8,7 @@ inline namespace core {
 
 void logInfo(const std::string& message);
 void logWarning(const std::string& message);
-/// No info lines after this (the CLI's --quiet).
+/// Suppresses info lines from now on (the CLI's --quiet).
 void setLogQuiet(bool is_quiet);
 
 }  // namespace core

@@ -1,15 +1,15 @@
 #pragma once
-// Numbers as text for files and messages. The decimal point is a '.' whatever the user's locale (Qt sets it
-// for the whole program, and plain printf follows it).
+// Numbers as text for files and messages. The decimal point is '.' in every locale. (Qt sets the locale of
+// the whole program, and plain printf would follow it.)
 
 #include <string>
 
 namespace facenav {
 inline namespace core {
 
-/// `value` with `decimals` digits behind the point.
+/// `value` with `decimals` digits after the point.
 std::string fixed(double value, int decimals);
-/// As printf would write it, of any length; the compiler checks that `format` and values agree.
+/// Like printf, of any length. The compiler checks that `format` and the values agree.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace core

@@ -1,9 +1,8 @@
 #pragma once
-// parallelFor: independent items on several cores; the one parallel loop of FaceNav. Items are begun in
-// order, a core that is done takes the next one. The threads are the process' own (oneTBB's, which VTK uses
-// too): loops that run at the same time share them, and one that gets none does all its items itself. Work in
-// the background (a thread with a nice value above the process') stays there: its loops run on threads of
-// their own at its priority.
+// parallelFor: FaceNav's one parallel loop, for independent items. Items are started in order; a free core
+// takes the next one. The threads are oneTBB's, which VTK uses too. Loops that run at the same time share
+// them; a loop that gets none runs all its items on the caller's thread. Background work (a thread with a
+// nice value above the process') runs its loops on separate threads at its own priority.
 
 #include <algorithm>
 #include <atomic>
@@ -15,11 +14,11 @@
 namespace facenav {
 inline namespace core {
 
-/// The machine's, at least 1; 1 while a OneCoreOnly lives.
+/// Cores of the machine, at least 1; 1 while a OneCoreOnly exists.
 std::size_t coreCount();
 
-/// While one lives, parallelRanges and what else asks coreCount() run on the caller's thread alone, in the
-/// whole program: for time measured on one core. Libraries' own loops (OpenCV's) are not held back.
+/// While one exists, parallelRanges and all other users of coreCount() run on the caller's thread alone, in
+/// the whole program. Use it to measure time on one core. It does not limit the loops of libraries (OpenCV).
 class OneCoreOnly {
  public:
   OneCoreOnly();
@@ -28,13 +27,13 @@ class OneCoreOnly {
   OneCoreOnly& operator=(const OneCoreOnly&) = delete;
 };
 
-/// Calls run(worker) for worker = 0 .. `workers` - 1, 0 on the caller's thread, and returns when all have.
-/// `run` must not throw, nor wait for another worker: there may be one thread for all.
+/// Calls run(worker) for worker = 0 .. `workers` - 1 and returns when all are done. Worker 0 is the caller's
+/// thread. `run` must not throw and must not wait for another worker, since one thread may run them all.
 void runOnWorkers(std::size_t workers, const std::function<void(std::size_t)>& run);
 
-/// Calls work(item, worker) for item = 0 .. `count` - 1, with worker < `workers`: no two calls with one
-/// worker's number run at the same time, and worker 0 is the caller's thread. When items throw, no further
-/// ones are begun, and of those that threw the first one's exception is thrown here; a cancel is such an
+/// Calls work(item, worker) for item = 0 .. `count` - 1, with worker < `workers`. Two calls with the same
+/// worker number never run at the same time; worker 0 is the caller's thread. When an item throws, no further
+/// items are started, and the exception of the first item that threw is rethrown here. Cancelling is such an
 /// exception.
 template <class Work>
 void parallelFor(std::size_t count, std::size_t workers, Work&& work) {
@@ -47,7 +46,7 @@ void parallelFor(std::size_t count, std::size_t workers, Work&& work) {
     for (std::size_t item; !is_stopped && (item = next++) < count;) {
       try {
         work(item, worker);
-      } catch (...) {  // all items before this one were begun, and are finished
+      } catch (...) {  // all items before this one were started and will finish
         is_stopped = true;
         const std::lock_guard<std::mutex> lock(mutex);
         if (!fault || item < faulty) fault = std::current_exception(), faulty = item;
@@ -57,11 +56,11 @@ void parallelFor(std::size_t count, std::size_t workers, Work&& work) {
   if (fault) std::rethrow_exception(fault);
 }
 
-/// Calls work(begin, end) for ranges that together are `first` .. `last` - 1 (rows of an image, slices), on
-/// all cores. What work() does must not depend on where ranges begin. It throws as parallelFor does.
+/// Calls work(begin, end) on all cores, for ranges that together are `first` .. `last` - 1 (rows of an image,
+/// slices). The result of work() must not depend on where ranges begin. It throws as parallelFor does.
 template <class Work>
 void parallelRanges(int first, int last, Work&& work) {
-  constexpr std::size_t kRangesACore = 4;  // so that none waits long for the last one
+  constexpr std::size_t kRangesACore = 4;  // small ranges, so that no core waits long for the last one
   if (last <= first) return;
   const std::size_t count = std::size_t(last - first), cores = coreCount();
   const std::size_t ranges = cores == 1 ? 1 : std::min(kRangesACore * cores, count);

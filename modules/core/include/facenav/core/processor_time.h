@@ -1,5 +1,6 @@
 #pragma once
-// Processor time: what a step cost, all threads of this program together, whatever else the machine does.
+// Processor time of a step: the sum over all threads of this program, independent of other load on the
+// machine.
 
 #include <ctime>
 

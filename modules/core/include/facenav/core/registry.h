@@ -1,7 +1,7 @@
 #pragma once
 // Registry<I>: the plug-in table of one interface (segmenters, head trackers, aligners, coil trackers, frame
-// sources). Filled explicitly by app/registrations.cpp, since a static library drops self-registering
-// objects. CLI help, config and GUI iterate it.
+// sources). app/registrations.cpp fills it explicitly, since a static library drops objects that register
+// themselves. CLI help, settings and GUI list its entries.
 
 #include <functional>
 #include <map>
@@ -23,7 +23,7 @@ class Registry {
     Factory factory;
   };
 
-  /// `kind` is the word users see ("head tracker"). The first entry added is the default.
+  /// `kind` is the name that users see ("head tracker"). The first entry added is the default.
   explicit Registry(std::string kind) : kind_(std::move(kind)) {}
 
   void add(std::string name, std::string help, Factory factory) {
@@ -35,7 +35,7 @@ class Registry {
     FACENAV_EXPECT(!entries_.empty(), "no " + kind_ + " is registered");
     return entries_.front().name;
   }
-  /// Makes a new instance. Throws Error for an unknown name, listing the known ones.
+  /// Creates a new instance. Throws Error for an unknown name; the message lists the known ones.
   std::unique_ptr<Interface> create(const std::string& name) const {
     std::string known;
     for (const auto& entry : entries_) {

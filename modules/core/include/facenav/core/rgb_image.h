@@ -1,6 +1,6 @@
 #pragma once
-// RgbImage: a picture made by the program (rendered scene, slice, camera view with overlays), as plain bytes,
-// so that scene (VTK), session (OpenCV, private) and the window (Qt) exchange pictures without sharing a
+// RgbImage: a picture made by the program (rendered scene, slice, camera view with overlays), as plain bytes.
+// It lets scene (VTK), pictures (OpenCV, private) and the window (Qt) exchange pictures without sharing a
 // library.
 
 #include <cstddef>

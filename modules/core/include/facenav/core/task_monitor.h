@@ -1,7 +1,7 @@
 #pragma once
-// TaskMonitor: how a long task (segmentation, alignment, simulation) reports progress and learns that the
-// user cancelled. The task calls report() now and then; it throws Cancelled when cancel() was called, from
-// any thread.
+// TaskMonitor: lets a long task (segmentation, alignment, simulation) report progress and learn that the user
+// cancelled it. The task calls report() regularly; report() throws Cancelled after cancel() was called on any
+// thread.
 
 #include <atomic>
 #include <functional>
@@ -12,7 +12,7 @@ inline namespace core {
 
 class TaskMonitor {
  public:
-  /// Called with the step's name and the fraction done of it (0..1), on the task's thread.
+  /// Called on the task's thread with the step's name and the fraction of it that is done (0..1).
   using Listener = std::function<void(const std::string& step, double fraction)>;
 
   TaskMonitor() = default;

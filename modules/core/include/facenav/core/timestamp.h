@@ -1,6 +1,6 @@
 #pragma once
-// Timestamp: a capture time. Live sources stamp frames with the steady clock; recordings carry seconds from
-// timestamps.csv. Only differences of stamps from one source mean anything.
+// Timestamp: a capture time. Live sources use the steady clock; recordings use the seconds in timestamps.csv.
+// Only differences between timestamps of one source are meaningful.
 
 #include <chrono>
 

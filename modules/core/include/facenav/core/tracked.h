@@ -1,6 +1,7 @@
 #pragma once
-// Tracked<T>: a live value with its quality, or Lost with the reason. There is no pose without its quality,
-// and no pose when lost: the type leaves no way to read a stale one. Hot-path counterpart of Error.
+// Tracked<T>: a live value with its quality, or Lost with the reason. A pose always has a quality, and a lost
+// track has no pose: the type makes it impossible to read an old one. In the frame loop it takes the place of
+// Error.
 
 #include <optional>
 #include <string>
@@ -11,11 +12,11 @@
 namespace facenav {
 inline namespace core {
 
-/// Why a track is lost; the words of FORMATS.md (poses.csv).
+/// Why a track is lost; named as in FORMATS.md (poses.csv).
 enum class LostReason { no_face, few_features, no_marker, high_residual, camera, stale };
 
 std::string toString(LostReason reason);
-/// Throws Error for a word that is none of the six.
+/// Throws Error for any other word.
 LostReason lostReasonFromString(const std::string& word);
 
 struct Lost {

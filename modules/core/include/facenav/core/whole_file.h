@@ -1,7 +1,7 @@
 #pragma once
-// WholeFile: a file that appears whole or not at all. Write to temporaryPath() (same folder, same extension),
-// then commit(): fsync, rename, fsync of the folder, so that it survives a power cut. A WholeFile destroyed
-// without commit() removes its temporary file. Whole folders: core/whole_folder.h.
+// WholeFile: a file that is written completely or not at all. Write to temporaryPath() (same folder, same
+// extension), then call commit(): fsync, rename, fsync of the folder, so that the file survives a power cut.
+// Without commit(), the destructor removes the temporary file. For folders see core/whole_folder.h.
 
 #include <filesystem>
 #include <string>
@@ -13,7 +13,7 @@ inline namespace core {
 
 class WholeFile {
  public:
-  /// With owner_only, the temporary file is made here, empty, with mode 0600: a writer that opens it by name
+  /// With owner_only, creates the temporary file here, empty, with mode 0600; a writer that opens it by name
   /// keeps that mode. Throws Error if the folder of `path` does not exist or cannot be written to.
   explicit WholeFile(std::filesystem::path path, FileAccess access = FileAccess::by_umask);
   ~WholeFile();
@@ -21,8 +21,8 @@ class WholeFile {
   WholeFile& operator=(const WholeFile&) = delete;
 
   const std::filesystem::path& temporaryPath() const { return temporary_; }
-  /// Makes the file durable and visible under its name. Throws Error where nothing was written (an empty file
-  /// with owner_only), the disk is full or the place is not allowed.
+  /// Makes the file durable and visible under its name. Throws Error if nothing was written (an empty file
+  /// with owner_only), the disk is full or permission is missing.
   void commit();
 
  private:
@@ -37,7 +37,7 @@ class WholeFile {
 /// Writes `content` as a whole file. Throws Error.
 void writeWholeFile(const std::filesystem::path& path, const std::string& content,
                     FileAccess access = FileAccess::by_umask);
-/// The whole content of a file. Throws Error when it is missing or unreadable.
+/// The whole content of a file. Throws Error if it is missing or unreadable.
 std::string readWholeFile(const std::filesystem::path& path);
 
 }  // namespace core

@@ -1,7 +1,7 @@
 #pragma once
-// WholeFolder: a folder that appears whole or not at all. Fill temporaryPath() (a hidden folder beside the
-// place), then commit(): sync, one rename. A crash leaves the old folder or the new one, never a mixture. A
-// WholeFolder destroyed without commit() removes what was written.
+// WholeFolder: a folder that is written completely or not at all. Fill temporaryPath() (a hidden folder
+// beside the destination), then call commit(): sync and one rename. After a crash either the old or the new
+// folder exists, never a mixture. Without commit(), the destructor removes what was written.
 
 #include <filesystem>
 
@@ -10,15 +10,15 @@
 namespace facenav {
 inline namespace core {
 
-/// What may lie at the place already: nothing or an empty folder, or anything (which commit() replaces and
-/// removes).
+/// What may exist at the destination. refuse: nothing or an empty folder. replace: anything; commit()
+/// replaces and removes it.
 enum class Existing { refuse, replace };
 
 class WholeFolder {
  public:
-  /// Throws Error if the parent folder does not exist or cannot be written to, or if `folder` holds something
-  /// and `existing` is refuse. With owner_only the temporary folder is 0700 from the start, so that nobody
-  /// else reaches what is written in it.
+  /// Throws Error if the parent folder does not exist or cannot be written to, or if `folder` is not empty
+  /// and `existing` is refuse. With owner_only the temporary folder has mode 0700 from the start, so that no
+  /// other user can reach its content.
   explicit WholeFolder(const std::filesystem::path& folder, FileAccess access = FileAccess::by_umask,
                        Existing existing = Existing::refuse);
   ~WholeFolder();
@@ -26,9 +26,9 @@ class WholeFolder {
   WholeFolder& operator=(const WholeFolder&) = delete;
 
   const std::filesystem::path& temporaryPath() const { return temporary_; }
-  /// Makes all files durable and the folder visible under its name; with owner_only every file inside becomes
-  /// 0600, every folder 0700 (links are left alone). Throws Error (disk full, no permission, place taken in
-  /// the meantime); the old folder stands then.
+  /// Makes all files durable and the folder visible under its name. With owner_only every file inside gets
+  /// mode 0600 and every folder 0700 (links are left alone). Throws Error (disk full, no permission,
+  /// destination taken in the meantime); the old folder is then unchanged.
   void commit();
 
  private:
@@ -38,12 +38,12 @@ class WholeFolder {
   bool is_committed_ = false;
 };
 
-/// Makes a folder of mode 0700. Throws Error where it exists or cannot be made.
+/// Creates a folder of mode 0700. Throws Error if it exists or cannot be created.
 void makePrivateFolder(const std::filesystem::path& folder);
-/// Sets 0600 on files and 0700 on folders, recursively (links are left alone), and forces all to the disk.
+/// Sets 0600 on files and 0700 on folders, recursively (links are left alone), and syncs all to the disk.
 /// Throws Error.
 void makePrivateAndDurable(const std::filesystem::path& folder);
-/// The names in a folder outlast a power failure. Throws Error.
+/// Syncs the names in a folder, so that they survive a power cut. Throws Error.
 void makeNamesDurable(const std::filesystem::path& folder);
 
 }  // namespace core
