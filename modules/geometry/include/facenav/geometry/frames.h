@@ -1,12 +1,13 @@
 #pragma once
-// The frames of FaceNav as tag types (FORMATS.md states each exactly; millimetres throughout):
+// The frames of FaceNav as tag types (exact definitions in FORMATS.md; all in millimetres):
 //   Mri          patient RAS of the navigation T1 (NIfTI world)
 //   Mni          MNI space (RAS mm), of the atlas
 //   Camera       left camera: x right, y down, z forward, of the left image as recorded
 //   RightCamera  right camera, likewise
-//   Head         live head: = Mri once aligned, before that = Camera at the frame where tracking started
+//   Head         fixed to the live head: = Camera at the trackers' reference frame
 //   Marker       printed square: x right, y down on the print, z into the plate, away from the viewer
-//   Coil         contact-face centre: +z into the head, +y along the handle's prolongation away from it, x = y x z
+//   Coil         contact-face centre: +z into the head, +y along the handle's prolongation away from it, x =
+//   y x z
 //   Target       the wanted pose of Coil
 //   Projector    the dot projector, axes as Camera
 

@@ -1,5 +1,5 @@
 #pragma once
-// Rigid transforms and points as JSON holds them (FORMATS.md): 4x4 row-major as 16 numbers, millimetres.
+// Rigid transforms and points in JSON (FORMATS.md): 4x4 row-major as 16 numbers, millimetres.
 
 #include <array>
 
@@ -9,8 +9,8 @@
 namespace facenav {
 inline namespace geometry {
 
-/// Throws Error naming file and key for anything but 16 numbers that make a rigid motion (a mirrored one
-/// included).
+/// Throws Error naming file and key unless the value is 16 numbers that form a rigid motion. A mirrored
+/// matrix is refused too.
 template <class To, class From>
 RigidTransform<To, From> readTransform(const JsonReader& json) {
   const auto values = json.numbers(16);

@@ -1,5 +1,5 @@
 #pragma once
-// The point of a triangle nearest to a given one, by the regions of corners, edges and face (Ericson,
+// The point of a triangle nearest to a given point. It tests the regions of corners, edges and face (Ericson,
 // Real-Time Collision Detection, 2005, section 5.1.5). All points in one frame and unit.
 
 #include <Eigen/Core>
@@ -9,10 +9,10 @@ namespace facenav {
 template <class Scalar>
 struct TrianglePlace {
   Eigen::Matrix<Scalar, 3, 1> point;
-  Eigen::Matrix<Scalar, 3, 1> weights;  // of the corners a, b, c; 0..1, their sum is 1
+  Eigen::Matrix<Scalar, 3, 1> weights;  // of the corners a, b, c; each 0..1, their sum is 1
 };
 
-/// Of a triangle without area, a point on it.
+/// A triangle without area gives one of its points.
 template <class Scalar>
 inline TrianglePlace<Scalar> nearestOnTriangle(const Eigen::Matrix<Scalar, 3, 1>& p,
                                                const Eigen::Matrix<Scalar, 3, 1>& a,
@@ -26,7 +26,7 @@ inline TrianglePlace<Scalar> nearestOnTriangle(const Eigen::Matrix<Scalar, 3, 1>
   const Scalar d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3) return {b, {0, 1, 0}};
   const Scalar vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) {  // d1 - d3: the edge's squared length
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) {  // d1 - d3 is the squared length of the edge
     const Scalar t = d1 / (d1 - d3);
     return {a + t * ab, {1 - t, t, 0}};
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Point<F> (mm), Direction<F> (unit length by contract of its makers) and PointCloud<F>: coordinates that say
-// their frame by type, so that a point of one frame cannot be handed to code that expects another.
+// Point<F> (mm), Direction<F> (unit length) and PointCloud<F>: coordinates with their frame as a type. A
+// point of one frame cannot be passed to code that expects another.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// The closed-form rigid fit: equation 2 of the 2010 paper (weighted, corresponding points), solved after
+// Closed-form rigid fit of corresponding points with weights (equation 2 of the 2010 paper), solved as in
 // Arun, Huang, Blostein 1987 / Umeyama 1991 (det +1 enforced).
 
 #include <vector>
@@ -14,8 +14,8 @@ struct RigidFit {
   double rms_mm;  // weighted root mean square residual
 };
 
-/// Minimises sum w_i |R from_i + t - to_i|^2. Same sizes; weights empty (all 1) or one per pair, >= 0.
-/// Throws Error for fewer than 3 pairs with weight or pairs on one line.
+/// Minimises sum w_i |R from_i + t - to_i|^2. Both lists have the same size; weights are empty (all 1) or one
+/// per pair, >= 0. Throws Error if fewer than 3 pairs have weight or the pairs lie on one line.
 RigidFit fitRigidPoints(const std::vector<Eigen::Vector3d>& from_mm,
                         const std::vector<Eigen::Vector3d>& to_mm, const std::vector<double>& weights = {});
 

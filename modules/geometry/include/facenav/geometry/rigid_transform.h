@@ -1,8 +1,8 @@
 #pragma once
 // RigidTransform<To, From> maps coordinates in From to coordinates in To, written to_T_from. `*` exists only
-// where the inner frames match, so a wrong chain does not compile. Rotation is orthonormal with determinant
-// +1: a mirrored matrix (a left-right flip) is refused by fromMatrix. reframe<A, B>() is the one greppable
-// way round the types.
+// if the inner frames match, so a wrong chain does not compile. The rotation is orthonormal with determinant
+// +1: fromMatrix refuses a mirrored matrix (a left-right flip). Only reframe<A, B>() bypasses the frame
+// types; search for it to find all such places.
 
 #include <Eigen/Geometry>
 #include <type_traits>
@@ -26,7 +26,7 @@ class RigidTransform {
     isometry_.linear() = rotation.normalized().toRotationMatrix();
     isometry_.translation() = translation_mm;
   }
-  /// Throws Error unless R is orthonormal with det +1 (files carry about 6 digits, hence the tolerance); the
+  /// Throws Error unless R is orthonormal with det +1. Files carry about 6 digits, hence the tolerance; the
   /// rotation is re-orthonormalised.
   static RigidTransform fromMatrix(const Eigen::Matrix4d& matrix, double tolerance = 1e-3) {
     requireRigid(matrix, tolerance);
@@ -55,14 +55,14 @@ class RigidTransform {
   Eigen::Matrix4d matrix() const { return isometry_.matrix(); }
   Eigen::Matrix3d rotation() const { return isometry_.linear(); }
   Eigen::Vector3d translation_mm() const { return isometry_.translation(); }
-  /// Unit, w >= 0, as files want it.
+  /// Unit quaternion with w >= 0, as in files.
   Eigen::Quaterniond quaternion() const {
     Eigen::Quaterniond q(Eigen::Matrix3d(isometry_.linear()));
     q.normalize();
     if (q.w() < 0) q.coeffs() *= -1;
     return q;
   }
-  /// Declares the same numbers to be a transform between other frames. Say why where you use it.
+  /// Declares that the same numbers are a transform between other frames. State the reason where you use it.
   template <class A, class B>
   RigidTransform<A, B> reframe() const {
     return RigidTransform<A, B>::fromIsometry(isometry_);
@@ -82,7 +82,7 @@ PointCloud<To> operator*(const RigidTransform<To, From>& to_T_from, const PointC
   return moved;
 }
 
-/// True where `A() * B()` compiles; tests assert it false for frames that do not chain.
+/// True if `A() * B()` compiles. Tests assert that it is false for frames that do not chain.
 template <class A, class B, class = void>
 struct composes : std::false_type {};
 template <class A, class B>

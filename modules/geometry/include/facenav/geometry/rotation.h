@@ -13,7 +13,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 Eigen::Matrix3d expRotation(const Eigen::Vector3d& rotation_vector_rad);
 /// The rotation vector of R, length in 0..pi rad.
 Eigen::Vector3d logRotation(const Eigen::Matrix3d& rotation);
-/// Angle of R in rad, 0..pi; accurate near 0.
+/// Angle of R in rad, 0..pi; also accurate near 0.
 double rotationAngle(const Eigen::Matrix3d& rotation);
 /// Left increment: p -> exp(w) p + v for xi = (w rad, v mm).
 Eigen::Isometry3d expRigid(const Vector6d& xi);
