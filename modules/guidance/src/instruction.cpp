@@ -25,8 +25,8 @@ std::string rounded(double value, const std::string& unit) {
 }
 std::string degrees(double angle_rad) { return rounded(angle_rad * 180.0 / M_PI, "°"); }
 
-/// The Mri axis that `direction` follows most, in the patient's words. Left and right win a near tie (over M1
-/// the tangent plane goes left and down alike).
+/// The Mri axis closest to `direction`, in the patient's words. Left and right win a near tie (over M1 the
+/// tangent plane points left and down equally).
 std::string patientDirection(const Eigen::Vector3d& direction) {
   const Eigen::Vector3d weight(1.3 * std::abs(direction.x()), std::abs(direction.y()),
                                std::abs(direction.z()));
@@ -38,8 +38,8 @@ std::string patientDirection(const Eigen::Vector3d& direction) {
   return is_positive ? "up, towards the top of the head" : "down, towards the neck";
 }
 
-/// The larger part of the way across, along two axes of the tangent plane: the front-back one (up-down over
-/// forehead and occiput) and the one across it.
+/// The larger component of the lateral offset, along two axes of the tangent plane: front-back (up-down over
+/// forehead and occiput) and perpendicular to it.
 std::string moveWords(const Target& target, const GuidanceValues& values) {
   const Eigen::Matrix3d mri_R_target = target.mri_T_target.rotation();
   const Eigen::Vector3d z = mri_R_target.col(2);
@@ -53,7 +53,7 @@ std::string moveWords(const Target& target, const GuidanceValues& values) {
 
 std::string tiltWords(const GuidanceValues& values) {
   const Eigen::Vector2d& tilt_rad = values.tilt_in_coil_rad;
-  if (std::abs(tilt_rad.x()) >= std::abs(tilt_rad.y()))  // about +x: the -y side, the handle's, rises
+  if (std::abs(tilt_rad.x()) >= std::abs(tilt_rad.y()))  // about +x: the -y side (the handle's) rises
     return std::string("tilt the handle side ") + (tilt_rad.x() > 0 ? "up " : "down ") +
            degrees(tilt_rad.x());
   return std::string("tilt the left wing ") + (tilt_rad.y() > 0 ? "up " : "down ") + degrees(tilt_rad.y());

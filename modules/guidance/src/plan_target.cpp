@@ -16,7 +16,7 @@ Eigen::Vector3d nearestOnScalp(const surface::TriangleMesh& mesh, const Eigen::V
                           &c = mesh.vertices_mm[triangle[2]];
     const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     if ((p_mm - p_mm.cwiseMax(low).cwiseMin(high)).squaredNorm() >= best_mm2)
-      continue;  // the box is too far already
+      continue;  // the bounding box is already too far
     const Eigen::Vector3d candidate = nearestOnTriangle(p_mm, a, b, c).point;
     const double distance_mm2 = (candidate - p_mm).squaredNorm();
     if (distance_mm2 < best_mm2) best_mm2 = distance_mm2, nearest = candidate;

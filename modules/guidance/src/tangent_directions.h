@@ -1,6 +1,6 @@
 #pragma once
-// The directions that a handle's angle is measured in: reference and medial, unit, in the plane tangent to
-// the scalp. Mri frame.
+// The directions that define a handle angle: reference and medial, unit vectors in the plane tangent to the
+// scalp. Mri frame.
 
 #include "facenav/guidance/handle.h"
 #include "facenav/surface/triangle_mesh.h"

@@ -21,8 +21,7 @@ Target readTarget(const JsonReader& json) {
   return target;
 }
 
-/// The file that is about to be replaced, for the keys that FaceNav does not know; empty where it cannot be
-/// read.
+/// Content of the file that will be replaced, for the keys unknown to FaceNav; empty if it cannot be read.
 Json previousContent(const std::filesystem::path& path) {
   try {
     Json json = Json::parse(readWholeFile(path));

@@ -1,5 +1,5 @@
 #pragma once
-// guidance.csv out (columns of FORMATS.md): one line a frame, value columns empty when lost.
+// Writes guidance.csv (columns of FORMATS.md): one line per frame; value columns are empty when lost.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,9 +18,9 @@ struct GuidanceRow {
 };
 
 std::string guidanceCsvHeader();
-/// One line, newline included. The target's name is quoted where it holds a comma, quote or line break.
+/// One line with its newline. The target's name is quoted if it contains a comma, quote or line break.
 std::string toCsvLine(const GuidanceRow& row);
-/// A whole file. Throws Error.
+/// Writes the file completely or not at all. Throws Error.
 void writeGuidanceCsv(const std::vector<GuidanceRow>& rows, const std::filesystem::path& path);
 
 }  // namespace facenav::guidance

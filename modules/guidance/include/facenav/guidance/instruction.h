@@ -1,8 +1,7 @@
 #pragma once
-// Instruction: the one thing to do next with the coil, in words, from the patient's point of view. The value
-// that exceeds its tolerance most comes first. "The handle side" lies at the coil's -y; "the left wing" is
-// the coil's left half for somebody who stands behind the handle, its +x; "above the coil" looks along +z,
-// towards the head.
+// Instruction: the one next step with the coil, in words, from the patient's point of view. The value that
+// exceeds its tolerance most comes first. "The handle side" is the coil's -y; "the left wing" is the coil's
+// left half for a person behind the handle, its +x; "above the coil" means seen along +z, towards the head.
 
 #include <string>
 
@@ -16,11 +15,11 @@ struct Instruction {
       words;  // English source: "move 3 mm to the patient's left", "tilt the handle side up 4°", "hold"
 };
 
-/// `previous` is the action asked for in the frame before (none: no hysteresis).
+/// `previous` is the action of the previous frame (none: no hysteresis).
 Instruction instruct(const Target& target, const GuidanceValues& values, const Tolerance& tolerance,
                      Action previous = Action::none, const Hysteresis& hysteresis = {});
 
-/// What is lost and what to look at: "the face is not seen", "the coil's marker is not seen".
+/// What is lost, in words: "the face is not seen", "the coil's marker is not seen".
 std::string lossInWords(LostReason reason, bool is_head);
 
 }  // namespace facenav::guidance

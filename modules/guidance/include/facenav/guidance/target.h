@@ -1,6 +1,6 @@
 #pragma once
-// Target: the wanted pose of the coil, and how it is planned from a point on the cortex. targets.json in and
-// out.
+// Target: the wanted pose of the coil, and its planning from a point on the cortex. Reads and writes
+// targets.json.
 
 #include <filesystem>
 #include <string>
@@ -22,23 +22,23 @@ struct Target {
 
 struct TreatmentPlan {
   std::vector<Target> targets;
-  /// Throws Error listing the names there are.
+  /// Throws Error that lists the existing names.
   const Target& find(const std::string& name) const;
 };
 
-/// The coil tangent to the scalp over `cortex_point`: nearest scalp point, z along the inward direction to
-/// the cortex point, y in the tangent plane at `handle_angle_rad` from anterior, turning towards the midline
-/// (45 degrees: the usual posterior-lateral handle over M1). Over the side of the head "towards the midline"
-/// is upwards; on the midline itself it is towards the patient's left; over forehead and occiput superior
-/// stands in for anterior (where: handle.h). `gap_mm`: between contact face and scalp (hair). Throws Error
-/// for a scalp without triangles or a cortex point that does not lie 1 to 80 mm under it.
+/// Places the coil tangent to the scalp over `cortex_point`: at the nearest scalp point, z inward towards the
+/// cortex point, y in the tangent plane at `handle_angle_rad` from anterior, turning towards the midline (45
+/// degrees: the usual posterior-lateral handle over M1). On the side of the head "towards the midline" is
+/// upwards; on the midline itself it is towards the patient's left. Over forehead and occiput superior
+/// replaces anterior (limits in handle.h). `gap_mm`: between contact face and scalp (hair). Throws Error for
+/// a scalp without triangles, or a cortex point that is not 1 to 80 mm below the scalp.
 Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
                   double handle_angle_rad, double gap_mm = 0.0);
 
-/// Throws Error naming file and key: a missing or malformed key, a mirrored or non-rigid matrix, a name given
-/// twice.
+/// Throws Error naming file and key: a missing or malformed key, a mirrored or non-rigid matrix, a duplicate
+/// name.
 TreatmentPlan readTargets(const std::filesystem::path& path);
-/// A whole file. Keys that FaceNav does not know are kept from the file that is replaced.
+/// Writes the file completely or not at all. Keys unknown to FaceNav are kept from the replaced file.
 void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path,
                   FileAccess access = FileAccess::by_umask);
 
