@@ -19,7 +19,7 @@ bool isColoured(const cv::Mat& image) {
   return cv::norm(planes[0], planes[1], cv::NORM_INF) > 0 || cv::norm(planes[0], planes[2], cv::NORM_INF) > 0;
 }
 
-// As readGrey() sees it, not turned by what the file says of the camera's orientation.
+// Same orientation as readGrey(): the EXIF rotation is ignored.
 cv::Mat readColour(const fs::path& path, const cameras::StereoRig& rig) {
   const cv::Mat image = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
   const bool has_rig_size = image.cols == rig.width_px && image.rows == rig.height_px;
@@ -41,7 +41,7 @@ cv::Mat leftColour(const Recording& recording, std::int64_t frame) {
   const auto found = std::find(frames.numbers.begin(), frames.numbers.end(), frame);
   if (!frames.pairs || found == frames.numbers.end())
     throw Error("has no frame " + std::to_string(frame), recording.folder.string());
-  // timestamps.csv may number the frames otherwise than the files do.
+  // timestamps.csv may number the frames differently from the files.
   const std::int64_t in_name = frames.pairs->numbers()[std::size_t(found - frames.numbers.begin())];
   return firstIn(recording.folder / "left", recording.rig,
                  [&](const fs::path& path) { return numberInName(path) == in_name; });

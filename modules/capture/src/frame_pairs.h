@@ -13,25 +13,25 @@ namespace facenav::capture {
 
 struct ImagePair {
   cv::Mat left, right;  // 8-bit grey
-  std::string where;    // file or video and frame, for errors
+  std::string where;    // file, or video and frame, for error messages
 };
 
 class FramePairs {
  public:
   virtual ~FramePairs() = default;
-  /// Frame number of each pair, rising.
+  /// Frame number of each pair, increasing.
   virtual const std::vector<std::int64_t>& numbers() const = 0;
-  /// The next pair; nothing at the end. Throws Error naming the file.
+  /// The next pair; nullopt at the end. Throws Error naming the file.
   virtual std::optional<ImagePair> next() = 0;
 };
 
-/// left/ and right/ with images. Null where neither folder is there. Throws Error: one side missing, counts
+/// Opens left/ and right/ with images. Null if neither folder exists. Throws Error: one side missing, counts
 /// or numbers differ, two files with one number.
 std::unique_ptr<FramePairs> openImagePairs(const std::filesystem::path& folder);
 
-/// left.mkv and right.mkv (or .avi, .mp4, .mov, .webm). Null where neither is there. Throws Error: one side
-/// missing, cannot be decoded, counts differ. `expected_count`: rows of timestamps.csv, which spares the
-/// counting.
+/// Opens left.mkv and right.mkv (or .avi, .mp4, .mov, .webm). Null if neither exists. Throws Error: one side
+/// missing, cannot be decoded, counts differ. `expected_count`: number of rows of timestamps.csv, which
+/// avoids counting the frames.
 std::unique_ptr<FramePairs> openVideoPairs(const std::filesystem::path& folder,
                                            std::optional<std::size_t> expected_count);
 

@@ -31,7 +31,7 @@ struct LivePreview::Implementation {
   void noteArrival();
 };
 
-/// In short steps, so that a stop is heard.
+/// Waits in short steps, so that a stop takes effect quickly.
 void LivePreview::Implementation::waitFor(double captured_s, double first_captured_s, double begun_s) const {
   const double due_s = std::min(begun_s + captured_s - first_captured_s, Timestamp::now().s + kLongestWait_s);
   while (!is_stopped && Timestamp::now().s < due_s)

@@ -35,8 +35,9 @@ std::vector<StampedFrame> readTimestamps(const fs::path& csv) {
   return stamps;
 }
 
-// By frame number where every image has its line; else by order, where both are of one count (file names that
-// start at another index): the number in the CSV is then the frame's number, as truth files use it.
+// Matches by frame number if every image has a line. Otherwise matches by order if both have the same count
+// (file names that start at another index); the frame then gets the number in the CSV, which the truth files
+// use.
 void applyTimestamps(const fs::path& csv, const std::vector<StampedFrame>& stamps, RecordingFrames& frames) {
   const std::vector<std::int64_t>& images = frames.pairs->numbers();
   std::size_t at = 0;
@@ -92,7 +93,7 @@ Recording openFolder(const fs::path& folder) {
   return recording;
 }
 
-// Checks the frames; what makeSource needs is cheap to open again.
+// Checks the frames, then closes them; makeSource opens them again at little cost.
 void describeFrames(Recording& recording, RecordingFrames& frames) {
   recording.frame_count = std::int64_t(frames.numbers.size());
   recording.has_timestamps = frames.has_timestamps;

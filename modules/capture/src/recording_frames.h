@@ -1,6 +1,6 @@
 #pragma once
-// The frames of a recording folder with their numbers and times: what openRecording checks and the source
-// plays.
+// The frames of a recording folder with their numbers and times. openRecording checks them and the source
+// plays them.
 
 #include <memory>
 #include <vector>
@@ -11,20 +11,20 @@
 
 namespace facenav::capture {
 
-/// Other tools and people write timestamps.csv and truth files.
+/// timestamps.csv and truth files may come from other tools or be typed by hand.
 constexpr CsvRules kTypedByHand{true, true};
 
 struct RecordingFrames {
-  std::unique_ptr<FramePairs> pairs;  // null: the folder holds neither image folders nor videos
+  std::unique_ptr<FramePairs> pairs;  // null: the folder has neither image folders nor videos
   std::vector<std::int64_t> numbers;
   std::vector<double> times_s;
   bool has_timestamps = false;
 };
 
-/// Throws Error as openRecording does.
+/// Throws the same Errors as openRecording.
 RecordingFrames openFrames(const std::filesystem::path& folder);
 
-/// Throws Error, naming `where`, unless both images have the rig's size.
+/// Throws Error that names `where`, unless both images have the rig's size.
 void requireRigSize(const cameras::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
                     const std::string& where);
 

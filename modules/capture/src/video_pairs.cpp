@@ -18,7 +18,7 @@ std::optional<fs::path> findVideo(const fs::path& folder, const std::string& sid
 }
 
 cv::VideoCapture openVideo(const fs::path& path) {
-  // FFmpeg and OpenCV report damaged files on stderr by themselves; our one line is to stand alone there.
+  // FFmpeg and OpenCV print messages about damaged files to stderr; only our own line should appear.
   static const bool is_ffmpeg_quiet = ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0) == 0;
   (void)is_ffmpeg_quiet;
   const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -36,7 +36,7 @@ std::size_t countFrames(const fs::path& path) {
   return count;
 }
 
-// A container's own frame count is often an estimate: it is believed only where all three sources agree.
+// A container's frame count is often an estimate. It is used only if all three sources agree.
 std::size_t agreedCount(const fs::path& left, const fs::path& right, std::optional<std::size_t> expected) {
   const auto stated = [](const fs::path& path) { return openVideo(path).get(cv::CAP_PROP_FRAME_COUNT); };
   if (expected && stated(left) == double(*expected) && stated(right) == double(*expected)) return *expected;

@@ -1,5 +1,5 @@
 #pragma once
-// The chessboard pairs for `facenav calibrate`: file names or globs of both sides -> images, paired by
+// Reads the chessboard pairs for `facenav calibrate`: file names or globs of both sides -> images, paired by
 // number.
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace facenav::capture {
 
-/// Each of `left` and `right` is a list of files and globs ("left*.jpg"), expanded here and ordered by the
+/// Each of `left` and `right` is a list of files and globs ("left*.jpg"), expanded here and sorted by the
 /// number in the name. Throws Error: a glob without a match, counts or numbers that differ, an image that
 /// cannot be read.
 std::vector<cameras::CalibrationPair> readCalibrationImages(const std::vector<std::string>& left,

@@ -1,6 +1,6 @@
 #pragma once
-// FrameSource: where stereo frames come from (recording folder, video pair, camera pair, virtual room). The
-// interface every source implements; testing/support/frame_source_contract.h holds its contract tests.
+// FrameSource: where stereo frames come from (recording folder, video pair, camera pair, virtual room). Every
+// source implements this interface and passes the contract tests in testing/support/frame_source_contract.h.
 
 #include <memory>
 #include <optional>
@@ -14,11 +14,10 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
   virtual const cameras::StereoRig& rig() const = 0;
-  /// The next frame, numbers rising, time stamps rising; null at the end. A file source returns frames as
-  /// fast as they are asked for (the session paces them). Throws Error naming the file when a frame cannot be
-  /// read.
+  /// The next frame; null at the end. Frame numbers and time stamps increase. A file source returns frames
+  /// without waiting (the session paces them). Throws Error naming the file if a frame cannot be read.
   virtual std::shared_ptr<const cameras::StereoFrame> next() = 0;
-  /// Number of frames, where known.
+  /// Number of frames, if known.
   virtual std::optional<std::int64_t> frameCount() const { return std::nullopt; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// LivePreview: the newest pair of a frame source, read on a thread of its own, to be looked at before
-// anything is tracked, and to take the alignment's still pairs from.
+// LivePreview: reads a frame source on its own thread and keeps the newest pair. It shows the cameras before
+// tracking starts, and provides the still pairs for the alignment.
 
 #include <memory>
 #include <string>
@@ -11,22 +11,23 @@ namespace facenav::capture {
 
 class LivePreview {
  public:
-  /// `is_paced`: a recording, whose frames come when their time stamps say; cameras pace themselves.
+  /// `is_paced`: true for a recording, whose frames are delivered at their time stamps; cameras set their own
+  /// pace.
   LivePreview(std::unique_ptr<FrameSource> source, bool is_paced);
-  /// Joins after the frame that is being read; the source is released then.
+  /// Waits for the frame that is being read, then releases the source.
   ~LivePreview();
   LivePreview(const LivePreview&) = delete;
   LivePreview& operator=(const LivePreview&) = delete;
 
   /// Null before the first.
   std::shared_ptr<const cameras::StereoFrame> latest() const;
-  /// Since the newest frame came in, s; large before the first.
+  /// Time since the newest frame, s; large before the first frame.
   double age_s() const;
-  /// Over about the last second; 0 while unknown.
+  /// Frame rate over about the last second; 0 while unknown.
   double frames_per_s() const;
-  /// Why no more frames come: an Error in words; empty while all is well.
+  /// Why no more frames arrive (the message of an Error); empty while there is no failure.
   std::string failure() const;
-  /// A recording has been played to its end.
+  /// True when a recording has been played to its end.
   bool hasEnded() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Recording: the folder of FORMATS.md, in and out. Readable with image folders or videos, any start index,
-// any rig.
+// Recording: the folder of FORMATS.md, read and written. It may hold image folders or videos, any start
+// index, any rig.
 
 #include <filesystem>
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace facenav::capture {
 
-/// The still pairs for the initial alignment; the head has not moved between them.
+/// The still pairs for the initial alignment; the head does not move between them.
 struct CapturePair {
   cameras::StereoFrame pattern, plain;
 };
@@ -20,29 +20,30 @@ struct CapturePair {
 struct Recording {
   std::filesystem::path folder;
   cameras::StereoRig rig;
-  std::optional<CapturePair> capture;  // where capture/ exists
+  std::optional<CapturePair> capture;  // if capture/ exists
   std::int64_t frame_count = 0;
   double frames_per_s = 60.0;
-  bool has_timestamps = false;  // false: 60 fps is assumed (a warning was logged)
+  bool has_timestamps = false;  // false: 60 fps is assumed (a warning is logged)
 };
 
-/// Checks the whole folder before anything runs. Throws Error: no stereo.yml, 0 frames, left and right counts
-/// differ, image sizes differ from the rig's, a malformed timestamps.csv line (file and line named), times
-/// that do not rise.
+/// Checks the whole folder before any processing. Throws Error: no stereo.yml, 0 frames, left and right
+/// counts differ, image sizes differ from the rig's, a malformed timestamps.csv line (file and line named),
+/// times that do not increase.
 Recording openRecording(const std::filesystem::path& folder);
-/// A recording that may consist of capture/ alone (for `align`): 0 frames is no error here.
+/// Like openRecording, but a recording with capture/ alone (for `align`) is valid: 0 frames is no error.
 Recording openCapture(const std::filesystem::path& folder);
 std::unique_ptr<FrameSource> makeSource(const Recording& recording);
 
 /// frame -> pose, from truth/head.csv or truth/coil.csv (frame,tx,ty,tz,qw,qx,qy,qz).
 std::map<std::int64_t, Eigen::Isometry3d> readTruth(const std::filesystem::path& csv);
 
-/// Writes a recording frame by frame into a temporary folder next to `folder`; close() renames it into place,
-/// so that a recording is whole or absent. An unclosed writer removes what it wrote.
+/// Writes a recording frame by frame into a temporary folder next to `folder`. close() renames the folder to
+/// its final name, so that a recording is complete or absent. Without close(), the destructor removes what
+/// was written.
 class RecordingWriter {
  public:
-  /// Makes missing parent folders. Pictures of a patient's face: owner_only. Throws Error where `folder`
-  /// holds something and `existing` is refuse.
+  /// Creates missing parent folders. Use owner_only for pictures of a patient's face. Throws Error if
+  /// `folder` is not empty and `existing` is refuse.
   RecordingWriter(const std::filesystem::path& folder, const cameras::StereoRig& rig,
                   FileAccess access = FileAccess::by_umask, Existing existing = Existing::refuse);
   ~RecordingWriter();
@@ -50,7 +51,7 @@ class RecordingWriter {
   void setCapture(const CapturePair& pair);
   void addTruth(std::int64_t frame, const std::optional<Eigen::Isometry3d>& camera_T_mri,
                 const std::optional<Eigen::Isometry3d>& camera_T_marker);
-  /// The folder being written (for additional files such as scenario.json).
+  /// The temporary folder (for additional files such as scenario.json).
   const std::filesystem::path& temporaryFolder() const;
   void close();
 
