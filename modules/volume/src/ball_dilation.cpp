@@ -13,10 +13,10 @@ namespace {
 using Word = std::uint64_t;
 constexpr int kBits = 64;
 
-/// A grid's voxels as bits, rows along i begin at a word; unused bits are 0.
+/// A grid's voxels as bits. Each row along i starts at a new word; unused bits are 0.
 struct BitRows {
   std::size_t words_a_row, words_a_slice;
-  Word last_word;  // the bits of a row's last word that are voxels
+  Word last_word;  // mask of the bits of a row's last word that are voxels
   std::vector<Word> words;
 
   explicit BitRows(const std::array<int, 3>& n)
@@ -26,7 +26,7 @@ struct BitRows {
         words(words_a_slice * std::size_t(n[2])) {}
 };
 
-/// Eight voxels, each 0 or not, as eight bits.
+/// Packs eight voxels (0 or not 0) into eight bits.
 Word packed(const std::uint8_t* voxels) {
   Word v;
   std::memcpy(&v, voxels, sizeof v);
@@ -44,7 +44,7 @@ void packRow(const std::uint8_t* voxels, int n, bool is_set, Word last_word, Wor
   row[last] &= last_word;
 }
 
-/// The eight voxels of each byte's bits.
+/// For each byte value, the eight voxels of its bits.
 const std::array<Word, 256>& voxelsOfByte() {
   static const std::array<Word, 256> table = [] {
     std::array<Word, 256> out{};
@@ -61,7 +61,7 @@ void unpackRow(const Word* row, int n, std::uint8_t* voxels) {
   for (; i < n; ++i) voxels[i] = row[i / kBits] >> i % kBits & 1;
 }
 
-/// Every row of a slice widened by one voxel at both ends.
+/// Widens every row of a slice by one voxel at both ends.
 void widen(const Word* in, Word* out, std::size_t rows, std::size_t words, Word last_word) {
   for (std::size_t r = 0; r < rows; ++r, in += words, out += words) {
     for (std::size_t w = 0; w < words; ++w)
@@ -71,12 +71,13 @@ void widen(const Word* in, Word* out, std::size_t rows, std::size_t words, Word 
   }
 }
 
-/// A row of the ball: voxels up to `half_width` either way lie in it, `dj` rows and `dk` slices off.
+/// A row of the ball, offset by `dj` rows and `dk` slices: voxels up to `half_width` in both directions
+/// belong to it.
 struct BallRow {
   int dj, dk, half_width;
 };
 
-/// Squares are summed in the order of the axes, as distances are, so that both agree to the last bit.
+/// Squares are added in the order of the axes, as in the distance map, so that both agree to the last bit.
 std::vector<BallRow> ballRows(const VoxelGrid& grid, float squared_radius_mm2) {
   const Eigen::Vector3d h = grid.spacing_mm();
   std::array<int, 3> reach;

@@ -47,8 +47,8 @@ struct LineTransform {
   }
 };
 
-/// All lines of `n` values `stride` apart that start at `first` + 0 .. `lines` - 1, a block of neighbours at
-/// a time, so that a fetched cache line is used whole.
+/// Transforms all lines of `n` values (distance `stride`) that start at `first` + 0 .. `lines` - 1.
+/// Neighbouring lines are done in blocks, so that each cache line is used completely.
 void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t stride, int n, float w,
               LineTransform& line) {
   constexpr int kBlock = 16;
@@ -81,10 +81,10 @@ std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
   return d;
 }
 
-/// A hair more, so that a voxel at exactly the radius counts whatever the rounding.
+/// Slightly larger, so that a voxel at exactly the radius is included despite rounding.
 float squaredRadius(double radius_mm) { return float(radius_mm * radius_mm * (1 + 1e-5)); }
 
-constexpr int kWindow = 24;  // voxels: beyond, an envelope is faster
+constexpr int kWindow = 24;  // voxels; for larger balls the envelope is faster
 
 Mask keep(const Mask& mask, const std::vector<float>& value, bool (*rule)(float, float), float limit) {
   Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
@@ -106,7 +106,7 @@ void neighbours(const VoxelGrid& grid, std::size_t at, Visit&& visit) {
   if (k + 1 < n[2]) visit(at + slab);
 }
 
-/// The 6-connected parts, found by runs of voxels along i that touch in neighbouring rows.
+/// The 6-connected components, built from runs of voxels along i that touch in neighbouring rows.
 class Parts {
  public:
   explicit Parts(const Mask& mask) : first_of_row_(std::size_t(mask.grid.size[1]) * mask.grid.size[2] + 1) {
@@ -124,7 +124,7 @@ class Parts {
     for (std::size_t r = 0; r < runs_.size(); ++r) size_[root(r)] += runs_[r].count;
   }
 
-  /// What lies in parts that `choose(part, voxels)` accepts; a part is named by any number of its own.
+  /// The components that `choose(part, voxels)` accepts. `part` is the number of the component's root run.
   template <class Choose>
   Mask chosen(const VoxelGrid& grid, Choose&& choose) {
     Mask out{grid, std::vector<std::uint8_t>(grid.count())};
@@ -133,7 +133,7 @@ class Parts {
         std::fill_n(out.voxels.begin() + std::ptrdiff_t(runs_[r].first), runs_[r].count, std::uint8_t(1));
     return out;
   }
-  /// The first of those with the most voxels.
+  /// The first component with the most voxels.
   std::size_t largest() const {
     return std::size_t(std::max_element(size_.begin(), size_.end()) - size_.begin());
   }
@@ -172,7 +172,8 @@ class Parts {
   std::vector<std::size_t> first_of_row_, size_;
 };
 
-/// Runs of background along i, reached whole; each then looks at the four rows beside.
+/// Flood fill of the background, by runs along i. A run is filled completely; then its four neighbouring rows
+/// are examined.
 class BackgroundFlood {
  public:
   explicit BackgroundFlood(const Mask& mask)
@@ -180,12 +181,12 @@ class BackgroundFlood {
         row_(std::size_t(mask.grid.size[0])),
         out_{mask.grid, std::vector<std::uint8_t>(mask.voxels.size(), 1)} {}
 
-  /// Starts from the background among the voxels `from` .. `to` of one row.
+  /// Starts from the background voxels among `from` .. `to` of one row.
   void reach(std::size_t from, std::size_t to) {
     for (std::size_t v = from; v <= to; ++v)
       if (isOpen(v)) reachRun(v);
   }
-  /// All but what the background reached leads to; the flood is spent.
+  /// All voxels outside the flooded background. May be called only once.
   Mask unreached() {
     const auto& n = mask_.grid.size;
     const std::size_t slab = row_ * std::size_t(n[1]);

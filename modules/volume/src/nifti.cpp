@@ -29,7 +29,7 @@ Eigen::Affine3d toAffine(const mat44& m) {
   return affine;
 }
 
-/// niftiio itself fills what a truncated file lacks with zeros and says nothing, hence this.
+/// Own reader, because niftiio silently fills the missing part of a truncated file with zeros.
 void readVoxels(nifti_image& image, const std::filesystem::path& path) {
   constexpr double kMostCompression = 1040;  // deflate's limit is 1032
   const auto refuse = [&] {
@@ -127,7 +127,7 @@ void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& where) 
     throw Error("voxel axes are sheared", where, "resample the volume onto an orthogonal grid");
 }
 
-/// What an xform code says the coordinates are (nifti1.h).
+/// The coordinate space that an xform code stands for (nifti1.h).
 std::string spaceOf(int code) {
   constexpr const char* kSpaces[] = {"absent",    "scanner", "aligned to another scan",
                                      "Talairach", "MNI",     "template"};
@@ -149,9 +149,9 @@ double largestDistance_mm(const VoxelGrid& a, const VoxelGrid& b) {
   return worst_mm;
 }
 
-/// In words what must not be settled in silence; empty where nothing of that kind lies between the two maps.
+/// Describes a contradiction that the user must see; empty if the two maps do not contradict each other.
 std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
-  constexpr double kLargestScale = 0.02;  // atlas-sized heads are 5-15 % off
+  constexpr double kLargestScale = 0.02;  // atlas-sized heads differ by 5-15 %
   const double handedness =
       sform.mri_from_voxel.linear().determinant() * qform.mri_from_voxel.linear().determinant();
   if (handedness < 0) return "sform and qform are mirror images: they disagree about left and right";
@@ -163,7 +163,7 @@ std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
   return {};
 }
 
-/// Throws Error where the map asked for is absent.
+/// Throws Error if the requested map is absent.
 WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::string& where) {
   constexpr double kAgreement_mm = 0.1;
   const bool has_sform = image.sform_code > 0, has_qform = image.qform_code > 0;
@@ -232,7 +232,7 @@ void writeImage(nifti_image& image, const std::filesystem::path& path, FileAcces
   const std::string name = path.filename().string();
   const bool is_gz = name.size() > 7 && name.substr(name.size() - 7) == ".nii.gz";
   if (!is_gz && path.extension() != ".nii") throw Error("name must end in .nii or .nii.gz", path.string());
-  constexpr std::size_t kDataOffset = 352;  // header, and four bytes that say: no extension
+  constexpr std::size_t kDataOffset = 352;  // header, and four bytes that mean: no extension
   image.nifti_type = NIFTI_FTYPE_NIFTI1_1;
   image.iname_offset = int(kDataOffset);
   const nifti_1_header header = nifti_convert_nim2nhdr(&image);

@@ -13,12 +13,12 @@ namespace {
 
 struct Reorder {
   VoxelGrid grid;
-  std::array<int, 3> source_axis;  // which source axis runs along the new axis
+  std::array<int, 3> source_axis;  // for each new axis, the source axis along it
   std::array<bool, 3> is_flipped;
 };
 
 Reorder rasReorder(const VoxelGrid& from) {
-  // The pairing of index and world axes with the greatest sum of |cosines|: unique even at 45 degrees
+  // The pairing of index and world axes with the largest sum of |cosines|. It is unique even at 45 degrees
   // obliquity.
   const Eigen::Matrix3d l = from.mri_from_voxel.linear() * from.spacing_mm().cwiseInverse().asDiagonal();
   constexpr std::array<std::array<int, 3>, 6> kOrders{
@@ -83,11 +83,11 @@ Mask toRasOrder(const Mask& mask) {
 
 namespace {
 
-/// Steps i of a row (first + i * step) within which all coordinates lie in 0 .. n - 1 of each axis, to a
-/// rounding: [begin, end).
+/// Steps i of a row (first + i * step) at which all coordinates are within 0 .. n - 1 of each axis, apart
+/// from rounding: [begin, end).
 std::pair<int, int> stepsWithin(const std::array<int, 3>& n, const Eigen::Vector3d& first,
                                 const Eigen::Vector3d& step, int count) {
-  constexpr double kRounding = 1e-6;  // voxels: a grid resampled onto itself keeps its border
+  constexpr double kRounding = 1e-6;  // voxels: keeps the border when a grid is resampled onto itself
   double from = 0, to = count - 1;
   for (int a = 0; a < 3; ++a) {
     const double low = -kRounding - first[a], high = n[a] - 1 + kRounding - first[a];
@@ -103,7 +103,7 @@ std::pair<int, int> stepsWithin(const std::array<int, 3>& n, const Eigen::Vector
 
 float mixed(float a, float b, float t) { return a + t * (b - a); }
 
-/// Neighbours below a place and how far beyond them it lies, per axis.
+/// The lower neighbour of a position and the fraction beyond it, per axis.
 struct Between {
   int low[3];
   float part[3];
@@ -117,7 +117,7 @@ struct Between {
   }
 };
 
-/// Calls keep(index in `to`, place in `from`) for every voxel of `to` that lies within `from`.
+/// Calls keep(index in `to`, position in `from`) for every voxel of `to` that lies within `from`.
 template <class Keep>
 void forRows(const VoxelGrid& from, const VoxelGrid& to, Keep&& keep) {
   if (from.count() == 0) return;
@@ -153,14 +153,14 @@ struct Linear {
   std::size_t di, dj, dk;
 };
 
-/// Weights of the four neighbours about a place `t` beyond the second.
+/// Weights of the four neighbours of a position at fraction `t` after the second.
 std::array<float, 4> cubicWeights(float t) {
   const float t2 = t * t, t3 = t2 * t;
   return {0.5f * (-t3 + 2 * t2 - t), 0.5f * (3 * t3 - 5 * t2 + 2), 0.5f * (-3 * t3 + 4 * t2 + t),
           0.5f * (t3 - t2)};
 }
 
-/// Sixty-four neighbours, all within the grid: four of a row at a time.
+/// Sixty-four neighbours, all within the grid; four of a row at a time.
 float cubicInside(const float* first, std::size_t row, std::size_t slab,
                   const std::array<std::array<float, 4>, 3>& weight) {
   Eigen::Array4f sum = Eigen::Array4f::Zero();

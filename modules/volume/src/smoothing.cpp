@@ -7,7 +7,7 @@
 namespace facenav::volume {
 namespace {
 
-/// out[i] = (1 - 2 side) b[i] + side (a[i] + c[i]); each of `width` values.
+/// out[i] = (1 - 2 side) b[i] + side (a[i] + c[i]), for `width` values.
 void mixRows(const float* a, const float* b, const float* c, float* out, std::size_t width, float side) {
   const float middle = 1 - 2 * side;
   for (std::size_t i = 0; i < width; ++i) out[i] = middle * b[i] + side * (a[i] + c[i]);

@@ -15,7 +15,7 @@ double Mask::volume_ml() const {
 }
 
 float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside) {
-  constexpr double kRounding = 1e-6;  // voxels: a grid resampled onto itself keeps its border
+  constexpr double kRounding = 1e-6;  // voxels: keeps the border when a grid is resampled onto itself
   const auto& n = volume.grid.size;
   for (int a = 0; a < 3; ++a)
     if (!(ijk[a] >= -kRounding && ijk[a] <= n[a] - 1 + kRounding)) return outside;

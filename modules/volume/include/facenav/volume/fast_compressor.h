@@ -1,6 +1,7 @@
 #pragma once
-// Compression for what is written while a user waits: zlib's own format by libdeflate, a third of the time.
-// VTK's XML files are cut into blocks of 32 KB, for each of which zlib sets itself up anew.
+// Fast compression for files that are written while a user waits: zlib's format, written by libdeflate in a
+// third of the time. (VTK's XML files are split into blocks of 32 KB, and zlib initialises itself again for
+// each block.)
 
 #include <vtkDataCompressor.h>
 #include <vtkSmartPointer.h>
@@ -10,10 +11,10 @@
 
 namespace facenav::volume {
 
-/// For a VTK XML writer (SetCompressor): its files say vtkZLibDataCompressor, and every reader takes them.
+/// For a VTK XML writer (SetCompressor). Its files name vtkZLibDataCompressor, so every reader accepts them.
 vtkSmartPointer<vtkDataCompressor> fastCompressor();
 
-/// `size` bytes as the content of a .gz file. Throws Error when memory runs out.
+/// `size` bytes compressed as the content of a .gz file. Throws Error if memory runs out.
 std::vector<unsigned char> gzipped(const void* bytes, std::size_t size);
 
 }  // namespace facenav::volume

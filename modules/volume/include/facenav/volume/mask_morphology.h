@@ -1,7 +1,7 @@
 #pragma once
-// Morphology on masks by exact Euclidean distance in mm, any voxel size: balls of any radius at the price of
-// one distance map. Outside the grid counts as background for closing, and as a continuation of the edge for
-// erosion.
+// Morphology on masks by exact Euclidean distance in mm, any voxel size. A ball of any radius costs one
+// distance map. Voxels outside the grid count as background for closing; for erosion the grid's edge is
+// continued.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace facenav::volume {
 
-/// Distance in mm of every voxel centre to the nearest set voxel's centre (0 in the mask). A large value
-/// throughout for an empty mask.
+/// Distance in mm of every voxel centre to the nearest set voxel's centre (0 in the mask). An empty mask
+/// gives a large value everywhere.
 std::vector<float> distanceTo(const Mask& mask);
 /// Distance in mm of every set voxel to the nearest unset one.
 std::vector<float> depthWithin(const Mask& mask);
@@ -20,17 +20,17 @@ Mask erode(const Mask& mask, double radius_mm);
 Mask close(const Mask& mask, double radius_mm);
 Mask open(const Mask& mask, double radius_mm);
 
-/// The 6-connected part with the most voxels; empty for an empty mask.
+/// The 6-connected component with the most voxels; empty for an empty mask.
 Mask largestPart(const Mask& mask);
-/// Every 6-connected part of at least `voxels`.
+/// All 6-connected components of at least `voxels` voxels.
 Mask withoutSpecks(const Mask& mask, std::size_t voxels);
-/// Background that cannot be reached from the grid's border becomes mask.
+/// Background that is not connected to the grid's border becomes mask.
 Mask fillHoles(const Mask& mask);
-/// The same with background that cannot be reached from the voxels `outside` (by index; those of the mask are
-/// no way in).
+/// The same for background that is not connected to the voxels `outside` (by index; those inside the mask are
+/// ignored).
 Mask fillHolesFrom(const Mask& mask, const std::vector<std::size_t>& outside);
 
-/// The voxels of the mask of which one of the 6 neighbours is not in it or lies beyond the grid.
+/// The voxels of the mask with at least one of the 6 neighbours outside the mask or the grid.
 Mask surfaceVoxels(const Mask& mask);
 
 Mask intersection(const Mask& a, const Mask& b);

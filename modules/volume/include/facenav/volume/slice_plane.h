@@ -1,7 +1,7 @@
 #pragma once
-// SlicePlane: any plane through the patient, and the image a volume or mask gives on it. Used by the slice
-// views, the report's pictures and the alignment's cross-sections. Anatomical planes are shown
-// radiologically: the patient's right on the image's left.
+// SlicePlane: any plane through the patient, and the image of a volume or mask on it. Used by the slice
+// views, the report's pictures and the alignment's cross-sections. Anatomical planes follow the radiological
+// convention: the patient's right is on the image's left.
 
 #include <cstdint>
 #include <vector>
@@ -26,14 +26,14 @@ struct SlicePlane {
   Eigen::Vector3d toPixel(const Point<Mri>& p) const;
 };
 
-/// The anatomical plane through `through` that covers the whole grid.
+/// The anatomical plane through the point `through`; it covers the whole grid.
 SlicePlane anatomicalPlane(const VoxelGrid& grid, Anatomical orientation, const Point<Mri>& through,
                            double spacing_mm = 1.0);
 
-/// Of the grid's three indices, the one along which slices with this normal are counted.
+/// The index axis (0..2) of the grid that counts slices with this normal.
 int sliceAxis(const VoxelGrid& grid, const Direction<Mri>& normal);
 
-/// Which of the grid's own slices a plane shows, counted from 1 in the file's order; 0: outside the grid.
+/// Number of the grid's slice that a plane shows, counted from 1 in the file's order; 0: outside the grid.
 struct SliceNumber {
   int number = 0, count = 0;
 };

@@ -14,8 +14,8 @@ namespace facenav::volume {
 struct Volume {
   VoxelGrid grid;
   std::vector<float> voxels;
-  std::string modality = "MR";     // DICOM modality code ("MR", "CT"), "" where unknown (NIfTI)
-  std::string orientation_source;  // what the world rests on: "DICOM", "sform", "qform"
+  std::string modality = "MR";     // DICOM modality code ("MR", "CT"); "" if unknown (NIfTI)
+  std::string orientation_source;  // source of the world coordinates: "DICOM", "sform", "qform"
 
   float at(int i, int j, int k) const { return voxels[grid.index(i, j, k)]; }
 };
@@ -30,14 +30,14 @@ struct Mask {
 
 /// Trilinear value at continuous voxel coordinates; `outside` beyond the outermost voxel centres.
 float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside = 0.f);
-/// The value of the voxel that `p` lies in; nothing outside the volume.
+/// The value of the voxel that contains `p`; nullopt outside the volume.
 std::optional<float> valueAt(const Volume& volume, const Point<Mri>& p);
-/// The value below which `fraction` (0..1) of all finite voxels lie. Sampled at up to 2 million voxels.
+/// The value below which `fraction` (0..1) of all finite voxels lie. Uses a sample of up to 2 million voxels.
 float percentile(const Volume& volume, double fraction);
 
 struct Overlap {
   double dice;    // 2 |A and B| / (|A| + |B|)
-  double inside;  // share of A that lies in B
+  double inside;  // share of A that lies inside B
 };
 /// Throws Error unless both grids match.
 Overlap overlap(const Mask& a, const Mask& b);

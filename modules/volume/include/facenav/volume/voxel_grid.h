@@ -1,7 +1,7 @@
 #pragma once
-// VoxelGrid: where voxels lie in the patient. Index (i, j, k) counts voxel centres, i fastest in memory; the
-// affine maps them to Mri (RAS, mm). It may hold any axis order, flip and obliquity; nothing assumes axis
-// alignment.
+// VoxelGrid: where voxels are in the patient. Index (i, j, k) counts voxel centres, i fastest in memory; the
+// affine maps indices to Mri (RAS, mm). Any axis order, flip and obliquity is possible; no code may assume
+// axis alignment.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace facenav::volume {
 
-/// Largest edge of a voxel that a T1 for navigation has: 1.2 mm, as scanners round it.
+/// Largest voxel edge accepted for a navigation T1: 1.2 mm, with room for the rounding of scanners.
 constexpr double kNavigationVoxel_mm = 1.205;
 
 struct VoxelGrid {

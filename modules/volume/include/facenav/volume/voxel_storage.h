@@ -1,7 +1,7 @@
 #pragma once
-// Memory for a whole volume. A volume of a hundred megabytes costs 32 000 page faults in pages of 4 KB, which
-// take longer than reading it from a warm disc; huge pages where the system offers them (Linux, madvise)
-// cost 64.
+// Memory for a whole volume. With pages of 4 KB, a volume of a hundred megabytes costs 32 000 page faults,
+// which take longer than reading it from a cached file. With huge pages, where the system offers them (Linux,
+// madvise), it costs 64.
 
 #include <cstddef>
 #include <vector>

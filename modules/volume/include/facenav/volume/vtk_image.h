@@ -1,6 +1,6 @@
 #pragma once
-// The bridge to VTK: voxels as vtkImageData in voxel coordinates (spacing 1, origin 0, so that obliquity and
-// flips need no VTK feature), with mri_from_voxel as a matrix for the actor or the points.
+// Conversion to VTK: vtkImageData in voxel coordinates (spacing 1, origin 0), with mri_from_voxel as a matrix
+// for the actor or the points. So obliquity and flips need no support from VTK.
 
 #include <vtkSmartPointer.h>
 
