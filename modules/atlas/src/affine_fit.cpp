@@ -13,7 +13,7 @@ struct NormalEquations {
   Vector12 right = Vector12::Zero();
 
   void add(const Eigen::Vector3f& gradient, const Eigen::Vector3d& at_mm, double difference, double weight) {
-    Vector12 row;  // d(moving)/d(M, t) of x -> x + M x + t
+    Vector12 row;  // d(moving)/d(M, t), where x -> x + M x + t
     for (int c = 0; c < 3; ++c)
       for (int r = 0; r < 3; ++r) row[3 * c + r] = gradient[r] * at_mm[c];
     for (int r = 0; r < 3; ++r) row[9 + r] = gradient[r];
@@ -22,7 +22,7 @@ struct NormalEquations {
   }
 };
 
-/// Huber's weight: tissue that has no counterpart must not pull.
+/// Huber's weight, so that tissue without a counterpart does not affect the fit.
 double robustWeight(double difference) {
   const double size = std::abs(difference);
   return size < 1.0 ? 1.0 : 1.0 / size;
@@ -94,7 +94,7 @@ Eigen::Affine3d fitAffine(const BrainPair& pair, const Eigen::Affine3d& start, i
       is_better = candidate_cost < best_cost;
       damping *= is_better ? 0.3 : 10;
       if (!is_better) continue;
-      moved_mm = step.tail<3>().norm() + 70.0 * step.head<9>().norm();  // 70 mm: a brain's half extent
+      moved_mm = step.tail<3>().norm() + 70.0 * step.head<9>().norm();  // 70 mm: half extent of a brain
       best = candidate;
       best_cost = candidate_cost;
     }

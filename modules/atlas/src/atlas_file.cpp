@@ -1,5 +1,5 @@
-// atlas.vti. Kept in steps of 0.01 mm as 16-bit integers: a quarter of the size, a tenth of any
-// registration's accuracy.
+// atlas.vti. Displacements are stored as 16-bit integers in steps of 0.01 mm: a quarter of the size; the step
+// is far below any registration's accuracy.
 
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>

@@ -16,7 +16,8 @@ AtlasMap::AtlasMap(const Eigen::Affine3d& mri_from_mni, const volume::VoxelGrid&
   FACENAV_EXPECT(displacement_mm_.size() == grid_.count(), "one displacement per node of the grid");
 }
 
-/// Linear between nodes; beyond the grid its edge goes on, so that the map stays continuous and invertible.
+/// Linear between nodes. Beyond the grid the value at its edge is used, so that the map stays continuous and
+/// invertible.
 Eigen::Vector3d AtlasMap::displacementAt(const Eigen::Vector3d& mni_mm) const {
   const Eigen::Array3d last =
       Eigen::Array3i(grid_.size[0], grid_.size[1], grid_.size[2]).cast<double>() - 1.0;
@@ -48,7 +49,7 @@ Point<Mni> AtlasMap::toMni(const Point<Mri>& p) const {
   for (int step = 0; step < kMostSteps; ++step) {
     const Eigen::Vector3d miss_mm = wanted_mm - (x_mm + displacementAt(x_mm));
     if (miss_mm.norm() < kExact_mm) break;
-    if (miss_mm.norm() > before_mm) damping *= 0.5;  // the warp stretches more than twice here
+    if (miss_mm.norm() > before_mm) damping *= 0.5;  // the warp stretches by more than 2 here
     before_mm = miss_mm.norm();
     x_mm += damping * miss_mm;
   }

@@ -22,7 +22,7 @@ Eigen::AlignedBox3d boxOf(const volume::Volume& brain) {
   return box;
 }
 
-/// Axis-parallel grid of the wanted spacing around the brain.
+/// Axis-parallel grid around the brain, with the given spacing.
 volume::VoxelGrid gridAround(const Eigen::AlignedBox3d& box, double spacing_mm) {
   volume::VoxelGrid grid;
   const Eigen::Vector3d low_mm = box.min().array() - kMargin_mm;
@@ -39,7 +39,7 @@ volume::Volume asVolume(const volume::Mask& mask) {
   return volume;
 }
 
-/// On `grid`, band-limited to it: sampled at about the source's own spacing, then averaged.
+/// Samples onto `grid`, band-limited to it: sampled at about the source's own spacing, then averaged.
 ScalarField sampledOn(const volume::Volume& source, const volume::VoxelGrid& grid) {
   const double ratio = grid.spacing_mm().minCoeff() / source.grid.spacing_mm().minCoeff();
   const int fine = std::clamp(int(std::lround(ratio)), 1, 8), parts = fine * fine * fine;
@@ -82,7 +82,8 @@ BrainPair::Moments momentsOf(const ScalarField& brain, const volume::VoxelGrid& 
   return {centre, (squares / weight - centre.cwiseProduct(centre)).cwiseMax(1.0).cwiseSqrt()};
 }
 
-/// Local mean and deviation over the brain's nodes in the window; the floor keeps flat places flat.
+/// Subtracts the local mean and divides by the local deviation, both over the brain's nodes in the window. A
+/// small constant added to the variance prevents amplified noise in uniform regions.
 ScalarField normalised(const ScalarField& t1, const ScalarField& brain, int radius) {
   ScalarField masked(t1.size), squares(t1.size);
   double sum = 0, sum_squares = 0, weight = 0;

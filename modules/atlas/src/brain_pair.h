@@ -1,39 +1,39 @@
 #pragma once
-// BrainPair: template and patient at one spacing, as the registration compares them. The template lies on a
-// grid in MNI space cropped to its brain; the patient is sampled through the present map onto that grid.
+// BrainPair: template and patient at one spacing, as the registration compares them. The template is on a
+// grid in MNI space, cropped to its brain. The patient is sampled onto that grid through the current map.
 
 #include "facenav/atlas/brain_template.h"
 #include "scalar_field.h"
 
 namespace facenav::atlas {
 
-/// Two channels: T1 minus its local mean over its local deviation, both taken inside the brain (0 outside),
-/// and the mask smoothed to 0..1.
+/// Two channels: (T1 - local mean) / local deviation, both taken inside the brain (0 outside), and the mask
+/// smoothed to 0..1.
 struct Channels {
   ScalarField t1, brain;
 };
-constexpr float kBrainWeight = 1.0f;  // of the mask channel, against T1 of unit deviation
+constexpr float kBrainWeight = 1.0f;  // of the mask channel, relative to the T1 channel (unit deviation)
 
-/// Template and patient band-limited to the finest spacing, once for all levels.
+/// Template and patient, band-limited to the finest spacing. Computed once for all levels.
 struct BrainImages {
-  /// `brain`: the patient's mask; all volumes any grid. Throws Error for an empty brain.
+  /// `brain`: the patient's mask. Any grid for all volumes. Throws Error for an empty brain.
   BrainImages(const volume::Volume& template_brain, const volume::Volume& mri, const volume::Mask& brain,
               double finest_mm);
 
-  Eigen::AlignedBox3d template_box_mm, patient_box_mm;  // of the brains, in their worlds
+  Eigen::AlignedBox3d template_box_mm, patient_box_mm;  // of the brains, each in its own world
   volume::Volume template_t1, template_brain, patient_t1, patient_brain;
 };
 
 class BrainPair {
  public:
-  /// `spacing_mm`: the images' own or coarser; they are smoothed to it before sampling.
+  /// `spacing_mm`: the images' spacing or a coarser one; the images are smoothed to it before sampling.
   BrainPair(const BrainImages& images, double spacing_mm);
 
   const volume::VoxelGrid& grid() const { return grid_; }  // world = MNI space
   const Channels& fixed() const { return fixed_; }
-  /// The patient at mri_from_mni * (node + displacement), displacement in nodes (may be empty fields: none).
+  /// The patient at mri_from_mni * (node + displacement), displacement in nodes (null or empty: none).
   Channels warped(const Eigen::Affine3d& mri_from_mni, const VectorField* displacement) const;
-  /// Share of nodes inside both brains, Dice; correlation of the T1 channels there.
+  /// dice(): overlap of both brains. correlation(): of the T1 channels at nodes inside both brains.
   double dice(const Channels& moving) const;
   double correlation(const Channels& moving) const;
   /// Centre and standard deviation along R, A, S of both brains, mm.

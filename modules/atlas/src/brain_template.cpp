@@ -17,7 +17,7 @@ volume::Volume read(const fs::path& path) {
   return volume::readNifti(path).volume;
 }
 
-/// Lines "1 Precentral_L 2001".
+/// Reads lines like "1 Precentral_L 2001".
 std::map<int, std::string> readNames(const fs::path& path) {
   std::ifstream stream(path);
   if (!stream)
@@ -59,7 +59,7 @@ Label labelAt(const LabelMap& map, const Point<Mni>& p, double search_mm) {
         if (!grid.contains(i, j, k)) continue;
         const auto name = map.names.find(int(std::lround(map.labels.at(i, j, k))));
         if (name == map.names.end()) continue;
-        // to the voxel's body, so that a place inside it is 0 away
+        // distance to the voxel's box: 0 for a point inside the voxel
         const Eigen::Array3d beyond = ((Eigen::Array3d(i, j, k) - at.array()).abs() - 0.5).max(0.0);
         const double distance_mm = (beyond * spacing_mm.array()).matrix().norm();
         if (distance_mm > nearest_mm || (distance_mm == nearest_mm && !nearest.name.empty())) continue;

@@ -7,10 +7,11 @@ namespace facenav::atlas {
 namespace {
 
 constexpr float kLongestStep = 0.5f;  // nodes
-constexpr int kFluidPasses = 4;       // smoothing of each update: variance 8/3 nodes^2
-constexpr int kElasticPasses = 1;     // of the sum: variance 2/3 nodes^2
+constexpr int kFluidPasses = 4;       // each update is smoothed: variance 8/3 nodes^2
+constexpr int kElasticPasses = 1;     // the sum is smoothed: variance 2/3 nodes^2
 
-/// Efficient second-order force: the mean of both images' slopes, the step bounded by kLongestStep.
+/// Efficient second-order force: uses the mean of both images' gradients; the step is limited to
+/// kLongestStep.
 Eigen::Vector3f force(const ScalarField& fixed, const ScalarField& moving, std::size_t n, int i, int j, int k,
                       float weight, float& denominator) {
   const float difference = fixed.values[n] - moving.values[n];

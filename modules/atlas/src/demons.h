@@ -1,5 +1,5 @@
 #pragma once
-// The warp: diffeomorphic demons at one spacing.
+// The warp part of the registration: diffeomorphic demons at one spacing.
 
 #include <functional>
 
@@ -8,13 +8,13 @@
 
 namespace facenav::atlas {
 
-/// A displacement of zero on a pair's grid, in nodes.
+/// A zero displacement on a pair's grid, in nodes.
 VectorField noDisplacement(const std::array<int, 3>& size);
 /// The same displacement on a finer or coarser grid over the same space (nodes of the new grid).
 VectorField onGrid(const VectorField& displacement, const volume::VoxelGrid& from,
                    const volume::VoxelGrid& to);
-/// Improves `displacement` (nodes) by compositive updates of at most half a node each, smoothed before and
-/// after they are applied, so that the sum stays invertible.
+/// Improves `displacement` (nodes) by compositive updates of at most half a node each. Updates are smoothed
+/// before they are applied, and the sum is smoothed afterwards, so that it stays invertible.
 VectorField runDemons(const BrainPair& pair, const Eigen::Affine3d& mri_from_mni, VectorField displacement,
                       int iterations, const std::function<void(double)>& on_progress);
 /// Smallest determinant of the Jacobian of x + d(x) over the grid.

@@ -7,10 +7,10 @@
 namespace facenav::atlas {
 namespace {
 
-constexpr int kCoarser = 2;          // voxels of the labels per voxel of the map
-constexpr double kBeyond_mm = 20.0;  // labels are carried this far
+constexpr int kCoarser = 2;          // label voxels per voxel of the map
+constexpr double kBeyond_mm = 20.0;  // labels are extended this far
 
-/// Beginnings of AAL's names and what they belong to, the first that fits.
+/// Prefixes of AAL's names and their regions; the first match counts.
 constexpr std::array<std::pair<const char*, const char*>, 36> kLobes{{
     {"Temporal_Pole", "temporal pole"},
     {"Temporal_Inf", "underside of the temporal lobe"},
@@ -59,7 +59,7 @@ std::string regionOf(const std::string& aal) {
   return "";
 }
 
-/// Each unlabelled voxel takes a labelled neighbour's region, ring by ring.
+/// Each unlabelled voxel takes the region of a labelled neighbour, one ring of voxels after the other.
 void growOutwards(std::vector<std::uint8_t>& region, const std::array<int, 3>& n, int rings) {
   const std::array<std::ptrdiff_t, 3> stride{1, n[0], std::ptrdiff_t(n[0]) * n[1]};
   std::vector<std::size_t> front;

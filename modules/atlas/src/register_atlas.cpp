@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kAffineCoarse_mm = 8.0, kAffineFine_mm = 4.0;
 
-/// Heads lie tilted in the scanner: starts at several pitches, the best after a few steps goes on.
+/// Heads may be tilted in the scanner. So several pitch angles are tried for a few steps, and the best one is
+/// refined.
 Eigen::Affine3d coarseAffine(const BrainPair& pair, TaskMonitor& monitor) {
   const Eigen::Affine3d upright = affineFromMoments(pair);
   const Eigen::Vector3d centre_mm = pair.templateMoments().centre_mm;

@@ -1,6 +1,6 @@
 #pragma once
-// ScalarField: one float per node of a regular grid, i fastest. The registration's arithmetic: sampling,
-// gradients, running means. Slices are worked on in parallel.
+// ScalarField: one float per node of a regular grid, i fastest. Sampling, gradients and running means for the
+// registration. Slices are processed in parallel.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -26,8 +26,8 @@ struct ScalarField {
 };
 using VectorField = std::array<ScalarField, 3>;
 
-/// The eight nodes around a place, found once for all the fields of one grid; places beyond it take its
-/// edge's.
+/// The eight nodes around a position, computed once for all fields of one grid. Positions beyond the grid use
+/// the values at its edge.
 class Cell {
  public:
   Cell(const std::array<int, 3>& size, const Eigen::Vector3f& at) {
@@ -58,11 +58,11 @@ class Cell {
   float part_[3];
 };
 
-/// Trilinear at continuous node coordinates; places beyond the grid take its edge's value.
+/// Trilinear at continuous node coordinates; beyond the grid the value at its edge.
 float sample(const ScalarField& field, const Eigen::Vector3f& at);
-/// Mean over (2 radius + 1)^3 nodes, by running sums; at the edge over those that are there.
+/// Mean over (2 radius + 1)^3 nodes, by running sums; at the edge over the nodes that exist.
 ScalarField boxMean(const ScalarField& field, int radius);
-/// `passes` times the mean of 3 x 3 x 3 nodes: variance 2/3 passes.
+/// Applies the mean of 3 x 3 x 3 nodes `passes` times: adds variance 2/3 passes.
 ScalarField smoothed(ScalarField field, int passes);
 /// Central differences per node.
 inline Eigen::Vector3f gradientAt(const ScalarField& f, int i, int j, int k) {

@@ -1,6 +1,7 @@
 #pragma once
-// AtlasMap: MNI space <-> Mri. From a place x of MNI space (RAS mm): Mri = A (x + d(x)), d on a regular grid,
-// linear between its nodes, fading to 0 outside. Smooth and invertible as made by registerAtlas.
+// AtlasMap: MNI space <-> Mri. A point x of MNI space (RAS mm) maps to Mri = A (x + d(x)). d is given on a
+// regular grid, linear between its nodes, and fades to 0 outside. Maps made by registerAtlas are smooth and
+// invertible.
 
 #include <array>
 #include <filesystem>
@@ -13,8 +14,8 @@ namespace facenav::atlas {
 
 class AtlasMap {
  public:
-  /// `mri_from_mni`: affine, mm. `grid`: axis-parallel, its world is MNI space. `displacement_mm`: one per
-  /// grid node.
+  /// `mri_from_mni`: affine, mm. `grid`: parallel to the axes; its world is MNI space. `displacement_mm`: one
+  /// per grid node.
   AtlasMap(const Eigen::Affine3d& mri_from_mni, const volume::VoxelGrid& grid,
            std::vector<Eigen::Vector3f> displacement_mm);
 
@@ -34,9 +35,10 @@ class AtlasMap {
   std::vector<Eigen::Vector3f> displacement_mm_;
 };
 
-/// atlas.vti: displacement (0.01 mm steps) on the MNI grid, the affine as field data. Whole file.
+/// Writes atlas.vti completely or not at all: displacement (steps of 0.01 mm) on the MNI grid, the affine as
+/// field data.
 void writeAtlasMap(const AtlasMap& map, const std::filesystem::path& path);
-/// Throws Error when the file is missing, damaged or another kind of image.
+/// Throws Error if the file is missing, damaged or another kind of image.
 AtlasMap readAtlasMap(const std::filesystem::path& path);
 
 }  // namespace facenav::atlas

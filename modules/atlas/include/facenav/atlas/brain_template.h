@@ -1,7 +1,7 @@
 #pragma once
-// BrainTemplate: a labelled brain in MNI space that is registered to the patient. Colin27 (Holmes et al.
-// 1998) with the AAL (Tzourio-Mazoyer et al. 2002) and Brodmann labels, as Debian's mricron-data ships them;
-// read at run time, never copied.
+// BrainTemplate: a labelled brain in MNI space, to be registered to the patient. Colin27 (Holmes et al. 1998)
+// with the AAL (Tzourio-Mazoyer et al. 2002) and Brodmann labels, from Debian's mricron-data. The files are
+// read at run time and not copied into FaceNav.
 
 #include <filesystem>
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace facenav::atlas {
 
-/// One label per voxel, 0 where there is none. The grid's world is MNI space (RAS mm).
+/// One label per voxel; 0: no label. The grid's world is MNI space (RAS mm).
 struct LabelMap {
   std::string name;                  // "AAL", "Brodmann"
   volume::Volume labels;             // integers
@@ -23,15 +23,15 @@ struct BrainTemplate {
   LabelMap aal, brodmann;
 };
 
-/// Throws Error naming the Debian package when a file is missing.
+/// Throws Error naming the Debian package if a file is missing.
 BrainTemplate readColin27(const std::filesystem::path& folder = "/usr/share/mricron/templates");
 
 struct Label {
-  std::string name;        // empty: nothing labelled within the search distance
+  std::string name;        // empty: no label within the search distance
   double distance_mm = 0;  // to the labelled voxel; 0 inside it
 };
-/// The label at a place of MNI space, or the nearest one within `search_mm` (labels end at the cortex, clicks
-/// do not).
+/// The label at a point of MNI space, or the nearest one within `search_mm` (labels end at the cortex, but
+/// clicks may lie outside it).
 Label labelAt(const LabelMap& map, const Point<Mni>& p, double search_mm = 5.0);
 
 }  // namespace facenav::atlas

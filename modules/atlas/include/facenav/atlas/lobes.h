@@ -1,6 +1,6 @@
 #pragma once
-// Lobes: the AAL labels gathered into the regions that a person looks at ("left temporal pole",
-// "cerebellum"), and carried outwards to the brain's surface and a little beyond, where labels end.
+// Lobes: groups the AAL labels into regions with common names ("left temporal pole", "cerebellum"). The
+// regions extend outwards to the brain's surface and slightly beyond, where the AAL labels end.
 
 #include "facenav/atlas/brain_template.h"
 
@@ -8,7 +8,7 @@ namespace facenav::atlas {
 
 class LobeMap {
  public:
-  /// From the template's AAL labels, each place within 20 mm of one taking the nearest.
+  /// Built from the template's AAL labels; each point within 20 mm of a label takes the nearest one.
   explicit LobeMap(const LabelMap& aal);
 
   /// "left frontal lobe"; empty far from the brain.

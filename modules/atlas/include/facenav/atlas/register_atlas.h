@@ -1,8 +1,8 @@
 #pragma once
-// registerAtlas: PREPARE, after the brain mask. Affine (12 degrees of freedom, Gauss-Newton), then
-// diffeomorphic demons (Vercauteren et al. 2009: compositive updates, efficient second-order forces) on two
-// channels: T1 intensities normalised by their local mean and deviation inside the brain (bias fields and
-// contrast drop out), and the brain mask itself.
+// registerAtlas: part of PREPARE, after the brain mask. An affine fit (12 degrees of freedom, Gauss-Newton),
+// then diffeomorphic demons (Vercauteren et al. 2009: compositive updates, efficient second-order forces).
+// Two channels: the T1 normalised by its local mean and deviation inside the brain, which removes bias fields
+// and contrast differences; and the brain mask itself.
 
 #include "facenav/atlas/atlas_map.h"
 #include "facenav/atlas/brain_template.h"
@@ -25,7 +25,7 @@ struct AtlasOptions {
   }
 };
 
-/// How well the template lies on the patient, to say so and to refuse labels where it does not.
+/// How well the registration fits. It is shown to the user, and labels are refused if the fit is poor.
 struct AtlasQuality {
   double correlation_affine = 0, correlation = 0;  // of locally normalised T1 inside the brain, -1..1
   double dice = 0;                                 // of both brains, after the warp
