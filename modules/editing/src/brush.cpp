@@ -7,7 +7,7 @@
 namespace facenav::editing {
 namespace {
 
-/// From p to the nearest place of the path.
+/// Vector from p to the nearest point of the path.
 Eigen::Vector3d awayFrom(const BrushPath& path, const Eigen::Vector3d& p) {
   const Eigen::Vector3d along = path.to.mm - path.from.mm;
   const double length2 = along.squaredNorm();

@@ -26,7 +26,7 @@ void MaskAutosave::finishWrite() {
 
 void MaskAutosave::tick(const MaskEditor& editor, double now_s) {
   if (editor.revision() != seen_) {
-    if (seen_ == written_) last_write_s_ = now_s;  // the first change since all was written
+    if (seen_ == written_) last_write_s_ = now_s;  // first change after everything was saved
     seen_ = editor.revision();
     changed_s_ = now_s;
   }

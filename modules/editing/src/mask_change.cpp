@@ -28,7 +28,7 @@ PackedChange pack(MaskChange change) {
   std::sort(change.voxels.begin(), change.voxels.end());
   PackedChange packed;
   packed.voxel_count = change.voxels.size();
-  std::uint32_t end = 0;  // of the run before
+  std::uint32_t end = 0;  // end of the previous run
   for (std::size_t n = 0; n < change.voxels.size();) {
     const std::uint32_t start = change.voxels[n];
     std::uint32_t length = 0;

@@ -13,7 +13,7 @@ MaskEditor::MaskEditor(volume::Mask automatic, std::optional<volume::Mask> edite
     throw Error("the mask has too many voxels to be edited", {}, "resample it");
   if (!mask_.grid.matches(automatic_.grid))
     throw Error("the edited mask lies on another grid than the automatic one", {}, "prepare the case anew");
-  for (auto& voxel : mask_.voxels) voxel = voxel != 0;  // flipping needs 0 and 1
+  for (auto& voxel : mask_.voxels) voxel = voxel != 0;  // flipping needs values 0 and 1
 }
 
 bool MaskEditor::isEdited() const {
@@ -51,7 +51,7 @@ void MaskEditor::beginStroke(const std::string& name) {
 void MaskEditor::endStroke() {
   if (!is_stroke_) return;
   is_stroke_ = false;
-  // A voxel that flipped twice is as it was.
+  // A voxel that flipped twice is unchanged.
   auto& all = stroke_.voxels;
   std::sort(all.begin(), all.end());
   std::size_t kept = 0;

@@ -12,7 +12,7 @@ Eigen::Array3i voxelAt(const volume::VoxelGrid& grid, const Point<Mri>& place) {
   return grid.toVoxel(place).array().round().cast<int>();
 }
 
-/// A part of the grid, with its own marks of what was visited.
+/// A part of the grid with its own visited flags.
 struct Neighbourhood {
   Neighbourhood(const volume::VoxelGrid& grid, const VoxelBox& box)
       : grid_(grid), box_(box), extent_(box.high - box.low + 1) {

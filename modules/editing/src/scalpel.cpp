@@ -37,7 +37,8 @@ std::vector<Hit> voxelsBehind(const volume::Mask& mask, const ScalpelView& view,
   return hits;
 }
 
-/// Screen distance of two neighbouring voxels, so that a cell of the depth map is never empty between voxels.
+/// Distance of two neighbouring voxels on the screen, so that no cell of the depth map between voxels is
+/// empty.
 double cellSize(const volume::Mask& mask, const ScalpelView& view, const Hit& hit) {
   const int row = mask.grid.size[0], column = mask.grid.size[1];
   const Eigen::Vector4d at(hit.voxel % row, hit.voxel / row % column, hit.voxel / row / column, 1);

@@ -15,11 +15,11 @@ struct SliceAxes {
                                             std::size_t(grid.size[0]) * grid.size[1]};
     step_u = stride[u], step_v = stride[v], step_w = stride[w];
   }
-  int w, u, v;  // across the slice, within it
+  int w, u, v;  // w: across the slices; u, v: within a slice
   std::size_t step_u, step_v, step_w;
 };
 
-/// Signed distance to the outline in mm, > 0 inside, row-major over (v, u); nothing for an empty slice.
+/// Signed distance to the outline in mm, > 0 inside, row-major over (v, u); nullopt for an empty slice.
 std::optional<std::vector<float>> signedDistance(const volume::Mask& mask, const SliceAxes& axes, int slice) {
   const auto& grid = mask.grid;
   volume::Mask flat, hollow;

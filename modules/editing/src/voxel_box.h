@@ -1,5 +1,5 @@
 #pragma once
-// The voxels in reach of a place: tools visit these, never the whole grid.
+// The box of voxels within reach of a point. Tools visit only these voxels, not the whole grid.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace facenav::editing {
 
 struct VoxelBox {
-  Eigen::Array3i low, high;  // both belong to it; empty where low > high
+  Eigen::Array3i low, high;  // both included; empty if low > high
   bool isEmpty() const { return (low > high).any(); }
 };
 
@@ -28,7 +28,7 @@ inline VoxelBox boxAround(const volume::VoxelGrid& grid, const Eigen::AlignedBox
           (box.max().array() + reach).floor().max(-1.0).min(last.cast<double>()).cast<int>()};
 }
 
-/// visit(voxel index, centre in Mri mm) for each of them.
+/// Calls visit(voxel index, centre in Mri mm) for each voxel of the box.
 template <class Visit>
 void forVoxelsNear(const volume::VoxelGrid& grid, const Eigen::AlignedBox3d& box_mm, double reach_mm,
                    Visit&& visit) {
@@ -40,12 +40,13 @@ void forVoxelsNear(const volume::VoxelGrid& grid, const Eigen::AlignedBox3d& box
         visit(grid.index(i, j, k), grid.mri_from_voxel * Eigen::Vector3d(i, j, k));
 }
 
-/// Half a voxel's extent across a plane with this normal: a slice of one voxel holds centres within it.
+/// Half the extent of a voxel along this normal: a slice one voxel thick contains the centres within this
+/// distance.
 inline double halfThickness_mm(const volume::VoxelGrid& grid, const Eigen::Vector3d& normal) {
   return 0.5 * (grid.mri_from_voxel.linear().transpose() * normal).cwiseAbs().maxCoeff();
 }
 
-/// The box of the voxels that are set, with `rim` around it inside the grid.
+/// The box of the set voxels, enlarged by `rim` voxels but kept inside the grid.
 inline VoxelBox boxOf(const volume::Mask& mask, int rim) {
   const auto& n = mask.grid.size;
   VoxelBox box{{n[0], n[1], n[2]}, {-1, -1, -1}};

@@ -6,7 +6,7 @@
 namespace facenav::editing {
 namespace {
 
-/// The mask in a box; outside the grid it goes on as background.
+/// The mask within a box; background outside the grid.
 volume::Mask cutOut(const volume::Mask& mask, const VoxelBox& box) {
   volume::Mask part;
   part.grid.mri_from_voxel = mask.grid.mri_from_voxel * Eigen::Translation3d(box.low.cast<double>().matrix());
@@ -33,7 +33,7 @@ MaskChange toPart(const volume::Mask& mask, const volume::Mask& part, const Voxe
   return change;
 }
 
-/// One pass of 1-2-1 along each axis (variance 1/2 voxel^2); the box's rim is left.
+/// One pass of 1-2-1 along each axis (variance 1/2 voxel^2); voxels on the rim of the box are left unchanged.
 void averageOnce(std::vector<std::uint16_t>& values, const std::array<int, 3>& n) {
   const std::array<std::size_t, 3> stride{1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
   std::vector<std::uint16_t> from;

@@ -1,6 +1,6 @@
 #pragma once
-// MaskAutosave: writes the mask under correction now and then, on a thread of its own, so that a crash costs
-// some seconds of work and the window never waits for the disk.
+// MaskAutosave: regularly writes the edited mask on its own thread. A crash costs only some seconds of work,
+// and the window never waits for the disk.
 
 #include <functional>
 #include <future>
@@ -11,17 +11,19 @@ namespace facenav::editing {
 
 class MaskAutosave {
  public:
-  /// Writes a whole file; called on another thread, one call at a time.
+  /// Writes a file completely or not at all. Called on another thread, one call at a time.
   using Write = std::function<void(const volume::Mask&)>;
-  /// `rest_s`: since the last change; `most_s`: since the last file, where changes go on and on.
+  /// Writes `rest_s` after the last change, or `most_s` after the last write if changes go on without a
+  /// pause.
   explicit MaskAutosave(Write write, double rest_s = 2, double most_s = 15);
-  /// Waits for a write under way; does not begin one.
+  /// Waits for a running write; does not start one.
   ~MaskAutosave();
 
-  /// Call it now and then (a timer) with a steady clock. Begins a write where one is due and none is under
-  /// way. Throws what the last write threw, once; the change then stays unsaved and is tried again.
+  /// Call it regularly (from a timer) with a steady clock. Starts a write when one is due and none is
+  /// running. Throws the exception of a failed write once; the change stays unsaved and is written again
+  /// later.
   void tick(const MaskEditor& editor, double now_s);
-  /// Writes what is not written yet, and waits. Throws what the write throws.
+  /// Writes all unsaved changes and waits. Throws if the write throws.
   void saveNow(const MaskEditor& editor);
   bool isSaved(const MaskEditor& editor) const;
 

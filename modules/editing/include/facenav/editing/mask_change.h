@@ -1,7 +1,7 @@
 #pragma once
-// MaskChange: what an edit does to a mask, as the voxels that flip. Flipping them again undoes it, so that
-// one list serves undo and redo. PackedChange is the same as bytes: runs of neighbours (gap, length) in
-// base-128 numbers, a few bytes per row of voxels, so that an unlimited history stays small.
+// MaskChange: an edit of a mask, as the list of voxels that flip. Flipping them again undoes it, so one list
+// serves undo and redo. PackedChange is the same list packed into bytes: runs of neighbouring voxels (gap,
+// length) as base-128 numbers. It needs a few bytes per row of voxels, so an unlimited history stays small.
 
 #include <cstdint>
 #include <vector>
@@ -24,10 +24,10 @@ struct PackedChange {
 
 PackedChange pack(MaskChange change);
 MaskChange unpack(const PackedChange& packed);
-/// What both do one after the other: voxels in exactly one of them.
+/// Both changes one after the other: the voxels that are in exactly one of them.
 MaskChange merged(MaskChange first, MaskChange second);
 void flip(volume::Mask& mask, const MaskChange& change);
-/// The voxels in which they differ. Throws Error unless both grids match.
+/// The voxels that differ. Throws Error unless both grids match.
 MaskChange difference(const volume::Mask& from, const volume::Mask& to);
 
 }  // namespace facenav::editing

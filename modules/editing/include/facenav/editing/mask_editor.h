@@ -1,6 +1,7 @@
 #pragma once
-// MaskEditor: one mask under correction, with its history. Edits are MaskChanges made by the tools (brush.h,
-// lasso.h, ...); a stroke of many dabs is one step of the history. The automatic mask stays as it was.
+// MaskEditor: a mask that is being corrected, with its history. Edits are MaskChanges made by the tools
+// (brush.h, lasso.h, ...). A stroke of many brush positions is one step of the history. The automatic mask is
+// never changed.
 
 #include <optional>
 #include <string>
@@ -12,33 +13,34 @@ namespace facenav::editing {
 
 class MaskEditor {
  public:
-  /// `edited`: where an earlier session left off. Throws Error unless the grids match, or the grid has more
+  /// `edited`: the result of an earlier session. Throws Error unless the grids match, or if the grid has more
   /// than 2^32 voxels.
   explicit MaskEditor(volume::Mask automatic, std::optional<volume::Mask> edited = std::nullopt);
 
   const volume::Mask& mask() const { return mask_; }
   const volume::Mask& automatic() const { return automatic_; }
-  bool isEdited() const;  // the mask differs from the automatic one
+  bool isEdited() const;  // true if the mask differs from the automatic one
 
-  /// One step of the history; an empty change is none. Forgets what was undone.
+  /// Adds one step to the history; an empty change adds none. Discards the steps that were undone.
   void apply(const std::string& name, const MaskChange& change);
-  /// From here to endStroke() all changes are one step.
+  /// All changes from here to endStroke() form one step.
   void beginStroke(const std::string& name);
   void endStroke();
-  /// As a step that can be undone.
+  /// Restores the automatic mask, as a step that can be undone.
   void resetToAutomatic();
 
-  /// Name of the step undone or redone; nothing where there is none. What changed is in lastChange(). A
-  /// stroke that is still open is ended first.
+  /// Name of the step undone or redone; nullopt if there is none. lastChange() gives its voxels. An open
+  /// stroke is ended first.
   std::optional<std::string> undo();
   std::optional<std::string> redo();
   bool canUndo() const { return done_ > 0 || !stroke_.empty(); }
   bool canRedo() const { return done_ < steps_.size(); }
-  /// Names of the steps, the oldest first; those from done() on were undone.
+  /// Names of the steps, oldest first; the steps from index done() on are undone.
   std::vector<std::string> steps() const;
   std::size_t done() const { return done_; }
 
-  /// For views: what the last call flipped. Counts up with every change: for autosave.
+  /// lastChange(): the voxels flipped by the last call, for views. revision(): increases with every change,
+  /// for autosave.
   const MaskChange& lastChange() const { return last_; }
   std::uint64_t revision() const { return revision_; }
   std::size_t historyBytes() const;

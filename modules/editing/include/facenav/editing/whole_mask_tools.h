@@ -1,5 +1,5 @@
 #pragma once
-// Smooth and fill holes: of the whole mask, or within a ball about a place.
+// Smooth and fill holes, on the whole mask or within a ball.
 
 #include <optional>
 
@@ -12,11 +12,11 @@ struct Ball {
   double radius_mm;
 };
 
-/// A voxel becomes what most of its surroundings are: the mask averaged with a Gaussian of about `sigma_mm`,
-/// cut at one half. Shaves off spikes, fills notches, holds flat faces still.
+/// Each voxel takes the majority value of its surroundings: the mask is averaged with a Gaussian of about
+/// `sigma_mm` and cut at one half. Removes spikes and fills notches; flat faces do not move.
 MaskChange smooth(const volume::Mask& mask, double sigma_mm,
                   const std::optional<Ball>& within = std::nullopt);
-/// Background that no 6-connected path joins to the mask's outside becomes mask.
+/// Background that no 6-connected path joins to the outside of the mask becomes mask.
 MaskChange fillHoles(const volume::Mask& mask);
 
 }  // namespace facenav::editing
