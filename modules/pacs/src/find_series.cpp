@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMostAnswers = 5000;
 
-/// Plain text of an element, control characters blanked; what comes from outside is shown to people.
+/// Plain text of an element. Control characters are replaced by blanks, since the text comes from outside and
+/// is shown to people.
 std::string textOf(DcmDataset& data, const DcmTagKey& tag) {
   OFString value;
   if (data.findAndGetOFStringArray(tag, value).bad()) return {};
@@ -33,7 +34,7 @@ std::string isoDate(const std::string& dicom) {
   return is_date ? dicom.substr(0, 4) + "-" + dicom.substr(4, 2) + "-" + dicom.substr(6) : "";
 }
 
-/// Sends one query at a time and stops at Cancel, or when an archive answers without end.
+/// Sends one query at a time. Stops on Cancel, or if an archive sends an endless answer.
 template <class Base>
 class FindScu : public Base {
  public:

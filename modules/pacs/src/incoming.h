@@ -1,5 +1,5 @@
 #pragma once
-// A whole folder that images arrive in under names of our own; commit() numbers them.
+// The folder into which received images are written under our own names; commit() numbers them.
 
 #include <filesystem>
 
@@ -7,15 +7,16 @@
 
 namespace facenav::pacs {
 
-constexpr int kMostImages = 20000;  // of one series; more is no series of a head
+constexpr int kMostImages = 20000;  // limit for one series; no head series has more
 
 class IncomingFolder {
  public:
-  /// Throws Error when `folder` holds something already or its parent does not exist. Private to the user.
+  /// Accessible to the user only. Throws Error if `folder` is not empty or its parent does not exist.
   explicit IncomingFolder(const std::filesystem::path& folder);
 
   const std::filesystem::path& path() const { return folder_.temporaryPath(); }
-  /// Files become 000001.dcm .. (0600), the folder takes its name. Returns their number.
+  /// Renames the files to 000001.dcm .. (0600) and moves the folder to its final name. Returns the number of
+  /// files.
   int commit();
 
  private:

@@ -9,14 +9,14 @@
 namespace facenav::pacs {
 namespace {
 
-/// Of the archive's last words on a C-GET or C-MOVE.
+/// The archive's final response to a C-GET or C-MOVE.
 struct Outcome {
   unsigned status = 0;
   int failed = 0;
 };
 
-/// Reports progress, stops at Cancel, and writes incoming images under names of our own: DCMTK would take
-/// them from the archive.
+/// Reports progress, stops on Cancel, and writes incoming images under our own names (DCMTK would use names
+/// from the archive).
 template <class Base>
 class RetrieveScu : public Base {
  public:
@@ -48,7 +48,7 @@ class RetrieveScu : public Base {
     const double done = response->m_numberOfCompletedSubops, left = response->m_numberOfRemainingSubops;
     if (!is_cancelled_) try {
         monitor_.report("receiving images", done + left > 0 ? done / (done + left) : 0.0);
-      } catch (const Cancelled&) {  // not through DCMTK's frames
+      } catch (const Cancelled&) {  // must not pass through DCMTK's code
         is_cancelled_ = true;
         this->sendCANCELRequest(context);
       }
@@ -75,7 +75,7 @@ void checkUid(const std::string& uid, const char* whose) {
 const std::vector<std::string> kPlain{UID_LittleEndianExplicitTransferSyntax,
                                       UID_LittleEndianImplicitTransferSyntax};
 
-/// False where the archive offers no C-GET.
+/// False if the archive does not offer C-GET.
 bool tryGet(const PacsNode& node, DcmDataset& keys, const std::filesystem::path& folder, Outcome& outcome,
             TaskMonitor& monitor) {
   std::vector<Offer> offers{{UID_GETStudyRootQueryRetrieveInformationModel, kPlain}};

@@ -30,7 +30,7 @@ void checkFile(const fs::path& file) {
     throw Error("certificate or key is not there", file.string(), "give a PEM file");
 }
 
-/// DCMTK's words without its line breaks.
+/// DCMTK's message without its line breaks.
 std::string wordsOf(const OFCondition& condition) {
   std::string words = condition.text();
   for (char& c : words)
@@ -63,7 +63,7 @@ void check(const PacsNode& node) {
 void prepareDcmtk() {
   static std::once_flag once;
   std::call_once(once, [] {
-    OFLog::configure(OFLogger::OFF_LOG_LEVEL);  // every fault here ends in one Error instead
+    OFLog::configure(OFLogger::OFF_LOG_LEVEL);  // every failure is reported as an Error instead
     dcmConnectionTimeout.set(10);
   });
 }

@@ -1,5 +1,5 @@
 #pragma once
-// One association with the archive as its user (SCU), plain or over TLS, with DCMTK's conditions turned into
+// One association with the archive as service class user (SCU), plain or over TLS. DCMTK's conditions become
 // Errors that name host, port and what to do.
 
 #include <dcmtk/config/osconfig.h>
@@ -13,30 +13,30 @@
 
 namespace facenav::pacs {
 
-/// What a presentation context offers: one service, its transfer syntaxes, our role.
+/// Content of a presentation context: one service, its transfer syntaxes, our role.
 struct Offer {
   std::string service;  // SOP class UID
   std::vector<std::string> syntaxes;
-  bool is_provider = false;  // we take the role of the storage provider (C-GET)
+  bool is_provider = false;  // we act as the storage provider (C-GET)
 };
 
 /// "archive.hospital:104 (PACS)".
 std::string nameOf(const PacsNode& node);
-/// Throws Error: title or port impossible, certificate missing.
+/// Throws Error: invalid title or port, certificate missing.
 void check(const PacsNode& node);
-/// Silences DCMTK's own log, once.
+/// Switches off DCMTK's own log, once.
 void prepareDcmtk();
 
 void setUp(DcmSCU& scu, const PacsNode& node, const std::vector<Offer>& offers);
 void setUpTls(DcmTLSSCU& scu, const Tls& tls);
 /// Connects and negotiates. Throws Error.
 void connect(DcmSCU& scu, const PacsNode& node);
-/// Throws Error for a failed condition while `doing` something.
+/// Throws Error if a condition is a failure; `doing` names the operation.
 void require(const OFCondition& condition, const PacsNode& node, const std::string& doing);
-/// Throws Error for a DIMSE status of failure.
+/// Throws Error if a DIMSE status is a failure.
 void requireStatus(unsigned status, const PacsNode& node, const std::string& doing);
 
-/// A connected `Derived<DcmSCU>` or `Derived<DcmTLSSCU>` for `use`, released afterwards.
+/// Connects a `Derived<DcmSCU>` or `Derived<DcmTLSSCU>`, calls `use` with it, and releases it afterwards.
 template <template <class> class Derived, class Use, class... Arguments>
 auto withAssociation(const PacsNode& node, const std::vector<Offer>& offers, Use use,
                      Arguments&&... arguments) {

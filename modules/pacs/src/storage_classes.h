@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of objects FaceNav takes and sends, and the transfer syntaxes it reads.
+// The object types that FaceNav receives and sends, and the transfer syntaxes it reads.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,8 @@ namespace facenav::pacs {
 
 /// SOP class UIDs: MR and CT images, classic, enhanced and converted.
 const std::vector<std::string>& imageClasses();
-/// Every syntax that the importer reads; one an offer keeps the archive's own compression.
+/// All transfer syntaxes that the importer reads. An offer with a single syntax preserves the archive's own
+/// compression.
 const std::vector<std::string>& imageSyntaxes();
 
 }  // namespace facenav::pacs

@@ -41,7 +41,7 @@ StorageProvider::StorageProvider(const PacsNode& node, const std::filesystem::pa
   listener_->setACSETimeout(Uint32(node.timeout_s));
   listener_->setHostLookupEnabled(OFFalse);
   listener_->setOutputDirectory(folder.c_str());
-  listener_->setFilenameGenerationMode(DcmStorageSCP::FGM_UniqueFromNewUID);  // never a name from outside
+  listener_->setFilenameGenerationMode(DcmStorageSCP::FGM_UniqueFromNewUID);  // no names from outside
   listener_->setDatasetStorageMode(DcmStorageSCP::DGM_StoreBitPreserving);
   OFList<OFString> syntaxes;
   for (const auto& syntax : imageSyntaxes()) syntaxes.push_back(syntax.c_str());

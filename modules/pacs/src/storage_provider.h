@@ -1,6 +1,6 @@
 #pragma once
-// Our own storage SCP for the time of one C-MOVE: listens on a port, takes images for our title alone, writes
-// them exactly as sent under names of its own.
+// Our own storage SCP, active during one C-MOVE. It listens on a port, accepts images for our title only, and
+// writes them exactly as sent under its own file names.
 
 #include <atomic>
 #include <filesystem>
@@ -13,9 +13,9 @@ namespace facenav::pacs {
 
 class StorageProvider {
  public:
-  /// Listens at once. Throws Error when the port is taken.
+  /// Starts to listen. Throws Error if the port is in use.
   StorageProvider(const PacsNode& node, const std::filesystem::path& folder);
-  /// Stops listening and waits for the running transfer, if any.
+  /// Stops listening and waits for a running transfer.
   ~StorageProvider();
   StorageProvider(const StorageProvider&) = delete;
   StorageProvider& operator=(const StorageProvider&) = delete;

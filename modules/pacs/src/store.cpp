@@ -16,7 +16,7 @@ struct Outgoing {
   std::string kind, syntax;
 };
 
-/// Files that are no DICOM are passed over, but a single one is refused.
+/// Skips files that are not DICOM; a single input file that is not DICOM is refused.
 std::vector<Outgoing> dicomFilesUnder(const fs::path& input) {
   std::error_code error;
   std::vector<fs::path> files;

@@ -1,8 +1,8 @@
 #pragma once
-// The hospital's archive over the DICOM network (PS3.7, PS3.4 annexes A-C; DCMTK does the protocol): is it
-// there, which series does it hold, fetch one, send results back. What comes in is files in a folder, trusted
-// no more than a folder on a CD: dicom::listSeries reads them next. Calls block; each may be cancelled
-// through its monitor.
+// The hospital's archive over the DICOM network (PS3.7, PS3.4 annexes A-C; DCMTK implements the protocol):
+// test the connection, find series, retrieve a series, send results. Received images are files in a folder
+// and are not trusted: dicom::listSeries checks them next, as it checks a CD. Calls block; each can be
+// cancelled through its monitor.
 
 #include <filesystem>
 #include <optional>
@@ -13,23 +13,23 @@
 
 namespace facenav::pacs {
 
-/// TLS as PS3.15 B.9 (BCP 195) wants it; PEM files.
+/// TLS as required by PS3.15 B.9 (BCP 195); PEM files.
 struct Tls {
-  std::filesystem::path trusted_certificate;  // of the archive, or of who signed it
-  std::filesystem::path certificate, key;     // our own; both empty where the archive does not ask for it
+  std::filesystem::path trusted_certificate;  // of the archive, or of its certificate authority
+  std::filesystem::path certificate, key;     // our own; both empty if the archive does not require it
 };
 
 struct PacsNode {
   std::string host = "127.0.0.1";
   int port = 104;
   std::string title = "ANY-SCP";      // the archive's application entity title, 1 to 16 characters
-  std::string own_title = "FACENAV";  // ours, as the archive knows it
-  int own_port = 11112;               // where the archive sends to on C-MOVE
+  std::string own_title = "FACENAV";  // our title, as configured in the archive
+  int own_port = 11112;               // the archive sends to it on C-MOVE
   int timeout_s = 30;
   std::optional<Tls> tls;
 };
 
-/// C-ECHO. Throws Error in plain words: nobody answers, the title is not known there, ..
+/// C-ECHO. Throws Error in plain words: no answer, title unknown to the archive, ..
 void echo(const PacsNode& node);
 
 /// Empty fields match anything; * and ? are wildcards; a date is YYYYMMDD or a range YYYYMMDD-YYYYMMDD.
@@ -40,17 +40,18 @@ struct PacsQuery {
 struct PacsSeries {
   std::string study_uid, series_uid, study_description, description, modality;
   std::string date;                      // YYYY-MM-DD or empty
-  int images = 0;                        // 0 where the archive does not say
-  std::string patient_id, patient_name;  // shown only to who asked for it
+  int images = 0;                        // 0 if the archive does not state it
+  std::string patient_id, patient_name;  // shown only to a user who asked for it
 };
 
-/// C-FIND, study root, studies first. Throws Error; a query without any field but the modality is refused.
+/// C-FIND in the study root model, studies first. Throws Error, also for a query with no field or the
+/// modality alone.
 std::vector<PacsSeries> findSeries(const PacsNode& node, const PacsQuery& query, TaskMonitor& monitor);
 
 enum class Retrieval {
-  automatic,  // C-GET, and C-MOVE where the archive offers none
+  automatic,  // C-GET, or C-MOVE if the archive does not offer C-GET
   get,
-  move  // the archive connects to `own_port`, where it must know `own_title`
+  move  // the archive connects to `own_port`; it must know `own_title`
 };
 
 struct Received {
@@ -58,13 +59,14 @@ struct Received {
   Retrieval how = Retrieval::get;
 };
 
-/// Fetches a series into `folder`, which must be empty or absent: whole or not at all, files 0600 under names
-/// of our own. Throws Error: not there, refused, some images failed, too many, the connection broke.
+/// Retrieves a series into `folder`, which must be empty or absent: completely or not at all, files with mode
+/// 0600 under our own names. Throws Error: not found, refused, some images failed, too many images,
+/// connection lost.
 Received retrieve(const PacsNode& node, const std::string& study_uid, const std::string& series_uid,
                   const std::filesystem::path& folder, Retrieval how, TaskMonitor& monitor);
 
-/// C-STORE of the DICOM files under `input` (a file, or a folder with all below it). Throws Error naming the
-/// first file that was not taken; those before it are stored then.
+/// Sends the DICOM files under `input` by C-STORE (a file, or a folder with its subfolders). Throws Error
+/// naming the first file that was not accepted; the files before it are then stored.
 int store(const PacsNode& node, const std::filesystem::path& input, TaskMonitor& monitor);
 
 }  // namespace facenav::pacs
