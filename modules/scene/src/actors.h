@@ -1,5 +1,5 @@
 #pragma once
-// The props of NavigationScene, one maker per concept; private to scene.
+// The actors of NavigationScene, one function per kind. Private to scene.
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -26,9 +26,10 @@ vtkSmartPointer<vtkPolyData> makeRectangle(const Eigen::Vector2d& low, const Eig
 void setColour(vtkActor* actor, const palette::Rgb& colour);
 
 vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain);
-/// Clear where seen head-on, denser at the rim, so that the outline reads and the brain stays visible.
+/// Almost transparent where seen head-on, denser at the rim: the outline is clear and the brain stays
+/// visible.
 vtkSmartPointer<vtkActor> makeScalpActor(vtkPolyData* scalp);
-/// Slice `axis` (0..2) of the voxel grid; pixels outside the head are clear.
+/// Slice along `axis` (0..2) of the voxel grid; pixels outside the head are transparent.
 vtkSmartPointer<vtkImageSlice> makeSliceActor(const volume::Volume& mri, int axis, vtkLinearTransform* head);
 void setSliceIndex(vtkImageSlice* slice, int index);
 
@@ -36,7 +37,7 @@ void setSliceIndex(vtkImageSlice* slice, int index);
 struct CoilActors {
   vtkSmartPointer<vtkActor> body, windings, axis, axis_on_top, tip;
   std::array<vtkActor*, 5> all() const { return {body, windings, axis, axis_on_top, tip}; }
-  /// The axis and its tip are drawn over the head too.
+  /// The axis and its tip are also drawn on top of the head.
   void addTo(vtkRenderer* renderer, vtkRenderer* on_top) const;
   void removeFrom(vtkRenderer* renderer, vtkRenderer* on_top) const;
   void setTransform(vtkLinearTransform* coil);

@@ -67,7 +67,7 @@ BrainLayer::Level BrainLayer::makeLevel(const surface::TriangleMesh& mesh, const
   look->SetDiffuse(0.85);
   look->SetSpecular(0.08);
   look->SetSpecularPower(18);
-  look->BackfaceCullingOn();  // closed: half of the triangles need not be drawn
+  look->BackfaceCullingOn();  // closed surface: hides half of the triangles
   vtkMapper* mapper = level.actor->GetMapper();
   mapper->ScalarVisibilityOn();
   mapper->SetScalarModeToUsePointData();

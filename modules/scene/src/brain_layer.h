@@ -1,6 +1,6 @@
 #pragma once
-// BrainLayer: the brain in the scene, drawn as the phi-theta model, as the detailed cortex at a peel depth,
-// or as the cortex coloured by its distance from the model. Private to scene.
+// BrainLayer: the brain in the scene: the phi-theta model, the detailed cortex at a peel depth, or the cortex
+// coloured by its distance from the model. Private to scene.
 
 #include <memory>
 
@@ -18,20 +18,20 @@ class BrainLayer {
   BrainLayer(vtkRenderer* renderer, vtkLinearTransform* head) : renderer_(renderer), head_(head) {}
 
   void setModel(const surface::BrainModel& brain);
-  /// Null: none; the model is drawn then, whatever the look.
+  /// Null: none; then every look shows the model.
   void setCortex(std::shared_ptr<const CortexPicture> cortex);
   void clear();
   void setLook(BrainLook look);
   void setPeelDepth(double depth_mm);
   void setVisible(bool is_visible);
   void setGrey(bool is_grey);
-  /// Larger triangles of the cortex.
+  /// Draws the cortex with larger triangles.
   void setQuick(bool is_quick);
-  /// What is drawn now, or null.
+  /// The actor drawn now, or null.
   vtkActor* shown() const;
 
  private:
-  /// The cortex, fine or coarse.
+  /// The cortex, fine or coarse mesh.
   struct Level {
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkUnsignedCharArray> greys;

@@ -40,7 +40,7 @@ vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& c
   return actor;
 }
 
-/// A bar from (0,0) along +x, length 1, width 1: scaled and turned per frame.
+/// A bar from (0,0) along +x, length 1, width 1; scaled and rotated per frame.
 vtkSmartPointer<vtkActor> bar(const palette::Rgb& colour, double depth) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(makeRectangle({0, -0.5}, {1, 0.5}));
@@ -110,14 +110,14 @@ void BullsEye::Implementation::place(const guidance::GuidanceValues& values) {
   coil_ring->SetPosition(at.x(), at.y(), 1.0);
   const Eigen::Vector2d arms[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   for (int i = 0; i < 4; ++i) placeBar(cross[i], at + 1.0 * arms[i], at + 4.4 * arms[i], 0.45, 1.0);
-  // The rotation (rx, ry) that would align z moves z by r x z = (ry, -rx): the coil's z now lies on the other
-  // side.
+  // The rotation (rx, ry) that would align z moves z by r x z = (ry, -rx), so the coil's z is now offset in
+  // the opposite direction.
   const Eigen::Vector2d tilt_deg = values.tilt_in_coil_rad * 180.0 / M_PI;
   Eigen::Vector2d lean = toScreen(-tilt_deg.y(), tilt_deg.x()) * kStroke_mm_per_deg;
   if (lean.norm() > kEdge_mm) lean *= kEdge_mm / lean.norm();
   placeBar(stroke, at, at + lean, 0.6, 0.9);
   stroke_end->SetPosition(at.x() + lean.x(), at.y() + lean.y(), 0.95);
-  // Seen along +z a positive rotation about z turns clockwise.
+  // Seen along +z, a positive rotation about z is clockwise.
   const double angle = M_PI / 2 - values.twist_rad;
   const Eigen::Vector2d ray(std::cos(angle), std::sin(angle));
   placeBar(twist, ray * (kEdge_mm - 2.6), ray * (kEdge_mm + 1.6), 1.1, 0.8);

@@ -16,7 +16,7 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kAxisAbove_mm = 35.0, kAxisBelow_mm = 45.0;  // drawn part of the coil's z line
+constexpr double kAxisAbove_mm = 35.0, kAxisBelow_mm = 45.0;  // visible part of the coil's z axis
 
 vtkSmartPointer<vtkPolyData> segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius_mm) {
   vtkNew<vtkPoints> points;
@@ -68,7 +68,7 @@ CoilActors makeCoilActors(const CoilShape& shape) {
   actors.body->GetProperty()->SetSpecularPower(30);
   actors.body->GetProperty()->BackfaceCullingOn();
   actors.windings = makeActor(toPolyData(shape.windings), {0.80, 0.48, 0.27});
-  actors.windings->GetProperty()->SetOpacity(0.62);  // the target below stays in sight
+  actors.windings->GetProperty()->SetOpacity(0.62);  // keeps the target below visible
   actors.windings->GetProperty()->BackfaceCullingOn();
   actors.windings->GetProperty()->SetSpecular(0.35);
   actors.windings->GetProperty()->SetSpecularPower(25);

@@ -63,7 +63,7 @@ void addHandle(surface::TriangleMesh& mesh, const Profile& profile, double y_sta
   for (int i = 1; i + 1 < per_ring; ++i) mesh.triangles.emplace_back(end, end + i, end + i + 1);
 }
 
-/// Vertices split at creases, normals outward.
+/// Splits vertices at creases; normals point outward.
 surface::TriangleMesh withNormals(vtkPolyData* poly);
 
 vtkSmartPointer<vtkPolyData> toPoly(const surface::TriangleMesh& mesh) {

@@ -6,7 +6,7 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kMargin_mm = 14.0;  // skull and skin around the brain must be seen to judge its outline
+constexpr double kMargin_mm = 14.0;  // skull and skin around the brain help to judge its outline
 constexpr int kGap_px = 3;
 
 struct Box {
@@ -14,7 +14,7 @@ struct Box {
   bool isEmpty() const { return low.x() > high.x(); }
 };
 
-/// In Mri, mm, of the voxel centres set.
+/// Bounds of the set voxels' centres, Mri, mm.
 Box boxOf(const volume::Mask& mask) {
   Box box;
   const auto& n = mask.grid.size;
@@ -33,7 +33,7 @@ int normalAxis(volume::Anatomical orientation) {
   return orientation == volume::Anatomical::axial ? 2 : orientation == volume::Anatomical::coronal ? 1 : 0;
 }
 
-/// The anatomical plane through `centre`, `side_mm` wide and high about it.
+/// The anatomical plane with its centre at `centre`, `side_mm` wide and high.
 volume::SlicePlane tilePlane(const SliceScene& scene, volume::Anatomical orientation,
                              const Point<Mri>& centre, double side_mm, int tile_px) {
   auto plane = volume::anatomicalPlane(scene.mri->grid, orientation, centre);
@@ -88,7 +88,7 @@ Montage contourMontage(const SliceScene& scene, const volume::Mask& content, con
     const int axis = normalAxis(orientations[o]), count = rows[o] * options.columns;
     for (int i = 0; i < count; ++i) {
       Point<Mri> centre(0.5 * (box.low + box.high));
-      const double fraction = (i + 0.5) / count;  // top, front and right come first
+      const double fraction = (i + 0.5) / count;  // starts at the top, front and right
       centre.mm[axis] = box.high[axis] - fraction * (box.high[axis] - box.low[axis]);
       MontageTile tile{i % options.columns * pitch, (first_row + i / options.columns) * pitch,
                        orientations[o], centre};

@@ -9,7 +9,7 @@ namespace facenav::scene {
 bool hasDisplay() {
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name) return false;
-  void* library = ::dlopen("libX11.so.6", RTLD_LAZY);  // loaded anyway by VTK; no header needed
+  void* library = ::dlopen("libX11.so.6", RTLD_LAZY);  // VTK loads it anyway; needs no header
   if (!library) return false;
   using Open = void* (*)(const char*);
   using Close = int (*)(void*);

@@ -73,7 +73,7 @@ void HeadIcon::follow(vtkRenderer* main, const double world_R_mri[3][3]) {
   const double* direction = camera->GetDirectionOfProjection();
   const double* up = camera->GetViewUp();
   double position[3], up_mri[3];
-  for (int i = 0; i < 3; ++i) {  // into Mri: transpose
+  for (int i = 0; i < 3; ++i) {  // transpose: rotation into Mri
     position[i] = up_mri[i] = 0;
     for (int j = 0; j < 3; ++j) {
       position[i] -= 6.0 * world_R_mri[j][i] * direction[j];

@@ -1,6 +1,6 @@
 #pragma once
-// HeadIcon: a small mannequin that turns with the view, lettered R L A P S, in a corner of the 3-D view.
-// Private.
+// HeadIcon: a small head with the letters R L A P S in a corner of the 3-D view; it turns with the view.
+// Private to scene.
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -11,8 +11,8 @@ class HeadIcon {
  public:
   HeadIcon();
   vtkRenderer* renderer() { return renderer_; }
-  /// Turns the icon as `main` sees the head (whose axes are `world_R_mri`, columns right, anterior,
-  /// superior).
+  /// Turns the icon to the orientation of the head in `main`. The head's axes are `world_R_mri` (columns
+  /// right, anterior, superior).
   void follow(vtkRenderer* main, const double world_R_mri[3][3]);
 
  private:

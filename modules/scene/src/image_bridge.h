@@ -1,5 +1,5 @@
 #pragma once
-// RgbImage <-> vtkImageData (bottom row first) and meshes -> vtkPolyData: private to scene.
+// Converts RgbImage <-> vtkImageData (bottom row first) and meshes -> vtkPolyData. Private to scene.
 
 #include <vtkSmartPointer.h>
 
@@ -13,7 +13,7 @@ class vtkRenderWindow;
 namespace facenav::scene {
 
 vtkSmartPointer<vtkImageData> toVtkImage(const RgbImage& image);
-/// Overwrites `target`, allocated anew only when the size changed.
+/// Overwrites `target`; allocates only if the size changed.
 void copyInto(const RgbImage& image, vtkImageData* target);
 vtkSmartPointer<vtkPolyData> toPolyData(const surface::TriangleMesh& mesh);
 /// Renders and reads the window's pixels.

@@ -26,7 +26,7 @@
 namespace facenav::scene {
 namespace {
 
-/// What rounds to nothing has no side.
+/// Removes the sign of a number that is rounded to zero.
 std::string withoutSideOfZero(std::string number) {
   const bool is_zero = number.find_first_of("123456789") == std::string::npos;
   if (is_zero && (number[0] == '-' || number[0] == '+')) number.erase(0, 1);
@@ -35,7 +35,7 @@ std::string withoutSideOfZero(std::string number) {
 
 double degrees(double rad) { return rad * 180.0 / M_PI; }
 
-/// A camera image that fills its viewport with its aspect kept.
+/// A camera image fitted into its viewport, aspect ratio kept.
 struct CameraPanel {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkImageData> image;
@@ -69,7 +69,7 @@ struct NavigationDisplay::Implementation {
   NavigationScene& scene;
   int width, height;
   vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> page;  // bars, panels and words, in pixels, behind and beside the views
+  vtkNew<vtkRenderer> page;  // bars, panels and text, in pixels, behind and beside the views
   CameraPanel left, right;
   BullsEye bulls_eye;
   int bar, side, bottom;

@@ -61,7 +61,7 @@ NavigationScene::Implementation::Implementation() {
   on_top->SetLayer(1);
   on_top->InteractiveOff();
   on_top->SetActiveCamera(renderer->GetActiveCamera());
-  renderer->UseFXAAOn();  // smooth edges at a tenth of multi-sampling's cost in software rendering
+  renderer->UseFXAAOn();  // smooth edges at a tenth of the cost of multi-sampling in software rendering
   addLights(renderer);
   setUpBanner(banner);
   on_top->AddActor2D(banner);
@@ -90,7 +90,7 @@ void NavigationScene::Implementation::updateTransforms() {
 void NavigationScene::Implementation::updateVisibility() {
   brain.setVisible(layers.brain);
   const bool shown[3] = {layers.sagittal, layers.coronal, layers.axial};
-  for (int axis = 0; axis < 3; ++axis) {  // which voxel axis runs nearest to R, A, S
+  for (int axis = 0; axis < 3; ++axis) {  // finds the world axis (R, A, S) closest to this voxel axis
     if (!slices[axis]) continue;
     Eigen::Index nearest = 0;
     grid.mri_from_voxel.linear().col(axis).cwiseAbs().maxCoeff(&nearest);
@@ -290,8 +290,7 @@ std::optional<ScenePick> NavigationScene::pick(int x_px, int y_px) const {
   vtkNew<vtkCellPicker> picker;
   picker->SetTolerance(0.0005);
   picker->PickFromListOn();
-  // A click means the brain where brain is under the mouse; the translucent skin in front of it does not
-  // count.
+  // A click on the brain selects the brain, even through the translucent skin.
   vtkActor* brain = s.brain.shown();
   if (brain) picker->AddPickList(brain);
   if (!brain || !picker->Pick(x_px, y_px, 0, s.renderer)) {

@@ -14,7 +14,7 @@ void blend(RgbImage& image, int u, int v, const palette::Rgb& colour, double opa
 
 namespace {
 
-/// Paints every pixel of the box by its distance from the stroke's middle.
+/// Paints every pixel of the box by its distance from the stroke's centre line.
 template <class Distance>
 void stroke(RgbImage& image, Eigen::Array2d low, Eigen::Array2d high, const palette::Rgb& colour,
             double width_px, double opacity, Distance distance) {

@@ -1,5 +1,5 @@
 #pragma once
-// Smooth strokes on an RgbImage: lines, circles and the six orientation letters. Private to scene.
+// Antialiased lines, circles and the six orientation letters on an RgbImage. Private to scene.
 
 #include <Eigen/Core>
 
@@ -8,7 +8,7 @@
 
 namespace facenav::scene {
 
-/// Mixes `colour` into pixel (u, v); outside the image: nothing.
+/// Mixes `colour` into pixel (u, v); ignored outside the image.
 void blend(RgbImage& image, int u, int v, const palette::Rgb& colour, double opacity);
 void line(RgbImage& image, const Eigen::Vector2d& a_px, const Eigen::Vector2d& b_px,
           const palette::Rgb& colour, double width_px, double opacity);

@@ -68,7 +68,7 @@ vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain) {
   actor->GetProperty()->SetDiffuse(0.85);
   actor->GetProperty()->SetSpecular(0.12);
   actor->GetProperty()->SetSpecularPower(18);
-  actor->GetProperty()->BackfaceCullingOn();  // closed: half of the triangles need not be drawn
+  actor->GetProperty()->BackfaceCullingOn();  // closed surface: hides half of the triangles
   return actor;
 }
 
@@ -76,7 +76,7 @@ vtkSmartPointer<vtkActor> makeScalpActor(vtkPolyData* scalp) {
   auto actor = makeActor(scalp, palette::kSkin);
   actor->GetProperty()->SetAmbient(0.30);
   actor->GetProperty()->SetDiffuse(0.85);
-  actor->GetProperty()->BackfaceCullingOn();  // one layer of skin only: no sorting of triangles is needed
+  actor->GetProperty()->BackfaceCullingOn();  // one layer of skin only, so triangles need no sorting
   actor->ForceTranslucentOn();
   actor->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Light::Impl", true,
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkImageSlice> makeSliceActor(const volume::Volume& mri, int axi
   mapper->SetInputData(volume::toVtkImage(mri));
   mapper->SetOrientation(axis);
   vtkNew<vtkTransform> transform;
-  transform->SetInput(head);  // head * mri_from_voxel: the plane lies as it was scanned
+  transform->SetInput(head);  // head * mri_from_voxel: keeps the orientation of the scan
   transform->Concatenate(volume::toVtkMatrix(mri.grid.mri_from_voxel.matrix()));
   auto slice = vtkSmartPointer<vtkImageSlice>::New();
   slice->SetMapper(mapper);

@@ -8,7 +8,7 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kDistance_mm = 540.0;  // fills the view with a head of 110 mm half height
+constexpr double kDistance_mm = 540.0;  // a head of 110 mm half height fills the view
 constexpr double kViewAngle_deg = 28.0;
 const Eigen::Vector3d kLeftFront(-0.75, 0.8, 0.42);
 
@@ -20,7 +20,7 @@ void SceneCamera::fit(const surface::TriangleMesh& scalp) {
   if (scalp.vertices_mm.empty()) return;
   Eigen::AlignedBox3d box;
   for (const auto& v : scalp.vertices_mm) box.extend(v);
-  // A long neck or shoulders must not shrink the head.
+  // Neck and shoulders in the scan must not make the head smaller.
   box.min().z() = std::max(box.min().z(), box.max().z() - 235.0);
   centre_mm_ = box.center();
   radius_mm_ = std::max(40.0, 0.5 * box.sizes().maxCoeff());
@@ -37,9 +37,9 @@ void SceneCamera::place(const Eigen::Vector3d& from, const Eigen::Vector3d& up, 
 }
 
 void SceneCamera::placeOverTarget(const guidance::Target& target) {
-  // Oblique to the coil's axis and from the front, so that axis, ring and face are all in sight.
+  // Oblique to the coil's axis and from the front, so that axis, ring and face are all visible.
   const Eigen::Vector3d out = -target.mri_T_target.rotation().col(2);
-  const Eigen::Vector3d at_mm = centre_mm_ + 0.28 * radius_mm_ * out;  // room for the coil above the head
+  const Eigen::Vector3d at_mm = centre_mm_ + 0.28 * radius_mm_ * out;  // leaves room for the coil
   place(out * 0.35 + Eigen::Vector3d(out.x() < 0 ? -0.62 : 0.62, 0.85, 0.0), {0, 0, 1}, at_mm, 1.05);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// SceneCamera: from where the 3-D picture is seen, in the head's own axes or from the left camera's place.
+// SceneCamera: the viewpoint of the 3-D picture, in the head's own axes or at the left camera's position.
 // Private to scene.
 
 #include <optional>
@@ -15,12 +15,12 @@ namespace facenav::scene {
 class SceneCamera {
  public:
   explicit SceneCamera(vtkCamera* camera);
-  /// Centre and size of what is looked at; an empty mesh changes nothing.
+  /// Sets centre and size of the scene; an empty mesh changes nothing.
   void fit(const surface::TriangleMesh& scalp);
   void setAngle(double vertical_rad) { angle_rad_ = vertical_rad; }
   /// World = Mri.
   void place(ViewPreset preset, const std::optional<guidance::Target>& active);
-  /// World = Camera: at the left camera's place, with its angle of view.
+  /// World = Camera: at the left camera's position, with its angle of view.
   void placeInCamera();
 
  private:

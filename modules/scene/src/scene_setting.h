@@ -1,5 +1,5 @@
 #pragma once
-// What stands in every 3-D scene: lights, and the banner's words over it. Private to scene.
+// Common parts of every 3-D scene: lights, and the banner's text over it. Private to scene.
 
 class vtkRenderer;
 class vtkTextActor;

@@ -1,6 +1,5 @@
 #pragma once
-// SkinLayer: the translucent scalp, and the same with larger triangles for while the view moves. Private to
-// scene.
+// SkinLayer: the translucent scalp, with larger triangles while the view moves. Private to scene.
 
 #include "actors.h"
 
@@ -11,9 +10,9 @@ class SkinLayer {
   SkinLayer(vtkRenderer* renderer, vtkLinearTransform* head) : renderer_(renderer), head_(head) {}
 
   void set(const surface::TriangleMesh& scalp);
-  /// `opacity`: at the rim.
+  /// `opacity`: value at the rim.
   void setLook(bool is_visible, bool is_quick, bool is_grey, double opacity);
-  /// What is drawn now, or null.
+  /// The actor drawn now, or null.
   vtkActor* shown() const;
 
  private:

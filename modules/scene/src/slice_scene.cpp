@@ -8,7 +8,7 @@
 namespace facenav::scene {
 namespace {
 
-/// The mask's value at each pixel, trilinear, so that its 0.5 line is a smooth contour.
+/// The mask's value at each pixel, trilinear, so that its contour at 0.5 is smooth.
 std::vector<float> sampleSmooth(const volume::Mask& mask, const volume::SlicePlane& plane) {
   std::vector<float> values(std::size_t(plane.width) * plane.height);
   const Eigen::Affine3d voxel_from_mri = mask.grid.mri_from_voxel.inverse();

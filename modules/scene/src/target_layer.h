@@ -1,5 +1,5 @@
 #pragma once
-// TargetLayer: all targets of the case in the scene, the active one in colour. Private to scene.
+// TargetLayer: all targets of the case in the scene; the active one is coloured. Private to scene.
 
 #include <optional>
 #include <vector>
@@ -10,14 +10,14 @@ namespace facenav::scene {
 
 class TargetLayer {
  public:
-  /// `on_top` draws over the head what must not be hidden by it.
+  /// `on_top`: for parts that the head must not hide.
   TargetLayer(vtkRenderer* renderer, vtkRenderer* on_top, vtkLinearTransform* head)
       : renderer_(renderer), on_top_(on_top), head_(head) {}
 
   void set(const std::vector<guidance::Target>& targets, const std::string& active);
   const std::optional<guidance::Target>& active() const { return active_; }
   void setVisible(bool is_visible);
-  /// Blue on target, orange else; grey where poses are lost, and all that are not active.
+  /// The active target: blue on target, otherwise orange. Grey if poses are lost, and for all other targets.
   void setColours(bool is_grey, bool is_on_target);
 
  private:

@@ -1,9 +1,9 @@
 #pragma once
-// BullsEye: where the coil is from the target, seen along the coil into the head. The target is the fixed
-// centre; the coil's cross moves as the coil does and must come to the centre. The stroke from the cross
-// shows the tilt (1 mm a degree), the tick on the rim the twist. Screen axes: up = the handle's prolongation
-// (+y of Coil), and, since one looks along +z, the coil's +x points to the left. A grey, empty dial when
-// there are no values.
+// BullsEye: the position of the coil relative to the target, seen along the coil into the head. The target is
+// the fixed centre. The coil's cross moves with the coil and must reach the centre. The line from the cross
+// shows the tilt (1 mm per degree), the tick on the rim the twist. Screen axes: up = the handle's
+// prolongation (+y of Coil); the view is along +z, so the coil's +x points to the left. Without values the
+// dial is grey and empty.
 
 #include <memory>
 #include <optional>
@@ -24,9 +24,9 @@ class BullsEye {
   BullsEye& operator=(const BullsEye&) = delete;
 
   void setTolerance(const guidance::Tolerance& tolerance);
-  /// Values beyond the dial's edge (20 mm) are drawn at the edge.
+  /// Values beyond the dial's range (20 mm) are drawn at the edge.
   void set(const guidance::GuidanceState& guidance);
-  /// For a picture of this size: the whole dial fits, also into a narrow one.
+  /// Fits the whole dial into a picture of this size, also a narrow one.
   void fit(int width_px, int height_px);
   vtkRenderer* renderer() const;
   RgbImage render(int width_px, int height_px);

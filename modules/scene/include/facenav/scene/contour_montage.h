@@ -1,6 +1,6 @@
 #pragma once
-// ContourMontage: what a person looks at before signing a model off: slices through the whole brain in three
-// orientations with the masks' contours, on one sheet. Computed, not rendered: needs no display.
+// ContourMontage: the sheet that a person checks before signing a model off. It shows slices through the
+// whole brain in three orientations with the masks' contours. Computed without a display.
 
 #include <vector>
 
@@ -14,11 +14,11 @@ struct MontageOptions {
   int axial_rows = 2, coronal_rows = 2, sagittal_rows = 1;
 };
 
-/// The sheet that fills an area of this size best: five to eight rows, tiles of 60 px or more, at least two
-/// fifths of the rows axial.
+/// The best sheet for an area of this size: five to eight rows, tiles of 60 px or more, at least two fifths
+/// of the rows axial.
 MontageOptions sheetFor(int width_px, int height_px);
 
-/// Top-left pixel of a tile and the slice that it shows (the middle of the content in the other two axes).
+/// Top-left pixel of a tile and the centre of its slice (in the other two axes, the middle of the content).
 struct MontageTile {
   int u = 0, v = 0;
   volume::Anatomical orientation = volume::Anatomical::axial;
@@ -31,9 +31,9 @@ struct Montage {
   int tile_px = 0;
 };
 
-/// Even steps through `content` (the brain's mask, the head's where there is none), each tile cut to it with
-/// a margin; axial from top to bottom, coronal from front to back, sagittal from right to left. Empty for an
-/// empty mask. Crosshair and targets of `scene` are not drawn.
+/// Slices at equal distances through `content` (the brain's mask, or the head's if there is none). Each tile
+/// shows the content with a margin. Axial from top to bottom, coronal from front to back, sagittal from right
+/// to left. Empty for an empty mask. Crosshair and targets of `scene` are not drawn.
 Montage contourMontage(const SliceScene& scene, const volume::Mask& content, const MontageOptions& options);
 
 }  // namespace facenav::scene

@@ -1,6 +1,6 @@
 #pragma once
-// CortexPicture: the brain's true surface ready to be drawn: with the MRI under it at any peel depth, and
-// coloured by its distance from the phi-theta model. Made on a worker thread, drawn by NavigationScene.
+// CortexPicture: the brain's true surface, ready to be drawn: with the MRI at any peel depth, or coloured by
+// its distance from the phi-theta model. Created on a worker thread, drawn by NavigationScene.
 
 #include "facenav/core/task_monitor.h"
 #include "facenav/scene/palette.h"
@@ -13,20 +13,20 @@ constexpr int kMostPeel_mm = 40;
 struct CortexPicture {
   surface::DetailedCortex cortex;
   surface::PeelTexture peel;
-  surface::TriangleMesh coarse_mesh;  // larger triangles, for while it moves (NavigationScene::setQuick)
+  surface::TriangleMesh coarse_mesh;  // larger triangles, for a moving view (NavigationScene::setQuick)
   surface::PeelTexture coarse_peel;
   std::vector<float> coarse_distance_mm;
-  surface::SurfaceDistance distance;  // over the vertices
-  double full_mm = 2.0;               // where the scale of the colour map ends
+  surface::SurfaceDistance distance;  // summary over the vertices
+  double full_mm = 2.0;               // distance at the end of the colour scale
 };
 
-/// Seconds. `brain`: the mask whose hull depth is counted from. Throws Cancelled.
+/// Takes seconds. `brain`: mask whose hull defines depth 0. Throws Cancelled.
 CortexPicture makeCortexPicture(const volume::Volume& mri, const volume::Mask& brain,
                                 surface::DetailedCortex cortex, TaskMonitor& monitor);
 
-/// Where the colour map's scale ends, mm: whole millimetres, beyond 95 of 100 places.
+/// End of the colour scale, mm: the 95th percentile of the distance, rounded up to whole millimetres.
 double distanceScale_mm(const surface::SurfaceDistance& distance);
-/// Colour of a signed distance: orange outside, blue inside, white at 0, full at `full_mm`.
+/// Colour of a signed distance: orange outside, blue inside, white at 0, full colour at `full_mm`.
 palette::Rgb distanceColour(double signed_mm, double full_mm);
 
 }  // namespace facenav::scene

@@ -1,10 +1,10 @@
 #pragma once
-// Is there anything to render on? VTK here uses GLX and aborts the program without an X display; ask before
-// making a NavigationScene picture (SliceScene needs none).
+// Tells whether an X display is available. VTK here uses GLX and aborts the program without one, so check
+// before creating a NavigationScene (SliceScene needs none).
 
 namespace facenav::scene {
 
-/// True when the X display that DISPLAY names can be opened.
+/// True if the X display named by DISPLAY can be opened.
 bool hasDisplay();
 
 }  // namespace facenav::scene

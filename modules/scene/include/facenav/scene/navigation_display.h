@@ -1,7 +1,7 @@
 #pragma once
-// NavigationDisplay: the whole navigation display as one picture (paper, figure 9): left the 3-D scene, right
-// the camera pair with overlays, below the bull's eye and the read-out. Made for the demo's pictures and
-// video; the window shows the same parts as widgets.
+// NavigationDisplay: the whole navigation display as one picture (paper, figure 9): the 3-D scene on the
+// left, the camera pair with overlays on the right, the bull's eye and the values below. Used for the demo's
+// pictures and video; the window shows the same parts as widgets.
 
 #include <memory>
 #include <string>
@@ -28,7 +28,7 @@ struct NavigationDisplayContent {
 
 class NavigationDisplay {
  public:
-  /// `scene` must outlive the display; its poses are set by the caller before render().
+  /// `scene` must outlive the display. The caller sets its poses before render().
   explicit NavigationDisplay(NavigationScene& scene, int width_px = 1280, int height_px = 720);
   ~NavigationDisplay();
   NavigationDisplay(const NavigationDisplay&) = delete;

@@ -1,11 +1,11 @@
 #pragma once
 // NavigationScene: the 3-D picture of the paper's figure 9: textured brain, translucent scalp, coil with its
-// axis as a line into the brain, target, overlaid MRI slices. Last stage of the data flow: takes
-// RigidTransforms, gives pixels. World = Mri in the default view (`head_fixed`: the coil moves round a head
-// that stands still); in the view `camera` world = Camera, seen from the left camera's place. Per frame only
-// two vtkTransforms are set and nothing is rebuilt. When head or coil is lost the coil and its axis are
-// hidden, the scene is greyed, and the banner's words shown. Not thread-safe: belongs to the thread that
-// renders. Needs an X display (display.h).
+// axis as a line into the brain, target, MRI slices. Last stage of the data flow: from RigidTransforms to
+// pixels. In the default view (`head_fixed`) World = Mri and the coil moves around a fixed head. In the view
+// `camera` World = Camera, seen from the left camera's position. Per frame only two vtkTransforms are set;
+// nothing is rebuilt. When head or coil is lost, the coil and its axis are hidden, the scene is grey, and the
+// banner's text is shown. Not thread-safe: use it on the rendering thread only. Needs an X display
+// (display.h).
 
 #include <memory>
 #include <optional>
@@ -26,27 +26,27 @@ class vtkRenderWindow;
 namespace facenav::scene {
 
 enum class ViewFrame { head_fixed, camera };
-/// From where the head is seen; `target`: along the surface over the active target, else as `left_front`.
+/// Viewing direction; `target`: along the surface over the active target, or `left_front` if there is none.
 enum class ViewPreset { target, front, back, left, right, top, left_front, right_front };
 
-/// The phi-theta model; the detailed cortex with the MRI at the peel depth; the cortex coloured by its
+/// The phi-theta model; the detailed cortex with the MRI at the peel depth; or the cortex coloured by its
 /// distance from the model.
 enum class BrainLook { model, cortex, distance };
 
 struct SceneLayers {
   bool scalp = true, brain = true, coil = true, targets = true, coil_axis = true;
-  bool axial = false, coronal = false, sagittal = false;  // slices along the scanner's own axes
-  double scalp_opacity = 0.55;                            // at the rim; the front is clearer
+  bool axial = false, coronal = false, sagittal = false;  // slices along the scanner's axes
+  double scalp_opacity = 0.55;                            // at the rim; lower at the front
 };
 
-/// What lies under the mouse.
+/// The surface point under the mouse.
 struct ScenePick {
   Point<Mri> point;
   bool is_brain = false;  // else scalp
 };
 
-/// How the scene is seen now: (x, y, z, w) = M (Mri mm, 1); x / w and y / w run from -1 to 1 over the view,
-/// right and up; w > 0 in front of the eye.
+/// The current projection: (x, y, z, w) = M (Mri mm, 1). x / w (right) and y / w (up) run from -1 to 1 over
+/// the view; w > 0 in front of the eye.
 struct SceneProjection {
   Eigen::Matrix4d screen_from_mri;
   Point<Mri> eye;
@@ -59,53 +59,54 @@ class NavigationScene {
   NavigationScene(const NavigationScene&) = delete;
   NavigationScene& operator=(const NavigationScene&) = delete;
 
-  // What changes with the case.
+  // Set once per case.
   void setScalp(const surface::TriangleMesh& scalp);
   void setBrain(const surface::BrainModel& brain);
-  /// Beside the model, for the other looks; null: none. setBrain() takes it away.
+  /// The detailed cortex, for the other looks; null: none. setBrain() removes it.
   void setCortex(std::shared_ptr<const CortexPicture> cortex);
   void clearBrain();
   void setVolume(const volume::Volume& mri);
   void setTargets(const std::vector<guidance::Target>& targets, const std::string& active);
   void setCoilShape(const CoilShape& shape);
-  /// The planned coil, drawn faint at a target's pose; nothing: hidden.
+  /// The planned coil, drawn faintly at a target's pose; nullopt: hidden.
   void setCoilGhost(const std::optional<RigidTransform<Mri, Target>>& mri_T_target);
 
-  // What the user chooses.
+  // Choices of the user.
   void setLayers(const SceneLayers& layers);
   void setBrainLook(BrainLook look);
-  /// While the view or the peel depth moves: larger triangles, rougher edges, a third of the time; without
-  /// the translucent skin, whose layers cost as much again, where `is_skin_shown` is false.
+  /// For use while the view or the peel depth moves: larger triangles and rougher edges take a third of the
+  /// time. The layers of the translucent skin cost as much again; they are left out if `is_skin_shown` is
+  /// false.
   void setQuick(bool is_quick, bool is_skin_shown = true);
-  /// Both scenes are seen from one place from now on; `other` decides where views and presets look from.
+  /// Both scenes share one camera from now on; `other` defines the views and presets.
   void shareCamera(NavigationScene& other);
-  /// 0..40 mm, of the look `cortex`; a few milliseconds.
+  /// 0..40 mm, for the look `cortex`; takes a few milliseconds.
   void setPeelDepth(double depth_mm);
   void setSliceCentre(const Point<Mri>& centre);
   void setView(ViewPreset preset);
   void setViewFrame(ViewFrame frame);
-  /// Camera for ViewFrame::camera: vertical angle of view of the left camera.
+  /// For ViewFrame::camera: the left camera's vertical angle of view.
   void setCameraAngle(double vertical_rad);
 
-  // What changes with each frame.
+  // Set for every frame.
   void setHeadPose(const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri);
   void setCoilPose(const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil);
-  /// On target: ring and axis turn blue.
+  /// On target: ring and axis are blue.
   void setOnTarget(bool is_on_target);
-  /// Words over the scene; empty: none. They are shown with or without a loss.
+  /// Text over the scene; empty: none. It is shown whether or not a pose is lost.
   void setBanner(const std::string& words);
-  /// False: no live poses are expected (planning); nothing is greyed.
+  /// False: no live poses are expected (planning), so nothing is greyed.
   void setLive(bool is_live);
 
-  /// True where coil and axis are drawn now.
+  /// True while coil and axis are drawn.
   bool showsCoil() const;
 
   vtkRenderer* renderer() const;
-  /// Puts the scene (3-D, on-top lines, head icon) into a window, in the viewport x0 y0 x1 y1 (0..1).
+  /// Adds the scene (3-D, lines on top, head icon) to a window, in the viewport x0 y0 x1 y1 (0..1).
   void attach(vtkRenderWindow* window, double x0 = 0, double y0 = 0, double x1 = 1, double y1 = 1);
-  /// Nearest surface under a display pixel (origin bottom-left, as VTK counts).
+  /// Nearest surface under a display pixel (origin bottom-left, as in VTK).
   std::optional<ScenePick> pick(int x_px, int y_px) const;
-  /// Of a view `width_px` by `height_px` that the scene fills.
+  /// For a view of `width_px` by `height_px` that the scene fills.
   SceneProjection projection(int width_px, int height_px) const;
   /// Renders offscreen.
   RgbImage render(int width_px, int height_px);

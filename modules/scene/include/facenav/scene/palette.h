@@ -1,6 +1,6 @@
 #pragma once
-// The colours of every picture and of the window: dark, blue and orange (safe for colour blindness), contrast
-// of text on panel above 4.5:1. State is told by words and shape first (SCREENS.md), by these colours last.
+// The colours of all pictures and of the window: dark, blue and orange (safe for colour blindness), contrast
+// of text on panel above 4.5:1. State is shown by words and shape first (SCREENS.md); colour only repeats it.
 
 #include <array>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures to disk: RgbImage -> PNG, whole file (temporary name, then renamed).
+// Writes an RgbImage as PNG, completely or not at all (temporary name, then rename).
 
 #include <filesystem>
 
@@ -8,7 +8,7 @@
 
 namespace facenav::scene {
 
-/// Throws Error when the folder cannot be written to or the image is empty.
+/// Throws Error if the folder cannot be written to or the image is empty.
 void writePng(const RgbImage& image, const std::filesystem::path& path,
               FileAccess access = FileAccess::by_umask);
 

@@ -1,6 +1,6 @@
 #pragma once
-// SliceScene: what a 2-D slice view shows: the MRI on a plane, contours of masks, targets, crosshair,
-// orientation letters, as one picture. Computed, not rendered: needs no display, so that reports use it too.
+// SliceScene: the content of a 2-D slice view as one picture: the MRI on a plane, contours of masks, targets,
+// crosshair, orientation letters. Computed without a display, so reports use it too.
 
 #include <memory>
 #include <optional>
@@ -25,30 +25,30 @@ struct SliceScene {
   std::vector<guidance::Target> targets;
   std::string active_target;
   std::optional<Point<Mri>> crosshair;
-  /// Points near the plane (a face cloud on the skin: figure 11), drawn as dots.
+  /// Points close to the plane, drawn as dots (a face cloud on the skin: figure 11).
   PointCloud<Mri> points;
   palette::Rgb point_colour{1.0, 0.25, 0.2};
-  double point_reach_mm = 1.0;        // drawn when this near to the plane
-  double black = 0.0, white = 255.0;  // window: values shown black and white
+  double point_reach_mm = 1.0;        // largest distance from the plane
+  double black = 0.0, white = 255.0;  // window: the values shown black and white
   bool has_letters = true;
 
-  /// The MRI's value under the crosshair; nothing outside the MRI or without a crosshair.
+  /// The MRI's value under the crosshair; nullopt outside the MRI or without a crosshair.
   std::optional<float> valueAtCrosshair() const;
-  /// Picture of the plane, plane.width x plane.height. Black where `mri` is null.
+  /// Picture of the plane, plane.width x plane.height. Black if `mri` is null.
   RgbImage picture(const volume::SlicePlane& plane) const;
 };
 
-/// Window that shows tissue well: 0.5th to 99.5th percentile of the volume.
+/// Sets a window that suits tissue: 0.5th to 99.5th percentile of the volume.
 void setUsualWindow(SliceScene& scene);
 
-/// How far a plane lies from the world's origin, along its normal, and towards which side: S 12.3 mm.
+/// Distance of a plane from the world's origin along its normal, and the side: S 12.3 mm.
 struct SlicePosition {
   char side = 'S';
   double distance_mm = 0.0;
 };
 SlicePosition positionOf(const volume::SlicePlane& plane);
 
-/// The letter (R L A P S I) of the patient's side towards which `direction` points.
+/// The letter (R L A P S I) of the patient's side that `direction` points to.
 char sideLetter(const Direction<Mri>& direction);
 
 }  // namespace facenav::scene
