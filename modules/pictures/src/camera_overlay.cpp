@@ -15,7 +15,7 @@ struct View {
   cv::Mat image;  // 8-bit RGB
   const cameras::CameraModel* camera;
   Eigen::Isometry3d view_T_camera;
-  double unit;  // line widths and letters scale with the image: 1 at 480 rows
+  double unit;  // scale of line widths and letters: 1 at 480 rows
 
   std::optional<cv::Point> toPixel(const Eigen::Vector3d& p_camera_mm) const {
     const Eigen::Vector3d p = view_T_camera * p_camera_mm;
@@ -24,7 +24,7 @@ struct View {
     if (!px.allFinite() || px.cwiseAbs().maxCoeff() > 20000.0) return std::nullopt;
     return fixed(px);
   }
-  /// 1/16 px, as cv's drawing takes with shift 4.
+  /// In 1/16 px, for cv's drawing with shift 4.
   static cv::Point fixed(const Eigen::Vector2d& px) {
     return {int(std::lround(px.x() * 16)), int(std::lround(px.y() * 16))};
   }
@@ -54,7 +54,7 @@ void drawCorners(View& view, const cv::Rect& box) {
 }
 
 void drawFeatures(View& view, const head_tracking::HeadPose& head, bool is_left) {
-  const bool are_few = head.features.size() <= 20;  // seven features: rings; hundreds of patches: dots
+  const bool are_few = head.features.size() <= 20;  // few features: rings; hundreds of patches: dots
   for (const auto& feature : head.features) {
     const Eigen::Vector2d& px = is_left ? feature.left_px : feature.right_px;
     if (!px.allFinite() || px.cwiseAbs().maxCoeff() > 20000.0) continue;
@@ -75,7 +75,7 @@ void drawMarker(View& view, const std::array<Eigen::Vector2d, 4>& corners) {
   for (const auto& corner : corners) outline.push_back(View::fixed(corner));
   polyline(view, outline, true, kOrange, 2.2);
   cv::circle(view.image, outline[0], int(16 * 4 * view.unit), kOrange, cv::FILLED, cv::LINE_AA,
-             4);  // top-left on the print
+             4);  // marker's top-left corner
 }
 
 void drawLine(View& view, const Eigen::Vector3d& a_mm, const Eigen::Vector3d& b_mm, const cv::Scalar& colour,

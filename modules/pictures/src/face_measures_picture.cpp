@@ -36,7 +36,7 @@ struct Canvas {
   }
 };
 
-/// Shaded triangles, far ones first.
+/// Shaded triangles, far ones drawn first.
 void drawSkin(Canvas& canvas, const surface::TriangleMesh& mesh) {
   struct Facet {
     double depth_mm;
@@ -83,7 +83,7 @@ Canvas makeCanvas(const View& view, const surface::TriangleMesh& mesh) {
   return canvas;
 }
 
-/// Seen from this view: its own side of the head, or near the midline and in front.
+/// True if the landmark is visible in this view: on its side of the head, or near the midline and in front.
 bool isSeen(const View& view, const surface::FaceLandmark& landmark, const surface::FaceLandmarks& all) {
   const std::string& name = landmark.name;
   const bool is_right = name.size() > 2 && name.substr(name.size() - 2) == " R";

@@ -18,7 +18,7 @@ CameraOverlay drawOrder(const OverlayOrder& order) {
 
 bool mayBeShown(const DrawnOverlay& drawn, const session::NavigationState& now) {
   const session::NavigationState& then = *drawn.state;
-  static const double kMostBehind_s = session::SessionOptions().age_limit_s;  // as for any pose
+  static const double kMostBehind_s = session::SessionOptions().age_limit_s;  // same limit as for poses
   const double behind_s = now.arrived - then.arrived;
   const bool says_the_same = bool(then.camera_T_mri) == bool(now.camera_T_mri) &&
                              bool(then.camera_T_coil) == bool(now.camera_T_coil) &&
@@ -37,7 +37,7 @@ struct OverlayWorker::Implementation {
   void run();
 };
 
-// No failure on this thread may end the program.
+// A failure on this thread must not end the program.
 std::shared_ptr<DrawnOverlay> OverlayWorker::Implementation::drawn(const OverlayOrder& order) const {
   auto picture = std::make_shared<DrawnOverlay>();
   picture->state = order.state;

@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPixelsPerMm = 2.0;
-constexpr int kFiner = 2;    // drawn this much finer, then averaged
-constexpr int kDisc_px = 2;  // half a vertex' square while drawing: vertices lie up to 1.4 mm apart
+constexpr int kFiner = 2;    // drawn at this scale, then averaged
+constexpr int kDisc_px = 2;  // half width of a vertex' square; vertices are up to 1.4 mm apart
 constexpr int kMargin_px = 12, kTitle_px = 16, kLegendHeight_px = 74;
 
 /// One orthographic view: image right, image down, towards the viewer; Mri directions.
@@ -35,7 +35,7 @@ const std::array<View, 6>& views() {
   return all;
 }
 
-/// Vertices as small squares, the nearest to the viewer kept, shaded by their normals.
+/// Draws vertices as small squares shaded by their normals; the nearest to the viewer wins.
 cv::Mat drawn(const View& view, const surface::DetailedCortex& cortex,
               const std::vector<cv::Vec3b>& colours) {
   const auto& mesh = cortex.mesh;

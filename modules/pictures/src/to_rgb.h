@@ -1,5 +1,5 @@
 #pragma once
-// An OpenCV picture as the RgbImage that leaves this module.
+// Converts an OpenCV picture to the RgbImage that this module returns.
 
 #include <cstring>
 #include <opencv2/core.hpp>

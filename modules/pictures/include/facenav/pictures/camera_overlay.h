@@ -1,6 +1,6 @@
 #pragma once
-// What tracking sees, drawn over the camera images (paper, figures 4, 6 and 9): face box, features, marker
-// outline, and the target and coil axis placed into both images through the calibration.
+// Draws the tracking results over the camera images (paper, figures 4, 6 and 9): face box, features, marker
+// outline, and the target and coil axis projected into both images by the calibration.
 
 #include <optional>
 
@@ -12,10 +12,10 @@
 namespace facenav::pictures {
 
 struct CameraOverlay {
-  RgbImage left, right;  // of the camera's size; empty where the state has no images
+  RgbImage left, right;  // same size as the camera image; empty if the state has no images
 };
 
-/// `target` may be absent. A lost pose is not drawn; its absence is stated in words at the image's top.
+/// `target` may be absent. A lost pose is not drawn; text at the top of the image says so.
 CameraOverlay drawOverlay(const cameras::StereoRig& rig, const session::NavigationState& state,
                           const std::optional<guidance::Target>& target = std::nullopt);
 

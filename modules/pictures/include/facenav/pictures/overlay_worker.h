@@ -1,7 +1,7 @@
 #pragma once
-// OverlayWorker: draws the camera overlays (camera_overlay.h) on a thread of its own, so that the window
-// never waits for them. Only the newest order is drawn: one that still waits is replaced. Each picture
-// carries the state that it shows; mayBeShown() says whether it still may stand beside the newest one.
+// OverlayWorker: draws the camera overlays (camera_overlay.h) on its own thread, so that the window never
+// waits for them. Only the newest order is drawn; an order that still waits is replaced. Each picture holds
+// the state it was drawn from; mayBeShown() tells whether it is still valid beside the newest state.
 
 #include <functional>
 #include <memory>
@@ -19,23 +19,23 @@ struct OverlayOrder {
 
 struct DrawnOverlay {
   CameraOverlay overlay;
-  std::shared_ptr<const session::NavigationState> state;  // shown by it
-  Timestamp captured;                                     // of its images, the source's clock
-  std::string failure;                                    // why nothing could be drawn; empty: all is well
+  std::shared_ptr<const session::NavigationState> state;  // the state it was drawn from
+  Timestamp captured;                                     // capture time of its images, the source's clock
+  std::string failure;                                    // why nothing could be drawn; empty: no failure
 };
 
-/// A picture may be shown while `now` is the newest state if it says the same of head, coil and target, and
-/// its frame came in before that of `now`, by no more than the age limit of any pose, or is the same.
+/// A picture may be shown while `now` is the newest state if head, coil and target have the same status in
+/// both, and its frame arrived at or before that of `now`, at most the age limit of a pose earlier.
 bool mayBeShown(const DrawnOverlay& drawn, const session::NavigationState& now);
 
 class OverlayWorker {
  public:
   using Draw = std::function<CameraOverlay(const OverlayOrder&)>;
-  /// Called on the worker's thread for each finished picture. A failure is logged, and is a picture too.
+  /// Called on the worker's thread for each finished picture. A failure is logged and also delivered.
   using Deliver = std::function<void(std::shared_ptr<const DrawnOverlay>)>;
 
-  explicit OverlayWorker(Deliver deliver, Draw draw = {});  // no `draw`: drawOverlay
-  /// Waits for the picture that is being drawn; none is delivered afterwards.
+  explicit OverlayWorker(Deliver deliver, Draw draw = {});  // no `draw`: uses drawOverlay
+  /// Waits for the picture that is being drawn; it is not delivered.
   ~OverlayWorker();
   OverlayWorker(const OverlayWorker&) = delete;
   OverlayWorker& operator=(const OverlayWorker&) = delete;
