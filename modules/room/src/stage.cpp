@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kWall_mm = 2300.0;
 
-/// Every few millimetres a vertex of the skin within 65 mm of the face's middle that looks forward.
+/// Skin vertices within 65 mm of the face's middle that face forward, every few millimetres.
 std::vector<int> spreadOverFace(const VirtualPatient& patient) {
   constexpr double kReach_mm = 65.0;
   constexpr std::size_t kTaken = 400;
@@ -50,25 +50,25 @@ struct Stage::Implementation {
   RigidTransform<Camera, Room> camera_T_room;
   std::shared_ptr<const VirtualPatient> patient;
   FaceShape face;
-  std::vector<int> face_vertices;  // spread over the face: how much of it is seen is counted on them
+  std::vector<int> face_vertices;  // spread over the face, to measure how much of it is visible
   RoomCoil coil;
   std::array<FilmOptions, 2> films;  // left, right
   RayScene scene;
   std::vector<std::shared_ptr<const Look>> looks;
   int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1;
   struct Locks {
-    std::unique_ptr<LooseHair> hair;  // grown when hair first is loose
-    int object = -1;                  // -1: none grow here
+    std::unique_ptr<LooseHair> hair;  // created when hair is loose for the first time
+    int object = -1;                  // -1: no locks
     HairPose pose;
   };
-  Locks locks;  // the patient's
+  Locks locks;  // of the patient
   struct Stranger {
     std::shared_ptr<const VirtualPatient> person;
     std::unique_ptr<FaceShape> face;
     int object = -1;
     Locks locks;
   };
-  std::map<std::uint64_t, Stranger> strangers;  // made when they first come in
+  std::map<std::uint64_t, Stranger> strangers;  // created at their first appearance
   std::array<CameraRays, 2> rays;
   std::array<Renderer, 2> renderers;
   Lighting lighting;
@@ -156,7 +156,7 @@ struct Stage::Implementation {
     projector.projector_T_world = room_T_projector.inverse() * camera_T_room.inverse().isometry();
     projector.pattern = densePattern();
     lighting.projector = projector;
-    for (auto& lamp : lighting.lamps) lamp.intensity *= 0.5;  // the room is dimmed for the dots
+    for (auto& lamp : lighting.lamps) lamp.intensity *= 0.5;  // the room is darker while dots are projected
     lighting.ambient *= 0.5;
   }
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Stage: the room with everything in it, ready to be photographed. A scenario says what stands where (Cast);
-// the stage turns that into a stereo pair and its truth.
+// Stage: the room with all its objects. A scenario sets their state (Cast); the stage renders a stereo pair
+// with its truth.
 
 #include <array>
 #include <memory>
@@ -27,13 +27,13 @@ struct Cast {
   double lamp_scale = 1.0, ambient_scale = 1.0;
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
   bool has_dots = false;
-  double wetness = 0.0;        // of the skin: 1 glints
-  double gloss = 0.0;          // sheen of the skin, seen differently by each camera: 1 shines
-  bool has_mask = false;       // a surgical mask over nose and mouth
-  std::uint64_t stranger = 0;  // another person sits there instead of the patient: which one (0: the patient)
-  double jaw_mm = 0.0, lids = 0.0;  // chin lowered; 0 eyes open .. 1 closed
-  Expression expression;            // of whoever sits there
-  HairPose hair;                    // of whoever sits there
+  double wetness = 0.0;             // of the skin: 1: small hard highlights
+  double gloss = 0.0;               // sheen of the skin, different in each camera: 1: shiny
+  bool has_mask = false;            // surgical mask over nose and mouth
+  std::uint64_t stranger = 0;       // number of another person who replaces the patient; 0: the patient
+  double jaw_mm = 0.0, lids = 0.0;  // how far the chin is lowered; 0 eyes open .. 1 closed
+  Expression expression;            // of the person present
+  HairPose hair;                    // of the person present
 };
 
 class Stage {
@@ -45,7 +45,7 @@ class Stage {
   void set(const Cast& cast);
   /// Left and right in linear light, with depth and object maps.
   std::array<View, 2> view() const;
-  /// A camera whose shutter stays shut gives black with noise.
+  /// A camera with a closed shutter gives black with noise.
   cameras::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
                                   bool is_left_open = true, bool is_right_open = true) const;
   /// Share of the face's skin that both cameras see, 0..1.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kFramesPerSeed = 1000003;
 
-/// Left and right: the glare's gradient is the seed's, another one in each camera.
+/// Left and right: the seed sets the glare's gradient, different in each camera.
 std::array<FilmOptions, 2> filmsOf(const ScenarioOptions& options) {
   std::array<FilmOptions, 2> films;
   std::mt19937_64 random(options.seed * 6151 + 29);
@@ -122,7 +122,7 @@ std::shared_ptr<const cameras::StereoFrame> SyntheticSource::next() {
   all.stage.set(moment.cast);
   all.truth = all.truthOf(moment);
   auto frame = all.photograph(moment);
-  if (all.isRightApart(moment)) all.stage.set(moment.cast);  // depth() is of the left camera's moment
+  if (all.isRightApart(moment)) all.stage.set(moment.cast);  // depth() belongs to the left camera's moment
   frame.number = all.number;
   frame.captured = Timestamp{double(all.number) / all.options.frames_per_s + moment.later_s};
   all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured};

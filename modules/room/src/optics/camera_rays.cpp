@@ -36,7 +36,7 @@ bool CameraRays::shows(const Eigen::Vector3d& p_world_mm) const {
 
 std::optional<cv::Rect> CameraRays::boxOf(const Eigen::AlignedBox3d& box,
                                           const Eigen::Isometry3d& world_T_object) const {
-  constexpr double kWidest = 1.2, kMargin_px = 4.0;  // beyond ~50 deg the distortion model says little
+  constexpr double kWidest = 1.2, kMargin_px = 4.0;  // beyond ~50 deg the distortion model is not valid
   const Eigen::Isometry3d camera_T_object = camera_T_world_ * world_T_object;
   Eigen::AlignedBox2d around;
   for (int corner = 0; corner < 8; ++corner) {

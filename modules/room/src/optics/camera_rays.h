@@ -1,7 +1,7 @@
 #pragma once
-// CameraRays: the viewing ray of any image position of one camera, distortion included. The undistorted
-// coordinates are tabulated at pixel centres (Newton on the distortion model, < 1e-9 px) and interpolated
-// between them; over one pixel a lens bends by less than 1e-5 px.
+// CameraRays: the viewing ray of any image position of one camera, with distortion. Undistorted coordinates
+// are tabulated at pixel centres (Newton on the distortion model, < 1e-9 px) and interpolated linearly
+// between them; the error of that is below 1e-5 px.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -20,13 +20,13 @@ class CameraRays {
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
   const Eigen::Vector3d& origin_mm() const { return origin_mm_; }
-  /// Direction in the world, z of the camera frame = 1 (so that distance along it is the depth). x, y within
-  /// half a pixel of the image.
+  /// Direction in the world, with z = 1 in the camera frame, so that the distance along it is the depth. x, y
+  /// may lie up to half a pixel outside the image.
   Eigen::Vector3d direction(double x_px, double y_px) const;
-  /// True where a world point falls into the image.
+  /// True if a world point is inside the image.
   bool shows(const Eigen::Vector3d& p_world_mm) const;
-  /// The pixels in which a box (in its own frame, at `world_T_object`) can appear; nothing where it reaches
-  /// behind or beside the camera too far to say.
+  /// The pixels in which a box (in its own frame, at `world_T_object`) can appear. nullopt if that cannot be
+  /// determined, because the box reaches too far behind or beside the camera.
   std::optional<cv::Rect> boxOf(const Eigen::AlignedBox3d& box,
                                 const Eigen::Isometry3d& world_T_object) const;
   const cameras::CameraModel& camera() const { return camera_; }

@@ -8,7 +8,7 @@
 namespace facenav::room {
 namespace {
 
-/// Veiling glare in grey levels: a plane over the image, nowhere below 0.
+/// Veiling glare in grey levels: a linear gradient over the image, never below 0.
 cv::Mat hazeOver(const cv::Size& size, const FilmOptions& options) {
   cv::Mat haze(size, CV_32F);
   for (int y = 0; y < size.height; ++y)
@@ -28,12 +28,12 @@ cv::Mat compressed(const cv::Mat& image, int quality) {
 }
 
 cv::Mat blurred(const cv::Mat& light, double blur_px) {
-  cv::Mat soft = light.clone();  // Mat operators of the caller work in place
+  cv::Mat soft = light.clone();  // a copy, because callers change it in place
   if (blur_px > 0.0) cv::GaussianBlur(light, soft, {}, blur_px, blur_px, cv::BORDER_REPLICATE);
   return soft;
 }
 
-/// What each photosite of an RGGB mosaic sees.
+/// The light that each photosite of an RGGB mosaic receives.
 cv::Mat mosaic(const cv::Mat& green, const cv::Mat& red) {
   cv::Mat seen = green.clone();
   for (int y = 0; y < seen.rows; ++y)
@@ -42,7 +42,7 @@ cv::Mat mosaic(const cv::Mat& green, const cv::Mat& red) {
   return seen;
 }
 
-/// Linear light on the sensor, behind the lens.
+/// Linear light on the sensor, after the lens blur.
 cv::Mat onSensor(const cv::Mat& radiance, const cv::Mat& red, const FilmOptions& options) {
   const cv::Mat light = blurred(radiance, options.blur_px);
   if (red.empty() || !options.needsColour()) return light;
@@ -51,10 +51,10 @@ cv::Mat onSensor(const cv::Mat& radiance, const cv::Mat& red, const FilmOptions&
   return light + (options.red_share - options.blue_share) * colour;
 }
 
-/// Demosaiced, compressed in colour as such cameras do, then grey.
+/// Demosaiced, compressed in colour as colour cameras do, then converted to grey.
 cv::Mat greyOfMosaic(const cv::Mat& seen, const FilmOptions& options) {
   cv::Mat colour, grey;
-  cv::cvtColor(seen, colour, cv::COLOR_BayerBG2BGR);  // OpenCV's name for RGGB
+  cv::cvtColor(seen, colour, cv::COLOR_BayerBG2BGR);  // BayerBG is OpenCV's name for RGGB
   colour = compressed(colour, options.jpeg_quality);
   const double red = options.red_share, blue = options.blue_share;
   cv::transform(colour, grey, cv::Matx13d(blue, 1.0 - red - blue, red));

@@ -8,17 +8,17 @@ namespace facenav::room {
 namespace {
 
 constexpr double kProjectorBlur_px = 0.45;
-constexpr double kSheen = 0.25;  // radiance at the lobe's top for gloss 1, in units of the lamp's light
-constexpr double kGlint = 40.0;  // of wet skin: white in the image where it mirrors a lamp
+constexpr double kSheen = 0.25;  // peak radiance of the lobe for gloss 1, in units of the lamp's light
+constexpr double kGlint = 40.0;  // of wet skin: saturates the image where it mirrors a lamp
 
-/// x^16, near enough to the highlight of slightly moist skin.
+/// x^16: approximates the highlight of slightly moist skin.
 double shine(double x) {
   x *= x, x *= x, x *= x;
   return x * x;
 }
 
-/// Blinn-Phong lobe of the oil film on skin, x^48: sharper than the dull shine of all skin, far from wet.
-/// Chosen by eye on renderings beside photographs, not fitted.
+/// Blinn-Phong lobe of the oil film on skin, x^48: sharper than the dull shine of normal skin, much weaker
+/// than wet skin. Chosen by eye on renderings beside photographs, not fitted.
 double sheen(double cosine) {
   const double dull = shine(std::max(0.0, cosine));
   return dull * dull * dull;
@@ -46,7 +46,7 @@ LightMeter::Falling LightMeter::falling(const Eigen::Vector3d& p_mm, const Eigen
                                         const Eigen::Vector3d& to_eye,
                                         const std::optional<Eigen::Vector3d>& relief_normal) const {
   Falling light;
-  // Ambient light comes mostly from above and from the front.
+  // Ambient light comes mainly from above and from the front.
   light.diffuse = float(lighting_.ambient * (0.75 + 0.25 * normal.dot(lighting_.up)));
   for (const Lamp& lamp : lighting_.lamps) {
     const Eigen::Vector3d to_lamp_mm = lamp.place_mm - p_mm;

@@ -1,5 +1,5 @@
 #pragma once
-// Look: what light does to a surface. Albedo and gloss are functions of the point in the object's own frame,
+// Look: the reflectance of a surface. Albedo and gloss are functions of the point in the object's own frame,
 // so the same skin shows the same pores in both cameras and in every pose.
 
 #include <Eigen/Core>
@@ -23,13 +23,13 @@ class Look {
  public:
   virtual ~Look() = default;
   virtual Reflectance at(const SurfacePoint& point) const = 0;
-  /// Colour, for cameras that see it: red is 1 + redness times the grey, blue 1 - redness times; green is the
-  /// grey. Gloss has the lamps' colour.
+  /// Colour, for colour cameras: red is (1 + redness) times the grey, blue (1 - redness) times, green equals
+  /// the grey. Gloss has the lamps' colour.
   virtual float redness(const SurfacePoint&) const { return 0.f; }
-  /// True where the albedo has printed edges: every pixel of it is sampled densely.
+  /// True if the albedo has printed edges; all its pixels are then sampled densely.
   virtual bool isPrinted() const { return false; }
   /// Slope of the fine relief (pores) that tilts the surface's normal for the sheen of `Lighting::gloss`, in
-  /// the object's frame, unitless. Nothing where the surface has no sheen.
+  /// the object's frame, unitless. nullopt if the surface has no sheen.
   virtual std::optional<Eigen::Vector3d> relief(const SurfacePoint&) const { return {}; }
 };
 

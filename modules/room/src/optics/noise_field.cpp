@@ -42,13 +42,13 @@ NoiseField::NoiseField(std::uint64_t seed) : cells_(std::size_t(kSize) * kSize *
 }
 
 float NoiseField::at(const Eigen::Vector3d& p_mm, double grain_mm) const {
-  // Turned against the axes, so that cells never line up with scan rows.
+  // Rotated against the axes, so that cells never line up with scan rows.
   static const Eigen::Matrix3f kTurn = [] {
     Eigen::Matrix3f turn;
     turn << 0.8047f, -0.5059f, 0.3106f, 0.5059f, 0.3106f, -0.8047f, 0.3106f, 0.8047f, 0.5059f;
     return turn;
   }();
-  constexpr float kFar = 4096.f;  // makes truncation the floor
+  constexpr float kFar = 4096.f;  // offset that makes truncation act as floor
   const Eigen::Vector3f q = kTurn * (p_mm / grain_mm).cast<float>() + Eigen::Vector3f::Constant(kFar);
   const int x = int(q.x()), y = int(q.y()), z = int(q.z());
   const float fx = q.x() - float(x), fy = q.y() - float(y), fz = q.z() - float(z);

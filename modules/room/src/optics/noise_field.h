@@ -1,6 +1,6 @@
 #pragma once
-// NoiseField: smooth random values in space, zero mean, unit deviation, periodic; the grain of skin, hair and
-// walls. Depends on its seed alone.
+// NoiseField: smooth random values in space, zero mean, unit deviation, periodic. Used for the grain of skin,
+// hair and walls. The same seed gives the same field.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -11,14 +11,14 @@ namespace facenav::room {
 class NoiseField {
  public:
   explicit NoiseField(std::uint64_t seed);
-  /// Value at p_mm; structure sizes are about two times `grain_mm`.
+  /// Value at p_mm; structures are about twice `grain_mm` in size.
   float at(const Eigen::Vector3d& p_mm, double grain_mm) const;
 
  private:
   std::vector<float> cells_;
 };
 
-/// The field that all looks share.
+/// The field shared by all looks.
 const NoiseField& sharedNoise();
 
 }  // namespace facenav::room

@@ -171,7 +171,7 @@ Hit RayScene::refine(const Sight& sight, const Eigen::Vector3d& origin_mm,
   const Eigen::Matrix3d& rotation = object.world_T_object.linear();
   const Eigen::Vector3d from = rotation.transpose() * (origin_mm - object.world_T_object.translation());
   const Eigen::Vector3d along = rotation.transpose() * direction;
-  // Double precision: the ray meets the plane of the triangle that Embree found.
+  // In double precision: intersects the ray with the plane of the triangle found by Embree.
   const double slope = facet.dot(along), found = sight.distance;
   Hit hit{sight.object, sight.triangle, sight.u, sight.v, found, {}, {}, {}};
   if (slope != 0.0) hit.distance = facet.dot(a - from) / slope;

@@ -1,7 +1,7 @@
 #pragma once
-// RayScene: rigid (and deformable) triangle meshes under a ray caster (Embree 3). World = Camera, mm. Embree
-// works in float; the point of a hit is computed again in double from the triangle's corners, so depth is
-// exact to ~1e-4 mm.
+// RayScene: rigid (and deformable) triangle meshes for ray casting (Embree 3). World = Camera, mm. Embree
+// works in float; the hit point is recomputed in double from the triangle's corners, so depth is exact to
+// ~1e-4 mm.
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace facenav::room {
 
-/// What the ray caster found, small enough to keep one per pixel.
+/// Result of a ray, small enough to store one per pixel.
 struct Sight {
   int object = -1;  // -1: nothing
   int triangle = -1;
@@ -36,26 +36,26 @@ class RayScene {
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// Number of the new object. The mesh is copied.
+  /// Adds a copy of the mesh. Returns the number of the new object.
   int add(const surface::TriangleMesh& mesh);
   void setPose(int object, const Eigen::Isometry3d& world_T_object);
   const Eigen::Isometry3d& pose(int object) const;
   void setShown(int object, bool is_shown);
   bool isShown(int object) const;
-  /// New vertex places and normals of a deforming object; same triangles.
+  /// New vertex positions and normals of a deforming object; the triangles stay the same.
   void setVertices(int object, const std::vector<Eigen::Vector3d>& vertices_mm,
                    const std::vector<Eigen::Vector3d>& normals);
   const surface::TriangleMesh& mesh(int object) const;
-  /// Box around the object in its own frame.
+  /// Bounding box of the object in its own frame.
   const Eigen::AlignedBox3d& bounds(int object) const;
-  /// Must follow any change above, before rays are cast.
+  /// Must be called after any change above, before rays are cast.
   void commit();
 
   Sight look(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction) const;
-  /// The exact hit behind a sight of the same ray.
+  /// The exact hit of a sight, for the same ray.
   Hit refine(const Sight& sight, const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction) const;
   std::optional<Hit> intersect(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction) const;
-  /// True where anything lies between the two points (0.5 mm spared at the start).
+  /// True if any object lies between the two points (the first 0.5 mm are ignored).
   bool isBlocked(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm) const;
 
  private:

@@ -15,7 +15,7 @@ constexpr float kBend_mm = 3.f;  // a larger second difference of depth over one
 
 constexpr float kWallRedness = 0.1f;
 
-/// Light from one place: grey, and by how much red is brighter.
+/// Light at one sample: its grey, and the amount by which red is brighter.
 struct Light {
   float grey = 0.f, red = 0.f;
   void operator+=(const Light& other) { grey += other.grey, red += other.red; }
@@ -27,21 +27,21 @@ bool areAlike(const Hit& a, const Hit& b) {
          a.normal.dot(b.normal) > 0.98;
 }
 
-/// The middle of a cell of a side x side grid over the pixel (-0.5 .. 0.5): for texture without straight
+/// The centre of a cell of a side x side grid over the pixel (-0.5 .. 0.5), for texture without straight
 /// edges.
 std::pair<double, double> middleOfCell(int sample, int side) {
   return {(sample % side + 0.5) / side - 0.5, (sample / side + 0.5) / side - 0.5};
 }
 
-/// Where in its pixel (-0.5 .. 0.5) a sample of a side x side grid lies. Each row is shifted against the last
-/// and each column too, so that edges along rows or columns meet side^2 phases, not side: a printed edge is
-/// then placed to 1/36 px instead of 1/6 px.
+/// Position in its pixel (-0.5 .. 0.5) of a sample of a side x side grid. Each row and each column is shifted
+/// relative to the previous one, so that edges along rows or columns meet side^2 phases instead of side. A
+/// printed edge is then placed to 1/36 px instead of 1/6 px.
 std::pair<double, double> place(int sample, int side) {
   const int row = sample / side, column = sample % side;
   return {(column + (row + 0.5) / side) / side - 0.5, (row + (column + 0.5) / side) / side - 0.5};
 }
 
-/// Everything that stays the same while one image is made.
+/// Everything that is constant for one image.
 struct Shot {
   const CameraRays& rays;
   const RayScene& scene;
@@ -76,7 +76,7 @@ struct Shot {
     return {grey, has_colour ? looks[hit.object]->redness(point) * r.albedo * diffuse : 0.f};
   }
 
-  /// Samples on the tangent plane of the centre's hit.
+  /// Takes samples on the tangent plane at the hit of the pixel's centre.
   Light smoothPixel(int x, int y, const Hit& hit, bool is_printed) const {
     const int side = is_printed ? kFine : has_dots ? kDots : kCoarse;
     const Eigen::Isometry3d& pose = scene.pose(hit.object);
@@ -95,7 +95,7 @@ struct Shot {
 
   Light edgePixel(int x, int y) const {
     Light sum;
-    std::optional<Hit> lit;  // the last hit whose light was measured: its neighbours share it
+    std::optional<Hit> lit;  // the last hit with computed light; similar hits reuse its light
     LightMeter::Falling light;
     for (int sample = 0; sample < kEdge * kEdge; ++sample) {
       const auto [dx, dy] = place(sample, kEdge);
@@ -115,7 +115,7 @@ struct Shot {
   }
 };
 
-/// The sights of all pixel centres inside `window`.
+/// The first hits of all pixel centres inside `window`.
 class Sights {
  public:
   Sights(const RayScene& scene, const CameraRays& rays, const cv::Rect& window)
@@ -132,7 +132,7 @@ class Sights {
     return sights_[std::size_t(y - window_.y) * window_.width + (x - window_.x)];
   }
 
-  /// True where a silhouette passes within a pixel: another object beside it, or a depth that bends too
+  /// True if a silhouette passes within a pixel: a neighbour shows another object, or the depth bends too
   /// sharply.
   bool isEdge(int x, int y) const {
     if (x <= window_.x || y <= window_.y || x + 1 >= window_.br().x || y + 1 >= window_.br().y) return false;
@@ -150,7 +150,7 @@ class Sights {
   std::vector<Sight> sights_;
 };
 
-/// The part of the image in which any shown object can appear, from the boxes around them.
+/// The part of the image in which any object can appear, from their bounding boxes.
 cv::Rect windowOf(const RayScene& scene, int objects, const CameraRays& rays) {
   const cv::Rect image(0, 0, rays.width_px(), rays.height_px());
   cv::Rect window;

@@ -1,7 +1,7 @@
 #pragma once
-// Renderer: what one camera sees of a RayScene, in linear light before the lens blurs it. One primary ray a
-// pixel; where the surface is smooth, four samples are taken on its tangent plane (16 under projected dots,
-// 36 on prints), at silhouettes nine rays are cast.
+// Renderer: the image of a RayScene in one camera, in linear light before the lens blur. One primary ray per
+// pixel. Smooth surfaces get four samples on the tangent plane (16 under projected dots, 36 on prints); at
+// silhouettes nine rays are cast.
 
 #include <memory>
 #include <opencv2/core.hpp>
@@ -16,14 +16,14 @@ namespace facenav::room {
 
 struct View {
   cv::Mat radiance;  // float, linear
-  cv::Mat red;       // float: how much brighter red is than the grey, and blue darker; empty: colours unasked
+  cv::Mat red;       // float: red minus grey (= grey minus blue); empty if no colour was requested
   cv::Mat depth_mm;  // float, along the camera's z at pixel centres; 0 where nothing is hit
   cv::Mat object;    // 8-bit, object number + 1 at pixel centres; 0: backdrop
 };
 
 class Renderer {
  public:
-  /// `backdrop`: radiance where no object is hit (float, H x W, at full light), one per camera.
+  /// `backdrop`: radiance of pixels without an object (float, H x W, at full light), one image per camera.
   Renderer(const CameraRays& rays, cv::Mat backdrop);
   View render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
               const Lighting& lighting) const;
@@ -33,8 +33,8 @@ class Renderer {
   cv::Mat backdrop_;
 };
 
-/// The wall behind the patient seen by this camera: soft random structure on a plane at `distance_mm` of the
-/// room.
+/// The wall behind the patient as seen by this camera: soft random structure on a plane at `distance_mm` in
+/// the room.
 cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm);
 
 }  // namespace facenav::room

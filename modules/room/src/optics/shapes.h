@@ -1,6 +1,6 @@
 #pragma once
-// Shapes: closed triangle meshes of simple solids, with flat normals, for the coil, its plate and the room's
-// things.
+// Shapes: closed triangle meshes of simple solids, with flat normals, for the coil, its plate and other
+// objects of the room.
 
 #include <Eigen/Geometry>
 

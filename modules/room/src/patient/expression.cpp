@@ -12,15 +12,15 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// The sizes below are chosen by eye on renderings, after what photographs of grimacing faces show (mouth
-// corners 5-10 mm, brows 1-3 mm); they are not fitted.
+// These sizes were chosen by eye on renderings, guided by photographs of grimacing faces (mouth corners 5-10
+// mm, brows 1-3 mm); they are not fitted.
 constexpr double kTongueJaw_mm = 9.0, kTongueAside_mm = 11.0, kMouthAside_mm = 5.0;
 constexpr float kTongueAlbedo = 0.34f, kTeethAlbedo = 0.62f, kLipAlbedo = 0.28f;
 
-/// One side of the face: its landmarks, and which way is away from the midline.
+/// One side of the face: its landmarks, and the direction away from the midline.
 struct Side {
   std::size_t corner, ala, lower_lid;
-  double out;  // sign of Mri x
+  double out;  // sign along Mri x
 };
 
 std::array<Side, 2> sides(const Points& l) {
@@ -32,7 +32,7 @@ double bump(const Eigen::Vector3d& from_mm, double reach_mm) {
   return std::exp(-from_mm.squaredNorm() / (2.0 * reach_mm * reach_mm));
 }
 
-/// Of a lip: wide across the mouth, low.
+/// Bump of a lip: wide along the mouth, low in height.
 double lipBump(const Eigen::Vector3d& from_mm) {
   return bump(from_mm.cwiseQuotient(Eigen::Vector3d(18.0, 14.0, 6.5)), 1.0);
 }
@@ -78,8 +78,8 @@ Eigen::Vector3d cheeks(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, 
   return shift;
 }
 
-/// The frontal muscle draws brows and forehead skin up, less towards the hairline, and folds the forehead
-/// across.
+/// The frontal muscle pulls brows and forehead skin up, less towards the hairline, and folds the forehead
+/// horizontally.
 Eigen::Vector3d brows(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Points& l) {
   const double brow_z = 0.5 * (l[19].z() + l[24].z()), lid_z = 0.5 * (l[38].z() + l[43].z());
   const double aside = std::abs(p.x() - l[27].x()), above = p.z() - brow_z;

@@ -1,6 +1,6 @@
 #pragma once
-// Expression: how a grimace moves the skin, as a smooth field of displacements around the patient's
-// landmarks. The bridge of the nose and the temples stay: the head's pose is theirs.
+// Expression: the skin motion of a grimace, as a smooth field of displacements around the patient's
+// landmarks. The bridge of the nose and the temples do not move; they carry the head's pose.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace facenav::room {
 
-/// Weights of the grimaces, 0 none .. 1 full; negative brows frown. `aside`: the tongue goes to one side, -1
-/// Mri's -x .. 1 +x. `blink`: 1 the upper lids are down.
+/// Weights of the grimaces, 0 none .. 1 full; negative brows frown. `aside`: side of the tongue, -1 Mri's -x
+/// .. 1 +x. `blink`: 1: the upper lids are down.
 struct Expression {
   double smile = 0.0, tongue = 0.0, lips_in = 0.0, cheeks = 0.0, brows = 0.0, aside = 0.0, blink = 0.0;
 
@@ -21,16 +21,16 @@ struct Expression {
   }
 };
 
-/// How far the chin is lowered to put the tongue out, mm.
+/// How far the chin is lowered when the tongue is out, mm.
 double jawOf_mm(const Expression& expression);
 
-/// Shift (Mri, mm) of a skin point with its outward unit normal; the lowered jaw apart. `landmarks_mm`: iBUG
-/// 68 in Mri. Up to 10 mm at the mouth, 1-3 mm at brows and forehead.
+/// Shift (Mri, mm) of a skin point with its outward unit normal, without the lowered jaw. `landmarks_mm`:
+/// iBUG 68 in Mri. Up to 10 mm at the mouth, 1-3 mm at brows and forehead.
 Eigen::Vector3d expressionShift_mm(const Expression& expression, const Eigen::Vector3d& p_mm,
                                    const Eigen::Vector3d& normal,
                                    const std::vector<Eigen::Vector3d>& landmarks_mm);
 
-/// What shows between the lips: tongue, teeth or closed lips, at a point of the skin at rest.
+/// The visible part between the lips (tongue, teeth or closed lips), at a point of the skin at rest.
 SkinPaint mouthPaint(const Expression& expression, const Eigen::Vector3d& p_mm,
                      const std::vector<Eigen::Vector3d>& landmarks_mm);
 

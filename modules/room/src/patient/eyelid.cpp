@@ -12,14 +12,14 @@ using Points = std::vector<Eigen::Vector3d>;
 
 // Sizes chosen by eye on renderings, not fitted.
 constexpr double kDrawn_mm = 2.2, kDrawnReach_mm = 14.0;  // skin between lid and brow follows the lid
-constexpr double kBulge_mm = 0.8, kBulgeReach_mm = 18.0;  // the lid stands proud of the eye
+constexpr double kBulge_mm = 0.8, kBulgeReach_mm = 18.0;  // the lid bulges over the eye
 constexpr double kSoft_mm = 0.5, kAboveRim_mm = 0.8, kLash_mm = 0.7;
 constexpr float kLidAlbedo = 0.30f, kLashAlbedo = 0.12f;
 
-/// The first of the eye's six landmarks: a corner, two above, the other corner, two below.
+/// The first of each eye's six landmarks: a corner, two above, the other corner, two below.
 constexpr std::array<std::size_t, 2> kEyes{36, 42};
 
-/// Smooth, 1 at the middle, 0 from `reach_mm` on.
+/// Smooth; 1 at the centre, 0 from `reach_mm` on.
 double bump(const Eigen::Vector3d& from_mm, double reach_mm) {
   const double inside = 1.0 - from_mm.squaredNorm() / (reach_mm * reach_mm);
   return inside > 0.0 ? inside * inside : 0.0;
@@ -29,8 +29,8 @@ Eigen::Vector3d middleOf(const Points& l, std::size_t eye) {
   return 0.25 * (l[eye + 1] + l[eye + 2] + l[eye + 4] + l[eye + 5]);
 }
 
-/// The opening seen from the front: where along it (0..1 from corner to corner) a point lies, how far above
-/// the line through the corners, and the rims' heights there.
+/// The eye's opening seen from the front: position of a point along it (0..1 from corner to corner), height
+/// of the point above the line through the corners, and heights of both rims there.
 struct Opening {
   double along, up_mm, upper_mm, lower_mm;
 };
@@ -45,7 +45,7 @@ Opening openingAt(const Eigen::Vector3d& p, const Points& l, std::size_t eye) {
     return (Eigen::Vector2d(q.x(), q.z()) - start).dot(up);
   };
   const double along = (Eigen::Vector2d(p.x(), p.z()) - start).dot(across) / across.squaredNorm();
-  // A parabola from corner to corner; the landmarks at a third and two thirds lie at 8/9 of its height.
+  // A parabola from corner to corner; at the landmarks, at one and two thirds, it has 8/9 of its full height.
   const double bow = 9.0 / 8.0 * 4.0 * along * (1.0 - along);
   return {along, height(p), 0.5 * bow * (height(l[eye + 1]) + height(l[eye + 2])),
           0.5 * bow * (height(l[eye + 4]) + height(l[eye + 5]))};

@@ -1,6 +1,6 @@
 #pragma once
-// Eyelid: how a blink changes the face. The upper lid slides down over the eye: the skin around the eye is
-// drawn along, and the eye's picture gives way to lid skin with a row of lashes at its rim.
+// Eyelid: the change of the face in a blink. The upper lid slides down over the eye and pulls the skin around
+// the eye along. Lid skin with a row of lashes at its rim replaces the picture of the eye.
 
 #include <Eigen/Core>
 #include <vector>

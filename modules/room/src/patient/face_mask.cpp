@@ -13,7 +13,7 @@ namespace {
 constexpr double kGrid_mm = 2.0, kHalfWidth_mm = 60.0, kOff_mm = 2.0, kSpan_mm = 26.0, kPleat_mm = 11.0;
 constexpr float kNowhere = -1e4f;
 
-/// The cloth as seen from the front: a grid over x and z (Mri), each node with the y of the skin's foremost
+/// The cloth seen from the front: a grid over x and z (Mri); each node has the y of the skin's foremost
 /// point.
 struct Sheet {
   Eigen::Vector2d low_mm;  // x, z of the first node
@@ -38,7 +38,7 @@ Sheet skinFromTheFront(const VirtualPatient& patient) {
   return sheet;
 }
 
-/// Drawn taut: hollows are spanned (closing), edges rounded off.
+/// Pulls the cloth taut: hollows are closed, edges rounded.
 void tauten(Sheet& sheet) {
   const int reach = int(kSpan_mm / kGrid_mm);
   const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * reach + 1, 2 * reach + 1});
@@ -48,7 +48,7 @@ void tauten(Sheet& sheet) {
   sheet.y_mm = cv::max(sheet.y_mm, smooth) + kOff_mm;
 }
 
-/// Inside the outline of the cloth: narrower at the nose bridge and under the chin.
+/// True inside the outline of the cloth, which is narrower at the nose bridge and under the chin.
 bool isCloth(const Sheet& sheet, int row, int column) {
   if (sheet.y_mm.at<float>(row, column) < 0.5f * kNowhere) return false;
   const double aside = std::abs(column * kGrid_mm - kHalfWidth_mm), up = row * kGrid_mm,
@@ -72,7 +72,7 @@ surface::TriangleMesh meshOf(const Sheet& sheet) {
       const int a = number.at<int>(row, column), b = number.at<int>(row, column + 1),
                 c = number.at<int>(row + 1, column), d = number.at<int>(row + 1, column + 1);
       if (a < 0 || b < 0 || c < 0 || d < 0) continue;
-      mesh.triangles.push_back({a, c, b});  // seen from the front (+y): counter-clockwise
+      mesh.triangles.push_back({a, c, b});  // counter-clockwise seen from the front (+y)
       mesh.triangles.push_back({b, c, d});
     }
   mesh.normals = vertexNormals(mesh.vertices_mm, mesh.triangles);

@@ -1,16 +1,16 @@
 #pragma once
-// A surgical mask: cloth drawn over nose bridge, cheeks and chin, a few millimetres off the skin, in the
-// patient's Mri.
+// A surgical mask: cloth over nose bridge, cheeks and chin, a few millimetres off the skin, in the patient's
+// Mri.
 
 #include "facenav/room/virtual_patient.h"
 #include "optics/look.h"
 
 namespace facenav::room {
 
-/// Open mesh; empty where the patient has no landmarks to lay it on.
+/// Open mesh; empty if the patient has no landmarks.
 surface::TriangleMesh faceMask(const VirtualPatient& patient);
 
-/// Pale cloth with pleats across.
+/// Pale cloth with horizontal pleats.
 std::shared_ptr<const Look> makeClothLook();
 
 }  // namespace facenav::room

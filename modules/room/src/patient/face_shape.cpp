@@ -8,8 +8,8 @@
 namespace facenav::room {
 namespace {
 
-/// Shift of a skin point for 1 mm of jaw: full at the chin, none above the mouth line or beyond the cheeks;
-/// the mouth corners are drawn in a little.
+/// Shift of a skin point per mm of jaw: full at the chin, none above the mouth line or beyond the cheeks; the
+/// mouth corners move in slightly.
 Eigen::Vector3d shiftPerJaw(const Eigen::Vector3d& p_mm, const std::vector<Eigen::Vector3d>& landmarks_mm) {
   const Eigen::Vector3d mouth_mm = 0.5 * (landmarks_mm[62] + landmarks_mm[66]), &chin_mm = landmarks_mm[8];
   const double below = (mouth_mm.z() - p_mm.z()) / std::max(10.0, mouth_mm.z() - chin_mm.z());
@@ -82,7 +82,7 @@ void FaceShape::renewNormals(const std::vector<int>& vertices, const std::vector
 }
 
 FaceShape::Region FaceShape::movingRegion() const {
-  // Front of the head, where the fields of all grimaces and of the jaw end, and all hair.
+  // Limits of the head's front that contains all grimaces, the jaw and all hair.
   constexpr double kReach_mm = 130.0, kBehind_mm = 90.0;
   const Eigen::Vector3d& middle = patient_.face_middle.mm;
   const bool has_face = !per_jaw_mm_.empty();
@@ -103,7 +103,7 @@ FaceShape::Region FaceShape::movingRegion() const {
 }
 
 void FaceShape::prepareRegion() {
-  constexpr double kFull_mm = 3.0;  // hair that stands so far off the skin moves freely
+  constexpr double kFull_mm = 3.0;  // hair at this height above the skin moves freely
   hair_weight_.assign(vertices_mm_.size(), 0.0);
   for (std::size_t i = 0; i < vertices_mm_.size(); ++i)
     hair_weight_[i] =

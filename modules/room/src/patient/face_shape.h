@@ -1,7 +1,7 @@
 #pragma once
-// FaceShape: how the head's surface differs from the MRI's: lowered jaw and drawn mouth corners (talking),
-// closed lids, grimaces, blinks, hair that lies otherwise.
-// The skin's texture moves along, since looks ask for the place at rest.
+// FaceShape: the difference of the head's surface from the MRI's: lowered jaw and narrowed mouth (talking),
+// closed lids, grimaces, blinks, moved hair. The skin's texture moves along, since looks use the point at
+// rest.
 
 #include <Eigen/Core>
 #include <functional>
@@ -16,7 +16,7 @@ namespace facenav::room {
 class FaceShape {
  public:
   explicit FaceShape(const VirtualPatient& patient);
-  /// `jaw_mm`: chin lowered; `lids`: 0 open .. 1 closed. True where the vertices changed.
+  /// `jaw_mm`: how far the chin is lowered; `lids`: 0 open .. 1 closed. True if the vertices changed.
   bool set(double jaw_mm, double lids, const Expression& expression = {}, const HairPose& hair = {});
 
   const std::vector<Eigen::Vector3d>& vertices_mm() const { return vertices_mm_; }
@@ -24,13 +24,13 @@ class FaceShape {
   bool isAtRest() const { return jaw_mm_ == 0.0 && !isDeformed(); }
   const Expression& expression() const { return expression_; }
   float lids() const { return float(lids_); }
-  /// Shift of a surface point from its place at rest.
+  /// Shift of a surface point from its position at rest.
   Eigen::Vector3d shift_mm(int triangle, float u, float v) const;
 
  private:
-  /// By more than the jaw.
+  /// True if anything other than the jaw deforms the surface.
   bool isDeformed() const { return !expression_.isNone() || !hair_.isAtRest(); }
-  /// The skin that some part of the face can move, and the triangles whose corners it is.
+  /// The skin that the face can move, and its triangles.
   struct Region {
     std::vector<int> vertices, triangles;
   };
@@ -41,16 +41,16 @@ class FaceShape {
   void deform();
 
   const VirtualPatient& patient_;
-  std::vector<Eigen::Vector3d> per_jaw_mm_;  // shift of each vertex for 1 mm of jaw
+  std::vector<Eigen::Vector3d> per_jaw_mm_;  // shift of each vertex per mm of jaw
   std::vector<int> moving_vertices_, moving_triangles_, touched_vertices_;
   std::vector<Eigen::Vector3d> vertices_mm_, normals_;
   double jaw_mm_ = 0.0, lids_ = 0.0;
   Expression expression_;
   HairPose hair_;
-  Region region_;                    // found at the first grimace
-  std::vector<double> hair_weight_;  // of each vertex: 0 at the hairline .. 1 well inside
+  Region region_;                    // computed at the first grimace
+  std::vector<double> hair_weight_;  // per vertex: 0 at the hairline .. 1 well inside
   std::vector<bool> is_in_region_;
-  std::vector<Eigen::Vector3d> shift_mm_;  // of each vertex, while deformed
+  std::vector<Eigen::Vector3d> shift_mm_;  // per vertex, while deformed
 };
 
 }  // namespace facenav::room

@@ -7,7 +7,7 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kTuft_mm = 12.0;   // tufts of about twice this size lie alike
+constexpr double kTuft_mm = 12.0;   // tufts of about twice this size move together
 constexpr double kTuftShare = 0.7;  // standard deviation of a tuft's shift, relative to the largest
 
 Eigen::Vector3d tuft(const Eigen::Vector3d& p_mm, std::uint64_t pattern) {

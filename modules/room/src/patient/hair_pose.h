@@ -1,5 +1,6 @@
 #pragma once
-// HairPose: how the hair lies at one moment, against the skull. Roots stay; what is longer moves more.
+// HairPose: the position of the hair at one moment, relative to the skull. Roots do not move; longer hair
+// moves more.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -7,9 +8,9 @@
 namespace facenav::room {
 
 struct HairPose {
-  double sway_mm = 0.0;  // how far hair may move; 0: no hair is loose, and no locks are drawn
-  Eigen::Vector3d lean_mm = Eigen::Vector3d::Zero();  // Mri: all of it lags behind the head's turn
-  std::uint64_t pattern = 0;                          // which way each tuft lies; 0: as combed
+  double sway_mm = 0.0;  // largest shift of hair; 0: no loose hair, and no locks are drawn
+  Eigen::Vector3d lean_mm = Eigen::Vector3d::Zero();  // Mri: common shift, behind the head's turn
+  std::uint64_t pattern = 0;                          // seed of the tufts' directions; 0: as combed
 
   bool isAtRest() const { return sway_mm <= 0.0 || (pattern == 0 && lean_mm.isZero()); }
   bool operator==(const HairPose& other) const {

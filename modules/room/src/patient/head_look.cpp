@@ -11,10 +11,10 @@ namespace facenav::room {
 namespace {
 
 constexpr float kHairAlbedo = 0.07f;
-// Relief of the skin that the sheen shows: pores and fine lines about 1 mm apart, slopes of 9 degrees (rms).
+// Relief of the skin for the sheen: pores and fine lines about 1 mm apart, slopes of 9 degrees (rms).
 constexpr double kPore_mm = 0.6, kPoreSlope = 0.16;
-// Redness of fair skin (red 1.33 times the grey, blue 0.67 times), more where blood shows; a guess from
-// photographs.
+// Redness of fair skin (red 1.33 times the grey, blue 0.67 times), higher where blood shows through;
+// estimated from photographs, not fitted.
 constexpr float kSkinRedness = 0.33f, kFlush = 0.05f, kLipRedness = 0.48f, kHairRedness = 0.25f;
 constexpr double kFlush_mm = 5.0;
 
@@ -89,7 +89,7 @@ class HeadLook : public Look {
   }
 
   Reflectance hairAt(const Eigen::Vector3d& p_mm) const {
-    // Strands run down and back: the noise is stretched along them.
+    // Strands run down and back, so the noise is stretched along them.
     const Eigen::Vector3d combed(p_mm.x(), 0.35 * p_mm.y(), 0.25 * p_mm.z());
     const float strands = sharedNoise().at(combed, 0.7), locks = sharedNoise().at(combed, 3.0);
     return {kHairAlbedo * std::max(0.2f, 1.f + 0.4f * strands + 0.3f * locks), 0.01f};

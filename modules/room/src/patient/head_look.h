@@ -1,6 +1,5 @@
 #pragma once
-// The patient's look: complexion from the SkinTexture, pores and freckles from noise in space, hair where it
-// grows.
+// The patient's look: complexion from SkinTexture, pores and freckles from noise in space, and hair.
 
 #include <memory>
 

@@ -98,7 +98,7 @@ std::optional<HeadLandmarks> findHeadLandmarks(const surface::TriangleMesh& skin
   HeadLandmarks landmarks;
   const Eigen::Vector2d middle = (*points)[30];
   for (Eigen::Vector2d p : *points) {
-    // Jaw points may lie just outside the silhouette: step towards the nose until the head is met.
+    // Jaw points may lie just outside the silhouette: they move towards the nose until they hit the head.
     auto hit = scene.intersect(view.origin(p.x(), p.y()), -Eigen::Vector3d::UnitY());
     for (int step = 0; step < 40 && !hit; ++step) {
       p += (middle - p).normalized();

@@ -1,6 +1,6 @@
 #pragma once
 // Landmarks of a bald, untextured head mesh: the iBUG 68 points, found by dlib's predictor on a shaded
-// frontal rendering and cast back onto the mesh. They anchor the photographic skin.
+// frontal rendering and projected back onto the mesh. The photographic skin is placed by them.
 
 #include <filesystem>
 #include <opencv2/core.hpp>
@@ -15,10 +15,10 @@ struct HeadLandmarks {
   std::vector<Eigen::Vector3d> points68_mm;  // Mri
 };
 
-/// Nothing where no face is found on the mesh (a scan without a face).
+/// nullopt if no face is found on the mesh (a scan without a face).
 std::optional<HeadLandmarks> findHeadLandmarks(const surface::TriangleMesh& skin);
 
-/// The 68 points in a grey photograph, px; nothing where no face is found.
+/// The 68 points in a grey photograph, px; nullopt if no face is found.
 std::optional<std::vector<Eigen::Vector2d>> findPortraitLandmarks(const cv::Mat& grey);
 
 }  // namespace facenav::room

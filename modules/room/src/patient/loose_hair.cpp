@@ -12,8 +12,8 @@
 namespace facenav::room {
 namespace {
 
-// Chosen by eye beside photographs of curly hair: about 2 mm thick strands of 10-25 mm over the forehead and
-// up to 90 mm at the sides.
+// Chosen by eye beside photographs of curly hair: strands about 2 mm thick, 10-25 mm long over the forehead
+// and up to 90 mm at the sides.
 constexpr int kLocks = 160, kSides = 5;
 constexpr double kStep_mm = 2.5, kThick_mm = 1.0, kThin_mm = 0.3, kCurl_mm = 3.0, kCurlPitch_mm = 17.0;
 constexpr double kShort_mm = 13.0, kLonger_mm = 60.0, kClear_mm = 1.5;
@@ -32,7 +32,7 @@ std::vector<int> hairline(const VirtualPatient& patient) {
   return found;
 }
 
-/// Keeps points outside the head, seen from its vertical axis.
+/// Moves points out of the head, away from its vertical axis.
 class Outside {
  public:
   explicit Outside(const VirtualPatient& patient) : axis_mm_(patient.head_centre.mm) {
@@ -56,7 +56,7 @@ class Outside {
 
 double uniform(std::mt19937_64& random) { return double(random() >> 11) * 0x1p-53; }
 
-/// From the root outwards, then down, with a curl that grows.
+/// Path of a lock: from the root outwards, then down, with a growing curl.
 std::vector<Eigen::Vector3d> path(const Eigen::Vector3d& root_mm, const Eigen::Vector3d& normal,
                                   double length_mm, const Outside& outside, std::mt19937_64& random) {
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ(), across = normal.cross(down).normalized();

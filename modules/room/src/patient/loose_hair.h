@@ -1,6 +1,6 @@
 #pragma once
 // LooseHair: locks that hang from the hairline over temples, cheeks and the edge of the forehead. They are
-// not part of the MRI and move against the skull.
+// not in the MRI and move relative to the skull.
 
 #include <memory>
 #include <vector>
@@ -13,12 +13,12 @@ namespace facenav::room {
 
 class LooseHair {
  public:
-  /// Same patient and seed, same locks. None where no hair grows.
+  /// The same patient and seed give the same locks. No locks if the patient has no hair.
   LooseHair(const VirtualPatient& patient, std::uint64_t seed);
 
   /// At rest, Mri.
   const surface::TriangleMesh& mesh() const { return mesh_; }
-  /// The vertices' places: roots stay, tips move up to 1.5 times as far as the scalp's hair.
+  /// Vertex positions: roots do not move, tips move up to 1.5 times as far as the scalp's hair.
   std::vector<Eigen::Vector3d> vertices_mm(const HairPose& pose) const;
 
  private:
@@ -28,8 +28,8 @@ class LooseHair {
   void addLock(const Root& root, const std::vector<Eigen::Vector3d>& path);
 
   surface::TriangleMesh mesh_;
-  std::vector<Root> roots_;        // of each vertex's lock
-  std::vector<double> from_root_;  // of each vertex: 0 at the root, 1 at the tip
+  std::vector<Root> roots_;        // root of each vertex's lock
+  std::vector<double> from_root_;  // per vertex: 0 at the root, 1 at the tip
 };
 
 /// Keeps a reference to `rest`, which must outlive the look.

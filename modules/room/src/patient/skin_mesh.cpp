@@ -18,26 +18,25 @@
 namespace facenav::room {
 namespace {
 
-constexpr int kClosing = 3;  // voxels: narrower openings of the skin are closed over
-// Voxels of air around the scan: nose and ears may touch its edge, and smoothing and closing must not reach
-// the rim.
+constexpr int kClosing = 3;  // voxels: narrow openings of the skin are closed
+// Voxels of air added around the scan: nose and ears may touch its edge, and smoothing and closing must not
+// reach the rim.
 constexpr int kPad = 2 * kClosing + 2;
 constexpr double kSmallestHead_ml = 800.0;
-constexpr double kOwnEdge =
-    0.4;  // an edge of the skin is at least this steep, relative to the steepest within reach
+constexpr double kOwnEdge = 0.4;  // smallest slope of the skin's edge, relative to the steepest within reach
 constexpr float kLowestMr = -200.f, kAir_hu = -1000.f, kSoftTissue_hu = 200.f;
 
 using Cells = std::vector<float>;
 
-/// Values with air at 0. A CT (Hounsfield units, told by its negative air) is cut at soft tissue, so that
-/// skin and bone weigh the same.
+/// Sets air to 0. A CT (recognised by negative Hounsfield values) is clipped at soft tissue, so that skin and
+/// bone have the same value.
 volume::Volume withAirAtZero(volume::Volume scan) {
   if (volume::percentile(scan, 0.1) > kLowestMr) return scan;
   for (float& value : scan.voxels) value = std::clamp(value, kAir_hu, kSoftTissue_hu) - kAir_hu;
   return scan;
 }
 
-/// The scan inside a rim of air, in RAS order.
+/// The scan with a rim of air, in RAS order.
 volume::Volume padded(const volume::Volume& in) {
   const volume::Volume ras = withAirAtZero(volume::toRasOrder(in));
   volume::Volume out;
@@ -107,7 +106,7 @@ Flags flood(const volume::VoxelGrid& grid, const Flags& flags, std::uint8_t thro
   return reached;
 }
 
-/// The 6-connected piece with the most voxels.
+/// The 6-connected component with the most voxels.
 Flags largestPiece(const volume::VoxelGrid& grid, Flags flags) {
   Flags best;
   std::size_t most = 0;
@@ -141,7 +140,7 @@ Flags inverted(Flags flags) {
   return flags;
 }
 
-/// Head without inner air: sinuses, throat and ear canals are closed over (openings up to twice `kClosing`
+/// The head without inner air: closes sinuses, throat and ear canals (openings up to twice `kClosing`
 /// voxels).
 Flags solidHead(const volume::VoxelGrid& grid, const Cells& values, float threshold) {
   Flags tissue(values.size());
@@ -151,7 +150,7 @@ Flags solidHead(const volume::VoxelGrid& grid, const Cells& values, float thresh
   if (tissue.empty()) return Flags(values.size(), 0);
   const Flags sealed = dilated(grid, tissue, kClosing);
   const Flags outside = flood(grid, sealed, 0, {0});
-  // Inside the sealed skin and deeper than the closing reached: solid; plus the tissue itself.
+  // Solid: voxels inside the closed skin and deeper than the closing reached, plus the tissue itself.
   Flags solid = inverted(dilated(grid, outside, kClosing + 1));
   for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = solid[i] || tissue[i];
   const Flags air = flood(grid, solid, 0, {0});
@@ -212,10 +211,9 @@ void faceOutwards(surface::TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// Offset (mm, along the normal) of the air/skin edge within reach of the vertex: the outermost place where
-/// the intensity falls most steeply. Not the steepest of all: where the dermis is dark, the edge of the fat
-/// 2-4 mm below falls more steeply than the skin's own, and a surface that follows it here and there has
-/// dents.
+/// Offset (mm, along the normal) of the air/skin edge within reach of the vertex: the outermost position with
+/// a steep fall of intensity. The steepest position is not used: where the dermis is dark, the edge of the
+/// fat 2-4 mm below it is steeper than the skin's edge, and a surface that jumps to it has dents.
 double edgeOffset(const volume::Volume& field, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
   constexpr double kReach_mm = 2.0, kStep_mm = 0.125;
   constexpr int kSteps = int(2 * kReach_mm / kStep_mm);
@@ -279,14 +277,14 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   Cells field = smoothed(scan.grid, scan.voxels);
   volume::Volume smooth_scan{scan.grid, field, scan.modality, scan.orientation_source};
   const float threshold =
-      0.50037f * otsu(field);  // never exactly a voxel's value: that would degenerate triangles
+      0.50037f * otsu(field);  // never equal to a voxel's value, which would give degenerate triangles
   const Flags solid = solidHead(scan.grid, field, threshold);
   const double volume_ml =
       std::accumulate(solid.begin(), solid.end(), 0.0) * scan.grid.voxelVolume_mm3() / 1000.0;
   if (volume_ml < kSmallestHead_ml)
     throw Error("no head in the volume", "", "give a T1 scan of a whole head");
   monitor.report("virtual patient: skin", 0.4);
-  // Deep inside, the field is raised above the level, so that only the outermost surface remains.
+  // Raises the field above the level deep inside, so that only the outermost surface remains.
   const Flags near_air = dilated(scan.grid, inverted(solid), 1);
   for (std::size_t i = 0; i < field.size(); ++i) {
     if (!near_air[i]) field[i] = std::max(field[i], 2.f * threshold);
@@ -296,7 +294,7 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   faceOutwards(mesh);
   mesh.normals = vertexNormals(mesh.vertices_mm, mesh.triangles);
   monitor.report("virtual patient: skin", 0.8);
-  // Twice: the first surface lies on a low level, outside the edge, and its normals are those of that level.
+  // Twice: the first surface is at a low level, outside the edge, and its normals belong to that level.
   for (int round = 0; round < 2; ++round) settleOnEdge(mesh, smooth_scan);
   monitor.report("virtual patient: skin", 1.0);
   return mesh;

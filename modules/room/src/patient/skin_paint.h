@@ -1,6 +1,5 @@
 #pragma once
-// SkinPaint: something that covers the skin's own picture at a point: the share (0..1) that it covers, and
-// its albedo.
+// SkinPaint: something that covers the skin's picture at a point: its opacity (0..1) and its albedo.
 
 namespace facenav::room {
 

@@ -49,7 +49,7 @@ cv::Mat faceWeight(const cv::Size& size, const std::vector<Eigen::Vector2d>& poi
   return weight;
 }
 
-/// Albedo from the photograph: linear light, with the photographer's lamp mostly divided out.
+/// Albedo from the photograph: linear light, with most of the photographer's lighting divided out.
 cv::Mat flattened(const cv::Mat& grey, const cv::Mat& weight) {
   cv::Mat linear, light, norm;
   grey.convertTo(linear, CV_32F, 1.0 / 255.0);
@@ -63,7 +63,7 @@ cv::Mat flattened(const cv::Mat& grey, const cv::Mat& weight) {
   return albedo * (kSkinAlbedo / mean);
 }
 
-/// Points of the 68 that lie well on both faces: not the outer jaw (silhouettes) .
+/// Those of the 68 points that are reliable on both faces: all but the outer jaw (silhouettes).
 std::vector<int> anchors() {
   std::vector<int> chosen{4, 5, 6, 7, 8, 9, 10, 11, 12};
   for (int i = 17; i < 68; ++i) chosen.push_back(i);
@@ -110,7 +110,7 @@ Warp mapToPortrait(const SkinTexture& texture, const cv::Size& size,
     to.push_back(portrait_px[i]);
   }
   const ThinPlate warp(from, to, 0.02);
-  constexpr int kCoarse = 4;  // the spline is smooth: every 4th pixel, then linear
+  constexpr int kCoarse = 4;  // the spline is smooth: evaluated at every 4th pixel, linear between
   const cv::Size coarse(size.width / kCoarse + 1, size.height / kCoarse + 1);
   Warp maps{cv::Mat(coarse, CV_32F), cv::Mat(coarse, CV_32F)};
   for (int row = 0; row < coarse.height; ++row)

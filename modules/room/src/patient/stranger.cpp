@@ -9,7 +9,7 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kSoftTissue_mm = 2.5, kSoftScale_mm = 14.0;  // how faces differ beyond their proportions
+constexpr double kSoftTissue_mm = 2.5, kSoftScale_mm = 14.0;  // beyond the proportions
 
 struct Deformation {
   Eigen::Vector3d centre, scale, shift;
@@ -25,7 +25,7 @@ struct Deformation {
 
 Deformation deformationOf(const VirtualPatient& patient, std::uint64_t seed) {
   std::mt19937_64 random(seed * 31 + 5);
-  const auto away = [&random] {  // 4 to 9 %, larger or smaller
+  const auto away = [&random] {  // 4 to 9 % larger or smaller
     const double size = 0.04 + 0.05 * double(random() >> 11) * 0x1p-53;
     return 1.0 + (random() % 2 ? size : -size);
   };

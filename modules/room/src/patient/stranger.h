@@ -1,6 +1,6 @@
 #pragma once
-// Another person, made from the patient: other proportions, other soft tissue, another complexion, the
-// portrait's sides exchanged. Near enough to be taken for the patient by a careless tracker, and not the
+// Another person, derived from the patient: other proportions, other soft tissue, another complexion, the
+// portrait mirrored. Similar enough that a tracker without an identity check may take this person for the
 // patient.
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace facenav::room {
 
-/// In the same Mri coordinates as `patient`, so that it can be put on the same seat. `seed`: which person.
+/// In the same Mri coordinates as `patient`, so that both can be seated alike. `seed` selects the person.
 std::shared_ptr<const VirtualPatient> strangerLike(const VirtualPatient& patient, std::uint64_t seed);
 
 }  // namespace facenav::room

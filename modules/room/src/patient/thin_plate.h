@@ -1,5 +1,5 @@
 #pragma once
-// ThinPlate: the thin-plate spline of the plane (Bookstein 1989), with a stiffness that lets it miss noisy
+// ThinPlate: the thin-plate spline of the plane (Bookstein 1989), with a stiffness that tolerates noisy
 // landmarks.
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kCrownToCentre_mm = 100.0;  // adult head: the brain case's middle below the crown
+constexpr double kCrownToCentre_mm = 100.0;  // adult head: from the crown down to the brain case's centre
 
 struct Box {
   Eigen::Vector3d low, high;
@@ -25,11 +25,11 @@ Box bounds(const std::vector<Eigen::Vector3d>& points) {
   return box;
 }
 
-/// How far inside the hair region a point lies, mm (negative: bare). Hair grows above a plane from the
-/// hairline on the forehead down to the nape behind the ears.
+/// Distance of a point from the border of the hair region, mm (negative: no hair). Hair grows above a plane
+/// from the hairline on the forehead down to the nape behind the ears.
 double insideHair_mm(const VirtualPatient& patient, const Eigen::Vector3d& p_mm) {
   const Eigen::Vector3d up_back = Eigen::Vector3d(0.0, -0.78, 0.62).normalized();
-  // Through the hairline: 62 mm above the root of the nose, or where that would be.
+  // A point on the hairline: 62 mm above the root of the nose, or an estimate of it.
   Eigen::Vector3d hairline = patient.head_centre.mm + Eigen::Vector3d(0.0, 85.0, 30.0);
   if (!patient.landmarks68_mm.empty())
     hairline = patient.landmarks68_mm[27] + Eigen::Vector3d(0.0, -12.0, 62.0);
@@ -112,7 +112,7 @@ RigidTransform<Mri, frames::Target> leftHandArea(const VirtualPatient& patient, 
   const Eigen::Vector3d out = Eigen::Vector3d(-0.58, -0.08, 0.81).normalized();
   const auto hit = scene.intersect(patient.head_centre.mm + 300.0 * out, -out);
   FACENAV_EXPECT(hit, "a head has a scalp over the hand area");
-  // The normal of the scalp around, not of one triangle.
+  // Normal of the scalp around the point, not of a single triangle.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < patient.skin.vertices_mm.size(); ++i)
     if ((patient.skin.vertices_mm[i] - hit->p_object_mm).squaredNorm() < 100.0)

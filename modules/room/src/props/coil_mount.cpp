@@ -13,7 +13,7 @@ namespace {
 
 const Eigen::Vector3d kUsual_mm(0.0, 0.0, -85.0);  // Coil
 
-/// Middles of the plate to try, Coil frame.
+/// Candidate centres of the plate, Coil frame.
 std::vector<Eigen::Vector3d> places() {
   constexpr int kAround = 12;
   std::vector<Eigen::Vector3d> places{kUsual_mm};
@@ -35,7 +35,7 @@ RoomCoil coilWithPlateAt(const Eigen::Vector3d& place_mm, const Eigen::Matrix3d&
   return coil;
 }
 
-/// Head and coil under a ray caster. World = Camera.
+/// Visibility by ray casting, with head and coil. World = Camera.
 class Sightlines {
  public:
   Sightlines(const VirtualPatient& patient, const CoilView& view,
@@ -51,8 +51,8 @@ class Sightlines {
     scene_.commit();
   }
 
-  /// Share of the print that both cameras see, over small shifts of the whole; less what the plate takes of
-  /// the face, as a share of its diameter.
+  /// Share of the print that both cameras see, over small shifts of the whole head and coil, minus the part
+  /// of the face that the plate hides (as a share of the face's diameter).
   double shown(const RoomCoil& coil) const {
     constexpr double kShift_mm = 20.0;
     const Eigen::Isometry3d world_T_marker = camera_T_coil_ * coil.marker_T_coil.inverse().isometry();
@@ -97,7 +97,7 @@ RoomCoil mountedCoil(const RigidTransform<Mri, frames::Target>& target, const Vi
                      const CoilView& view) {
   constexpr double kTilt_rad = 0.17, kPerMm = 0.0005;
   const RigidTransform<Room, frames::Target> room_T_coil = view.room_T_mri * target;
-  // A little away from square to the view: a marker seen exactly face-on has the least certain tilt.
+  // Tilted slightly against the view: the tilt of a marker seen exactly face-on is least certain.
   const Eigen::Matrix3d coil_R_marker =
       room_T_coil.rotation().transpose() * expRotation(Eigen::Vector3d(kTilt_rad, -kTilt_rad, 0.0));
   const Sightlines sightlines(

@@ -1,6 +1,6 @@
 #pragma once
-// Where the marker's plate stands on the coil: in sight of both cameras while the coil is at its target, as a
-// clinic would mount it, and not before the face.
+// Position of the marker's plate on the coil: visible to both cameras while the coil is at its target, as a
+// clinic would mount it, and not in front of the face.
 
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/room/room_coil.h"
@@ -9,16 +9,16 @@
 
 namespace facenav::room {
 
-/// The seated patient as the cameras have him.
+/// The seated patient and the cameras.
 struct CoilView {
   const cameras::StereoRig& rig;
   RigidTransform<Camera, Room> camera_T_room;
   RigidTransform<Room, Mri> room_T_mri;
 };
 
-/// Tries plates behind the coil and beside it, all turned to the cameras, and takes the one of which both
-/// cameras see most through small movements of the head, the nearest to the usual place (85 mm behind the
-/// coil) among equals.
+/// Tries plates behind and beside the coil, all facing the cameras. Takes the plate that both cameras see
+/// best during small head movements; among equals, the one nearest to the usual position (85 mm behind the
+/// coil).
 RoomCoil mountedCoil(const RigidTransform<Mri, frames::Target>& target, const VirtualPatient& patient,
                      const CoilView& view);
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kThick_mm = 16.0;  // of the wings
 
-/// Where the stem holds the plate: behind the edge that is nearest to the coil, so that it never crosses the
-/// print.
+/// The end of the stem at the plate: behind the plate's edge nearest to the coil, so that the stem never
+/// crosses the print.
 Eigen::Vector3d stemEnd(const RoomCoil& coil) {
   const Eigen::Vector3d coil_mm = (coil.marker_T_coil * Point<Coil>(0.0, 0.0, 0.0)).mm;
   const double edge_mm = kPlatePerMarker * 0.5 * coil.marker_size_mm - 7.0;

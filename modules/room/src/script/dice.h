@@ -1,5 +1,5 @@
 #pragma once
-// Dice: seeded numbers that are the same on every machine.
+// Dice: seeded random numbers, the same on every machine.
 
 #include <Eigen/Core>
 #include <cmath>

@@ -10,9 +10,9 @@ namespace facenav::room {
 namespace {
 
 constexpr double kShortestBlink_s = 0.1, kLongestBlink_s = 0.3, kSoonest_s = 2.0, kLatest_s = 6.0;
-constexpr double kLag_mm_per_rad = 20.0;  // of the hair behind the head's turn; a guess
+constexpr double kLag_mm_per_rad = 20.0;  // of the hair behind the head's turn; estimated, not measured
 
-/// Down in a third of the time, up in a half of it, as eyes do.
+/// The lids need 0.3 of the blink to close and 0.5 to open.
 double closing(double share) { return std::min(ease(share / 0.3), ease((1.0 - share) / 0.5)); }
 
 }  // namespace
@@ -35,7 +35,8 @@ HairPose looseHair(double sway_mm, const RigidTransform<Room, Mri>& seat,
   if (sway_mm <= 0.0) return hair;
   hair.pattern = visit == 0 ? 0 : 1 + (seed * 59 + std::uint64_t(visit)) % 900;
   const Eigen::Vector3d turn = logRotation(seat.rotation().transpose() * now.rotation());  // Mri
-  // Above the pivot the scalp goes by turn x up, at its front by turn x anterior; the hair stays behind.
+  // The turn moves scalp above the pivot by turn x up and scalp in front of it by turn x anterior; the hair
+  // lags behind.
   const Eigen::Vector3d goes = turn.cross(Eigen::Vector3d::UnitZ()) + turn.cross(Eigen::Vector3d::UnitY());
   hair.lean_mm = -kLag_mm_per_rad * goes;
   hair.lean_mm *= std::min(1.0, sway_mm / std::max(1e-9, hair.lean_mm.norm()));

@@ -17,7 +17,7 @@ HeadMotion::HeadMotion(const MotionSize& size, std::uint64_t seed) {
 
 Eigen::Matrix<double, 6, 1> HeadMotion::at(double time_s) const {
   Eigen::Matrix<double, 6, 1> value;
-  const double start = 1.0 - std::exp(-std::pow(time_s / 0.25, 2));  // eases in: no jump of speed at 0 s
+  const double start = 1.0 - std::exp(-std::pow(time_s / 0.25, 2));  // smooth start: no jump of speed at 0 s
   for (int axis = 0; axis < 6; ++axis) {
     double sum = 0.0;
     for (const Wave& wave : waves_[axis])

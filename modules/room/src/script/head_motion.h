@@ -1,5 +1,5 @@
 #pragma once
-// HeadMotion: how a seated head sways and nods: a few slow sines a degree of freedom, seeded, starting at
+// HeadMotion: sway and nod of a seated head: a few slow sines per degree of freedom, seeded, starting at
 // rest.
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@ namespace facenav::room {
 struct MotionSize {
   Eigen::Vector3d rotation_deg{2.0, 3.0, 1.5};  // peak about Room x (nod), y (turn), z (tilt)
   Eigen::Vector3d shift_mm{6.0, 4.0, 8.0};      // peak along Room x, y, z
-  double rate_hz = 0.35;                        // of the strongest part
+  double rate_hz = 0.35;                        // of the strongest component
 };
 
 class HeadMotion {

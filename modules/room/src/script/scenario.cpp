@@ -19,7 +19,7 @@ struct OwnWhereUsual {
   }
 };
 
-/// Cameras near the face, where the rig's options are the defaults.
+/// Places the cameras close to the face, unless the rig's options were changed.
 void moveClose(ScenarioOptions& options) {
   const ScenarioOptions usual;
   const RigOptions close = closeRig();
@@ -32,7 +32,7 @@ void moveClose(ScenarioOptions& options) {
   own(options.rig.convergence_deg, usual.rig.convergence_deg, close.convergence_deg);
 }
 
-/// Faint skin under glare, hair that moves, colour sensors that differ a little.
+/// Low skin contrast, glare, moving hair, slightly different colour sensors.
 void makeReal(ScenarioOptions& options) {
   const ScenarioOptions usual;
   const OwnWhereUsual own;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// A script made of one function, with the patient's habits.
+/// A script defined by one function, plus the patient's habits.
 class FunctionScript : public Script {
  public:
   FunctionScript(const Setting& setting, Cast capture, MomentOf moment)
@@ -59,7 +59,7 @@ MomentOf momentsOf(const Setting& setting) {
 }
 
 /// Turn (rad) and shift (mm) of a patient who does not sit straight: directions uniform, sizes uniform up to
-/// the options' limits. Nothing where these are 0.
+/// the options' limits. Zero if these are 0.
 Vector6d seatError(const ScenarioOptions& options) {
   std::mt19937_64 random(options.seed * 7919 + 17);
   const auto uniform = [&random] { return double(random() >> 11) * 0x1p-53; };
@@ -96,7 +96,7 @@ RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const Virtu
   // left.
   Eigen::Matrix3d room_R_mri;
   room_R_mri << -1, 0, 0, 0, 0, -1, 0, -1, 0;
-  // A seat is never quite square to the rig.
+  // No seat is exactly square to the rig.
   room_R_mri = expRotation(Eigen::Vector3d(2.0, -3.0, 1.0) * kDegree) * room_R_mri;
   const Vector6d error = seatError(options);
   const Eigen::Vector3d centre_mm(4.0, 0.07 * options.head_distance_mm, options.head_distance_mm);

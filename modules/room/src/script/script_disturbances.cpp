@@ -17,17 +17,18 @@ Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, const Eigen::Vector3d&
   return pose;
 }
 
-/// A coil whose marker stands at `marker_mm` (Room), turned from facing the cameras by a rotation vector.
+/// A coil with its marker at `marker_mm` (Room). The marker faces the cameras, then is turned by a rotation
+/// vector.
 RigidTransform<Room, Coil> coilWithMarkerAt(const Setting& setting, const Eigen::Vector3d& marker_mm,
                                             const Eigen::Vector3d& turn_deg) {
-  // Facing the cameras: z into the plate is the line of sight.
+  // Facing the cameras: z (into the plate) is along the line of sight.
   const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), marker_mm);
   const auto room_T_marker = RigidTransform<Room, Marker>::fromIsometry(
       placed(facing.toRotationMatrix() * expRotation(turn_deg * kDegree), marker_mm));
   return room_T_marker * setting.marker_T_coil;
 }
 
-/// The parts of "lost", in order: until when (0..1), what happens.
+/// The parts of "lost", in order: end (0..1), event.
 const Parts kLostParts({{0.14, "face in view"},
                         {0.34, "head turns away and back"},
                         {0.44, "face in view"},
@@ -59,7 +60,7 @@ MomentOf occlusionScript(const Setting& setting) {
     moment.cast = setting.headMovedBy(sway(setting.time_s(frame), setting.options.motion));
     const Eigen::Vector3d face_mm = setting.face_mm();
     if (part > 0.15 && part < 0.55) {
-      // A hand comes in from the image's right, covers cheek and mouth side, and goes.
+      // A hand comes from the image's right, hides cheek and side of the mouth, and leaves.
       const double in = hill((part - 0.15) / 0.4);
       const Eigen::Vector3d at_mm = face_mm + Eigen::Vector3d(185.0 - 130.0 * in, 35.0, -75.0);
       moment.cast.room_T_hand = placed(expRotation(Eigen::Vector3d(0.15, 0.0, -0.5)), at_mm);
@@ -126,7 +127,7 @@ MomentOf coilSweepScript(const Setting& setting) {
     const double part = setting.part(frame);
     Moment moment;
     Vector6 by = sway(setting.time_s(frame), setting.options.motion);
-    by.tail<3>() += Eigen::Vector3d(-80.0, 20.0, 120.0);  // aside, so that the marker passes it
+    by.tail<3>() += Eigen::Vector3d(-80.0, 20.0, 120.0);  // moved aside, so that the marker can pass it
     moment.cast = setting.headMovedBy(by);
     const double depth_mm = 400.0 + 500.0 * part, tilt_deg = 60.0 * std::abs(std::sin(2 * M_PI * 2.5 * part));
     const double about = 2 * M_PI * 0.7 * part + 0.4;

@@ -10,21 +10,21 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-// Of "grimace": frames at rest, then again and again away and back.
+// "grimace": frames at rest, then repeatedly away and back.
 constexpr int kRest = 10, kAway = 2, kBack = 15;
-constexpr double kGap_s = 1.4;      // without frames, half before and half after the frames away
+constexpr double kGap_s = 1.4;      // pause without frames, half before and half after the frames away
 constexpr double kAway_mm = 700.0;  // out of both images
 
-// Of "returns": the patient gets up and walks out of the pictures, and walks in again.
+// "returns": the patient stands up, walks out of the images and walks in again.
 constexpr int kWalk = 15,
-              kSeated = 16;  // frames each way (0.25 s at 60 Hz, as in "other_face"), frames seated
+              kSeated = 16;  // frames of each walk (0.25 s at 60 Hz, as in "other_face"); frames seated
 constexpr double kLargestTurn_deg = 15.0;
 
-// Of "out_of_step".
+// "out_of_step".
 constexpr int kInStep = 24;
-constexpr double kRadius_mm = 6.0, kRounds_hz = 1.0;  // the head goes round a circle
+constexpr double kRadius_mm = 6.0, kRounds_hz = 1.0;  // the head moves on a circle
 
-/// Which return a frame belongs to (0: at rest before the first), and whether the patient is still away.
+/// The return that a frame belongs to (0: at rest before the first), and whether the patient is still away.
 struct Visit {
   int number = 0;
   bool is_away = false;
@@ -41,7 +41,7 @@ Dice diceOf(const Setting& setting, int visit) {
   return Dice(setting.options.seed * 9973 + std::uint64_t(visit) * 131 + 7);
 }
 
-/// Where the patient sits at a return: 0.5-5 deg and 3-16 mm from the seat.
+/// Pose of the patient after a return: 0.5-5 deg and 3-16 mm from the seat.
 Vector6 placeOf(const Setting& setting, int visit) {
   Vector6 by = Vector6::Zero();
   if (visit == 0) return by;
@@ -62,7 +62,7 @@ constexpr std::array<Grimace, 5> kGrimaces{{{"smile", &Expression::smile},
                                             {"cheeks puffed", &Expression::cheeks},
                                             {"brows raised", &Expression::brows}}};
 
-/// Five grimaces in the seed's order; brows take a part in each.
+/// Five grimaces, in an order set by the seed; each includes the brows.
 const Grimace& grimaceOf(const Setting& setting, int visit) {
   const int first = int(setting.options.seed % kGrimaces.size()), step = setting.options.seed % 2 ? 1 : 2;
   return kGrimaces[std::size_t(first + step * visit) % kGrimaces.size()];
@@ -77,7 +77,7 @@ Expression expressionOf(const Setting& setting, int visit) {
   return expression;
 }
 
-/// Where the patient sits after having been away: 5 to 15 deg and 3 to 16 mm from the seat.
+/// Pose of the patient after an absence: 5 to 15 deg and 3 to 16 mm from the seat.
 Vector6 turnedPlaceOf(const Setting& setting, int visit) {
   Vector6 by = Vector6::Zero();
   if (visit == 0) return by;
@@ -87,7 +87,7 @@ Vector6 turnedPlaceOf(const Setting& setting, int visit) {
   return by;
 }
 
-/// Lamps up to 35 % brighter or darker and up to 600 mm elsewhere, as after a door or a blind was opened.
+/// Lamps up to 35 % brighter or darker and moved by up to 600 mm, as after opening a door or a blind.
 void otherLight(const Setting& setting, int visit, Cast& cast) {
   if (visit == 0) return;
   Dice dice = diceOf(setting, visit + 3000);
@@ -121,10 +121,10 @@ MomentOf grimaceScript(const Setting& setting) {
 
 MomentOf returnsScript(const Setting& setting) {
   return [setting](double frame) {
-    constexpr int kVisit = kSeated + 2 * kWalk;  // seated, out, in
-    // A visit starts with the way in; the first one starts seated.
+    constexpr int kVisit = kSeated + 2 * kWalk;  // walk in, seated, walk out
+    // A visit starts with the walk in; the first one starts seated.
     const int number = int((frame + kWalk) / kVisit);
-    const double inside = frame + kWalk - number * kVisit;  // since the way in began
+    const double inside = frame + kWalk - number * kVisit;  // frames since the walk in began
     const bool is_coming = inside < kWalk, is_going = inside >= kWalk + kSeated;
     Moment moment;
     moment.visit = number;
@@ -152,7 +152,7 @@ MomentOf outOfStepScript(const Setting& setting) {
     moment.cast = setting.headMovedBy(by);
     moment.label = frame < kInStep ? "in step" : "right camera's picture is older";
     if (frame < kInStep) return moment;
-    // The chord of the circle between the two exposures grows from 4 to 9 mm.
+    // The head's shift between the two exposures (chord of the circle) grows from 4 to 9 mm.
     const double share = std::min(1.0, (frame - kInStep) / std::max(1, setting.frames - 1 - kInStep));
     const double chord_mm = 4.0 + 5.0 * share;
     const double between_s = std::asin(chord_mm / (2.0 * kRadius_mm)) / (M_PI * kRounds_hz);

@@ -10,7 +10,7 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr int kHeld = 15, kAway = 2;  // frames of a moment, and of the patient out of the pictures before it
+constexpr int kHeld = 15, kAway = 2;  // frames of a moment; frames of the absence before it
 constexpr double kShortestGap_s = 1.5, kLongestGap_s = 4.0, kAway_mm = 700.0;
 
 struct Face {
@@ -26,7 +26,7 @@ Expression made(double smile, double tongue, double lips_in, double cheeks, doub
   return expression;
 }
 
-/// What the patient's face does at a moment; the seed says in which order.
+/// The face at each moment; the seed sets the order.
 const std::array<Face, 5>& faces() {
   static const std::array<Face, 5> all{{{"smile", made(1.0, 0.0, 0.0, 0.15, 0.1), 2.0},
                                         {"tongue out", made(0.0, 1.0, 0.0, 0.0, 0.2), 3.0},

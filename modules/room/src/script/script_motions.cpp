@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// The coil relative to its target: 150 mm off and turned at 0, on it at 1.
+/// Pose of the coil relative to its target: at 0, 150 mm away and turned; at 1, on the target.
 RigidTransform<frames::Target, Coil> onApproach(double progress) {
   const double left = 1.0 - ease(progress);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -20,13 +20,13 @@ RigidTransform<frames::Target, Coil> onApproach(double progress) {
   return RigidTransform<frames::Target, Coil>::fromIsometry(pose);
 }
 
-/// Free motion: each of the six swings to its full size about once in four seconds, the seed says which way
-/// and how fast.
+/// Free motion: each of the six degrees of freedom reaches its full size about once in four seconds; the seed
+/// sets direction and speed.
 struct Swing {
   double peak, rate_hz;
 };
 std::array<Swing, 6> swings(std::uint64_t seed) {
-  // Pitch, yaw, roll (deg); x, y, z (mm). Together the shifts stay below 100 mm/s.
+  // Pitch, yaw, roll (deg); x, y, z (mm). The combined shifts stay below 100 mm/s.
   std::array<Swing, 6> all{
       {{15.0, 0.24}, {30.0, 0.25}, {15.0, 0.21}, {60.0, 0.20}, {25.0, 0.20}, {40.0, 0.15}}};
   std::mt19937_64 random(seed * 101 + 3);
@@ -98,7 +98,7 @@ MomentOf protractorScript(const Setting& setting) {
 
 MomentOf freeMotionScript(const Setting& setting) {
   return [setting, all = swings(setting.options.seed)](double frame) {
-    // Time itself eases in, so that no speed exceeds that of the swing.
+    // Time starts smoothly, so that no speed exceeds that of the swing.
     constexpr double kStart_s = 0.3;
     const double t_s = setting.time_s(frame), swung_s = t_s - kStart_s * (1.0 - std::exp(-t_s / kStart_s));
     Eigen::Matrix<double, 6, 1> by;
@@ -112,7 +112,7 @@ MomentOf freeMotionScript(const Setting& setting) {
 }
 
 MomentOf treatmentScript(Setting setting) {
-  // The head has moved a little since the capture pair.
+  // The head has moved slightly since the capture pair.
   Eigen::Matrix<double, 6, 1> since;
   since << 1.0, -1.5, 0.7, 3.0, -2.0, 4.0;
   setting.seat = setting.moved(setting.options.motion * since);

@@ -7,7 +7,7 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// The parts of "other_face", in order: until when (0..1), what happens.
+/// The parts of "other_face", in order: end (0..1), event.
 const Parts kOtherFaceParts({{0.15, "patient"},
                              {0.30, "another person in the patient's place"},
                              {0.45, "patient"},
@@ -59,7 +59,7 @@ MomentOf otherFaceScript(const Setting& setting) {
     if (moment.label == "patient comes back") by[3] += kAway_mm * ease(1.0 - inside);
     moment.cast = setting.headMovedBy(by);
     const bool is_other = moment.label.rfind("another person", 0) == 0;
-    // Two persons: the one who walks in is not the one who was there at once.
+    // Two persons: the one who walks in differs from the one who appeared suddenly.
     if (is_other) moment.cast.stranger = 2 * setting.options.seed + (part > 0.5 ? 2 : 1);
     return moment;
   };

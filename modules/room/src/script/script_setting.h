@@ -1,5 +1,5 @@
 #pragma once
-// What every script starts from, and the small steps they share.
+// Common input of all scripts, and small functions they share.
 
 #include <functional>
 #include <vector>
@@ -11,7 +11,7 @@ namespace facenav::room {
 
 struct Setting {
   ScenarioOptions options;
-  RigidTransform<Room, Mri> seat;  // the head before anything moves
+  RigidTransform<Room, Mri> seat;  // head pose before any motion
   Point<Mri> pivot, face_middle;
   RigidTransform<Mri, frames::Target> target;
   RigidTransform<Marker, Coil> marker_T_coil;
@@ -28,7 +28,7 @@ struct Setting {
   Eigen::Vector3d face_mm() const { return (seat * face_middle).mm; }
 };
 
-/// What happens one after the other in a script: each part lasts until its share (0..1) of the whole.
+/// The consecutive parts of a script: each part lasts until its share (0..1) of the whole.
 class Parts {
  public:
   struct Part {
@@ -39,7 +39,7 @@ class Parts {
     const char* label;
     double inside;  // 0 at the part's start, 1 at its end
   };
-  /// In order; the last one must reach beyond 1.
+  /// In order; the last part must end beyond 1.
   explicit Parts(std::vector<Part> parts) : parts_(std::move(parts)) {}
   Place at(double share) const;
 
@@ -47,7 +47,7 @@ class Parts {
   std::vector<Part> parts_;
 };
 
-using MomentOf = std::function<Moment(double frame)>;  // between two frames, too
+using MomentOf = std::function<Moment(double frame)>;  // fractional frames are allowed
 
 /// Smooth step 0..1 with zero speed and acceleration at both ends.
 double ease(double x);
@@ -57,28 +57,28 @@ MomentOf stillScript(const Setting& setting);
 MomentOf protractorScript(const Setting& setting);
 MomentOf freeMotionScript(const Setting& setting);
 MomentOf treatmentScript(Setting setting);
-// script_disturbances.cpp: what a treatment room does to trackers.
+// script_disturbances.cpp: disturbances of a treatment room.
 MomentOf occlusionScript(const Setting& setting);
 MomentOf talkingScript(const Setting& setting);
 MomentOf lightingScript(const Setting& setting);
 MomentOf lostScript(const Setting& setting);
 MomentOf coilSweepScript(const Setting& setting);
-// script_people.cpp: what patients wear, and who else comes in.
+// script_people.cpp: what patients wear, and other persons.
 MomentOf glintScript(const Setting& setting);
 MomentOf maskScript(const Setting& setting);
 MomentOf otherFaceScript(const Setting& setting);
 
-// script_grimaces.cpp: what real faces and cameras do between two moments.
+// script_grimaces.cpp: changes of face, light and cameras between two moments.
 MomentOf grimaceScript(const Setting& setting);
 MomentOf returnsScript(const Setting& setting);
 MomentOf outOfStepScript(const Setting& setting);
 
-// script_moments.cpp: a real person before real cameras.
+// script_moments.cpp: a real person in front of real cameras.
 MomentOf momentsScript(const Setting& setting);
 
-/// The patient's small movements while nothing else happens: rotation vector (deg) and shift (mm).
+/// The patient's small movements at rest: rotation vector (deg) and shift (mm).
 Eigen::Matrix<double, 6, 1> sway(double time_s, double scale);
-/// Up from 0 to 1 at the middle and back.
+/// Rises from 0 to 1 at the middle and falls back.
 double hill(double x);
 
 }  // namespace facenav::room

@@ -1,8 +1,8 @@
 #pragma once
-// A MINC volume as npm's brainbrowser packs it: a JSON header (`order` from the slowest to the fastest axis;
-// start, space_length, step and direction_cosines an axis) and raw 8-bit voxels, both gzipped. World p = sum
-// over the axes of (start + index * step) * direction_cosines, x right, y anterior, z superior: RAS mm, hence
-// Mri.
+// A MINC volume in the format of npm's brainbrowser: a JSON header (`order` from the slowest to the fastest
+// axis; start, space_length, step and direction_cosines per axis) and raw 8-bit voxels, both gzipped. World p
+// = sum over the axes of (start + index * step) * direction_cosines, x right, y anterior, z superior: RAS mm,
+// that is Mri.
 
 #include <filesystem>
 
@@ -10,7 +10,7 @@
 
 namespace facenav::room {
 
-/// Throws Error naming the file and the key for a header that lacks one, or voxels that do not fill the grid.
+/// Throws Error naming the file and the key if the header lacks a key or the voxels do not fill the grid.
 volume::Volume readMincVolume(const std::filesystem::path& header_json_gz,
                               const std::filesystem::path& raw_gz);
 

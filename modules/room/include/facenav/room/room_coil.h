@@ -19,7 +19,7 @@ struct RoomCoil {
 
 /// Two wings, housing and handle, Coil frame, mm.
 surface::TriangleMesh coilBodyMesh();
-/// The body and the stem to the marker's plate, without the plate.
+/// The body and the stem that holds the marker's plate, without the plate.
 surface::TriangleMesh coilMesh(const RoomCoil& coil);
 
 }  // namespace facenav::room

@@ -1,7 +1,6 @@
 #pragma once
-// The room's cameras. `Room` is the frame in which scenarios are written: origin midway between the cameras,
-// x right, y down (gravity), z forward to the patient, seen from the cameras; mm. A rig may be rolled in the
-// room.
+// The room's cameras. Scenarios are written in the frame `Room`: origin midway between the cameras, x right,
+// y down (gravity), z forward to the patient, as seen from the cameras; mm. A rig may be rolled in the room.
 
 #include <cstdint>
 
@@ -36,20 +35,20 @@ struct RigOptions {
   }
 };
 
-/// Cameras near to a face: 1024 x 1024, focal length 1550 px, 114 mm and 20 deg apart; for a head at
+/// Cameras close to a face: 1024 x 1024, focal length 1550 px, 114 mm and 20 deg apart; for a head at
 /// kCloseHead_mm.
 RigOptions closeRig();
 constexpr double kCloseHead_mm = 560.0;
 
-/// A rig such as another clinic might build: f 600-1000 px, baseline 60-200 mm, rolled up to 20 degrees, toed
-/// in between half and all of the way to a head at 600 mm, barrel or slight pincushion lenses. Same seed,
-/// same rig.
+/// A random rig, as another clinic might build it: f 600-1000 px, baseline 60-200 mm, rolled up to 20
+/// degrees, toed in between half and all of the way to a head at 600 mm, barrel or slight pincushion lenses.
+/// The same seed gives the same rig.
 RigOptions randomRig(std::uint64_t seed);
 
-/// Two cameras that differ a little in focal length, principal point, distortion and roll, as real ones do.
+/// Two cameras with slightly different focal length, principal point, distortion and roll, like real ones.
 cameras::StereoRig makeRig(const RigOptions& options);
 
-/// Camera from Room for any rig: Room's axes are the mean of the cameras', turned back by the rig's roll.
+/// Camera from Room for any rig. Room's axes are the mean of the cameras' axes with the rig's roll removed.
 RigidTransform<Camera, Room> cameraFromRoom(const cameras::StereoRig& rig, double roll_deg = 0.0);
 
 }  // namespace facenav::room

@@ -1,7 +1,7 @@
 #pragma once
-// Scenario: what happens in the virtual treatment room, by name, as a recording that can be repeated: same
-// options and seed, same images. A scenario may have values of its own (cameras, light, skin): they hold
-// where an option has its default value.
+// Scenario: the events in the virtual treatment room, chosen by name. The same options and seed give the same
+// images. A scenario may have its own values (cameras, light, skin); they apply to options that have their
+// default value.
 
 #include <cstdint>
 #include <filesystem>
@@ -19,26 +19,26 @@ namespace facenav::room {
 
 struct ScenarioOptions {
   std::string name = "treatment";
-  int frames = 0;  // 0: the scenario's own length
+  int frames = 0;  // 0: the scenario's length
   double frames_per_s = 60.0;
   std::uint64_t seed = 1;
-  double head_distance_mm = 600.0;  // cameras to face
+  double head_distance_mm = 600.0;  // from the cameras to the face
   double noise_grey = 1.5, blur_px = 0.6, exposure = 1.3, gamma = 1.0;
   double motion = 1.0;                              // scales the scenario's head motion
-  double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // how far from straight the seed may seat the patient
-  double right_late_ms = 0.0;  // the right camera exposes later than the left; the truth is the left's
-  int jpeg_quality = -1;       // 1..100; 0: not compressed; -1: the scenario's own
-  double gloss = -1.0;         // of the skin; -1: the scenario's own
+  double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // limits of the seat's random error
+  double right_late_ms = 0.0;  // delay of the right camera's exposure; the truth is that of the left
+  int jpeg_quality = -1;       // 1..100; 0: not compressed; -1: the scenario's value
+  double gloss = -1.0;         // of the skin; -1: the scenario's value
   double haze_grey = 0.0;
-  double right_gain = 1.0, right_gamma = 1.0;  // of the right camera against the left one
-  int blinks = -1;                             // 1: the patient blinks, 0: not, -1: the scenario's own
-  double hair_sway_mm = -1.0;                  // 0: hair stays; -1: the scenario's own
-  double skin_contrast = 1.0;                  // scales the patient's
-  int bayer = -1;                              // 1: colour sensors, turned grey; -1: the scenario's own
-  double grey_red = 1.0 / 3.0, grey_blue = 1.0 / 3.0;  // shares of the left camera's grey
+  double right_gain = 1.0, right_gamma = 1.0;          // of the right camera, relative to the left one
+  int blinks = -1;                                     // 1: blinks; 0: none; -1: the scenario's value
+  double hair_sway_mm = -1.0;                          // 0: hair does not move; -1: the scenario's value
+  double skin_contrast = 1.0;                          // scales the contrast of the patient's skin
+  int bayer = -1;                                      // 1: colour sensors; -1: the scenario's value
+  double grey_red = 1.0 / 3.0, grey_blue = 1.0 / 3.0;  // weights of red and blue in the left camera's grey
   double right_grey_red = 1.0 / 3.0, right_grey_blue = 1.0 / 3.0;
-  std::string rig_name;  // "room", "close"; empty: the scenario's own
-  RigOptions rig;        // what differs from its default stands beside rig_name
+  std::string rig_name;  // "room", "close"; empty: the scenario's rig
+  RigOptions rig;        // changes to the named rig: options that differ from their default
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -101,17 +101,17 @@ struct ScenarioOptions {
 
 struct ScenarioKind {
   std::string name, help;
-  int frames;            // its own length
+  int frames;            // default length
   int jpeg_quality = 0;  // its own compression and gloss
   double gloss = 0.0;
   bool blinks = false;
-  bool is_real = false;  // seen as a real face in front of two near colour cameras
+  bool is_real = false;  // mimics a real face in front of two near colour cameras
 };
 
-/// The scenarios there are.
+/// All scenarios.
 const std::vector<ScenarioKind>& scenarios();
-/// The options with the scenario's own values where they are left to it. Throws Error for an unknown scenario
-/// or rig, listing those there are.
+/// The options after the scenario's own values replaced the defaults. Throws Error for an unknown scenario or
+/// rig; the message lists the known ones.
 ScenarioOptions resolved(ScenarioOptions options);
 
 }  // namespace facenav::room

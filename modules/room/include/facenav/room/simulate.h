@@ -1,7 +1,7 @@
 #pragma once
-// simulate: plays a scenario into a recording folder (FORMATS.md) with its truth: truth/head.csv,
-// truth/coil.csv, coil.json (the coil's marker mount) and scenario.json (options, seed, what each frame
-// shows).
+// simulate: renders a scenario into a recording folder (FORMATS.md) with its truth: truth/head.csv,
+// truth/coil.csv, coil.json (the coil's marker mount) and scenario.json (options, seed, the event in each
+// frame).
 
 #include <filesystem>
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace facenav::room {
 
-/// `target`: where `treatment` brings the coil; by default over the left hand area. The recording appears
-/// whole or not at all. Throws Error for an unknown scenario (listing those there are), or a folder that
-/// cannot be written.
+/// `target`: where the scenario `treatment` brings the coil; by default over the left hand area. The
+/// recording is written completely or not at all. Throws Error for an unknown scenario (the message lists the
+/// known ones), or a folder that cannot be written.
 void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatient> patient,
               const std::optional<RigidTransform<Mri, frames::Target>>& target,
               const std::filesystem::path& recording, TaskMonitor& monitor);

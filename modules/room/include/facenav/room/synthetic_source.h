@@ -1,6 +1,5 @@
 #pragma once
-// SyntheticSource: a scenario as a live FrameSource: each frame is rendered when it is asked for, with its
-// truth.
+// SyntheticSource: a scenario as a live FrameSource. Each frame is rendered on request and has its truth.
 
 #include <memory>
 #include <optional>
@@ -15,8 +14,8 @@ namespace facenav::room {
 
 class SyntheticSource : public capture::FrameSource {
  public:
-  /// `target`: where `treatment` brings the coil; by default over the left hand area. Throws Error for an
-  /// unknown scenario, listing those there are.
+  /// `target`: where the scenario `treatment` brings the coil; by default over the left hand area. Throws
+  /// Error for an unknown scenario; the message lists the known ones.
   SyntheticSource(const ScenarioOptions& options, std::shared_ptr<const VirtualPatient> patient,
                   const std::optional<RigidTransform<Mri, frames::Target>>& target = {});
   ~SyntheticSource() override;
@@ -25,10 +24,10 @@ class SyntheticSource : public capture::FrameSource {
   std::shared_ptr<const cameras::StereoFrame> next() override;
   std::optional<std::int64_t> frameCount() const override;
 
-  /// The still pair of the initial alignment, and the head's pose in it.
+  /// The still pair for the initial alignment, and the head's pose in it.
   capture::CapturePair capturePair();
   RigidTransform<Camera, Mri> captureTruth() const;
-  /// Truth of the frame that next() gave last.
+  /// Truth of the last frame that next() returned.
   const GroundTruth& truth() const;
   DepthMaps depth() const;
   const RoomCoil& coil() const;

@@ -1,7 +1,7 @@
 #pragma once
-// VirtualPatient: a head made from an MRI: its skin as a closed mesh, a photographic face laid on by
-// landmarks, and hair that stands 2-5 mm proud of the MRI's skin. The truth about the patient that scenarios
-// and tests refer to.
+// VirtualPatient: a head made from an MRI: its skin as a closed mesh, a photographic face placed by
+// landmarks, and hair 2-5 mm above the MRI's skin. It is the ground truth of the patient for scenarios and
+// tests.
 
 #include <array>
 #include <cstdint>
@@ -41,31 +41,32 @@ struct PatientOptions {
 
 struct VirtualPatient {
   surface::TriangleMesh skin;     // Mri: the true air/skin boundary
-  surface::TriangleMesh visible;  // the same triangles, raised where hair grows
+  surface::TriangleMesh visible;  // the same triangles, raised by the hair
   std::vector<float> hair;        // 0..1, one per vertex
   std::vector<float> tone;        // blotches and freckles: factor on the albedo, one per vertex
-  float pore_contrast = 0.06f;    // standard deviation of the finest grain, relative to the albedo
+  float pore_contrast = 0.06f;    // standard deviation of the pores' grain, relative to the albedo
   float skin_brightness = 1.f;    // factor on the skin's albedo
-  double others_contrast = 1.0;   // of blotches and freckles of other persons made from this one
+  double others_contrast = 1.0;   // contrast of blotches and freckles of persons derived from this one
   std::shared_ptr<const SkinTexture> texture;
   std::vector<Eigen::Vector3d>
-      landmarks68_mm;      // iBUG 68 points on the skin, Mri; empty where the scan has no face
-  Point<Mri> head_centre;  // middle of the brain case: the pivot of head motion
+      landmarks68_mm;      // iBUG 68 points on the skin, Mri; empty if the scan has no face
+  Point<Mri> head_centre;  // centre of the brain case: pivot of head motion
   Point<Mri> face_middle;  // between eyes and mouth, on the skin
 };
 
-/// Builds the patient from a T1. Throws Error when there is no head in it or the portrait is not installed.
+/// Builds the patient from a T1. Throws Error if it contains no head or the portrait is not installed.
 VirtualPatient makePatient(const volume::Volume& mri, const PatientOptions& options, TaskMonitor& monitor);
 /// The same from a skin mesh (a case's scalp surface).
 VirtualPatient makePatient(const surface::TriangleMesh& skin, const PatientOptions& options,
                            TaskMonitor& monitor);
 
-/// The same head with its blotches, freckles and pores scaled, and those of other persons made from it.
+/// The same head with the contrast of its blotches, freckles and pores scaled; also for persons derived from
+/// it.
 VirtualPatient withSkinContrast(const VirtualPatient& patient, double contrast);
 
-/// A coil pose over the hand area of the left motor cortex, from the head's outline alone: tangent to the
-/// skin, raised by `gap_mm` (hair), handle 45 degrees to posterior-lateral. For scenarios without a planned
-/// target.
+/// A coil pose over the hand area of the left motor cortex, estimated from the head's outline alone: tangent
+/// to the skin, raised by `gap_mm` (hair), handle 45 degrees to posterior-lateral. For scenarios without a
+/// planned target.
 RigidTransform<Mri, frames::Target> leftHandArea(const VirtualPatient& patient, double gap_mm = 5.0);
 
 }  // namespace facenav::room
