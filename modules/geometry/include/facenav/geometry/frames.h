@@ -6,8 +6,8 @@
 //   RightCamera  right camera, likewise
 //   Head         fixed to the live head: = Camera at the trackers' reference frame
 //   Marker       printed square: x right, y down on the print, z into the plate, away from the viewer
-//   Coil         contact-face centre: +z into the head, +y along the handle's prolongation away from it, x =
-//   y x z
+//   Coil         contact-face centre: +z into the head, +y along the handle's prolongation away from it,
+//                x = y x z
 //   Target       the wanted pose of Coil
 //   Projector    the dot projector, axes as Camera
 
