@@ -9,7 +9,7 @@ constexpr double kSteepest_cos = 0.342;  // 70 degrees off the line of sight
 constexpr double kGross_mm = 2.0, kHidden_mm = 2.0, kStep_mm = 8.0;
 constexpr int kRim_px = 2;
 
-/// Points of the left depth map in Camera, one per pixel; z = 0 where nothing is seen.
+/// Points of the left depth map in Camera, one per pixel; z = 0 for a pixel without an object.
 cv::Mat_<cv::Vec3d> placesOf(const cameras::StereoRig& rig, const cv::Mat& depth_mm) {
   cv::Mat_<cv::Vec3d> places(depth_mm.size(), cv::Vec3d(0, 0, 0));
   for (int y = 0; y < depth_mm.rows; ++y)
@@ -33,7 +33,7 @@ bool isAtSilhouette(const cv::Mat& depth_mm, int x, int y) {
   return false;
 }
 
-/// Seen by the right camera too: its depth map shows the same distance there.
+/// True if the right camera sees the point too: its depth map has the same distance there.
 bool isSeenOnTheRight(const cameras::StereoRig& rig, const cv::Mat& right_mm,
                       const Eigen::Vector3d& p_camera) {
   const Eigen::Vector3d p = (rig.right_T_left * Point<Camera>(p_camera)).mm;
@@ -41,14 +41,14 @@ bool isSeenOnTheRight(const cameras::StereoRig& rig, const cv::Mat& right_mm,
   const Eigen::Vector2d px = cameras::project(rig.right, p);
   const int x = int(std::lround(px.x())), y = int(std::lround(px.y()));
   if (x < 1 || y < 1 || x + 1 >= right_mm.cols || y + 1 >= right_mm.rows) return false;
-  double nearest_mm = 1e9;  // steep skin: any of the pixels around may show it
+  double nearest_mm = 1e9;  // steep skin: any of the surrounding pixels may show it
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i)
       nearest_mm = std::min(nearest_mm, std::abs(right_mm.at<float>(y + j, x + i) - p.z()));
   return nearest_mm < kHidden_mm;
 }
 
-/// Depth at a position between pixel centres; 0 beside the head.
+/// Depth at a position between pixel centres; 0 next to the head.
 double depthAt(const ExactDepth& depth, double x_px, double y_px) {
   const int x = int(std::floor(x_px)), y = int(std::floor(y_px));
   if (x < 0 || y < 0 || x + 1 >= depth.left_mm.cols || y + 1 >= depth.left_mm.rows) return 0.0;
@@ -111,8 +111,8 @@ CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceClou
     squares += error_mm * error_mm;
     predicted += double(face.sigma_mm[i]) * face.sigma_mm[i];
   }
-  // Points lie between pixel centres, so that some pixel holds none by rounding: two direct neighbours stand
-  // for it.
+  // Points lie between pixel centres, so a pixel may be empty by rounding. It counts as found if two direct
+  // neighbours are.
   int pixels = 0, found = 0;
   for (int y = 1; y + 1 < visible.rows; ++y)
     for (int x = 1; x + 1 < visible.cols; ++x) {

@@ -37,7 +37,7 @@ Curve goalLine(const std::string& name, double level, double from, double to) {
   return {name, {{from, level}, {to, level}}, true, true};
 }
 
-/// How far the head is turned from where it was at the alignment.
+/// Rotation of the head since the alignment.
 double turned_deg(const RunRecord& run, const FrameRecord& frame) {
   return kDegPerRad * rotationAngle(frame.truth.head->linear() * run.true_reference.linear().transpose());
 }

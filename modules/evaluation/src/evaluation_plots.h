@@ -9,7 +9,7 @@
 
 namespace facenav::evaluation {
 
-/// Writes those plots that the runs have something to show for.
+/// Writes only the plots for which the runs have data.
 std::vector<ReportFigure> writePlots(const std::vector<RunRecord>& runs, const std::filesystem::path& folder);
 
 }  // namespace facenav::evaluation

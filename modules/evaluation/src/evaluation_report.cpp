@@ -30,7 +30,7 @@ std::string nameOf(const RunRecord& run) {
   return run.scenario + ", " + run.head + ", " + run.rig + ", seed " + std::to_string(run.seed);
 }
 
-/// The figures of each run that mean most; all of them are in evaluation.csv.
+/// The main values of each run; evaluation.csv has all of them.
 ReportTable runTable(const std::vector<RunRecord>& runs) {
   const std::vector<std::pair<std::string, std::string>> shown{
       {"alignment_target_mm", "alignment, mm"},

@@ -14,7 +14,7 @@ namespace facenav::evaluation {
 namespace {
 
 constexpr double kDegPerRad = 180.0 / M_PI;
-constexpr double kNear_mm = 700.0, kTilt_deg = 50.0;  // of the coil's stricter goal
+constexpr double kNear_mm = 700.0, kTilt_deg = 50.0;  // limits of the coil's stricter goal
 
 /// Runs with the errors of their frames, computed once.
 struct Measured {
@@ -26,7 +26,7 @@ std::string basis(int runs, std::size_t frames) { return formatted("%d runs, %zu
 
 using Scenarios = std::set<std::string>;
 
-/// The errors of one kind over all frames of some scenarios that `takes` accepts.
+/// The errors of one kind, over all frames of some scenarios that `takes` selects.
 struct Pool {
   std::vector<double> mm, deg;
   int runs = 0;
@@ -50,7 +50,7 @@ Verdict verdictOf(bool is_met, bool is_measured) {
   return !is_measured ? Verdict::not_measured : is_met ? Verdict::met : Verdict::missed;
 }
 
-/// Their capture is a coarse JPEG too: the goal of the face cloud is for cameras that do not compress.
+/// Their capture is also a coarse JPEG, but the goal of the face cloud is for cameras without compression.
 const Scenarios& compressedScenarios() {
   static const Scenarios names{"grimace",     "grimace_other", "returns",
                                "out_of_step", "moments",       "moments_other"};
@@ -83,7 +83,7 @@ AlignmentErrors alignmentErrors(const std::vector<Measured>& all,
   for (const auto& one : all) {
     const RunRecord& run = *one.run;
     if (!run.alignment || run.is_capture_repeated || !takes(run) || run.scenario == "mask")
-      continue;  // a masked capture may be refused: that sequence has its own row
+      continue;  // a capture with a mask may be refused: that sequence has its own row
     const AlignmentRecord& a = *run.alignment;
     if (!a.refusal.empty()) {
       ++errors.refused;
@@ -230,7 +230,7 @@ GoalRow returnsGoal(const char* quantity, const std::vector<Measured>& all, cons
           verdictOf(found >= 0.95 * returns, returns > 0), formatted("%d runs", runs)};
 }
 
-/// Frames with a head pose among those of some scenarios that `counts` picks.
+/// Counts frames with a head pose, among the frames of some scenarios that `counts` selects.
 GoalRow neverShownGoal(const char* quantity, const std::vector<Measured>& all, const Scenarios& scenarios,
                        const std::function<bool(const FrameTruth&)>& counts) {
   std::size_t frames = 0, shown = 0;

@@ -12,7 +12,7 @@ namespace {
 
 using volume::Mask;
 
-/// With a rim of background, so that the ball of a closing finds room beyond the brain.
+/// Adds a rim of background, so that the ball of a closing fits beyond the brain.
 Mask padded(const Mask& mask, int rim) {
   Mask out;
   out.grid = mask.grid;
@@ -35,7 +35,7 @@ Mask cropped(const Mask& mask, const volume::VoxelGrid& grid, int rim) {
   return out;
 }
 
-/// From the surface voxels of `from` to those of `to`, mm.
+/// From the surface voxels of `from` to the nearest ones of `to`, mm.
 std::vector<double> distances_mm(const Mask& from, const Mask& to) {
   const auto nearest = volume::distanceTo(to);
   std::vector<double> distances;

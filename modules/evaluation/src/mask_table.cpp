@@ -34,7 +34,7 @@ std::string csv(const Row& header, const std::vector<Row>& rows) {
   return text;
 }
 
-/// Dice, 95 % Hausdorff, mean distance, inside: the cells of one agreement, empty where there is none.
+/// Adds Dice, 95 % Hausdorff, mean distance and inside; empty cells if there is no agreement.
 void addAgreement(const std::optional<MaskAgreement>& a, Row& row) {
   if (!a) return void(row.insert(row.end(), 4, ""));
   row.insert(row.end(), {fixed(a->dice, 4), fixed(a->hausdorff95_mm, 2), fixed(a->mean_distance_mm, 2),

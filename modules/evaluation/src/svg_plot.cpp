@@ -12,7 +12,7 @@ namespace facenav::evaluation {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 400, kLeft = 70, kRight = 16, kTop = 40, kBottom = 52;
-// Okabe-Ito: told apart with any colour vision.
+// Okabe-Ito: distinguishable with any colour vision.
 constexpr std::array<const char*, 6> kColours{"#0072b2", "#d55e00", "#009e73",
                                               "#cc79a7", "#e69f00", "#56b4e9"};
 
@@ -104,7 +104,7 @@ class Canvas {
   double top_;
 };
 
-/// The legend's lines, as many as the names need; returns where they end.
+/// Draws as many legend lines as the names need; returns the y below them.
 double drawLegend(std::ostream& svg, const std::vector<Curve>& curves,
                   const std::vector<std::string>& colours) {
   constexpr double kRow = 16, kFirst = 32;

@@ -14,8 +14,8 @@ using volume::Mask;
 using volume::Volume;
 using volume::VoxelGrid;
 
-constexpr double kHead_mm = 90;        // half a head: scale of the bias field
-constexpr double kScalpFrom_mm = 6.0;  // outside the brain
+constexpr double kHead_mm = 90;        // half the size of a head: scale of the bias field
+constexpr double kScalpFrom_mm = 6.0;  // distance outside the brain
 
 VolumePerturbation turned(int axis, double deg) {
   VolumePerturbation p;
@@ -33,7 +33,7 @@ VolumePerturbation with(const std::string& name, Value VolumePerturbation::*fiel
   return p;
 }
 
-/// The world as the perturbation moves it.
+/// Maps original world coordinates to perturbed ones.
 Eigen::Affine3d movedFromOriginal(const VoxelGrid& original, const VolumePerturbation& p) {
   const Eigen::Vector3d centre = original.centre().mm;
   Eigen::Matrix3d linear = p.size * Eigen::Matrix3d::Identity();
@@ -72,7 +72,7 @@ Volume resampledTo(const Volume& volume, double spacing_mm) {
   return out;
 }
 
-/// A random polynomial of the second order, its largest size over the head's ball about 1.
+/// A random second-order polynomial; its largest value over the head's ball is about 1.
 struct SmoothField {
   explicit SmoothField(std::mt19937& random) {
     std::normal_distribution<double> normal;

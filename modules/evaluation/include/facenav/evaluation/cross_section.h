@@ -1,5 +1,5 @@
 #pragma once
-// The alignment's cross-sections (paper, figure 11): an MRI slice with the face cloud's points near it in
+// The alignment's cross-sections (paper, figure 11): an MRI slice with the nearby points of the face cloud in
 // red.
 
 #include <opencv2/core.hpp>
@@ -11,7 +11,7 @@
 namespace facenav::evaluation {
 
 struct CrossSectionOptions {
-  double thickness_mm = 1.0;  // points this near to the plane, on either side, are drawn
+  double thickness_mm = 1.0;  // largest distance of a drawn point from the plane, either side
   int scale = 3;              // image pixels per mm
 };
 

@@ -13,7 +13,7 @@ namespace facenav::evaluation {
 /// "| quantity | goal | measured | | over |" with one row per goal, then the runs that failed.
 std::string goalsMarkdown(const std::vector<RunRecord>& runs);
 
-/// Writes everything into `folder`, which exists; `about`: what was run, in a line or two.
+/// Writes all files into `folder`, which must exist. `about`: one or two lines on what was run.
 void writeEvaluation(const std::vector<RunRecord>& runs, const std::string& about,
                      const std::filesystem::path& folder);
 

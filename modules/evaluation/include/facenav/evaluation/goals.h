@@ -1,6 +1,6 @@
 #pragma once
-// The accuracy goals beside what the runs measured: met or missed, over which runs and frames. A goal that no
-// run speaks to is "not measured", never met.
+// The accuracy goals and the measured values: met or missed, over which runs and frames. A goal without data
+// is "not measured", never met.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// report.html: tables and figures of a run on one self-contained page (figures beside it, named relatively).
+// report.html: tables and figures of a run on one page. Figures are separate files, named relative to the
+// page.
 
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ struct ReportTable {
 
 struct ReportFigure {
   std::string caption;
-  std::string file;  // relative to the report; .png, .svg, or a video (.webm, .mp4, .avi)
+  std::string file;  // path relative to the report; .png, .svg, or a video (.webm, .mp4, .avi)
 };
 
 struct ReportSection {
@@ -23,7 +24,7 @@ struct ReportSection {
   std::vector<ReportFigure> figures;
 };
 
-/// All text is escaped; no script, no outside resource.
+/// All text is escaped; no script, no external resource.
 std::string htmlReport(const std::string& title, const std::string& subtitle,
                        const std::vector<ReportSection>& sections);
 

@@ -1,6 +1,7 @@
 #pragma once
-// The tables of `facenav evaluate prepare`: one row per volume and method (against a true mask, with time and
-// memory), one row per perturbation. Markdown for people, CSV for programs; empty where not measured.
+// The tables of `facenav evaluate prepare`: one row per volume and method (compared with a true mask, with
+// time and memory), one row per perturbation. Markdown for people, CSV for programs; a cell is empty if not
+// measured.
 
 #include <optional>
 #include <string>
@@ -11,16 +12,16 @@
 namespace facenav::evaluation {
 
 struct MaskRow {
-  std::string volume, truth, method;  // truth: "tissue, closed", "with fluid", "" where there is none
+  std::string volume, truth, method;  // truth: "tissue, closed", "with fluid", "" if there is none
   std::optional<MaskAgreement> agreement;
   double brain_ml = 0;
   double wall_s = 0, processor_s = 0, peak_mib = 0;
-  std::string failure;  // one line, where there is no mask
+  std::string failure;  // one line, if no mask was found
 };
 
 struct PerturbationRow {
   std::string volume, method, perturbation;
-  bool must_hold = true;               // a standard one, not another kind of head
+  bool must_hold = true;               // a standard perturbation, not a hard head
   std::optional<MaskAgreement> moved;  // against the unperturbed mask of the same method
   std::optional<MaskAgreement> truth;  // against the true mask
   std::string failure;

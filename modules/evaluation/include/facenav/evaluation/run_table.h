@@ -1,5 +1,5 @@
 #pragma once
-// One row of figures per run: evaluation.csv and the report's table.
+// One row of values per run, for evaluation.csv and the report's table.
 
 #include <string>
 #include <utility>
@@ -9,12 +9,10 @@
 
 namespace facenav::evaluation {
 
-/// Name (with unit) and value, always the same names in the same order; a value that was not measured is not
-/// a number.
+/// Name (with unit) and value; always the same names in the same order. NaN if not measured.
 std::vector<std::pair<std::string, double>> figuresOf(const RunRecord& run);
 
-/// Header and one line per run: scenario, head, rig, seed, failure, then the figures (empty where not
-/// measured).
+/// Header and one line per run: scenario, head, rig, seed, failure, then the values (empty if not measured).
 std::string runsCsv(const std::vector<RunRecord>& runs);
 
 }  // namespace facenav::evaluation

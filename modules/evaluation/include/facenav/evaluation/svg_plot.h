@@ -1,5 +1,5 @@
 #pragma once
-// A plot as SVG text: curves over one axis, with grid, ticks and legend. Stands in report.html and as a file.
+// A plot as SVG text: curves over one axis, with grid, ticks and legend. Used in report.html and as a file.
 
 #include <string>
 #include <utility>
@@ -15,7 +15,7 @@ struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;
   bool is_line = true;        // false: marks only
-  bool is_reference = false;  // drawn dashed and grey (the paper's figure, a goal)
+  bool is_reference = false;  // dashed and grey (the paper's values, a goal)
 };
 
 /// 720 x 400 units. Curves may be empty; non-finite points break the line.

@@ -1,7 +1,7 @@
 #pragma once
-// Tracked poses against the truth, frame by frame: the errors at a point the clinician cares about, the lost
-// frames, and the frames in which a wrong pose was called tracked (> 3 mm at the point or > 2 degrees): of
-// those there must be none.
+// Compares tracked poses with the truth, frame by frame: the errors at a point of clinical interest, the lost
+// frames, and the frames in which a wrong pose was reported as tracked (> 3 mm at the point or > 2 degrees).
+// Such frames must not occur.
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace facenav::evaluation {
 
-/// One frame's estimate: absent when lost.
+/// One frame's estimate; absent when lost.
 struct PoseEstimate {
   std::int64_t frame = 0;
   bool is_tracked = false;
@@ -23,7 +23,7 @@ struct FrameError {
   std::int64_t frame = 0;
   double rotation_deg = 0;                                       // angle between estimate and truth
   double translation_mm = 0;                                     // of the pose's origin
-  double at_point_mm = 0;                                        // at the point asked for
+  double at_point_mm = 0;                                        // at the given point
   Eigen::Vector3d rotation_about_deg = Eigen::Vector3d::Zero();  // rotation vector of the error, in To axes
   Eigen::Vector3d shift_mm = Eigen::Vector3d::Zero();            // of the point, along To axes
 };
