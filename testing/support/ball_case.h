@@ -1,5 +1,5 @@
 #pragma once
-// A small case made of balls about the origin: quick to make, and simple enough to know every answer.
+// A small case made of balls about the origin: fast to create, with known results.
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/surface/brain_model.h"

@@ -14,7 +14,7 @@
 namespace facenav::testing {
 
 struct CommandResult {
-  int status = -1;  // exit status; 128 + signal when it was killed
+  int status = -1;  // exit status; 128 + signal if a signal killed it
   std::string output, errors;
 };
 
@@ -23,7 +23,7 @@ inline std::string readText(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// `arguments` as typed after the program's name; quote paths yourself.
+/// `arguments`: as typed after the program's name; paths must be quoted by the caller.
 inline CommandResult runProgram(const std::string& program, const std::string& arguments,
                                 int timeout_s = 120) {
   const TemporaryFolder folder;

@@ -1,6 +1,6 @@
 #pragma once
-// A rectified pair of random dots on a smoothly bent surface with exact disparities, for the dense matchers'
-// tests and benchmark.
+// A rectified image pair of random dots on a smooth curved surface with exact disparities, for the tests and
+// the benchmark of the dense matchers.
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -9,11 +9,11 @@
 
 namespace facenav::testing {
 
-/// A pair that is rectified already, disparities from 0 on; 8-bit images of one size.
+/// A rectified pair, disparities from 0 up; 8-bit images of one size.
 struct RectifiedScene {
   stereo::Rectification rectification;
   stereo::RectifiedPair images;
-  cv::Mat left8, right8;  // for matchers that want the same columns on both sides
+  cv::Mat left8, right8;  // for matchers that need the same columns on both sides
 };
 
 inline RectifiedScene rectifiedScene(const cv::Mat& left, const cv::Mat& right, int disparities) {
@@ -62,7 +62,7 @@ inline DottedSurface dottedSurface(int width, int height, int disparities, doubl
     for (int x = 0; x < width; ++x) {
       truth_px.at<float>(y, x) = float(disparity(x, y));
       left_map.at<cv::Vec2f>(y, x) = {kFine * float(x), kFine * float(y)};
-      double seen = x;  // left column that the right pixel sees
+      double seen = x;  // left column of the point at this right pixel
       for (int i = 0; i < 40; ++i) seen = x + disparity(seen, y);
       right_map.at<cv::Vec2f>(y, x) = {kFine * float(seen), kFine * float(y)};
     }

@@ -1,6 +1,5 @@
 #pragma once
-// What every FrameSource promises. Call expectFrameSourceContract with a factory from the test of each
-// source.
+// The contract of every FrameSource. The test of each source calls expectFrameSourceContract with a factory.
 
 #include <gtest/gtest.h>
 
@@ -12,9 +11,9 @@
 
 namespace facenav::testing {
 
-/// Plays the source twice: sizes and types as the rig says, numbers and times rise strictly, the count is as
-/// stated, the end stays the end, frames handed out earlier do not change, and a second source gives the same
-/// frames.
+/// Plays the source twice and checks: sizes and types as in the rig; frame numbers and times strictly
+/// increase; the frame count is correct; next() stays null after the end; returned frames do not change
+/// later; a second source gives the same frames.
 inline void expectFrameSourceContract(const std::function<std::unique_ptr<capture::FrameSource>()>& make) {
   const auto source = make(), again = make();
   std::shared_ptr<const cameras::StereoFrame> first, last;

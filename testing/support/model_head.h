@@ -1,7 +1,7 @@
 #pragma once
 // A head in closed form for alignment tests: a star-shaped surface (ellipsoid plus brow, eye sockets, nose,
-// mouth, chin, ears, and what makes it a person: asymmetric bumps from a seed), and what a camera sees of it,
-// with noise, hair, clothes.
+// mouth, chin, ears, and asymmetric bumps from a seed that make it one person), and the camera's measurement
+// of it, with noise, hair, clothes.
 
 #include <cmath>
 #include <random>
@@ -55,7 +55,7 @@ struct ModelHead {
     return tangent(u).cross(tangent(v)).normalized();
   }
 
-  /// The skin above `lowest_z_mm` (open below, as a scan's end leaves it), vertices about 2 mm apart.
+  /// The skin above `lowest_z_mm` (open below, like the end of a scan), vertices about 2 mm apart.
   registration::SkinModel skin(double lowest_z_mm = -85) const {
     registration::SkinModel skin;
     constexpr int kRows = 150, kColumns = 280;
@@ -83,12 +83,12 @@ struct ModelHead {
   }
 };
 
-/// What a camera sees: the front (cos > 0.3), points scattered evenly, 2-5 mm of hair above the hairline,
+/// The camera's view: the front (cos > 0.3), evenly distributed points, 2-5 mm of hair above the hairline,
 /// clothes below.
 struct CameraView {
   double noise_mm = 0.2;
   bool has_hair = true, has_clothes = true;
-  double least_z_mm = -100, most_z_mm = 200;  // of the head, Mri: what is lit
+  double least_z_mm = -100, most_z_mm = 200;  // measured part of the head, Mri
   int points = 12000;
   std::uint32_t seed = 1;
 };
@@ -120,7 +120,7 @@ inline PointCloud<Camera> measure(const ModelHead& head, const RigidTransform<Ca
   return cloud;
 }
 
-/// The patient about 600 mm before the camera, turned by these angles (deg) from facing it upright.
+/// The patient about 600 mm in front of the camera, turned by these angles (deg) from upright and facing it.
 inline RigidTransform<Camera, Mri> facing(double yaw, double pitch, double roll,
                                           const Eigen::Vector3d& shift_mm = {0, 0, 0}) {
   Eigen::Matrix3d upright;

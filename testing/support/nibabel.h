@@ -1,5 +1,5 @@
 #pragma once
-// What nibabel (Debian python3-nibabel) makes of a file we wrote: another program's reading.
+// Reads our files with another program: nibabel (Debian python3-nibabel).
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 namespace facenav::testing {
 
-/// The points that `python` prints, one a line. It finds nibabel imported and the file loaded as `image`; a
-/// failed assertion in it fails the test.
+/// The points that the script `python` prints, one per line. nibabel is imported and the file is loaded as
+/// `image`. A failed assertion in the script fails the test.
 inline std::vector<Eigen::Vector3d> pointsByNibabel(const std::filesystem::path& file,
                                                     const std::string& python) {
   const TemporaryFolder folder;

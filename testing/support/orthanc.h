@@ -1,6 +1,6 @@
 #pragma once
-// A real archive for the tests: Orthanc (Debian package), started on loopback on free ports with storage of
-// its own in a temporary folder, stopped at the end.
+// A real archive for the tests: Orthanc (Debian package), started on loopback with free ports and its own
+// storage in a temporary folder, stopped at the end.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -40,7 +40,7 @@ inline int freePort() {
 
 class Orthanc {
  public:
-  /// `more`: further lines of its configuration, each ending with a comma.
+  /// `more`: further lines of the configuration, each ending with a comma.
   explicit Orthanc(const std::string& more = "") {
     node_.port = freePort();
     node_.own_port = freePort();
@@ -63,7 +63,7 @@ class Orthanc {
   ~Orthanc() { process_->end(); }
 
   const pacs::PacsNode& node() const { return node_; }
-  /// Waits until it answers `node`.
+  /// Waits until it answers `node`; false if it does not within about 30 s.
   bool answers(const pacs::PacsNode& node) const {
     for (int i = 0; i < 300; ++i) try {
         pacs::echo(node);

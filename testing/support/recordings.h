@@ -1,5 +1,5 @@
 #pragma once
-// Small recordings for tests: noise images whose content tells side and frame.
+// Small recordings for tests: noise images whose content identifies side and frame.
 
 #include <filesystem>
 #include <opencv2/core.hpp>
@@ -32,7 +32,7 @@ inline cameras::StereoFrame noiseFrame(std::int64_t number, double t_s) {
   return frame;
 }
 
-/// `count` frames from `start` on at 50 per second, with a capture pair.
+/// `count` frames starting at number `start`, 50 per second, with a capture pair.
 inline void writeSmallRecording(const std::filesystem::path& folder, int count = 4, int start = 0) {
   capture::RecordingWriter writer(folder, smallRig());
   for (int i = 0; i < count; ++i) writer.add(noiseFrame(start + i, 0.02 * i));

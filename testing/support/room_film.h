@@ -1,6 +1,6 @@
 #pragma once
-// A short film of the virtual room with its truth, and what the trackers start from: for tests and benchmarks
-// of the head and coil trackers on a whole face.
+// A short sequence of the virtual room with its truth and the initial data of the trackers, for tests and
+// benchmarks of the head and coil trackers on a whole face.
 
 #include <memory>
 #include <vector>
@@ -20,11 +20,11 @@ struct RoomFilm {
   std::vector<std::shared_ptr<const cameras::StereoFrame>> frames;
   std::vector<room::GroundTruth> truth;
 
-  /// Of a pose since the reference, at the target: the alignment's error apart.
+  /// Error of a pose at the target, relative to the reference, so without the alignment's error.
   double errorAtTarget_mm(const head_tracking::HeadPose& pose, std::size_t frame) const;
 };
 
-/// Rendered anew. The reference's surface is measured from the dots, as the alignment does.
+/// Renders the sequence. The reference's surface is measured from the dots, as in the alignment.
 RoomFilm filmed(const room::ScenarioOptions& options, std::shared_ptr<const room::VirtualPatient> patient,
                 const face::FaceDetector& detector);
 

@@ -1,8 +1,8 @@
 #pragma once
-// How the live skin differs from the MRI's, as a generator with seeds: smooth fields, a skin placed too deep,
-// cheeks and jaw moved, dents on the forehead, scan distortion; and what a stereo pair measures of such a
-// skin: noise along the ray that neighbours share, hair, a hand or coil in front, clothes. For measuring how
-// honest a predicted error is.
+// Differences between the live skin and the MRI's, generated from seeds: smooth fields, a skin that is too
+// deep, moved cheeks and jaw, dents on the forehead, scan distortion. Also the stereo measurement of such a
+// skin: noise along the ray that is correlated between neighbours, hair, a hand or coil in front, clothes.
+// Used to test whether predicted errors are correct.
 
 #include <cmath>
 #include <random>
@@ -50,7 +50,7 @@ inline const std::vector<std::pair<Misfit, std::string>>& misfits() {
   return all;
 }
 
-/// The live skin: `scanned` displaced. `nose_tip_mm`: Mri. Same triangles, same normals.
+/// The live skin: `scanned` displaced. `nose_tip_mm`: Mri. The triangles and normals stay the same.
 inline registration::SkinModel liveSkin(const registration::SkinModel& scanned,
                                         const Eigen::Vector3d& nose_tip_mm, Misfit kind, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -76,12 +76,13 @@ inline registration::SkinModel liveSkin(const registration::SkinModel& scanned,
     for (int a = 0; a < 3; ++a)
       scale[a] = share * uniform(0.002, 0.006) * (uniform(0, 1) < 0.5 ? -1 : 1),
       bend[a] = share * 1.5e-5 * normal(random);
-  // The head's middle stands still: what a scan's distortion does to the target itself is not asked here.
+  // The head's centre does not move: the effect of a scan's distortion on the target itself is not tested
+  // here.
   const Eigen::Vector3d middle = nose_tip_mm + Eigen::Vector3d(0, -100, 40);
   registration::SkinModel live = scanned;
   for (std::size_t v = 0; v < live.points.size(); ++v) {
     const Eigen::Vector3d p = scanned.points.points_mm[v], d = p - nose_tip_mm, m = p - middle;
-    if (d.y() < -120) continue;  // out of the cameras' sight
+    if (d.y() < -120) continue;  // not visible to the cameras
     double out = smooth_mm * smooth.at(p) - deep_mm * (1 + 0.4 * wide.at(p));
     const double low = 1 / (1 + std::exp((d.z() + 25) / 6));
     out += 0.5 * jaw_mm * low * std::exp(-d.x() * d.x() / 5000);
@@ -99,28 +100,28 @@ inline registration::SkinModel liveSkin(const registration::SkinModel& scanned,
 
 struct StereoView {
   int points = 20000;
-  double noise_mm = 0.15, shared_noise_mm = 0.1;  // of single points; of patches of 3 mm
+  double noise_mm = 0.15, shared_noise_mm = 0.1;  // of single points; common to patches of 3 mm
   double hairline_mm = 85;                        // above the nose tip; 1e9: bald
   double hair_mm = 3.5;
-  bool has_hand = false;  // over one side of the face, 15-40 mm before it
+  bool has_hand = false;  // over one side of the face, 15-40 mm in front of it
   bool has_mask = false;  // cloth from the bridge of the nose to the chin, taut over nose and chin
-  double reach_mm = 135;  // of the measured region about the nose bridge
+  double reach_mm = 135;  // of the measured region around the nose bridge
   std::uint32_t seed = 1;
 };
 
-/// Under the cloth of a face mask. `d`: from the nose tip, mm.
+/// True under the cloth of a face mask. `d`: from the nose tip, mm.
 inline bool isMasked(const Eigen::Vector3d& d) {
   return std::abs(d.x()) < 60 && d.z() < 14 - 0.3 * std::abs(d.x());
 }
 
-/// How far forward of the nose tip the cloth lies there: 2 mm off the skin, spanning what lies far behind a
-/// bulge from nose to chin.
+/// Position of the cloth, mm forward of the nose tip: 2 mm off the skin; it spans hollows along a bulge from
+/// nose to chin.
 inline double clothForward_mm(const Eigen::Vector3d& d) {
   const double bulge = -8.0 - d.x() * d.x() / 55 - std::pow(d.z() + 8, 2) / 140;
   return d.y() + 1.6 + std::clamp(bulge - d.y(), 0.0, 3.0);
 }
 
-/// What the cameras at Camera's origin (and 120 mm beside it) measure of `live`.
+/// The measurement of `live` by cameras at Camera's origin and 120 mm beside it.
 inline PointCloud<Camera> measureSkin(const registration::SkinModel& live, const Eigen::Vector3d& nose_tip_mm,
                                       const RigidTransform<Camera, Mri>& camera_T_mri,
                                       const StereoView& view) {
@@ -160,7 +161,7 @@ inline PointCloud<Camera> measureSkin(const registration::SkinModel& live, const
                           &c = live.points.points_mm[corner[2]];
     Eigen::Vector3d p = a + u * (b - a) + v * (c - a);
     const Eigen::Vector3d outward = live.points.normals[corner[0]];
-    // The hairline falls to the sides.
+    // The hairline is lower at the sides.
     const Eigen::Vector3d d = p - nose_tip_mm;
     const double above = d.z() - view.hairline_mm + 0.006 * d.x() * d.x();
     if (above > 0)

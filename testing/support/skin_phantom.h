@@ -1,7 +1,7 @@
 #pragma once
-// A head phantom with a skin known in closed form: an ellipsoid with a nose, in layers as T1 MR shows them
-// (dark dermis over bright fat over dark bone over brain), blurred by the scanner's point spread, with noise,
-// on any grid.
+// A head phantom with a skin known in closed form: an ellipsoid with a nose, in layers as in T1 MR (dark
+// dermis over bright fat over dark bone over brain), blurred by the scanner's point spread, with noise, on
+// any grid.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ struct SkinPhantom {
   double toNose(const Eigen::Vector3d& p_mm) const { return toEllipsoid(p_mm - nose_at_mm, nose_mm); }
   /// Signed distance to the skin, exact to first order near it; positive outside.
   double toSkin(const Eigen::Vector3d& p_mm) const { return std::min(toHead(p_mm), toNose(p_mm)); }
-  /// Where nose and head meet, the phantom has a crease that no scan resolves.
+  /// True near the crease between nose and head, which no scan resolves.
   bool isNearCrease(const Eigen::Vector3d& p_mm) const { return std::abs(toHead(p_mm) - toNose(p_mm)) < 6.0; }
 
   double level(double distance_mm) const {

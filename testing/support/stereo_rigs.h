@@ -1,6 +1,6 @@
 #pragma once
-// Camera rigs for tests: the converging pair of the room's kind, a vertical one, a rolled one, one with every
-// coefficient of OpenCV's distortion model.
+// Camera rigs for tests: a converging pair like the room's, a vertical one, a rolled one, and one with all
+// coefficients of OpenCV's distortion model.
 
 #include <initializer_list>
 
@@ -30,7 +30,7 @@ inline cameras::StereoRig convergingRig() {
   return rig;
 }
 
-/// The same cameras, the second above the first.
+/// The same cameras, with the second one above the first.
 inline cameras::StereoRig verticalRig() {
   cameras::StereoRig rig = convergingRig();
   const Eigen::Matrix3d r = expRotation({10.0 * M_PI / 180, 0.01, 0.008});
@@ -56,7 +56,7 @@ inline cameras::StereoRig fullyDistortedRig() {
   return rig;
 }
 
-/// The middle 320 x 240 pixels of a rig's images: the same pixels, a quarter of the work.
+/// The central 320 x 240 pixels of a rig's images: the same pixel size, a quarter of the work.
 inline cameras::StereoRig cropped(cameras::StereoRig rig) {
   for (cameras::CameraModel* camera : {&rig.left, &rig.right}) {
     camera->k(0, 2) -= 160;

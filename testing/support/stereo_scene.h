@@ -1,6 +1,6 @@
 #pragma once
-// Scenes for stereo tests: a plane or a sphere lit by a dot projector, seen by any rig, rendered by casting a
-// ray back from each pixel (3 x 3 samples), with the exact distance along each left ray as truth.
+// Scenes for stereo tests: a plane or a sphere lit by a dot projector, seen by any rig. Rendered by ray
+// casting from each pixel (3 x 3 samples), with the exact distance along each left ray as truth.
 
 #include <cmath>
 #include <functional>
@@ -32,7 +32,7 @@ inline Surface sphere(const Eigen::Vector3d& centre_mm, double radius_mm) {
   };
 }
 
-/// The nearer of two.
+/// The nearer of two surfaces.
 inline Surface both(const Surface& a, const Surface& b) {
   return [=](const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
     const double ta = a(origin, direction), tb = b(origin, direction);
@@ -40,7 +40,7 @@ inline Surface both(const Surface& a, const Surface& b) {
   };
 }
 
-/// A projector of f px beside the left camera, looking along z, its pattern blurred a little by its lens.
+/// A projector of f px beside the left camera, looking along z; its lens blurs the pattern slightly.
 struct Projector {
   Eigen::Vector3d centre_mm{60, -80, 0};
   double f_px = 1300;
@@ -72,7 +72,7 @@ class Scene {
     return frame;
   }
 
-  /// True distance along the ray of a left pixel, NaN where it sees nothing.
+  /// True distance along the ray of a left pixel, NaN if it hits nothing.
   double distance_mm(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px) const {
     return surface_(Eigen::Vector3d::Zero(),
                     cameras::undistort(rig.left, left_px).homogeneous().normalized());

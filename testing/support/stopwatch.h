@@ -1,7 +1,7 @@
 #pragma once
-// Time for the benchmarks. One core: processor time with other threads off, which other programs on the
-// machine do not lengthen. All cores: wall clock. Both take the fastest of several runs; distributions are
-// for frame loops.
+// Time measurement for the benchmarks. One core: processor time with other threads switched off, independent
+// of other programs. All cores: wall clock. Both report the fastest of several runs; for frame loops,
+// distributions are reported.
 
 #include <algorithm>
 #include <chrono>
@@ -49,7 +49,8 @@ inline double allCores_ms(const std::function<void()>& work, int runs = 7) {
   return best_ms;
 }
 
-/// The smallest value with `fraction` of all at or below it (0.5: median, 0.99: p99); 0 of an empty list.
+/// The smallest value such that `fraction` of all are at or below it (0.5: median, 0.99: p99); 0 for an empty
+/// list.
 inline double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());

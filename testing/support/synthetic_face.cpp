@@ -8,12 +8,12 @@ namespace facenav::testing {
 namespace {
 
 constexpr double kWidth_mm = 78, kLength_mm = 112, kDepth_mm = 95;  // semi-axes of the ellipsoid
-// Camera coordinates of the face's foremost point at the reference: between the two cameras' axes.
+// Camera coordinates of the face's foremost point at the reference, between the two cameras' axes.
 const Eigen::Vector3d kFace_mm(0, 0, 600);
 
 double bump(double x, double y, double cx, double cy, double sx, double sy) {
   const double u = (x - cx) / sx, v = (y - cy) / sy, square = u * u + v * v;
-  return square > 40 ? 0.0 : std::exp(-0.5 * square);  // beyond: 2e-9
+  return square > 40 ? 0.0 : std::exp(-0.5 * square);  // beyond that: below 2e-9
 }
 
 float cubic(const cv::Mat1f& image, double x, double y) {
@@ -58,7 +58,8 @@ SyntheticFace SyntheticFace::stranger() {
   return face;
 }
 
-// Depth (mm, away from the camera) of the skin over the face's plane; x right, y down from the nose tip.
+// Depth (mm, away from the camera) of the skin relative to the face's plane; x right, y down from the nose
+// tip.
 double SyntheticFace::height(double x, double y) const {
   const double u = x / kWidth_mm, v = (y + 10) / kLength_mm, r = u * u + v * v;
   const double ellipsoid =
@@ -74,7 +75,7 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
   if (to_axis <= 0 || ray.z() <= 0.1) return {};
   const Eigen::Vector3d across = origin + (middle - origin.z()) / ray.z() * ray - kFace_mm;
   if (across.head<2>().norm() > 165) return {};
-  constexpr double kBefore_mm = 8;  // of a hit close by: what lies nearer still is found first
+  constexpr double kBefore_mm = 8;  // starts this far before a nearby ray's hit, to find nearer skin first
   double t = near_t > 0 ? near_t - kBefore_mm : (kFace_mm.z() - 30 - origin.z()) / ray.z();
   near_t = 0;
   double last_t = t, last_gap = 0;
@@ -88,7 +89,7 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
     }
     if (p.z() > kDepth_mm + 10) break;
     const double damped = (gap > 0 ? 0.6 : 0.9) * gap / std::max(0.3, ray.z());
-    // The secant, where it goes the same way and not much farther.
+    // Uses the secant step if it has the same sign and is not much longer.
     const double secant = i < 3 || gap == last_gap ? damped : -gap * (t - last_t) / (gap - last_gap);
     const bool is_safe = secant * damped > 0 && std::abs(secant) < 2.5 * std::abs(damped);
     last_t = t, last_gap = gap;
@@ -97,7 +98,7 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
   return origin + t * ray - kFace_mm;
 }
 
-// The rays of all pixels of a camera; undistorting is what takes most of a picture's time.
+// The rays of all pixels of a camera; cached, because undistorting takes most of the rendering time.
 const cv::Mat2d& SyntheticFace::raysOf(const cameras::CameraModel& camera, cv::Size size) const {
   for (const auto& [k, rays] : rays_)
     if (cv::norm(k - camera.k) == 0 && rays.size() == size) return rays;

@@ -1,7 +1,7 @@
 #pragma once
-// SyntheticFace: a portrait on a head-like height field (ellipsoid, nose, eye sockets), seen by a stereo rig,
-// by inverse ray casting with known motion. A stand-in for the virtual room where a test needs one module
-// only.
+// SyntheticFace: a portrait on a head-like height field (ellipsoid, nose, eye sockets), seen by a stereo rig
+// and rendered by inverse ray casting with known motion. It replaces the virtual room in tests that need one
+// module only.
 
 #include <cstdint>
 #include <list>
@@ -18,9 +18,9 @@ struct SyntheticView {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // of the head since the reference, in Camera
   double noise_grey = 1.5;
   std::uint64_t seed = 1;
-  double gain = 1.0, lamp_x = 0.2;  // brightness, and the lamp's direction (x part)
+  double gain = 1.0, lamp_x = 0.2;  // brightness; x component of the lamp's direction
   cv::Rect2d cover_mm;              // part of the face (head x, y in mm) hidden by a grey plate; empty: none
-  double jaw_drop_mm = 0.0;         // skin below the mouth slides down by up to this
+  double jaw_drop_mm = 0.0;         // largest downward shift of the skin below the mouth
   double time_s = 0.0;
 };
 
@@ -31,11 +31,11 @@ class SyntheticFace {
   explicit SyntheticFace(const cv::Mat& portrait, Eigen::Vector2d left_eye_px, Eigen::Vector2d right_eye_px);
   static std::string portraitPath() { return "/usr/lib/python3/dist-packages/skimage/data/astronaut.png"; }
   static SyntheticFace astronaut();
-  /// Another person: the portrait's features moved and mirrored.
+  /// Another person: the portrait with moved and mirrored features.
   static SyntheticFace stranger();
 
   cameras::StereoFrame render(const cameras::StereoRig& rig, const SyntheticView& view) const;
-  /// Reference with the exact surface, as the dense dots would give it, or without one.
+  /// Reference with the exact surface, as from dense dots, or without a surface.
   head_tracking::HeadReference reference(const cameras::StereoRig& rig, bool with_surface,
                                          const SyntheticView& view = {}) const;
 
@@ -44,7 +44,7 @@ class SyntheticFace {
                 const SyntheticView& view, std::uint64_t seed) const;
   const cv::Mat2d& raysOf(const cameras::CameraModel& camera, cv::Size size) const;
   double height(double x, double y) const;
-  /// `near_t`: where a ray close by hit, or 0; set to where this one does.
+  /// `near_t`: in: position of the hit on a neighbouring ray, or 0; out: position of this hit.
   Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit,
                       double& near_t) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where the tests find real data, and how a test that needs absent data is skipped in sight. Nothing here is
-// committed: the packages are installed by facenav.sh, the shared folder is read where it lies.
+// Paths of real data for the tests, and skipping of tests whose data is absent (the skip is reported). No
+// data is committed: facenav.sh installs the packages; the shared folder is read in place.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ inline std::filesystem::path sharedData() {
   return detail::fromEnvironment("FACENAV_SHARED_DATA",
                                  std::filesystem::path(FACENAV_SOURCE_DIR) / "../shared/data");
 }
-/// What facenav.sh fetched and converted once (FACENAV_CACHE, default build/cache).
+/// Files that facenav.sh fetched and converted once (FACENAV_CACHE, default build/cache).
 inline std::filesystem::path cache() {
   return detail::fromEnvironment("FACENAV_CACHE", std::filesystem::path(FACENAV_SOURCE_DIR) / "build/cache");
 }
@@ -41,7 +41,7 @@ inline std::filesystem::path openCvSamples() {
   return "/usr/share/doc/opencv-doc/examples/data";
 }
 
-/// A folder of this test's own, removed at the end.
+/// A folder for this test alone, removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -63,6 +63,6 @@ class TemporaryFolder {
 
 }  // namespace facenav::testing
 
-/// First line of a test that needs real data: skipped, visibly, where it is absent.
+/// First line of a test that needs real data: if it is absent, the test is skipped and reported as skipped.
 #define FACENAV_NEEDS(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "real data not here: " << (path)

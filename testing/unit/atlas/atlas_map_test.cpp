@@ -30,7 +30,7 @@ AtlasMap madeMap() {
 TEST(AtlasMap, ThereAndBackIsTheSamePlace) {
   const auto map = madeMap();
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> within(-80, 80);  // some of it beyond the grid
+  std::uniform_real_distribution<double> within(-80, 80);  // includes points beyond the grid
   for (int n = 0; n < 500; ++n) {
     const Point<Mni> p(within(random), within(random), within(random));
     EXPECT_LT((map.toMni(map.toMri(p)).mm - p.mm).norm(), 0.05) << p.mm.transpose();

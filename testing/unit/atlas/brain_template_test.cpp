@@ -41,7 +41,7 @@ TEST_F(Colin27, LobesHaveNamesThatOneLooksUp) {
   EXPECT_EQ(lobes.at({-30, -70, -40}), "left cerebellum");
   EXPECT_EQ(lobes.at({20, -98, 5}), "right occipital lobe");
   EXPECT_EQ(lobes.at({37, -21, 62}), "right motor strip");
-  EXPECT_EQ(lobes.at({-20, 62, 32}), "left frontal lobe");  // a little outside the cortex
+  EXPECT_EQ(lobes.at({-20, 62, 32}), "left frontal lobe");  // slightly outside the cortex
   EXPECT_EQ(lobes.at({0, 200, 0}), "");
   EXPECT_EQ(lobes.at({900, 0, 0}), "");
 }

@@ -1,5 +1,4 @@
-// Colin27 moved and warped by a known map stands in for a patient: every place of MNI space must come out
-// where it went.
+// Colin27, moved and warped by a known map, replaces a patient. The registration must find the map.
 
 #include "facenav/atlas/register_atlas.h"
 
@@ -14,7 +13,7 @@
 namespace facenav::atlas {
 namespace {
 
-/// mni_from_mri of the made patient: an affine and a smooth warp of up to 7 mm.
+/// mni_from_mri of the synthetic patient: an affine and a smooth warp of up to 7 mm.
 Eigen::Vector3d toTemplate(const Eigen::Vector3d& mri_mm) {
   static const Eigen::Affine3d kAffine =
       Eigen::Affine3d(Eigen::Translation3d(14, -9, 21) *
@@ -49,7 +48,7 @@ MadePatient madePatient(const volume::Volume& brain) {
   return patient;
 }
 
-/// How far off each labelled place of the cortex and the deep nuclei is, sorted.
+/// Errors at all labelled points of the cortex and the deep nuclei, sorted.
 std::vector<double> errors_mm(const AtlasMap& map, const LabelMap& labels) {
   std::vector<double> errors;
   const auto& grid = labels.labels.grid;

@@ -13,7 +13,7 @@
 namespace facenav::capture {
 namespace {
 
-/// Frames every `interval_s` of their own clock; a failure, or the end, after the last.
+/// Frames every `interval_s` of their own clock; after the last one a failure or the end.
 class Frames : public FrameSource {
  public:
   Frames(int count, double interval_s, bool fails) : count_(count), interval_s_(interval_s), fails_(fails) {}
@@ -62,7 +62,7 @@ TEST(LivePreview, APacedRecordingTakesItsTimeAndStopsAtOnce) {
     waitForTheEnd(paced);
     EXPECT_GE(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(95));
   }
-  LivePreview endless(std::make_unique<Frames>(1000, 3600.0, false), true);  // gone without waiting for it
+  LivePreview endless(std::make_unique<Frames>(1000, 3600.0, false), true);  // destroyed without waiting
 }
 
 TEST(CameraList, NamesWhatGivesPicturesByItsIndex) {
@@ -74,7 +74,7 @@ TEST(CameraList, NamesWhatGivesPicturesByItsIndex) {
   };
   add("video10", "Right camera", "0");
   add("video2", "Left camera", "0");
-  add("video3", "Left camera", "1");  // its meta data
+  add("video3", "Left camera", "1");  // its metadata
   add("v4l-subdev0", "sensor", "0");
   const auto cameras = listCameras(folder.path());
   ASSERT_EQ(cameras.size(), 2u);

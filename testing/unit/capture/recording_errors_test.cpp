@@ -20,7 +20,7 @@ namespace support = facenav::testing;
 
 namespace {
 
-// The message of opening (and playing) a good recording of 4 frames after `damage`.
+// The message after opening (and playing) a valid recording of 4 frames that `damage` has changed.
 std::string messageAfter(const std::function<void(const fs::path&)>& damage) {
   support::TemporaryFolder folder;
   const fs::path rec = folder.path() / "rec";

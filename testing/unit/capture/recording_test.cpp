@@ -19,7 +19,7 @@ using support::TemporaryFolder;
 
 namespace {
 
-// A recording made by hand, as another program would: names by `name(side, i)`.
+// A recording folder with stereo.yml; the tests add images with the names that other programs use.
 fs::path makeFolder(const TemporaryFolder& folder) {
   const fs::path recording = folder.path() / "rec";
   fs::create_directories(recording / "left");

@@ -19,7 +19,7 @@ TEST(LatestValue, KeepsTheNewestAndCountsWhatNobodyTook) {
   EXPECT_EQ(value.dropped(), 1u);
   EXPECT_EQ(*value.take(0ms), 2);
   EXPECT_EQ(value.take(1ms), nullptr);  // taken once
-  EXPECT_EQ(*value.latest(), 2);        // still to be seen
+  EXPECT_EQ(*value.latest(), 2);        // latest() does not take it
 }
 
 TEST(LatestValue, CloseWakesTheWaiter) {
@@ -38,10 +38,10 @@ TEST(LatestValue, TakenAndDroppedAccountForAllPublishedAcrossThreads) {
     while (const auto next = value.take(10s)) taken.push_back(*next);
   });
   for (int i = 0; i < kCount; ++i) value.publish(std::make_shared<int>(i));
-  value.close();  // what lies unread is still handed out
+  value.close();  // an untaken value can still be taken
   reader.join();
   EXPECT_EQ(taken.size() + value.dropped(), std::size_t(kCount));
-  for (std::size_t i = 1; i < taken.size(); ++i) EXPECT_LT(taken[i - 1], taken[i]);  // never an older one
+  for (std::size_t i = 1; i < taken.size(); ++i) EXPECT_LT(taken[i - 1], taken[i]);  // never an older value
   EXPECT_EQ(taken.back(), kCount - 1);
 }
 

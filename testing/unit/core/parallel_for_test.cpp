@@ -41,7 +41,7 @@ TEST(ParallelFor, WorkerZeroIsTheCaller) {
 TEST(ParallelFor, TheFirstItemThatFailsIsReported) {
   for (int run = 0; run < 20; ++run) try {
       parallelFor(200, 4, [](std::size_t item, std::size_t) {
-        if (item == 40) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the slower one
+        if (item == 40) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // slower than the others
         if (item >= 40) throw std::runtime_error("fault " + std::to_string(item));
       });
       FAIL() << "no fault was reported";
@@ -110,7 +110,7 @@ TEST(ParallelFor, BackgroundWorkStaysInTheBackground) {
   constexpr int kNicer = 5;
   const int own = ::getpriority(PRIO_PROCESS, 0);
   if (own + kNicer > 19) GTEST_SKIP() << "runs at the lowest priority already";
-  const auto niceValues = [](std::size_t workers) {  // nice values met, lowest and highest
+  const auto niceValues = [](std::size_t workers) {  // lowest and highest nice value of the workers
     std::pair<int, int> met{100, -100};
     std::mutex mutex;
     parallelFor(workers * 20, workers, [&](std::size_t, std::size_t) {

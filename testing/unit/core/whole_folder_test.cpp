@@ -92,7 +92,7 @@ TEST(WholeFolder, OfTheOwnerAloneIsPrivateFromTheStart) {
   EXPECT_EQ(modeOf(place / "left/a"), 0600u);
 }
 
-TEST(WholeFolder, HoldsManyFiles) {  // more than are synced one by one
+TEST(WholeFolder, HoldsManyFiles) {  // above the limit for single syncs
   const TemporaryFolder folder;
   WholeFolder whole(folder.path() / "out");
   for (int i = 0; i < 100; ++i) write(whole.temporaryPath() / std::to_string(i), "x");

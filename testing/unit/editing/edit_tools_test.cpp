@@ -11,7 +11,7 @@
 #include "facenav/editing/whole_mask_tools.h"
 #include "made_masks.h"
 
-// Each tool against the brute-force answer: the same rule asked of every voxel of the grid.
+// Each tool is compared with brute force: the same rule applied to every voxel of the grid.
 
 namespace facenav::editing {
 namespace {
@@ -51,7 +51,7 @@ TEST(Brush, ABallPaintsTheVoxelsWithinItsRadius) {
   const auto change = paint(empty, {place, place}, {6.0, {}}, true);
   EXPECT_EQ(after(empty, change).voxels, ballMask(grid, place, 6.0).voxels);
   expectEachVoxelOnce(change);
-  EXPECT_TRUE(paint(after(empty, change), {place, place}, {6.0, {}}, true).empty());  // painted already
+  EXPECT_TRUE(paint(after(empty, change), {place, place}, {6.0, {}}, true).empty());  // already painted
 }
 
 TEST(Brush, AStrokeIsACapsuleAndTheEraserUndoesIt) {
@@ -113,7 +113,7 @@ TEST(Lasso, FillsItsOutlineInTheSliceShownAlone) {
   volume::VoxelGrid grid;
   grid.size = {40, 40, 40};
   const auto plane = volume::anatomicalPlane(grid, volume::Anatomical::axial, Point<Mri>(20, 20, 17));
-  Outline outline;  // an L in world x, y: drawn through the plane's own pixels
+  Outline outline;  // an L in world x, y, drawn in the plane's pixels
   for (const auto& [x, y] :
        {std::pair{9.5, 9.5}, {30.5, 9.5}, {30.5, 15.5}, {15.5, 15.5}, {15.5, 30.5}, {9.5, 30.5}})
     outline.push_back(plane.toPixel(Point<Mri>(x, y, 17)).head<2>());
@@ -162,13 +162,13 @@ TEST(Smooth, TakesASpikeAwayAndLeavesABallAsItIs) {
   const Mask ball = ballMask(grid, Point<Mri>(24, 24, 24), 15);
   Mask spiked = ball;
   for (int i = 38; i < 46; ++i)
-    spiked.voxels[grid.index(i, 24, 24)] = 1;  // out of the ball to the grid's edge
+    spiked.voxels[grid.index(i, 24, 24)] = 1;  // a spike from the ball to the grid's edge
   const Mask smoothed = after(spiked, smooth(spiked, 1.0));
   EXPECT_FALSE(smoothed.at(43, 24, 24));
   EXPECT_GT(volume::overlap(smoothed, ball).dice, 0.985);
   const Ball elsewhere{Point<Mri>(10, 24, 24), 6};
   const auto local = smooth(spiked, 1.0, elsewhere);
-  EXPECT_TRUE(after(spiked, local).at(43, 24, 24));  // out of its reach
+  EXPECT_TRUE(after(spiked, local).at(43, 24, 24));  // outside the radius
   for (const auto v : local.voxels)
     EXPECT_LE((Eigen::Vector3d(v % 48, v / 48 % 48, v / 48 / 48) - elsewhere.centre.mm).norm(), 6);
 }
@@ -201,7 +201,7 @@ TEST(SliceInterpolation, MakesTheConeBetweenTwoDiscs) {
   }
   EXPECT_FALSE(made.at(30, 30, 4));
   EXPECT_FALSE(made.at(30, 30, 16));
-  EXPECT_TRUE(interpolateSlices(drawn, 2, {5, 20}).empty());  // nothing is drawn on 20
+  EXPECT_TRUE(interpolateSlices(drawn, 2, {5, 20}).empty());  // slice 20 is empty
   EXPECT_THROW(interpolateSlices(drawn, 2, {5, 30}), Error);
 }
 
@@ -262,7 +262,7 @@ TEST(Scalpel, StopsAtItsDepth) {
     shallowest = std::max(shallowest, p.x());
   }
   EXPECT_GT(shallowest, 16.5);
-  EXPECT_NEAR(deepest, 6.0, 1.6);  // a voxel's size
+  EXPECT_NEAR(deepest, 6.0, 1.6);  // tolerance: one voxel
   EXPECT_TRUE(after(ball, change).at(32, 30, 28));
 }
 

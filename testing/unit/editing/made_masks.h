@@ -1,5 +1,5 @@
 #pragma once
-// Masks in closed form on an oblique grid with unequal spacing, as hospitals send them.
+// Masks in closed form on an oblique grid with unequal spacing, like scans from hospitals.
 
 #include "facenav/volume/volume.h"
 
@@ -28,7 +28,7 @@ inline volume::Mask ballMask(const volume::VoxelGrid& grid, const Point<Mri>& ce
   return mask;
 }
 
-/// Their own index along the first axis as values.
+/// A volume whose values are the voxels' index along the first axis.
 inline volume::Volume ramp(const volume::VoxelGrid& grid) {
   volume::Volume volume;
   volume.grid = grid;

@@ -139,15 +139,15 @@ TEST(MaskAutosave, WritesTheLastStateOnceItRests) {
       },
       2, 15);
   autosave.tick(editor, 0);
-  EXPECT_TRUE(autosave.isSaved(editor));  // nothing was changed yet
+  EXPECT_TRUE(autosave.isSaved(editor));  // no change yet
   editor.apply("edit", {{1}});
   autosave.tick(editor, 10.0);
   autosave.tick(editor, 11.0);
   EXPECT_FALSE(autosave.isSaved(editor));
   editor.apply("edit", {{2}});
   autosave.tick(editor, 11.5);
-  autosave.tick(editor, 13.6);  // begins
-  autosave.saveNow(editor);     // waits
+  autosave.tick(editor, 13.6);  // starts a write
+  autosave.saveNow(editor);     // waits for it
   EXPECT_TRUE(autosave.isSaved(editor));
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0], editor.mask().voxels);

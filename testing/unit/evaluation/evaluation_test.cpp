@@ -88,7 +88,7 @@ TEST(CrossSection, DrawsThePointOnItsPlaceInRed) {
   mri.voxels.assign(mri.grid.count(), 0.f);
   mri.voxels[0] = 1.f;
   PointCloud<Mri> cloud;
-  cloud.points_mm = {{5, 12, 8}, {3, 3, 15}};  // the second lies 7 mm off the plane
+  cloud.points_mm = {{5, 12, 8}, {3, 3, 15}};  // the second is 7 mm off the plane
   const cv::Mat picture =
       drawCrossSection(mri, volume::Anatomical::axial, Point<Mri>(0, 0, 8), cloud, {1.0, 4});
   const cv::Vec3b at_point = picture.at<cv::Vec3b>((19 - 12) * 4, (19 - 5) * 4),

@@ -35,7 +35,7 @@ TEST(MaskAgreement, OfAShiftedBoxIsKnownByHand) {
   const auto agreement = compareMasks(a, b);
   EXPECT_DOUBLE_EQ(agreement.dice, 0.7);
   EXPECT_DOUBLE_EQ(agreement.inside, 0.7);
-  EXPECT_DOUBLE_EQ(agreement.hausdorff95_mm, 6);  // one face of ten by ten voxels, three steps of 2 mm off
+  EXPECT_DOUBLE_EQ(agreement.hausdorff95_mm, 6);  // one face of ten by ten voxels, three steps of 2 mm away
   EXPECT_DOUBLE_EQ(agreement.found_ml, 8);
   const auto same = compareMasks(a, a);
   EXPECT_EQ(same.dice, 1);
@@ -44,7 +44,7 @@ TEST(MaskAgreement, OfAShiftedBoxIsKnownByHand) {
 
 TEST(MaskAgreement, HausdorffIsTheLargerOfBothDirections) {
   Mask thorn = box({8, 8, 8}, {15, 15, 15});
-  for (int i = 16; i < 30; ++i)  // a thorn of 5 x 5 voxels: 280 of its 592 surface voxels
+  for (int i = 16; i < 30; ++i)  // a spike of 5 x 5 voxels: 280 of its 592 surface voxels
     for (int j = 9; j < 14; ++j)
       for (int k = 9; k < 14; ++k) thorn.voxels[thorn.grid.index(i, j, k)] = 1;
   const Mask plain = box({8, 8, 8}, {15, 15, 15});
@@ -68,8 +68,8 @@ TEST(MaskAgreement, ClosingBridgesASulcusAndFillsAVentricle) {
   const Mask closed = closedAndFilled(tissue, 2);
   EXPECT_TRUE(closed.at(10, 14, 14));
   EXPECT_TRUE(closed.at(5, 14, 14));
-  EXPECT_EQ(volume::overlap(tissue, closed).inside, 1);  // takes nothing away
-  EXPECT_EQ(volume::overlap(closed, whole).inside, 1);   // and adds nothing beyond the box
+  EXPECT_EQ(volume::overlap(tissue, closed).inside, 1);  // removes nothing
+  EXPECT_EQ(volume::overlap(closed, whole).inside, 1);   // adds nothing beyond the box
   const Mask open = closedAndFilled(tissue, 1);
   EXPECT_FALSE(open.at(10, 14, 17));
 }

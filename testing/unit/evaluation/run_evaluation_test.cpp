@@ -1,4 +1,4 @@
-// Runs made by hand, whose errors are known: what the goals make of them.
+// Hand-made runs with known errors, and the verdicts on the goals.
 
 #include <gmock/gmock.h>
 
@@ -19,7 +19,7 @@ Eigen::Isometry3d shifted(double x_mm, double y_mm = 0.0, double z_mm = 0.0) {
   return Eigen::Isometry3d(Eigen::Translation3d(x_mm, y_mm, z_mm));
 }
 
-/// `frames` frames of a head that stands at z = 600 mm and is tracked exactly.
+/// `frames` frames of a head at z = 600 mm, tracked without error.
 RunRecord perfectRun(const std::string& scenario, int frames) {
   RunRecord run;
   run.scenario = scenario;
@@ -112,7 +112,7 @@ TEST(Losses, AreCountedWhereTheHeadCouldBeKnown) {
   RunRecord run = perfectRun("lost", 60);
   for (int i = 10; i < 22; ++i) run.frames[i].head_motion.reset();  // 12 frames without a reason
   for (int i = 30; i < 50; ++i) run.frames[i].head_motion.reset();
-  for (int i = 30; i < 44; ++i) run.frames[i].truth.must_be_lost = true;  // known again at 44, tracked at 50
+  for (int i = 30; i < 44; ++i) run.frames[i].truth.must_be_lost = true;  // visible from 44, tracked from 50
   EXPECT_NEAR(longestLoss_s(run), 12 / 60.0, 1e-12);
   const auto again_s = timesToFindAgain_s(run);
   ASSERT_EQ(again_s.size(), 1u);

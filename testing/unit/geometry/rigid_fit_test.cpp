@@ -40,7 +40,7 @@ TEST(FitRigid, MirroredPointsStillGiveARotation) {
   for (auto& p_mm : mirrored.points_mm) p_mm.x() *= -1;
   const auto fit = fitRigidPoints(cloud(50).points_mm, mirrored.points_mm);
   EXPECT_NEAR(fit.to_T_from.linear().determinant(), 1, 1e-12);
-  EXPECT_GT(fit.rms_mm, 10);  // and the residual says that it does not fit
+  EXPECT_GT(fit.rms_mm, 10);  // the residual shows that the fit is bad
 }
 
 TEST(FitRigid, WeightZeroTakesAPointOut) {
@@ -52,7 +52,8 @@ TEST(FitRigid, WeightZeroTakesAPointOut) {
 }
 
 TEST(FitRigid, ResidualOfAKnownDisturbance) {
-  // Opposite shifts of +-1 mm along one line of a symmetric cross leave the pose and a known residual.
+  // Opposite shifts of +-1 mm along one line of a symmetric cross do not change the pose and give a known
+  // residual.
   const std::vector<Eigen::Vector3d> from{{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}};
   std::vector<Eigen::Vector3d> to = from;
   to[0].x() += 1;

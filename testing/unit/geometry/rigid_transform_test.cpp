@@ -50,14 +50,14 @@ TEST(RigidTransform, QuarterTurnAboutZByHand) {
 TEST(RigidTransform, MirroredMatrixIsRefused) {
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Matrix4d flipped = some().matrix();
-    flipped.col(axis) *= -1;  // left and right exchanged, say
+    flipped.col(axis) *= -1;  // for instance left and right swapped
     EXPECT_THROW(CameraFromMri::fromMatrix(flipped), Error);
   }
 }
 
 TEST(RigidTransform, ScaledShearedAndProjectiveMatricesAreRefused) {
   Eigen::Matrix4d scaled = some().matrix();
-  scaled.topLeftCorner<3, 3>() *= 1000;  // metres taken for millimetres
+  scaled.topLeftCorner<3, 3>() *= 1000;  // metres read as millimetres
   EXPECT_THROW(CameraFromMri::fromMatrix(scaled), Error);
   Eigen::Matrix4d sheared = some().matrix();
   sheared(0, 1) += 0.1;

@@ -10,7 +10,7 @@ using facenav::testing::EigenNear;
 
 constexpr double kDegree = 180.0 / M_PI;
 
-// FORMATS.md, from a published navigator export with 3 decimals; the point there is the target itself.
+// FORMATS.md: values of a published navigator export with 3 decimals; `point` is the target itself.
 TEST(Evaluate, GivesThePublishedRecordingsValues) {
   Target target;
   target.mri_T_target =
@@ -37,14 +37,14 @@ TEST(Evaluate, SplitsDistanceIntoLateralAndSignedDepth) {
   const GuidanceValues off = evaluate(target, coilAt(target, {3, 4, -12}));
   EXPECT_NEAR(off.distance_mm, 13, 1e-9);
   EXPECT_NEAR(off.lateral_mm, 5, 1e-9);
-  EXPECT_NEAR(off.depth_mm, -12, 1e-9);  // stands off
+  EXPECT_NEAR(off.depth_mm, -12, 1e-9);  // above the scalp
   EXPECT_NEAR(off.beam_miss_mm, 5, 1e-9);
   EXPECT_THAT(off.lateral_in_coil_mm, EigenNear(Eigen::Vector2d(-3, -4), 1e-9));
   EXPECT_GT(evaluate(target, coilAt(target, {0, 0, 2})).depth_mm, 0);  // too deep
 }
 
 TEST(Evaluate, BeamMissSeesTiltThatTheContactPointHides) {
-  const Target target = vertexTarget();  // cortex 20 mm down the target's z
+  const Target target = vertexTarget();  // cortex point 20 mm along the target's z
   const GuidanceValues values =
       evaluate(target, coilAt(target, {0, 0, 0}, about(Eigen::Vector3d::UnitX(), 10)));
   EXPECT_NEAR(values.distance_mm, 0, 1e-12);

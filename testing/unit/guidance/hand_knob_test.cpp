@@ -28,7 +28,7 @@ TEST(HandKnobGuess, ScalesWithTheBrainAndLiesOnItsSurface) {
   EXPECT_NEAR((left.mm - Eigen::Vector3d(5, 10, 20)).norm(), 70, 1e-6);
   EXPECT_LT(left.mm.x(), 5 - 30);
   EXPECT_GT(left.mm.z(), 20 + 30);
-  EXPECT_NEAR(left.mm.x() + right.mm.x(), 10, 3.0);  // mirrored at the brain's middle, to a vertex
+  EXPECT_NEAR(left.mm.x() + right.mm.x(), 10, 3.0);  // mirrored at the brain's middle; tolerance: one vertex
 }
 
 TEST(HandKnobGuess, RefusesAnEmptyBrain) {

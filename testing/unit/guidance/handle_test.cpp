@@ -73,8 +73,8 @@ TEST(MovedAlongScalp, NeverTurnsTheHandleRoundOnTheWayFromForeheadToCrown) {
     EXPECT_GT(before.dot(moved.mri_T_target.rotation().col(1)), std::cos(rad(4))) << step;
     target = moved;
   }
-  EXPECT_GT(target.cortex_point.mm.z(), kCentre_mm.z() + 40);    // it went up
-  EXPECT_NEAR(target.mri_T_target.rotation()(0, 1), 0.0, 0.05);  // and stayed in the midline's plane
+  EXPECT_GT(target.cortex_point.mm.z(), kCentre_mm.z() + 40);    // it moved up
+  EXPECT_NEAR(target.mri_T_target.rotation()(0, 1), 0.0, 0.05);  // and stayed in the mid-sagittal plane
 }
 
 TEST(HandleAngle, CanBeSetAnywhereAndKeepsPlaceAxisAndGap) {

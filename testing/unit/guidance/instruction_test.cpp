@@ -41,14 +41,15 @@ TEST(Instruction, TiltsAndTurnsTheCoilTheRightWay) {
   const Target target = vertexTarget();
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                         z = Eigen::Vector3d::UnitZ();
-  // A positive turn about x takes the front (+y) into the head and lifts the handle: so the handle must come
-  // down.
+  // A positive rotation about x moves the front (+y) into the head and lifts the handle, so the handle must
+  // go down.
   EXPECT_EQ(wordsAt(target, {0, 0, 0}, about(x, 8)), "tilt the handle side down 8°");
   EXPECT_EQ(wordsAt(target, {0, 0, 0}, about(x, -8)), "tilt the handle side up 8°");
-  // A positive turn about y lifts +x, the left wing.
+  // A positive rotation about y lifts +x, the left wing.
   EXPECT_EQ(wordsAt(target, {0, 0, 0}, about(y, 9)), "tilt the left wing down 9°");
   EXPECT_EQ(wordsAt(target, {0, 0, 0}, about(y, -9)), "tilt the left wing up 9°");
-  // A positive turn about z, which points away from somebody above the coil, is clockwise for them.
+  // A positive rotation about z, which points away from a person above the coil, is clockwise for that
+  // person.
   EXPECT_EQ(wordsAt(target, {0, 0, 0}, about(z, 15)), "turn counterclockwise seen from above the coil 15°");
   EXPECT_EQ(wordsAt(target, {0, 0, 0}, about(z, -15)), "turn clockwise seen from above the coil 15°");
 }
@@ -86,7 +87,7 @@ TEST(Instruction, FollowedToTheEndReachesTheTarget) {
   const Target target = vertexTarget();
   Eigen::Vector3d offset_mm(23, -14, -30);
   int steps = 0;
-  for (; steps < 20; ++steps) {  // does what is said, along the axis said
+  for (; steps < 20; ++steps) {  // follows the instruction along its direction
     const GuidanceValues values = evaluate(target, coilAt(target, offset_mm));
     const Instruction said = instruct(target, values, {});
     if (said.action == Action::hold) break;

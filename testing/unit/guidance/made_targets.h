@@ -10,7 +10,7 @@ namespace facenav::guidance::testing {
 
 inline double rad(double angle_deg) { return angle_deg * M_PI / 180.0; }
 
-/// Orthonormal axes from z and y given to few decimals.
+/// Orthonormal axes from z and y given with few decimals.
 template <class From>
 RigidTransform<Mri, From> poseFrom(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& z,
                                    const Eigen::Vector3d& y) {
@@ -32,7 +32,7 @@ inline Target vertexTarget() {
   return target;
 }
 
-/// The vertex target's pose after a motion given in the target's own axes: first turned, then shifted.
+/// The vertex target's pose after a motion in the target's own axes: first rotated, then shifted.
 inline RigidTransform<Mri, Coil> coilAt(const Target& target, const Eigen::Vector3d& shift_mm,
                                         const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity()) {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();

@@ -57,7 +57,7 @@ TEST(TargetsJson, MatrixIsRowMajorInMillimetres) {
 TEST(TargetsJson, RefusesMirroredAndSkewedMatrices) {
   EXPECT_NE(faultOf(oneTarget("[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]")).find("mirrored"), std::string::npos);
   EXPECT_NE(faultOf(oneTarget("[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]")).find("not rigid"), std::string::npos);
-  // Column-major: the translation stands in the last row.
+  // Column-major: the translation is in the last row.
   EXPECT_NE(faultOf(oneTarget("[1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]")).find("last row"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// Against a real archive: what is stored is found and comes back the same, by C-GET and by C-MOVE.
+// Against a real archive: stored images are found and come back unchanged, by C-GET and by C-MOVE.
 
 #include "facenav/pacs/pacs.h"
 
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// One archive for all tests, holding one made series of ten slices.
+/// One archive for all tests, with one synthetic series of ten slices.
 class Pacs : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -188,7 +188,7 @@ TEST(PacsTls, EncryptedAndOnlyWithATrustedCertificate) {
   auto other = archive.node();
   other.tls = pacs::Tls{at("other.pem"), {}, {}};
   EXPECT_THROW(pacs::echo(other), Error);
-  EXPECT_THROW(pacs::echo(archive.node()), Error);  // in the clear
+  EXPECT_THROW(pacs::echo(archive.node()), Error);  // without TLS
 }
 
 }  // namespace

@@ -67,11 +67,11 @@ TEST(OverlayWorker, DrawsTheNewestOrderOnlyAndNeverHoldsUpWhoAsks) {
         gate.wait();
         return CameraOverlay{};
       });
-  for (int i = 0; i < 100; ++i) worker.ask(orderOf(i));  // would wait for ever, if it waited
+  for (int i = 0; i < 100; ++i) worker.ask(orderOf(i));  // blocks here if ask() waits
   may_draw.set_value();
   has_newest.get_future().wait();
   EXPECT_EQ(last, 99);
-  EXPECT_LE(drawings, 2);  // the one that was begun, and the newest
+  EXPECT_LE(drawings, 2);  // the one in progress and the newest
 }
 
 TEST(OverlayWorker, AFailureIsDeliveredInWordsAndTheNextPictureIsDrawn) {
@@ -106,8 +106,8 @@ TEST(OverlayWorker, DeliversNothingAfterItHasGone) {
 TEST(MayBeShown, APictureOfTheNewestStateOrOneJustBefore) {
   EXPECT_TRUE(mayBeShown(pictureOf(state(10)), state(10)));
   EXPECT_TRUE(mayBeShown(pictureOf(state(10)), state(22)));   // 0.24 s behind
-  EXPECT_FALSE(mayBeShown(pictureOf(state(10)), state(23)));  // 0.26 s behind: no pose is shown so late
-  EXPECT_FALSE(mayBeShown(pictureOf(state(11)), state(10)));  // of another run of the recording
+  EXPECT_FALSE(mayBeShown(pictureOf(state(10)), state(23)));  // 0.26 s behind: too old for any pose
+  EXPECT_FALSE(mayBeShown(pictureOf(state(11)), state(10)));  // from another run of the recording
 }
 
 TEST(MayBeShown, NeverAPoseThatIsLostByNow) {

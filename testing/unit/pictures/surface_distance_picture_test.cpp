@@ -4,8 +4,7 @@
 
 #include "support/ball_mesh.h"
 
-// The distance map's picture: a ball whose right half lies outside the phi-theta surface, whose left half
-// within.
+// The distance picture of a ball: its right half is outside the phi-theta surface, its left half inside.
 
 namespace facenav {
 namespace {
@@ -19,7 +18,7 @@ surface::DetailedCortex halves() {
   return cortex;
 }
 
-/// Red outside, blue within.
+/// Red outside, blue inside.
 std::array<double, 3> redOrBlue(double mm) {
   return mm > 0 ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 0, 1};
 }
@@ -39,7 +38,7 @@ TEST(SurfaceDistancePicture, ColoursEachSideByItsDistanceWithoutGaps) {
       }
     return count / (0.9 * M_PI * radius * radius);
   };
-  EXPECT_GT(countIn(0, 2), 0.99);         // left side: all within
+  EXPECT_GT(countIn(0, 2), 0.99);         // left side: all inside
   EXPECT_GT(countIn(1, 0), 0.99);         // right side: all outside
   EXPECT_NEAR(countIn(2, 0), 0.5, 0.02);  // from above: half and half
   EXPECT_NEAR(countIn(2, 2), 0.5, 0.02);

@@ -9,7 +9,7 @@
 namespace facenav::room {
 namespace {
 
-/// Coil tangent to the egg where a ray from its middle leaves it, handle to posterior and outward.
+/// Coil tangent to the egg where a ray from its centre leaves it, handle to posterior and outward.
 RigidTransform<Mri, frames::Target> targetAlong(const Eigen::Vector3d& out, double handle_to_side) {
   const Eigen::Vector3d middle(2.0, 5.0, -10.0), radii(75.0, 95.0, 110.0);
   const Eigen::Vector3d from_middle = out / out.cwiseQuotient(radii).norm();
@@ -39,7 +39,7 @@ class CoilMount : public ::testing::TestWithParam<Place> {};
 TEST_P(CoilMount, BothCamerasSeeTheMarkerWhileTheCoilIsOnItsTarget) {
   ScenarioOptions options;
   options.name = "treatment";
-  options.frames = 2;  // the second is on target
+  options.frames = 2;  // the second frame is on target
   SyntheticSource source(options, testing::eggPatient(),
                          targetAlong(GetParam().out, GetParam().handle_to_side));
   source.next();

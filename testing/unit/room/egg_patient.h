@@ -1,5 +1,5 @@
 #pragma once
-// A patient without an MRI: an ellipsoid of a head's size. Fast, and needs no data.
+// A patient without an MRI: an ellipsoid of a head's size. Fast, and needs no files.
 
 #include "facenav/room/room_rig.h"
 #include "facenav/room/virtual_patient.h"
@@ -13,7 +13,7 @@ inline std::shared_ptr<const room::VirtualPatient> eggPatient() {
       room::makePatient(room::ellipsoid({2.0, 5.0, -10.0}, {75.0, 95.0, 110.0}, 60), {}, monitor));
 }
 
-/// Small images keep tests that look at poses alone quick.
+/// Small images make tests of poses fast.
 inline room::RigOptions smallRig() {
   room::RigOptions rig;
   rig.width_px = 160;

@@ -1,4 +1,4 @@
-// What real faces and cameras do and a rendered face does not do by itself: grimaces, gloss, compression.
+// Effects of real faces and cameras that a plain rendering lacks: grimaces, gloss, compression.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,7 +12,7 @@
 namespace facenav::room {
 namespace {
 
-/// The 68 points that grimaces lean on, at an adult's places, around a face that looks along +y.
+/// The 68 points used by grimaces, at an adult's positions, on a face towards +y.
 std::vector<Eigen::Vector3d> adultLandmarks() {
   std::vector<Eigen::Vector3d> l(68, Eigen::Vector3d(0.0, 60.0, -40.0));
   l[8] = {0, 85, -110};
@@ -125,7 +125,7 @@ TEST(CameraOptions, HazeLiftsBothCamerasAndTheRightOnesResponseIsItsOwn) {
   EXPECT_NEAR(cv::mean(hazy.frames[0].right)[0], 0.8 * cv::mean(plain.frames[0].right)[0] + 20.0, 1.0);
 }
 
-/// Light that gloss adds to one image of the egg, and where its middle lies (px from the image's left).
+/// Light that gloss adds to one image of the egg, and its centre (px from the image's left).
 struct Added {
   double grey = 0.0, column = 0.0;
 };
@@ -152,8 +152,8 @@ TEST(Gloss, LiesElsewhereOnTheSkinForEachCamera) {
               right = addedBy(glossy.frames[0].right, plain.frames[0].right);
   EXPECT_GT(left.grey, 500.0);
   EXPECT_GT(right.grey, 500.0);
-  // A pattern painted on the skin would shift by the parallax of the face; a highlight shifts by less, as
-  // the mirrored lamp lies behind the surface.
+  // A pattern painted on the skin would shift by the parallax of the face. A highlight shifts by less, since
+  // the mirrored lamp is behind the surface.
   const SyntheticSource source(options, testing::eggPatient());
   const auto camera_T_mri = glossy.truths[0].camera_T_mri;
   const Eigen::Vector3d face = (camera_T_mri * testing::eggPatient()->face_middle).mm;
@@ -216,7 +216,7 @@ TEST(Returns, PatientComesBackThreeTimesTurnedAndInOtherLight) {
     grimaces.insert(now.label);
     const Eigen::Matrix3d since = now.cast.room_T_mri.rotation() * seat.room_T_mri.rotation().transpose();
     const double turn_deg = rotationAngle(since) * 180.0 / M_PI;
-    EXPECT_GT(turn_deg, 3.0) << frame;  // 5 to 15 deg, and the sway of a seated head
+    EXPECT_GT(turn_deg, 3.0) << frame;  // 5 to 15 deg, plus the sway of a seated head
     EXPECT_LT(turn_deg, 17.0) << frame;
     EXPECT_NE(now.cast.lamp_scale, 1.0) << frame;
     EXPECT_GT(now.cast.lamp_shift_mm.norm(), 199.0) << frame;

@@ -1,4 +1,4 @@
-// What a living head does besides moving: it blinks, and its hair does not stay where it was.
+// A living head besides its pose: blinks and moving hair.
 #include <gtest/gtest.h>
 
 #include "egg_patient.h"
@@ -11,13 +11,13 @@
 namespace facenav::room {
 namespace {
 
-/// The egg's surface straight before a point of its middle plane.
+/// The egg's surface in front of a point of its middle plane.
 Eigen::Vector3d onEgg(double x, double z) {
   const double dx = (x - 2.0) / 75.0, dz = (z + 10.0) / 110.0;
   return {x, 5.0 + 95.0 * std::sqrt(1.0 - dx * dx - dz * dz), z};
 }
 
-/// The egg with eyes: the rest of its 68 points lie inside it.
+/// The egg with eyes; the rest of its 68 points are inside it.
 std::shared_ptr<const VirtualPatient> eggWithEyes() {
   auto patient = std::make_shared<VirtualPatient>(*testing::eggPatient());
   patient->landmarks68_mm.assign(68, Eigen::Vector3d(0.0, 40.0, -60.0));
@@ -110,7 +110,7 @@ TEST(Blink, ChangesTheImageAtTheEyesAndNowhereElse) {
   options.frames = 1;
   options.frames_per_s = 60.0;
   const auto open = filmed(options, patient);
-  // One frame a blink's middle apart: the second frame has the lids down.
+  // One frame later, the time is at the middle of a blink: the second frame has the lids down.
   options.frames = 2;
   options.frames_per_s = 1.0 / at_s;
   options.blinks = 1;
@@ -186,7 +186,7 @@ TEST(Hair, LiesOtherwiseAfterEachVisitAndLagsBehindATurn) {
   EXPECT_TRUE(looseHair(4.0, seat, seat, 1, 0).isAtRest());
   EXPECT_TRUE(looseHair(0.0, seat, seat, 1, 2).isAtRest());
   EXPECT_NE(looseHair(4.0, seat, seat, 1, 1).pattern, looseHair(4.0, seat, seat, 1, 2).pattern);
-  // Turned to Mri's +x about the vertical axis: the front goes to -x, the hair lags to +x.
+  // Turned towards Mri's +x about the vertical axis: the front moves to -x, the hair lags to +x.
   const double angle = 0.1;
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   turn.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();

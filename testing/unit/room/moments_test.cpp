@@ -1,4 +1,4 @@
-// The room as a real face in front of near colour cameras shows it: the rig, the sensors, the scenario.
+// The room's imitation of a real face in front of near colour cameras: rig, sensors, scenario.
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
@@ -46,7 +46,7 @@ TEST(CloseRig, LeavesWhatWasAskedForAndIsNotTheDefault) {
   EXPECT_THROW(resolved(options), Error);
 }
 
-/// A picture with soft structure, in grey and in how much redder it is.
+/// A picture with soft structure: its grey and its redness.
 std::pair<cv::Mat, cv::Mat> softPicture() {
   cv::Mat grey(64, 96, CV_32F), red(64, 96, CV_32F);
   for (int y = 0; y < grey.rows; ++y)
@@ -126,7 +126,7 @@ TEST(Moments, AreFiveSomeSecondsApartWithOtherFacesPlacesAndHair) {
         EXPECT_GT(t_s - seen_s, 1.0);
         EXPECT_LT(t_s - seen_s, 5.0);
         const Eigen::Isometry3d moved = now.cast.room_T_mri.isometry() * seat.isometry().inverse();
-        EXPECT_GT(rotationAngle(moved.linear()) * 180.0 / M_PI, 0.1);  // 0.5-5 deg, and a little sway
+        EXPECT_GT(rotationAngle(moved.linear()) * 180.0 / M_PI, 0.1);  // 0.5-5 deg, plus a little sway
         EXPECT_LT(rotationAngle(moved.linear()) * 180.0 / M_PI, 6.5);
       }
       hair.insert(now.cast.hair.pattern);

@@ -68,7 +68,7 @@ TEST(Renderer, DepthOfASphereIsExactInBothCameras) {
         const Eigen::Vector3d along = ray.homogeneous(), centre = camera_T_world * centre_mm;
         const double a = along.squaredNorm(), b = along.dot(centre),
                      c = centre.squaredNorm() - radius_mm * radius_mm;
-        if (b * b - a * c < 0.25 * a * radius_mm * radius_mm) continue;  // grazing: facets, not optics
+        if (b * b - a * c < 0.25 * a * radius_mm * radius_mm) continue;  // grazing: facets dominate
         worst_mm =
             std::max(worst_mm, std::abs(view.depth_mm.at<float>(y, x) - (b - std::sqrt(b * b - a * c)) / a));
         ++pixels;

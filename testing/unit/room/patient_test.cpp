@@ -19,7 +19,7 @@ VirtualPatient patientFrom(const std::filesystem::path& nifti) {
   return makePatient(volume::readNifti(nifti).volume, {}, monitor);
 }
 
-/// Triangle edges without a triangle on the other side, counted by direction.
+/// Triangle edges without a triangle on the other side (directed edges).
 int openEdges(const surface::TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> balance;
   for (const auto& t : mesh.triangles)

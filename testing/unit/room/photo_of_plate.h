@@ -1,6 +1,5 @@
 #pragma once
-// Photographs of a printed plate at a known pose, as the room takes them: for tests against OpenCV's
-// detectors.
+// Photographs of a printed plate at a known pose in the room, for tests with OpenCV's detectors.
 
 #include <array>
 
@@ -42,7 +41,7 @@ struct PlatePhotographer {
     return images;
   }
 
-  /// Truth: where a point of the plate falls in one image.
+  /// Truth: image position of a point of the plate in one camera.
   Eigen::Vector2d project(std::size_t side, const Eigen::Isometry3d& camera_T_plate,
                           const Eigen::Vector3d& p_mm) const {
     const Eigen::Vector3d p = camera_T_plate * p_mm;

@@ -1,5 +1,5 @@
 #pragma once
-// A scenario of the room with the egg patient before a small rig, played to its end.
+// A scenario of the room with the egg patient and a small rig, played to its end.
 
 #include <vector>
 

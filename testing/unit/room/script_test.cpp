@@ -122,7 +122,7 @@ TEST(SeatedHead, TheSeedSeatsThePatientAskewWithinItsLimits) {
     const auto other = seatedHead(askew, *patient);
     const double deg = rotationAngle(other.rotation() * seat.rotation().transpose()) * 180.0 / M_PI;
     EXPECT_LE(deg, 30.0 + 1e-9);
-    // The face turns about a point between face and head centre, so that it moves little beyond the shift.
+    // The face turns about a point between face and head centre, so it moves little more than the shift.
     EXPECT_LE(((other * patient->face_middle).mm - (seat * patient->face_middle).mm).norm(), 60.0 + 25.0);
     largest_deg = std::max(largest_deg, deg);
   }

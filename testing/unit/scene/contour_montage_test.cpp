@@ -41,7 +41,7 @@ TEST(ContourMontage, CoversTheContentFromEndToEndInThreeOrientations) {
                                                                        : 0;
     low[axis] = std::min(low[axis], tile.centre.mm[axis]);
     high[axis] = std::max(high[axis], tile.centre.mm[axis]);
-    // The ball's middle is bright in every tile, and every tile holds some contour.
+    // The ball's middle is bright in every tile, and every tile has some contour.
     const auto* middle = montage.picture.pixel(tile.u + 32, tile.v + 32);
     EXPECT_GT(int(middle[0]), 60);
     int green = 0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadius_mm = 60.0;
 
-/// A ball of 60 mm whose MRI brightens by 10 a mm from the middle outwards, 3 mm outside its model.
+/// A ball of 60 mm, 3 mm outside its model; its MRI values increase by 10 per mm from the centre outwards.
 struct Ball {
   volume::Volume mri;
   volume::Mask brain;

@@ -28,15 +28,14 @@ guidance::Target topTarget() {
   return target;
 }
 
-/// Share of pixels nearer to the copper of the coil's windings than to grey.
+/// Share of pixels closer to the copper of the coil's windings than to grey.
 double copperShare(const RgbImage& image) {
   int n = 0;
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) n += int(image.rgb[i]) - int(image.rgb[i + 2]) > 45;
   return n / (image.rgb.size() / 3.0);
 }
 
-/// Mean excess of red over blue (grey levels): skin, copper and orange have it, grey and the background do
-/// not.
+/// Mean difference red - blue (grey levels): > 0 for skin, copper and orange, 0 for grey and the background.
 double warmth(const RgbImage& image) {
   double sum = 0;
   for (std::size_t i = 0; i < image.rgb.size(); i += 3)
@@ -52,7 +51,7 @@ class NavigationSceneTest : public ::testing::Test {
     scene_->setTargets({topTarget()}, "vertex");
     scene_->setView(ViewPreset::target);
   }
-  /// Camera 600 mm before the face: Camera x = patient's left .. (looking along -y of Mri).
+  /// Camera 600 mm in front of the face, looking along -y of Mri; Camera x = patient's left.
   static RigidTransform<Camera, Mri> cameraPose() {
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
     m.block<3, 3>(0, 0) << -1, 0, 0, 0, 0, -1, 0, -1, 0;
@@ -78,7 +77,7 @@ TEST_F(NavigationSceneTest, ShowsTheCoilOnlyWhileHeadAndCoilAreTracked) {
   EXPECT_FALSE(scene_->showsCoil());
   const RgbImage lost = scene_->render(320, 240);
   EXPECT_GT(with_coil, 0.005);
-  EXPECT_LT(copperShare(lost), 0.0005);  // coil gone, target ring grey
+  EXPECT_LT(copperShare(lost), 0.0005);  // coil hidden, target ring grey
   EXPECT_GT(warmth(tracked), 2.0);
   EXPECT_LT(warmth(lost), 0.2);  // skin grey
   scene_->setHeadPose({cameraPose(), 0.9});
@@ -100,7 +99,7 @@ TEST_F(NavigationSceneTest, HeadStandsStillWhenHeadAndCoilMoveTogether) {
   double difference = 0;
   for (std::size_t i = 0; i < before.rgb.size(); ++i)
     difference += std::abs(int(before.rgb[i]) - int(after.rgb[i]));
-  EXPECT_LT(difference / before.rgb.size(), 0.05);  // grey levels; rounding of the matrices alone
+  EXPECT_LT(difference / before.rgb.size(), 0.05);  // grey levels; only rounding of the matrices
 }
 
 TEST_F(NavigationSceneTest, FrontViewPutsThePatientsLeftOnTheRight) {
@@ -142,7 +141,7 @@ TEST_F(NavigationSceneTest, DisplayBlanksTheFiguresWhenLost) {
   NavigationDisplay display(*scene_, 640, 360);
   NavigationDisplayContent content;
   content.guidance.state = guidance::State::lost;
-  content.guidance.values =  // must not be drawn although they are there
+  content.guidance.values =  // set, but must not be drawn
       guidance::evaluate(topTarget(), topTarget().mri_T_target.reframe<Mri, Coil>());
   content.guidance.instruction = "COIL LOST";
   const RgbImage lost = display.render(content);

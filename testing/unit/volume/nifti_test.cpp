@@ -17,7 +17,7 @@
 namespace facenav::testing {
 namespace {
 
-/// The header of a written file, to be altered and written back.
+/// The header of a written file, for tests that change it and write it back.
 struct Raw {
   std::filesystem::path path;
   nifti_1_header header;
@@ -44,7 +44,7 @@ TEST(Nifti, RoundTripKeepsValuesAndPlaces) {
   }
 }
 
-/// An exported mask means the same places to everyone else's tools, by either map.
+/// Other programs read an exported mask at the same positions, by sform and by qform.
 TEST(Nifti, NibabelReadsMasksBackAtTheSamePlaces) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "mask.nii.gz";
@@ -99,7 +99,7 @@ TEST(Nifti, DisagreementOfSformAndQformIsSaid) {
   const auto read = volume::readNifti(path);
   ASSERT_TRUE(read.warning);
   EXPECT_THAT(*read.warning, ::testing::HasSubstr("12 mm"));
-  EXPECT_NEAR(read.volume.grid.toMri({0, 0, 0}).mm.x(), 1.5, 1e-5);  // the sform's
+  EXPECT_NEAR(read.volume.grid.toMri({0, 0, 0}).mm.x(), 1.5, 1e-5);  // from sform
 }
 
 /// A file whose sform is `linear` times its qform.

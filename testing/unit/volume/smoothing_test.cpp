@@ -5,7 +5,7 @@
 namespace facenav::volume {
 namespace {
 
-/// A cube that fades towards its borders, so that nothing reaches them.
+/// A Gaussian blob that is nearly 0 at the borders.
 Volume blob(double variance) {
   Volume volume;
   volume.grid.size = {25, 25, 25};
