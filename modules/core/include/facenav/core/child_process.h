@@ -26,8 +26,7 @@ struct ChildEnd {
   int exit_status = -1;  // -1: a signal ended it
   int signal = 0;
   std::string failure;                   // what work() threw
-  double processor_s = 0, peak_mib = 0;  // peak resident set, including what it shared with the parent at the
-                                         // start
+  double processor_s = 0, peak_mib = 0;  // peak resident set, with memory shared at the start
   bool isDone() const { return exit_status == 0; }
 };
 

@@ -1,15 +1,14 @@
 #pragma once
 // FrameWork: the work that head and coil tracking have done together in one frame, and its limit. Work is
 // counted, not timed, so that the same frames give the same poses on any machine. The search for a lost head
-// or coil stops at the limit and goes on in the next frame, with that frame's pictures. The head has
-// priority. Search work that the coil had to defer gets its share of the next frame's limit.
+// or coil stops at the limit and continues in the next frame, with that frame's pictures. The head has
+// priority. For search work that the coil had to defer, a part of the next frame's limit is reserved.
 
 namespace facenav {
 
 struct FrameWork {
   static constexpr int kMost = 7000;  // patch comparisons allowed in a frame
-  int looks = 0;                      // patch comparisons so far, 0.6-0.8 us each; other work counts by its
-                                      // time
+  int looks = 0;                      // patch comparisons done, 0.6-0.8 us each; other work by its time
   int left() const { return kMost - looks; }
 };
 
