@@ -85,7 +85,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setApplicationName("FaceNav");
   keepFilesPrivate();
   ui::applyAppearance(application, rememberedTextScale(arguments.text_scale));
-  // start the shared threads now, at the window's own priority
+  // Start the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
   ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())

@@ -7,7 +7,7 @@
 namespace facenav::app {
 
 struct ChildMeasure {
-  // peak: resident set, including what the parent held before
+  // Peak: resident set, including what the parent held before.
   double wall_s = 0, processor_s = 0, peak_mib = 0;
   std::string failure;  // empty: the task finished
 };

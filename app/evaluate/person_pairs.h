@@ -20,7 +20,7 @@ namespace facenav::app {
 struct PairTrial {
   enum class Kind { same_person, changed, other_person, mirrored, out_of_step };
   Kind kind = Kind::same_person;
-  // to: "418", or "418/835" for two moments; with the name if it is another person
+  // `to`: "418", or "418/835" for two moments; with the name if it is another person.
   std::string rig, person, from, to;
   int frames = 0, shown = 0;  // after the loss
   std::optional<double> found_after_s;

@@ -203,7 +203,7 @@ void addPerturbations(Context& context, const PrepareEvaluation& request, const 
 PrepareTables evaluatePrepare(Context& context, const PrepareEvaluation& request) {
   PrepareTables tables;
   std::vector<std::optional<Mask>> truths;
-  // report a bad file before the long work
+  // Report a bad file before the long work.
   for (const auto& trial : request.trials) truths.push_back(truthOf(trial));
   for (std::size_t t = 0; t < request.trials.size(); ++t) {
     const auto& trial = request.trials[t];

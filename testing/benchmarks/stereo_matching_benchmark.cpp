@@ -157,7 +157,7 @@ void aloeTable() {
   }
   cv::resize(left, left, {}, 0.5, 0.5, cv::INTER_AREA);
   cv::resize(right, right, {}, 0.5, 0.5, cv::INTER_AREA);
-  // converts from pixels of the truth's own size
+  // Converts from pixels of the truth's own size.
   const double scale = 0.5 * double(left.cols) * 2 / truth.cols;
   cv::resize(truth, truth, left.size(), 0, 0, cv::INTER_NEAREST);
   constexpr int kDisparities = 112;

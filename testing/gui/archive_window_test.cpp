@@ -33,7 +33,7 @@ class ArchiveHand {
     for (auto* each : page_.findChildren<QWidget*>())
       if (each->accessibleName() == field) {
         QTest::keyClick(each, Qt::Key_A, Qt::ControlModifier);
-        // the field keeps the focus: its content must count anyway
+        // The field keeps the focus: its content must count anyway.
         return QTest::keyClicks(each, QString::fromStdString(text));
       }
     FAIL() << "no field " << field;

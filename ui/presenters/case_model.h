@@ -17,7 +17,7 @@ struct LoadedCase {
   QString id, label;  // label: empty if there is none
   std::shared_ptr<const volume::Volume> mri;
   std::shared_ptr<const volume::Mask> head_mask, brain_mask;  // brain may be null
-  // correction of the brain that is not saved, in its current state
+  // Correction of the brain that is not saved, in its current state.
   std::shared_ptr<const volume::Mask> draft;
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const surface::BrainModel> brain;  // may be null

@@ -186,7 +186,7 @@ void PrepareQueue::begin() {
   const bool is_volume = isNifti(next->input);
   tasks_.start(tr("Preparing"),
                [this, order, cases, is_volume, id = running_](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 // of this thread, so that a treatment is not slowed down
+                 // Of this thread, so that a treatment is not slowed down.
                  ::setpriority(PRIO_PROCESS, 0, kBackground);
                  auto chosen = order;
                  if (!is_volume && !chosen.series_uid) {

@@ -5,7 +5,7 @@
 namespace facenav::ui {
 
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
-  // long text leaves room for the widgets beside it
+  // Long text leaves room for the widgets beside it.
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 

@@ -163,7 +163,7 @@ void TreatWorkspace::showSteps() {
   if (has_begun) showStage(false);
   setWords(*guide_, shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
   align_->setEnabled(presenter_.canAlign());
-  // stopping is always possible
+  // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
   words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                               : tr("open a case first (Ctrl+O)"));

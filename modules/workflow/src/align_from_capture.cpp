@@ -122,7 +122,7 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
   const bool has_flags = result.is_inlier.size() == face.cloud.size();
   const bool has_normals = face.cloud.normals.size() == face.cloud.size();
   for (std::size_t i = 0; has_pixels && i < face.cloud.size(); ++i) {
-    // hair and coil can move relative to the skull, or disappear
+    // Hair and coil can move relative to the skull, or disappear.
     if (has_flags && !result.is_inlier[i]) continue;
     reference.surface.points_mm.push_back(face.cloud.points_mm[i]);
     if (has_normals) reference.surface.normals.push_back(face.cloud.normals[i]);

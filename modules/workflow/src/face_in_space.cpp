@@ -7,9 +7,8 @@ namespace facenav::workflow {
 namespace {
 
 constexpr double kEpipolarLimit_px = 6.0;  // two independent landmark fits agree to a few pixels
-constexpr double kEyesLow_mm = 45.0,
-                 // inter-pupillary distance is 52..78 mm in adults (ANSUR II), plus a margin
-    kEyesHigh_mm = 85.0;
+// Inter-pupillary distance is 52..78 mm in adults (ANSUR II), plus a margin.
+constexpr double kEyesLow_mm = 45.0, kEyesHigh_mm = 85.0;
 constexpr double kFaceReach_mm = 135.0;  // from the landmarks' centre: chin, temples and forehead
 constexpr double kHeadDepth_mm = 220.0;
 

@@ -8,7 +8,7 @@
 namespace facenav::workflow {
 namespace {
 
-// before and behind the landmarks' centre: all of a face
+// Before and behind the landmarks' centre: all of a face.
 constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;
 constexpr double kAround_mm = 150.0;
 // Plain skin shows little detail finer than this, so larger images are reduced.

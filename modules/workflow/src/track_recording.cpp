@@ -16,7 +16,7 @@ namespace {
 struct Start {
   head_tracking::HeadReference reference;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
-  // what the face was aligned to, if that was done now
+  // What the face was aligned to, if that was done now.
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
 };
 

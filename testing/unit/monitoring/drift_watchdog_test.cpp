@@ -106,7 +106,7 @@ TEST(DriftWatchdog, NeverHoldsAFrameUp) {
         return answer(Verdict::drifted);
       },
       Mode::own_thread);
-  // blocks for ever if it waits for the answer
+  // Blocks for ever if it waits for the answer.
   for (int i = 0; i < 600; ++i) watchdog.add(frame(i, i * kFrame_s), kPose);
   EXPECT_FALSE(watchdog.isAlarmed());
   finish.set_value();

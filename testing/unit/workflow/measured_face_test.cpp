@@ -51,7 +51,7 @@ class SwayingFilm : public capture::FrameSource {
 
 struct Errors {
   int points = 0;
-  // shares within 1 and 2 stated standard errors
+  // Shares within 1 and 2 stated standard errors.
   double median_mm = 0, rms_mm = 0, within = 0, within_two = 0;
 };
 

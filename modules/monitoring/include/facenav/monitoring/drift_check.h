@@ -46,7 +46,7 @@ class DriftCheck {
     std::optional<float> at(const Eigen::Vector2d& reference_px) const;
   };
   struct Offset {
-    // (w rad, v mm) moves the measured face to the tracked one; Head's axes, about the face's centre
+    // (w rad, v mm) moves the measured face to the tracked one; Head's axes, about the face's centre.
     Vector6d xi = Vector6d::Zero();
     Matrix6d covariance = Matrix6d::Zero();
     int points = 0;

@@ -50,7 +50,7 @@ struct AlignmentOutcome {
   // Per target: standard error, and the 95th percentile of the error.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
-  // what the face was aligned to; also used by the drift watchdog
+  // What the face was aligned to; also used by the drift watchdog.
   std::shared_ptr<const registration::ScalpField> scalp;
 
   casefile::StoredAlignment stored() const;
