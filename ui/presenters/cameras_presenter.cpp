@@ -84,7 +84,7 @@ bool CamerasPresenter::canOpen() const {
 }
 
 void CamerasPresenter::open() {
-  if (!canOpen() || tasks_.isRunning()) return;  // a refused task would make release() wait on the GUI thread
+  if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   tasks_.start(tr("Opening the cameras"),
                [this, rig = *rig_, left = left_, right = right_,
                 old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {

@@ -16,7 +16,7 @@ namespace {
 constexpr int kCell_px = 4;  // of the map of the reference's skin
 // Largest distance of a point from the skin; a hand, hair or the wall is further away.
 constexpr double kReach_mm = 12.0;
-// Disparity error of a point without dots, beside its stated standard error.
+// Disparity error of a point without dots, in addition to its stated standard error.
 constexpr double kPointError_px = 0.1;
 // Part of it that the whole face shares (measured in the virtual room, 5 rigs).
 constexpr double kCommonError_px = 0.06;

@@ -145,7 +145,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
     prepared.scalp = std::move(part.scalp);
     prepared.findings = std::move(part.warnings);
     prepared.navigation_check = std::move(part.check);
-    prepared.scalp_field = fieldOf(prepared.scalp);  // runs beside the brain
+    prepared.scalp_field = fieldOf(prepared.scalp);  // in parallel with the brain
   } catch (...) {
     brain_monitor.cancel();  // the other thread ends at its next report
     brain_task.wait();

@@ -25,7 +25,8 @@ Eigen::Vector3d medianOf(const PointCloud<Camera>& face) {
   return middle;
 }
 
-/// Change of depth of the same two pixels when each calibration parameter changes by one standard deviation.
+/// Standard error of the depth of two given pixels, from the calibration's covariance: root sum of squares of
+/// the changes by one standard deviation each.
 double byCalibration_mm(const cameras::StereoRig& rig, const Eigen::Vector3d& p_mm) {
   const Eigen::Vector2d left_px = cameras::project(rig.left, p_mm),
                         right_px = cameras::project(rig.right, rig.right_T_left.isometry() * p_mm);
