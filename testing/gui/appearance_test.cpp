@@ -1,5 +1,5 @@
 // SCREENS.md as checks: the contrast of every text colour in the style sheet, the size of text to be read
-// from two metres, and that every button has text, a tooltip and a key.
+// from two metres, and that every button has text, a tooltip and a way to press it by keyboard.
 
 #include <gtest/gtest.h>
 

@@ -214,8 +214,8 @@ void EditPresenter::cut(const editing::ScalpelView& view, const editing::Outline
   guarded([&] { finish(tr("scalpel"), editing::cut(editor_->mask(), view, outline, cut_depth_mm_)); });
 }
 
-/// Updates the 3-D view: computes the brain's model of the current mask in the background, when no edit is
-/// under way.
+/// Updates the 3-D view: computes the brain's model of the current mask in the background, after a pause in
+/// editing.
 void EditPresenter::follow() {
   if (!editor_ || editor_->revision() == followed_revision_) return;
   if (follower_.isRunning()) return follow_timer_.start();
