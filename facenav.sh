@@ -31,7 +31,7 @@ test_packages=(libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk libgdcm-
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }
 
-# One clear line for what went wrong in the log.
+# Prints one clear line that explains the failure in the log.
 explain() {
   local step=$1
   if grep -q -i -E 'no space left|not enough free space' "$log"; then
@@ -66,7 +66,7 @@ install_packages() {
     explain "package installation"
 }
 
-# The tests start an archive of their own on loopback; the package's service must never run beside it.
+# The tests start their own archive on loopback. The package's service must never run at the same time.
 install_orthanc() {
   [ -z "$(missing_packages orthanc)" ] && return
   missing=(orthanc)
@@ -108,7 +108,7 @@ set_up() {
   fetch_virtual_patient
 }
 
-# The CUDA compiler, where one is installed that works with this g++; nothing elsewhere.
+# Prints the CUDA compiler if one is installed that works with this g++; otherwise nothing.
 working_nvcc() {
   local nvcc; nvcc=$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)
   [ -x "$nvcc" ] && echo '__global__ void f() {}' >build/nvcc_check.cu && "$nvcc" -c build/nvcc_check.cu -o build/nvcc_check.o >/dev/null 2>&1 && echo "$nvcc"
@@ -129,15 +129,15 @@ build() {
   [ "${PIPESTATUS[0]}" -eq 0 ] || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
 }
 
-# -noreset: else a virtual display starts anew when its last client leaves, and refuses whoever comes just then.
+# -noreset: without it the virtual display restarts when its last client leaves, and refuses clients that connect just then.
 on_display() {  # runs a command on the desktop's display, or on a virtual one
   if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' "$@"; fi
 }
 
-# Tests stay built once they were asked for, so that demo and test do not rebuild each other's work.
+# Once tests have been built, later builds include them, so that demo and test do not rebuild each other's work.
 tests_wanted() { grep -q 'FACENAV_BUILD_TESTS:BOOL=ON' build/release/CMakeCache.txt 2>/dev/null && echo ON || echo OFF; }
 
-run_benchmarks() {  # those whose name holds $1
+run_benchmarks() {  # those whose name contains $1
   mkdir -p out
   { printf '# Benchmarks: %s, %s cores, %s\n' "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)" "$(date -u +%F)"
     grep -- "$1" build/release/benchmarks.txt | while read -r name; do
@@ -146,15 +146,15 @@ run_benchmarks() {  # those whose name holds $1
   say "written: $root/out/benchmarks.md"
 }
 
-# What differs from the main line and is not ignored: sources by name, one a line.
+# Prints the sources that differ from the main branch and are not ignored, one name a line.
 changed_sources() {
   local base
   base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null || git rev-parse HEAD)
-  [ "$base" = "$(git rev-parse HEAD)" ] && git diff --quiet HEAD && base=HEAD~1  # on the main line itself: the last commit
+  [ "$base" = "$(git rev-parse HEAD)" ] && git diff --quiet HEAD && base=HEAD~1  # on the main branch itself: the last commit
   { git diff --name-only --diff-filter=d "$base" -- '*.h' '*.cpp' '*.cu'; git ls-files --others --exclude-standard -- '*.h' '*.cpp' '*.cu'; } | sort -u
 }
 
-# Tests that need no data, no screen and little time: what most faults of memory and threads show in.
+# Tests that need no data, no screen and little time. They find most memory and thread errors.
 fast_tests=(core_test geometry_test guidance_test casefile_test volume_test capture_test)
 
 run_sanitized() {  # PRESET TEST..: builds them in build/PRESET and runs each

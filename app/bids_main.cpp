@@ -1,5 +1,5 @@
 // facenav-bids BIDS_DIR OUT participant [--participant-label ..]: the BIDS-App convention. One case per T1w
-// image; exit status 0 when every one is there, 1 when one failed, 2 for wrong usage.
+// image. Exit status 0: all done, 1: at least one failed, 2: wrong usage.
 
 #include <unistd.h>
 

@@ -18,7 +18,7 @@ namespace {
 
 using namespace facenav;
 
-std::atomic<bool> g_is_interrupted{false};  // set by the signal handler, the one thing it may do
+std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 
 void onInterrupt(int) { g_is_interrupted = true; }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What every command may use: the registered implementations, the terminal's progress, where cached data
-// lies.
+// What every command may use: the registered implementations, progress on the terminal, the folder for cached
+// data.
 
 #include <filesystem>
 

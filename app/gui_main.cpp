@@ -1,4 +1,4 @@
-// facenav-gui: the workstation window, by the methods of app/registrations.h.
+// facenav-gui: the workstation window, with the methods of app/registrations.h.
 
 #include <sys/stat.h>
 
@@ -41,7 +41,7 @@ void saveScreenshot(ui::MainWindow& window, const std::string& path) {
   QApplication::exit(is_saved ? 0 : 1);
 }
 
-/// The wait begins when what was asked for on the command line is on the screen.
+/// Starts the wait when the window shows what the command line asked for.
 void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
   auto* poll = new QTimer(&window);
   QObject::connect(poll, &QTimer::timeout, &window, [&window, arguments, poll] {
@@ -53,7 +53,7 @@ void takeScreenshotLater(ui::MainWindow& window, const Arguments& arguments) {
   poll->start(30);
 }
 
-/// A case comes up at the step asked for, else at Check.
+/// Opens the case at the given step, by default at Check.
 void openWhatIsAsked(ui::MainWindow& window, const Arguments& arguments) {
   if (!arguments.case_folder.empty())
     return window.openCaseAt(QString::fromStdString(arguments.case_folder),
@@ -61,7 +61,7 @@ void openWhatIsAsked(ui::MainWindow& window, const Arguments& arguments) {
   if (!arguments.step.empty()) window.setPrepareStep(stepNamed(arguments.step));
 }
 
-/// The queue kept in the settings holds paths, which may hold a patient's name: for this user's eyes only.
+/// The settings hold the queue's paths, which may contain a patient's name, so only this user may read them.
 void keepFilesPrivate() {
   ::umask(077);
   const QString settings = QSettings().fileName();
@@ -85,7 +85,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setApplicationName("FaceNav");
   keepFilesPrivate();
   ui::applyAppearance(application, rememberedTextScale(arguments.text_scale));
-  runOnWorkers(coreCount(), [](std::size_t) {});  // shared threads begin at the window's own priority
+  // Start the shared threads now, at the window's own priority.
+  runOnWorkers(coreCount(), [](std::size_t) {});
   ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
     window.restoreLast();

@@ -1,5 +1,5 @@
 #pragma once
-// The import check on a terminal: findings one a line, then the sheet of measures to hold against the person.
+// Prints the import check: one finding a line, then the sheet of measures to compare with the person.
 
 #include "facenav/surface/navigation_check.h"
 

@@ -6,7 +6,7 @@ namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// `final`, whose parent exists now; an Error where it holds what is no earlier result.
+/// Returns `final` and creates its parent. Throws Error if it holds something other than an earlier result.
 fs::path checkedPlace(const fs::path& final, const std::string& mark, const std::string& what) {
   fs::path place = fs::absolute(final).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();

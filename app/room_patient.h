@@ -1,6 +1,6 @@
 #pragma once
-// Who sits in the virtual room for a case: its MRI through the room's own skin finder, so that the truth does
-// not share the workstation's errors; where that finds no head, the case's scalp.
+// The person in the virtual room for a case: its MRI, modelled by the room's own skin finder, so that the
+// truth does not share the workstation's errors. If that finds no head, the case's scalp is used.
 
 #include "context.h"
 #include "facenav/casefile/case_store.h"
@@ -8,7 +8,7 @@
 
 namespace facenav::app {
 
-/// Says so on stderr (unless quiet) where the scalp had to stand in.
+/// Reports on stderr (unless quiet) if the scalp was used.
 room::VirtualPatient roomPatient(Context& context, const casefile::CaseStore& store,
                                  const room::PatientOptions& options);
 

@@ -10,11 +10,11 @@
 namespace facenav::app {
 namespace {
 
-/// Xvfb on a display number of its own choosing, which it writes to `number_pipe`.
+/// Starts Xvfb, which chooses a display number and writes it to `number_pipe`.
 ChildProcess startXvfb(int number_pipe) {
   ChildOptions options;
   options.output = ChildOptions::Output::nowhere;
-  options.ends_with_parent = true;  // no orphan, however the parent ends
+  options.ends_with_parent = true;  // ends with the parent in any case
   options.ignores_terminal = true;
   return ChildProcess::start({"Xvfb", "-displayfd", std::to_string(number_pipe), "-screen", "0",
                               "1920x1200x24", "-noreset", "-nolisten", "tcp"},
@@ -41,7 +41,7 @@ VirtualDisplay::VirtualDisplay() {
   std::string number;
   try {
     xvfb_ = std::make_unique<ChildProcess>(startXvfb(ends[1]));
-  } catch (const Error&) {  // told below
+  } catch (const Error&) {  // reported below
   }
   ::close(ends[1]);
   if (xvfb_) number = readDisplayNumber(ends[0]);

@@ -1,6 +1,6 @@
 #pragma once
-// VTK on this platform renders through GLX and needs an X display. VirtualDisplay gives a program without one
-// a private Xvfb for as long as the object lives.
+// VTK on this platform renders through GLX and needs an X display. VirtualDisplay starts a private Xvfb for
+// its lifetime.
 
 #include <memory>
 

@@ -12,7 +12,7 @@
 #include <QVariant>
 #include <cmath>
 
-/// A static library's resources are dropped by the linker unless asked for (the macro needs the global
+/// The linker drops a static library's resources unless they are initialised (the macro needs the global
 /// namespace).
 static void initialiseResources() { Q_INIT_RESOURCE(facenav); }
 
@@ -20,7 +20,7 @@ namespace facenav::ui {
 
 void prepareSurfaceFormat() {
   auto format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);  // the scenes smooth their own edges
+  format.setSamples(0);  // the scenes do their own anti-aliasing
   QSurfaceFormat::setDefaultFormat(format);
 }
 

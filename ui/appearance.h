@@ -1,17 +1,17 @@
 #pragma once
-// Appearance: dark palette, style sheet, and the surface format that VTK's widgets need (before
-// QApplication).
+// Appearance: dark palette, style sheet, and the surface format that VTK's widgets need. Set it before
+// QApplication.
 
 class QApplication;
 
 namespace facenav::ui {
 
-/// Call before the QApplication is made.
+/// Call before making the QApplication.
 void prepareSurfaceFormat();
-/// `text_scale`: all text so much larger than usual.
+/// `text_scale`: factor for the size of all text.
 void applyAppearance(QApplication& application, double text_scale = 1.0);
 double textScale();
-/// A length that holds text: pixels at the usual text size on a screen of 96 dots an inch, as pixels here.
+/// Scales a length that holds text: from pixels at normal text size and 96 dpi to pixels here.
 int sized(int usual_px);
 
 }  // namespace facenav::ui

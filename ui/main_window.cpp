@@ -105,7 +105,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
           [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(&model_, &CaseModel::opened, this, [this] {
     const auto step = step_to_restore_ ? step_to_restore_ : step_on_open_;
-    step_to_restore_.reset();  // before the new step, which is remembered then
+    step_to_restore_.reset();  // first: setStep() remembers the new step
     if (step) prepare_workspace_->setStep(*step);
     if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
     to_override_.reset();
@@ -219,7 +219,7 @@ Workspace MainWindow::workspace() const { return Workspace(stack_->currentIndex(
 PrepareStep MainWindow::prepareStep() const { return prepare_workspace_->step(); }
 
 void MainWindow::setPrepareStep(PrepareStep step) {
-  if (step_to_restore_) step_to_restore_ = step;  // the case of last time is still being opened
+  if (step_to_restore_) step_to_restore_ = step;  // the last session's case is still being opened
   setWorkspace(Workspace::prepare);
   prepare_workspace_->setStep(step);
 }
@@ -230,7 +230,7 @@ void MainWindow::overrideSignOff(const QString& by, const QString& reason) {
   to_override_ = Override{by, reason};
 }
 
-/// Preparing takes every core; a treatment must not feel it.
+/// Preparing uses every core, so no job starts during a treatment.
 void MainWindow::holdQueue() { queue_.setHeld(treat_.isRunning()); }
 
 void MainWindow::openCase(const QString& folder) { openCaseAt(folder, PrepareStep::check); }
@@ -247,7 +247,7 @@ void MainWindow::play(const QString& recording) {
   goOnPlaying();
 }
 
-/// Case opened -> recording opened -> aligned and started: each step begins when the one before has ended.
+/// Case opened -> recording opened -> aligned and started. Called when each of these steps ends.
 void MainWindow::goOnPlaying() {
   if (to_play_.isEmpty() || tasks_.isRunning()) return;
   if (!treat_.hasRecording()) {
@@ -277,13 +277,13 @@ void MainWindow::restoreLast() {
   const bool has_case = !folder.isEmpty() && QFileInfo::exists(folder);
   if (has_case) {
     was_guiding_ = settings.value(kGuiding, false).toBool();
-    step_to_restore_ = step;  // once the case is there
+    step_to_restore_ = step;  // set when the case is open
     prepare_.openCase(folder);
   }
   setWorkspace(workspace);
 }
 
-/// Case opened -> recording opened -> its target chosen. Nothing is aligned: the head has moved since.
+/// Case opened -> recording opened -> its target chosen. No alignment is restored, since the head has moved.
 void MainWindow::goOnRestoring() {
   if (tasks_.isRunning() || !model_.isOpen()) return;
   const QString recording = std::exchange(recording_to_restore_, {});
@@ -296,7 +296,7 @@ void MainWindow::goOnRestoring() {
     task_bar_->showNotice(tr("guidance was running when the window went: align again to go on"));
 }
 
-/// At every change, since a crash gives no notice.
+/// Called at every change, because a crash gives no warning.
 void MainWindow::remember() {
   if (!is_remembering_) return;
   QSettings settings;
@@ -337,7 +337,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (const QString path = url.toLocalFile(); !path.isEmpty()) take(path);
 }
 
-/// A case is opened, a recording goes to Treat, anything else is queued to become a case.
+/// Opens a case, hands a recording to Treat, and queues anything else to become a case.
 void MainWindow::take(const QString& path) {
   if (QFileInfo::exists(path + "/case.json")) return openCase(path);
   if (QFileInfo::exists(path + "/stereo.yml")) {

@@ -1,6 +1,6 @@
 #pragma once
-// MainWindow: the workstation: header (case, state), three workspaces, task bar. After a restart case,
-// workspace, step, the brain's look, recording and target are those of before; an alignment never is.
+// MainWindow: the workstation: header (case, state), three workspaces, task bar. After a restart it restores
+// case, workspace, step, how the brain is drawn, recording and target; never an alignment.
 
 #include <QMainWindow>
 
@@ -42,20 +42,19 @@ class MainWindow : public QMainWindow {
   PrepareStep prepareStep() const;
   const CortexPresenter& cortex() const { return cortex_; }
   const TreatPresenter& treat() const { return treat_; }
-  /// The folder that the worklist shows and new cases go to.
+  /// The folder that the worklist shows and that new cases go to.
   void setCasesFolder(const QString& folder);
-  /// Recorded in the case, once it is open: it may be treated without a sign-off.
+  /// Allows treatment without a sign-off; recorded in the case when it opens.
   void overrideSignOff(const QString& by, const QString& reason);
-  /// Opens a case to be checked.
+  /// Opens a case on the check page.
   void openCase(const QString& folder);
-  /// Opens a case on a step of Prepare.
+  /// Opens a case on the given page of Prepare.
   void openCaseAt(const QString& folder, PrepareStep step);
-  /// Opens a recording once the case is there, aligns and starts guidance.
+  /// Opens a recording when the case is open, then aligns and starts guidance.
   void play(const QString& recording);
-  /// What was open when the window was last open, closed or not (QSettings). Says so where guidance was
-  /// running.
+  /// Opens what was open last time (QSettings), also after a crash. Says so if guidance was running then.
   void restoreLast();
-  /// No task runs, and what play() was asked for has begun or failed.
+  /// True when no task runs and what play() started has begun or failed.
   bool isSettled() const;
   const TaskRunner& tasks() const { return tasks_; }
   PrepareQueue& queue() { return queue_; }

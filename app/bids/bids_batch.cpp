@@ -20,7 +20,7 @@ fs::path folderOf(const BidsImage& image, const fs::path& output) {
   return folder;
 }
 
-/// Exit status of `facenav prepare`, its messages in `log`; -1 where it was killed.
+/// Runs `facenav prepare` and returns its exit status, or -1 if it was killed. Its messages go to `log`.
 int runPrepare(const fs::path& facenav, const fs::path& t1, const fs::path& case_folder,
                const fs::path& log) {
   ChildOptions options;
@@ -40,7 +40,7 @@ std::string lastLine(const fs::path& log) {
                       : text.substr(start == std::string::npos ? 0 : start + 1);
 }
 
-/// A case counts as there when it opens: whole by construction, since prepare puts it in place in one step.
+/// True if the case opens. It is then complete, since prepare puts a case in place in one step.
 bool isThere(const fs::path& case_folder) {
   try {
     casefile::CaseStore::open(case_folder);
@@ -56,8 +56,7 @@ void describe(const fs::path& case_folder, BidsResult& result) {
   if (const auto brain = store.brainMask()) result.brain_ml = brain->volume_ml();
 }
 
-/// The masks under their BIDS names; links where the file system has them, since they are the case's own
-/// files.
+/// The masks under their BIDS names. Hard links where the file system allows it, else copies.
 void linkDerivatives(const BidsImage& image, const fs::path& folder) {
   fs::create_directories(folder / "anat");
   for (const char* kind : {"head", "brain"}) {

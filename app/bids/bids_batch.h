@@ -1,6 +1,6 @@
 #pragma once
-// The batch: one case per T1, each in a process of its own, so that one bad image takes nothing else down.
-// What is there already is kept: a batch that was killed goes on where it stopped.
+// The batch: one case per T1, each in its own process, so that a bad image affects no other. Finished cases
+// are kept: a batch that was killed continues where it stopped.
 
 #include <filesystem>
 #include <functional>
@@ -20,7 +20,7 @@ struct BidsResult {
   double seconds = 0;
   std::optional<double> brain_ml;
   std::size_t findings = 0;
-  std::string problem;  // one line, where it failed
+  std::string problem;  // why it failed, in one line
 };
 
 /// OUT/sub-<label>[/ses-<label>]: case/ (the case), anat/<prefix>_desc-{head,brain}_mask.nii.gz; logs in
@@ -28,7 +28,7 @@ struct BidsResult {
 BidsResult prepareImage(const BidsImage& image, const std::filesystem::path& output,
                         const std::filesystem::path& facenav);
 
-/// The table at the end: one line a T1, then a line of sums.
+/// The final table: one line per T1, then the totals.
 std::string toTable(const std::vector<BidsResult>& results);
 
 }  // namespace facenav::app

@@ -1,6 +1,6 @@
 #pragma once
-// A BIDS dataset (bids-specification 1.8) as the batch reads it: the T1-weighted images of its participants,
-// and the derivatives dataset that it writes.
+// A BIDS dataset (bids-specification 1.8) for the batch: it reads the T1-weighted images of the participants
+// and writes the derivatives dataset.
 
 #include <filesystem>
 #include <optional>
@@ -17,13 +17,13 @@ struct BidsImage {
   std::string prefix() const;
 };
 
-/// Sorted by participant and session; of several T1w images in one anat folder the first by name is taken.
+/// Sorted by participant and session. If an anat folder has several T1w images, the first by name is used.
 /// `labels` (with or without "sub-") chooses participants; empty: all. Throws Error: no
 /// dataset_description.json, no T1w image, or a label that the dataset does not have.
 std::vector<BidsImage> findT1Images(const std::filesystem::path& dataset,
                                     const std::vector<std::string>& labels);
 
-/// dataset_description.json of the derivatives. Throws Error where `output` holds another dataset's.
+/// dataset_description.json of the derivatives. Throws Error if `output` holds another dataset's derivatives.
 void writeDerivativesDescription(const std::filesystem::path& output, const std::filesystem::path& dataset,
                                  const std::string& software_version);
 

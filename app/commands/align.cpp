@@ -24,7 +24,7 @@ cv::Mat readGrey(const std::filesystem::path& path) {
   return image;
 }
 
-/// Capture pair and rig from single files; without a plain pair the dotted one serves for both.
+/// Capture pair and rig from single files. Without a plain pair, the pair with dots is used for both.
 std::pair<cameras::StereoRig, capture::CapturePair> fromFiles(const AlignRequest& request) {
   if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
       request.left.size() > 2)
@@ -53,7 +53,7 @@ std::pair<cameras::StereoRig, capture::CapturePair> fromRecording(const std::fil
   return {recording.rig, *recording.capture};
 }
 
-/// The parts of the face that fit worse than a good skin model and a still face do.
+/// Prints the parts of the face that fit worse than expected of a good skin model and a still face.
 void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
   constexpr double kNoted_mm = 0.5;
   std::string words;

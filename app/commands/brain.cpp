@@ -1,5 +1,4 @@
-// facenav brain CASE: what the case's brain mask is, and its correction from the command line, with the
-// window's own edits.
+// facenav brain CASE: prints what the case's brain mask is, or corrects it with the same edits as the window.
 
 #include <cmath>
 #include <cstdio>
@@ -21,7 +20,7 @@ struct BrainRequest {
   std::vector<std::string> added, removed, grown;  // as typed
 };
 
-/// "-37,-21,58.5": `count` numbers. Throws Error naming the form wanted.
+/// `count` numbers from "-37,-21,58.5". Throws Error that names the expected form.
 std::vector<double> numbersOf(const std::string& typed, std::size_t count, const std::string& form) {
   std::vector<double> numbers;
   std::istringstream text(typed);

@@ -1,5 +1,5 @@
-// facenav calibrate: pairs of a chessboard or ChArUco board -> stereo.yml, with every figure that tells how
-// far to trust it.
+// facenav calibrate: pairs of a chessboard or ChArUco board -> stereo.yml, with all figures needed to judge
+// it.
 
 #include <cstdio>
 #include <ctime>

@@ -15,7 +15,7 @@ struct Request {
 
 using MarkerPoses = std::vector<Tracked<coil_tracking::CoilPose>>;
 
-/// One entry a frame for each of the models.
+/// One entry per frame for each of the models.
 std::vector<MarkerPoses> trackMarkers(Context& context, const std::filesystem::path& folder,
                                       const std::vector<coil_tracking::CoilModel>& models) {
   const auto recording = capture::openRecording(folder);

@@ -1,5 +1,5 @@
-// facenav cloud RECORDING [--frame N | --frames N..M | --plain] -o face.ply: the face as the cameras measure
-// it.
+// facenav cloud RECORDING [--frame N | --frames N..M | --plain] -o face.ply: the face as measured by the
+// cameras.
 
 #include <charconv>
 #include <cstdio>
@@ -27,7 +27,7 @@ struct CloudRequest {
 struct Measurement {
   workflow::MeasuredFace face;
   cv::Mat colour;    // empty: grey
-  std::string what;  // was measured, in words
+  std::string what;  // measured, in words
 };
 
 std::optional<std::pair<std::int64_t, std::int64_t>> rangeIn(const std::string& text) {
@@ -58,7 +58,7 @@ Measurement ofFilm(Context& context, const CloudRequest& request) {
   return result;
 }
 
-/// One frame of the film; without a number, the first.
+/// Measures one frame of the film; without a number, the first.
 Measurement ofFrame(Context& context, const capture::Recording& recording,
                     std::optional<std::int64_t> number) {
   const auto source = capture::makeSource(recording);

@@ -1,6 +1,6 @@
 #pragma once
-// One function per verb: adds the subcommand with its options and a callback that does the work. A callback
-// throws facenav::Error when the work cannot be done; cli_main turns it into one line and exit status 1.
+// One function per verb. It adds the subcommand with its options and a callback that does the work. A
+// callback throws facenav::Error on failure; cli_main turns it into one line and exit status 1.
 
 #include <CLI/CLI.hpp>
 

@@ -1,5 +1,5 @@
-// facenav evaluate [--scenario ..] [--head ..] -o DIR: the live path over scenarios, seeds, heads and rigs of
-// the virtual room, or over recordings with truth, against the accuracy goals.
+// facenav evaluate [--scenario ..] [--head ..] -o DIR: compares the live path with the accuracy goals, over
+// scenarios, seeds, heads and rigs of the virtual room, or over recordings with truth.
 
 #include <cstdio>
 #include <set>
@@ -52,7 +52,7 @@ void playHead(Context& context, const EvaluateRequest& request, const Evaluation
     report(0.0);
     auto sequence = roomSequence(planned[i].options, head);
     runSequence(context, sequence, head.scalp, head.target, request.methods, last, run, report);
-    if (run.scenario == "capture") run.frames.clear();  // its one frame is there for recordings' sake
+    if (run.scenario == "capture") run.frames.clear();  // it exists only because a recording needs a frame
     runs.push_back(std::move(run));
   }
 }
@@ -67,7 +67,7 @@ std::vector<evaluation::RunRecord> playRoom(Context& context, const EvaluateRequ
   return runs;
 }
 
-/// The case's target; without a plan a first guess of the hand area stands in.
+/// The case's target; without a plan, a first guess of the hand area.
 guidance::Target measuredAt(const casefile::CaseStore& store, const std::string& name) {
   const auto plan = store.targets();
   if (!name.empty()) return plan.find(name);
@@ -119,7 +119,7 @@ void runEvaluate(Context& context, const EvaluateRequest& request) {
               (fs::absolute(request.output) / "report.html").c_str());
 }
 
-/// Flags for the options of the room that all runs share; the plan sets the rest.
+/// Flags for the options of the room that all runs share; the plan sets the others.
 struct SharedFlags {
   CLI::App& verb;
   template <class Value>

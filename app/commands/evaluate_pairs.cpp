@@ -1,4 +1,5 @@
-// facenav evaluate pairs PERSON.. [--rigs DIR]: real people, found again and known apart, pair against pair.
+// facenav evaluate pairs PERSON.. [--rigs DIR]: recovery and identity check on photographs of real people,
+// and one pair of cameras compared with another.
 
 #include <cstdio>
 

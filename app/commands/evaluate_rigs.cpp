@@ -1,4 +1,4 @@
-// facenav evaluate rigs FOLDER [--rigs DIR]: are the faults of cameras told apart?
+// facenav evaluate rigs FOLDER [--rigs DIR]: are faults of the cameras named rightly?
 
 #include <cstdio>
 

@@ -23,8 +23,7 @@ void addExport(CLI::App& app, Context& context) {
   verb->add_flag("--replace", request->replace, "overwrite files of the same name");
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
-    std::vector<std::unique_ptr<casefile::Exporter>>
-        exporters;  // all names are checked before a file is written
+    std::vector<std::unique_ptr<casefile::Exporter>> exporters;  // checks all names before a file is written
     for (const auto& format : request->formats)
       exporters.push_back(context.registrations.exporters.create(format));
     for (const auto& exporter : exporters)

@@ -9,7 +9,7 @@
 
 namespace facenav::app {
 
-/// Adds one flag for each field that it visits, with its range and default.
+/// Adds one flag for each visited field, with its range and default.
 struct FlagVisitor {
   CLI::App& verb;
   std::string prefix = {};  // before each name: "patient-"

@@ -1,5 +1,5 @@
-// facenav pacs echo|find|get|store: the hospital's archive over the DICOM network. Patients are hidden unless
-// asked for.
+// facenav pacs echo|find|get|store: the hospital's archive over the DICOM network. Patients are shown only on
+// request.
 
 #include "facenav/pacs/pacs.h"
 

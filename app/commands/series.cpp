@@ -1,5 +1,5 @@
 // facenav series DIR [--json] [--thumbnails OUT] [--patients]: the DICOM series under DIR, one a line, the
-// recommended one first, with a small picture of each and whose it is where asked for.
+// recommended one first. On request with a small picture of each and the patient's name.
 
 #include <algorithm>
 #include <cstdio>
@@ -38,7 +38,7 @@ std::string stateOf(const dicom::SeriesInfo& info) {
 
 using Row = std::vector<std::string>;
 
-/// Whose each series is: "patient 2" where they are of several, the name where asked for.
+/// The patient of each series: "patient 2" if there are several, the name on request.
 std::vector<std::string> owners(const std::vector<dicom::SeriesInfo>& series, bool are_named) {
   std::vector<std::string> words(series.size());
   if (!are_named && dicom::patientCount(series) < 2) return words;
@@ -70,7 +70,7 @@ Row rowOf(const dicom::SeriesInfo& info, const std::string& owner) {
           info.id};
 }
 
-/// Columns as wide as their widest entry; empty ones take no room.
+/// Each column is as wide as its widest entry; empty columns are left out.
 void printTable(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows[0].size());
   for (const Row& row : rows)
@@ -121,7 +121,8 @@ RgbImage toRgb(const dicom::Thumbnail& picture) {
   return image;
 }
 
-/// One PNG a series, named by its place in the list (01.png); the names, empty where a series has no picture.
+/// Writes one PNG a series, named by its position in the list (01.png). Returns the names, empty for a series
+/// without a picture.
 std::vector<std::string> writeThumbnails(const std::vector<dicom::SeriesInfo>& series,
                                          const std::filesystem::path& folder, TaskMonitor& monitor) {
   std::error_code fault;

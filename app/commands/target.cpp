@@ -1,5 +1,5 @@
 // facenav locate CASE and facenav target CASE: a place of the brain in MRI and MNI coordinates with its
-// labels, and a target put there.
+// labels, and a new target at that place.
 
 #include <cstdio>
 
@@ -13,7 +13,7 @@
 namespace facenav::app {
 namespace {
 
-/// A place as typed: in one of the two frames.
+/// A typed place, in one of the two frames.
 struct Place {
   std::filesystem::path case_folder;
   std::vector<double> mni_mm, ras_mm;

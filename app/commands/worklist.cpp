@@ -1,5 +1,5 @@
-// facenav worklist DIR, facenav label CASE and facenav check CASE: the radiographer's list of cases, what
-// they are called there, a case's import check, and the sign-off.
+// facenav worklist DIR, facenav label CASE and facenav check CASE: the radiographer's list of cases, their
+// labels, a case's import check, and the sign-off.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -95,7 +95,7 @@ void addCheck(CLI::App& app, Context& context) {
     }
     if (request->sign_off.by.empty()) {
       if (request->sign_off.acknowledges_findings || !request->sign_off.note.empty())
-        workflow::signOffChecked(store, request->sign_off);  // says that nobody is named
+        workflow::signOffChecked(store, request->sign_off);  // throws: no name given
       return;
     }
     const auto sign_off = workflow::signOffChecked(store, request->sign_off);

@@ -19,7 +19,7 @@ namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVideoStep = 3;  // every third frame: 20 a second of a 60 fps recording
+constexpr int kVideoStep = 3;  // every third frame: 20 per second of a 60 fps recording
 
 scene::StatusWords statusOf(const char* what, bool is_tracked) {
   return {std::string(what) + (is_tracked ? " tracked" : " LOST"),
@@ -54,8 +54,7 @@ cv::Mat toBgr(const RgbImage& image) {
   return bgr;
 }
 
-/// Silences stderr for its lifetime: OpenCV's writer prints a note about the codec's tag that concerns
-/// nobody.
+/// Silences stderr during its lifetime: OpenCV's writer prints a harmless note about the codec's tag.
 class QuietErrors {
  public:
   QuietErrors() : kept_(::dup(STDERR_FILENO)) {
@@ -74,8 +73,7 @@ class QuietErrors {
   int kept_;
 };
 
-/// A video that browsers play, where this OpenCV can write one; else Motion JPEG. The name of what was
-/// written.
+/// A video that browsers can play if this OpenCV can write one, else Motion JPEG.
 class Video {
  public:
   Video(const fs::path& folder, cv::Size size) {
@@ -92,7 +90,7 @@ class Video {
   void add(const RgbImage& image) {
     if (writer_.isOpened()) writer_.write(toBgr(image));
   }
-  const std::string& name() const { return name_; }  // empty: none could be written
+  const std::string& name() const { return name_; }  // file name; empty: none could be written
 
  private:
   cv::VideoWriter writer_;

@@ -1,6 +1,6 @@
 #pragma once
-// The demo's pictures and video: navigation displays of chosen frames (paper, figures 4, 6, 8, 9), the
-// alignment's cross-sections (figure 11). Needs an X display (a virtual one will do).
+// The demo's pictures and video: navigation displays of chosen frames (paper, figures 4, 6, 8, 9) and
+// cross-sections of the alignment (figure 11). Needs an X display; a virtual one is enough.
 
 #include <filesystem>
 #include <memory>
@@ -21,7 +21,8 @@ struct PictureInput {
   std::vector<std::shared_ptr<const session::NavigationState>> states;  // of the treatment, in order
 };
 
-/// PNGs of the brain, of states spread over the treatment, and a video of them all; captions for the report.
+/// PNGs of the brain and of states spread over the treatment, and a video of all states, with captions for
+/// the report.
 std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input,
                                                      const std::filesystem::path& folder,
                                                      TaskMonitor& monitor);

@@ -11,11 +11,10 @@
 namespace facenav::app {
 namespace {
 
-// Figures of the 2010 paper, section 7.2.
+// Values from the 2010 paper, section 7.2.
 constexpr double kPaperResidual_mm = 6.0, kPaperRotation_deg = 1.1, kPaperTranslation_mm = 5.0;
 
-/// Mean over frames and axes of the absolute error, as the paper states it ("around each axis", "along each
-/// axis").
+/// Mean absolute error over frames and axes, as the paper defines it ("around each axis", "along each axis").
 struct PerAxis {
   double rotation_deg = 0, translation_mm = 0;
 };

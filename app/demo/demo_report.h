@@ -11,21 +11,20 @@
 
 namespace facenav::app {
 
-/// What the demo measured, against the virtual room's own truth.
+/// The demo's results, measured against the truth of the virtual room.
 struct DemoFigures {
   casefile::StoredAlignment alignment;
   double alignment_rotation_deg = 0, alignment_at_target_mm = 0;
   evaluation::TrackingEvaluation protractor;    // head, at the cortical target
   evaluation::TrackingEvaluation head, coil;    // the treatment; coil at the centre of its contact face
   evaluation::ErrorStatistics coil_on_head_mm;  // coil centre in Mri against its truth, treatment
-  double final_distance_mm = 0;                 // true distance of coil and target at the end
+  double final_distance_mm = 0;                 // true distance from coil to target at the end
   int frames_on_target = 0;
-  std::vector<std::pair<std::string, double>> step_s;  // what took how long
+  std::vector<std::pair<std::string, double>> step_s;  // duration of each step
   double total_s = 0;
 };
 
-/// Error over rotation angle (paper, figure 13), one curve per axis, written as SVG. `truth` gives the
-/// angles.
+/// Error over rotation angle (paper, figure 13), one curve per axis, as SVG. `truth` gives the angles.
 void writeProtractorPlot(const evaluation::TrackingEvaluation& protractor,
                          const std::map<std::int64_t, Eigen::Isometry3d>& truth,
                          const std::filesystem::path& svg);
@@ -34,7 +33,7 @@ void writeProtractorPlot(const evaluation::TrackingEvaluation& protractor,
 void writeDemoReport(const DemoFigures& figures, const std::vector<evaluation::ReportFigure>& pictures,
                      const std::filesystem::path& folder);
 
-/// The figures in a few lines, for the terminal.
+/// The results in a few lines, for the terminal.
 std::string summary(const DemoFigures& figures);
 
 }  // namespace facenav::app

@@ -80,7 +80,7 @@ struct Truth {
   std::map<std::int64_t, Eigen::Isometry3d> head, coil;  // camera_T_mri, camera_T_coil
 };
 
-/// A recording without a coil (the protractor) has no truth of it.
+/// A recording without a coil (the protractor) has no truth for it.
 Truth readRoomTruth(const fs::path& recording) {
   Truth truth{capture::readTruth(recording / "truth/head.csv"), {}};
   if (!fs::exists(recording / "truth/coil.csv")) return truth;

@@ -1,6 +1,6 @@
 #pragma once
-// The main job: from the virtual patient's DICOM series to the coil on target, with pictures, figures and
-// report. Every stage is the code a real patient gets; this file only chooses inputs.
+// The demo: from the virtual patient's DICOM series to the coil on target, with pictures, figures and report.
+// Every stage runs the same code as for a real patient; this file only chooses inputs.
 
 #include "context.h"
 #include "demo/demo_report.h"
@@ -8,12 +8,12 @@
 namespace facenav::app {
 
 struct DemoRequest {
-  std::filesystem::path folder;  // result; made whole, replacing an earlier demo
+  std::filesystem::path folder;  // result; written whole, replaces an earlier demo
   std::uint64_t seed = 1;
   int frames = 0;  // of the treatment; 0: the scenario's own length
 };
 
-/// Throws Error; then `folder` is as it was before.
+/// Throws Error; `folder` is then unchanged.
 DemoFigures runDemo(Context& context, const DemoRequest& request);
 
 }  // namespace facenav::app

@@ -10,7 +10,7 @@ struct VirtualPatientFiles {
   std::filesystem::path nifti, dicom_folder;
 };
 
-/// Converts what is missing. Throws Error when the fetched files are absent, saying how to get them.
+/// Converts what is missing. If the fetched files are absent, throws an Error that says how to get them.
 VirtualPatientFiles virtualPatientFiles(const Context& context);
 
 }  // namespace facenav::app

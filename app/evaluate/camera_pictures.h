@@ -1,7 +1,7 @@
 #pragma once
-// Photographs of one person (or board) by several calibrated cameras at several moments: files
-// <camera>_<moment>.jpg|png, cameras named by one letter, beside <a><b>_stereo.yml, the rig with a on the
-// left.
+// Photographs of one person (or board) by several calibrated cameras at several moments. Files are named
+// <camera>_<moment>.jpg|png, with one letter per camera; <a><b>_stereo.yml beside them is the rig with a on
+// the left.
 
 #include <filesystem>
 #include <map>
@@ -15,9 +15,9 @@ namespace facenav::app {
 
 /// By name, "l_418".
 std::map<std::string, std::filesystem::path> picturesIn(const std::filesystem::path& folder);
-/// By name, "lm". Throws Error of a file that is no rig.
+/// By name, "lm". Throws Error for a file that is no rig.
 std::map<std::string, cameras::StereoRig> rigsIn(const std::filesystem::path& folder);
-/// That both cameras have, in the order of their names: "418".
+/// Moments for which both cameras have a file, sorted by name: "418".
 std::vector<std::string> momentsOf(const std::map<std::string, std::filesystem::path>& pictures, char left,
                                    char right);
 /// 8-bit grey. Throws Error naming a file that cannot be read.

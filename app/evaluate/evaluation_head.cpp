@@ -19,7 +19,7 @@ constexpr double kCortexDepth_mm = 20.0, kHairGap_mm = 4.0;
 struct Variant {
   const char* name;
   Eigen::Vector3d scale;  // along Mri's axes
-  int landmark = -1;      // iBUG point at whose height the scan ends; -1: it does not
+  int landmark = -1;      // iBUG landmark at whose height the scan ends; -1: whole scan
   room::PatientOptions look = {};
 };
 
@@ -61,7 +61,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-/// The same head of another size: voxels keep their values, the grid is stretched about its centre.
+/// The same head in another size: voxels keep their values, the grid is scaled about its centre.
 volume::Volume stretched(volume::Volume mri, const Eigen::Vector3d& scale) {
   const Eigen::Vector3d centre = mri.grid.centre().mm;
   Eigen::Affine3d about = Eigen::Affine3d::Identity();
@@ -71,7 +71,7 @@ volume::Volume stretched(volume::Volume mri, const Eigen::Vector3d& scale) {
   return mri;
 }
 
-/// The scan without all that lies below `z_mm`.
+/// The scan without everything below `z_mm`.
 volume::Volume endingAt(const volume::Volume& mri, double z_mm) {
   const volume::Volume whole = volume::toRasOrder(mri);
   const int first = std::clamp(

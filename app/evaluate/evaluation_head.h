@@ -1,6 +1,6 @@
 #pragma once
-// The heads that `facenav evaluate` films: an MRI modelled twice, by the workstation (scalp) and by the
-// virtual room (its own skin), so that neither shares the other's errors.
+// The heads for `facenav evaluate`. Each MRI is modelled twice: by the workstation (scalp) and by the virtual
+// room (its own skin), so that they do not share errors.
 
 #include <memory>
 #include <string>
@@ -16,10 +16,10 @@ namespace facenav::app {
 struct EvaluationHead {
   std::string name;
   surface::ScalpSurface scalp;                          // what the workstation knows
-  std::shared_ptr<const room::VirtualPatient> patient;  // who sits in the room
+  std::shared_ptr<const room::VirtualPatient> patient;  // the person in the room
   guidance::Target target;
   bool is_scan_cut = false;  // the workstation's scan ends above the chin
-  bool is_unseen = false;    // not the patient that the project is developed on
+  bool is_unseen = false;    // true unless it is the patient used in development
 };
 
 /// `spec`: "patient" (the virtual patient), "colin27", a NIfTI file or a case folder; then, after colons,
@@ -28,7 +28,7 @@ struct EvaluationHead {
 /// Error for anything else, and for "lip" or "nose" where no face is found.
 EvaluationHead makeEvaluationHead(Context& context, const std::string& spec);
 
-/// The variants' names, for help texts.
+/// Names of the variants, for help texts.
 std::string headVariants();
 
 }  // namespace facenav::app

@@ -10,7 +10,7 @@ namespace facenav::app {
 namespace {
 
 constexpr const char* kCapture = "capture";
-// A capture is taken wherever the patient sits; once treatment runs, nobody sits 30 degrees askew.
+// At a capture the patient may sit anywhere. During treatment nobody sits turned by 30 degrees.
 constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
 constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90;
 
@@ -25,7 +25,7 @@ int framesOf(const EvaluationRequest& request, const std::string& scenario) {
   if (request.frames > 0) return request.frames;
   if (!request.is_quick || scenario == "protractor") return 0;
   const bool has_parts =
-      scenario == "lost" || scenario == "free_motion";  // too short, and nothing is left of them
+      scenario == "lost" || scenario == "free_motion";  // shorter runs would end before their parts
   return scenario == "still" ? 15 : has_parts ? kQuickLost : kQuickFrames;
 }
 
@@ -36,7 +36,7 @@ std::string inWords(const room::RigOptions& rig) {
   return name;
 }
 
-/// Rig 0 is the room's or the scenario's own; the others are drawn by number.
+/// Rig 0 is that of the room or of the scenario; the others are random, with the number as seed.
 PlannedRun planned(const EvaluationRequest& request, int rig, const std::string& scenario,
                    std::uint64_t seed) {
   room::ScenarioOptions options = request.room;
@@ -68,7 +68,7 @@ std::vector<PlannedRun> plannedRuns(const EvaluationRequest& request) {
                        : request.is_quick ? std::min(request.captures, kQuickCaptures)
                                           : request.captures;
   std::vector<PlannedRun> runs;
-  for (int i = 0; i < captures; ++i)  // the rigs take turns
+  for (int i = 0; i < captures; ++i)  // rigs take turns
     runs.push_back(planned(request, i % request.rigs, kCapture, std::uint64_t(request.first_seed + i)));
   const int seeds = request.is_quick ? 1 : request.seeds;
   for (int rig = 0; rig < request.rigs; ++rig)

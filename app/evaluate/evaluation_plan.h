@@ -1,6 +1,6 @@
 #pragma once
-// What `facenav evaluate` plays: scenarios x seeds x rigs for each head, and captures for the alignment
-// alone, each with the patient seated anew.
+// The runs of `facenav evaluate`: scenarios x seeds x rigs for each head, and captures for the alignment
+// alone. Each run has its own seat of the patient.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct EvaluationRequest {
   int seeds = 3, rigs = 1, captures = 20, first_seed = 1;
   int frames = 0;  // of each scenario; 0: its own length
   bool is_quick = false;
-  room::ScenarioOptions room;  // noise, blur, gamma, rig ..: what all runs share
+  room::ScenarioOptions room;  // noise, blur, gamma, rig ..: common to all runs
 };
 
 struct PlannedRun {
@@ -26,7 +26,7 @@ struct PlannedRun {
 /// The runs of one head. Throws Error for a scenario that does not exist.
 std::vector<PlannedRun> plannedRuns(const EvaluationRequest& request);
 
-/// In a line: "9 scenarios x 3 seeds x 1 rig, 20 captures, head: patient".
+/// One line: "9 scenarios x 3 seeds x 1 rig, 20 captures, head: patient".
 std::string inWords(const EvaluationRequest& request);
 
 }  // namespace facenav::app

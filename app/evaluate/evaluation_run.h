@@ -1,6 +1,6 @@
 #pragma once
-// One run of `facenav evaluate`: a sequence with its truth goes through the code a real patient gets
-// (measureFace, aligner, Navigator) in memory, and everything is noted in a RunRecord.
+// One run of `facenav evaluate`: a sequence with truth runs in memory through the same code as for a real
+// patient (measureFace, aligner, Navigator). The results go into a RunRecord.
 
 #include <functional>
 #include <memory>
@@ -22,38 +22,38 @@ struct Methods {
   std::string aligner, head_tracker, coil_tracker;  // registered names
 };
 
-/// A sequence with its truth, wherever it came from.
+/// A sequence with its truth, from any source.
 struct EvaluationSequence {
-  std::string scenario;  // by name; of a recording: what its scenario.json says, else its folder's name
+  std::string scenario;  // name; for a recording: from its scenario.json, else its folder's name
   std::shared_ptr<capture::FrameSource> source;
   std::optional<capture::CapturePair> capture;
   std::optional<RigidTransform<Camera, Mri>> capture_truth;         // camera_T_mri at the capture
-  std::function<evaluation::FrameTruth(std::int64_t frame)> truth;  // of a frame that source gave
+  std::function<evaluation::FrameTruth(std::int64_t frame)> truth;  // for a frame that `source` gave
   coil_tracking::CoilModel coil;
   double frames_per_s = 60.0;
   std::optional<evaluation::ExactDepth> capture_depth;
   std::optional<Point<Mri>> face_middle;
 };
 
-/// A scenario of the virtual room, rendered as it is asked for.
+/// A scenario of the virtual room, rendered on demand.
 EvaluationSequence roomSequence(const room::ScenarioOptions& options, const EvaluationHead& head);
-/// A recording with truth/ that came from elsewhere (FORMATS.md); scenario.json, where there is one, says
-/// which frames no tracker can know and how the head sat at the capture. Throws Error where it holds no truth
-/// or no capture pair.
+/// A recording with truth/ from another program (FORMATS.md). Its scenario.json, if there is one, marks
+/// frames in which the pose must be lost and gives the head's pose at the capture. Throws Error if there is
+/// no truth or no capture pair.
 EvaluationSequence recordedSequence(const std::filesystem::path& recording);
 
-/// The last alignment of a row of runs: scenarios with the same seat start from the same capture, which is
-/// measured once.
+/// The last alignment in a series of runs. Scenarios with the same seat start from the same capture, which is
+/// measured only once.
 struct AlignedCapture {
-  cv::Mat pattern_left;  // which capture
+  cv::Mat pattern_left;  // identifies the capture
   workflow::AlignmentOutcome outcome;
   evaluation::AlignmentRecord record;
   std::optional<evaluation::CloudFigures> cloud;
 };
 
-/// Fills cloud, alignment and frames of `run`, whose names are set. A refusal or a failure is noted there;
-/// only Cancelled passes through. `last` is taken over where the capture is the same, else replaced.
-/// `onFrame` hears the fraction done.
+/// Fills cloud, alignment and frames of `run`; its names are set before. Refusals and failures are recorded
+/// there; only Cancelled is thrown. `last` is used if the capture is the same, else replaced. `onFrame`
+/// receives the fraction done.
 void runSequence(Context& context, EvaluationSequence& sequence, const surface::ScalpSurface& scalp,
                  const guidance::Target& target, const Methods& methods, std::optional<AlignedCapture>& last,
                  evaluation::RunRecord& run, const std::function<void(double)>& onFrame);

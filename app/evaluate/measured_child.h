@@ -1,6 +1,5 @@
 #pragma once
-// A task in a process of its own, so that its time and memory are its own and its crash takes nothing else
-// down.
+// Runs a task in its own process, to measure its time and memory alone and to survive its crash.
 
 #include <functional>
 #include <string>
@@ -8,12 +7,13 @@
 namespace facenav::app {
 
 struct ChildMeasure {
-  double wall_s = 0, processor_s = 0, peak_mib = 0;  // peak: resident set, with what the parent held already
-  std::string failure;                               // empty: the task came to its end
+  // Peak: resident set, including what the parent held before.
+  double wall_s = 0, processor_s = 0, peak_mib = 0;
+  std::string failure;  // empty: the task finished
 };
 
-/// Forks, runs `task`, waits. What the task makes it must leave in files. An exception is its failure. Call
-/// it while no other thread runs.
+/// Forks, runs `task`, waits. The task must leave its results in files. An exception becomes `failure`. Call
+/// it only while no other thread runs.
 ChildMeasure measureInChild(const std::function<void()>& task);
 
 }  // namespace facenav::app

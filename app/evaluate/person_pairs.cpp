@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 30.0, kGap_s = 1.5;
 constexpr int kBefore = 5, kAfter = 12;
-constexpr double kNoise_grey = 0.7;  // fresh in each frame: repeated pictures are a frozen camera
+constexpr double kNoise_grey = 0.7;  // new noise in each frame: identical images would mean a frozen camera
 constexpr double kBehind_mm = 80.0;
-constexpr double kChiSquare95 = 7.815;  // of 3 degrees of freedom
+constexpr double kChiSquare95 = 7.815;  // for 3 degrees of freedom
 
 using Frames = std::map<std::string, cameras::StereoFrame>;  // by moment
 
@@ -82,10 +82,10 @@ Frames framesOf(const fs::path& folder, const std::string& rig) {
 }
 
 struct Motion {
-  Eigen::Isometry3d motion;  // in the shared camera
-  Eigen::Matrix3d turn;      // from the rig's left camera to it
-  Eigen::Vector3d face_mm;   // where the tracked face is now, in it
-  Matrix6d covariance;       // the tracker's, left camera's axes
+  Eigen::Isometry3d motion;  // of the head, in the shared camera's axes
+  Eigen::Matrix3d turn;      // from the rig's left camera to the shared camera
+  Eigen::Vector3d face_mm;   // current position of the tracked face, in the shared camera
+  Matrix6d covariance;       // from the tracker, left camera's axes
 };
 
 Motion inShared(const head_tracking::HeadPose& pose, const cameras::StereoRig& rig, bool is_right_shared) {
@@ -139,7 +139,7 @@ struct Task {
   cv::Mat left, right;
 };
 
-// Where the face's lower half begins in a picture.
+// First row of the face's lower half in an image.
 int lowerFace_y(const face::FaceDetector& detector, const cv::Mat& picture) {
   const auto face = detector.detect(picture);
   if (!face) return picture.rows;
@@ -246,7 +246,7 @@ void addFailures(const PairsResult& result, std::string& text) {
   }
 }
 
-// Which moments are hard: how often each was found, and how far two pairs of cameras are apart there.
+// Adds, for each moment, how often it was found and how far two pairs of cameras differ.
 void addMoments(const PairsResult& result, std::string& text) {
   struct Moment {
     int tried = 0, found = 0;

@@ -6,11 +6,12 @@
 namespace facenav::app {
 namespace {
 
-constexpr int kShift_px = 13,  // sideways: nearly a turn of the whole rig
+constexpr int kShift_px = 13,  // sideways: about the same as rotating the whole rig
     kCoarse = 30;              // JPEG quality
 constexpr double kDarker = 0.85;
 
-// As `camera` sees it, turned by `turn` (new axes from the mirrored ones), of what `other` saw.
+// The mirrored image of what `other` saw, as `camera` sees it after rotation by `turn` (to the new axes from
+// the mirrored ones).
 cv::Mat mirroredPicture(const cameras::CameraModel& camera, const Eigen::Matrix3d& turn,
                         const cameras::CameraModel& other, const cv::Mat& seen) {
   cv::Mat2f from(seen.size());
@@ -48,8 +49,8 @@ cv::Mat covered(const cv::Mat& picture, int from_y) {
 
 }  // namespace
 
-// Mirrored cameras change places: x_right' = M R^T M x_left' - M R^T T. Both are then turned about their own
-// centres so that they stand as the rig's do.
+// Mirroring exchanges the cameras: x_right' = M R^T M x_left' - M R^T T. Both are then rotated about their
+// own centres to match the rig.
 cameras::StereoFrame mirroredPair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame) {
   const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
   const Eigen::Matrix3d turn = rig.right_T_left.rotation();

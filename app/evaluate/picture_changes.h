@@ -1,6 +1,6 @@
 #pragma once
-// Pictures of a person changed as `facenav evaluate pairs` needs them: another person made of him, and the
-// same exposure as other circumstances would have shown it.
+// Changes of a person's images for `facenav evaluate pairs`: mirrored into another person, and the same
+// exposure under other conditions.
 
 #include <string>
 #include <vector>
@@ -10,16 +10,17 @@
 
 namespace facenav::app {
 
-/// The person mirrored left to right, as the same rig would have seen him: an exact pair of a person who does
-/// not exist, of nearly the same shape, with his skin's detail elsewhere. Black where nothing was seen.
+/// The person mirrored left to right, as the same rig would have seen them. This gives an exact pair of a
+/// person who does not exist: nearly the same shape, but skin detail at other places. Black where nothing was
+/// seen.
 cameras::StereoFrame mirroredPair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame);
 
 struct ChangedPair {
   std::string change;  // "shifted by 13 px"
   cameras::StereoFrame frame;
 };
-/// Both pictures shifted, darker, coarser compressed, and with the lower face covered. `lower_face_y`: rows
-/// from there on are covered, px of each picture.
+/// The pair shifted, darkened, compressed more, and with the lower face covered. `lower_face_y`: first
+/// covered row, px of each image.
 std::vector<ChangedPair> changedPairs(const cameras::StereoFrame& frame, int lower_face_y_left,
                                       int lower_face_y_right);
 

@@ -20,7 +20,7 @@ using evaluation::PerturbationRow;
 using volume::Mask;
 using volume::Volume;
 
-/// A folder for what the children leave.
+/// A temporary folder for files of the child processes.
 class Scratch {
  public:
   Scratch() {
@@ -90,7 +90,7 @@ MaskRow wholePrepare(Context& context, const PrepareTrial& trial, const std::opt
   return row;
 }
 
-/// From the child process to its parent: raw, as in memory.
+/// From child to parent process, in the machine's binary format.
 void writeDoubts(const std::vector<segmentation::BoundaryDoubt>& doubts, const fs::path& file) {
   std::ofstream stream(file, std::ios::binary);
   for (const auto& d : doubts) {
@@ -132,9 +132,9 @@ struct Judged {
   const Mask& unmoved;
 };
 
-/// The places about which a method stated doubt, with their real errors: against the true surface where it
-/// is one of tissue (a mask with fluid has its surface elsewhere), and, for what a perturbation did, against
-/// the unperturbed mask.
+/// Places where a method stated its uncertainty, with their real errors. The error is the distance to the
+/// true surface if the truth is a tissue mask (a mask with fluid has another surface); for a perturbation, it
+/// is the distance to the unperturbed mask.
 class Doubts {
  public:
   explicit Doubts(const Judged& of) : of_(of), unmoved_(of.unmoved) {
@@ -203,7 +203,8 @@ void addPerturbations(Context& context, const PrepareEvaluation& request, const 
 PrepareTables evaluatePrepare(Context& context, const PrepareEvaluation& request) {
   PrepareTables tables;
   std::vector<std::optional<Mask>> truths;
-  for (const auto& trial : request.trials) truths.push_back(truthOf(trial));  // said before the long work
+  // Report a bad file before the long work.
+  for (const auto& trial : request.trials) truths.push_back(truthOf(trial));
   for (std::size_t t = 0; t < request.trials.size(); ++t) {
     const auto& trial = request.trials[t];
     if (request.is_whole) tables.masks.push_back(wholePrepare(context, trial, truths[t]));

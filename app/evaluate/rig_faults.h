@@ -1,7 +1,7 @@
 #pragma once
-// `facenav evaluate rigs`: what cameras::diagnosePair says of pictures of a known rig: as they are, with the
-// right camera's picture from another moment, exchanged, with another rig's calibration, and with a
-// calibration whose right camera has been turned or shifted since.
+// `facenav evaluate rigs`: tests cameras::diagnosePair on images of a known rig: unchanged; with the right
+// image from another moment; exchanged; with another rig's calibration; and with a calibration whose right
+// camera was rotated or shifted.
 
 #include <filesystem>
 #include <string>
@@ -24,7 +24,7 @@ struct RigFaultRow {
 std::vector<RigFaultRow> rigFaults(const std::filesystem::path& pictures, const std::filesystem::path& rigs,
                                    TaskMonitor& monitor);
 
-/// Per kind: tried, named rightly, silent, named otherwise; then every row that is not named rightly.
+/// Per kind: tried, named rightly, not named, named wrongly; then every row that is not right.
 std::string sidesTable(const std::vector<RigFaultRow>& rows);
 
 }  // namespace facenav::app

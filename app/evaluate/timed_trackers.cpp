@@ -9,7 +9,7 @@
 namespace facenav::app {
 namespace {
 
-/// Notes what a scope cost, and keeps it to one thread, OpenCV's loops too.
+/// Measures the processor time of a scope, and limits it to one thread, OpenCV's loops included.
 class OneThreadClock {
  public:
   explicit OneThreadClock(LastCall& last) : last_(last), threads_(cv::getNumThreads()) {
@@ -42,7 +42,7 @@ class TimedHeadTracker : public head_tracking::HeadTracker {
       const OneThreadClock clock(last_);
       return tracker_->track(frame);
     }();
-    last_.ms = std::max(0.0, last_.ms - tracker_->beside_ms());  // live, others' time
+    last_.ms = std::max(0.0, last_.ms - tracker_->beside_ms());  // live, this runs on other threads
     return pose;
   }
   void setPace(head_tracking::Pace pace) override { tracker_->setPace(pace); }

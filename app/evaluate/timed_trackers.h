@@ -1,5 +1,5 @@
 #pragma once
-// The trackers of a run with a clock around them: processor time of each call, OpenCV's threads off.
+// Wraps the trackers of a run to measure the processor time of each call, without OpenCV's threads.
 
 #include <memory>
 
@@ -9,7 +9,7 @@
 
 namespace facenav::app {
 
-/// Where the time of the last call is written; outlives the tracker.
+/// Time of the last call. Must outlive the tracker.
 struct LastCall {
   double ms = 0.0;
 };

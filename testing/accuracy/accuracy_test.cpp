@@ -1,6 +1,6 @@
-// The accuracy goals, on short seeded sequences of the virtual room: what is reached today must stay reached.
-// The limits are the goals themselves; `facenav evaluate` without --frames measures them at length, on other
-// heads and rigs too.
+// The accuracy goals, on short seeded sequences of the virtual room. They keep what has been reached. The
+// limits are the goals themselves; `facenav evaluate` without --frames measures them on longer sequences,
+// also on other heads and rigs.
 
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ EvaluationTable evaluated(const std::string& arguments, const TemporaryFolder& f
   return EvaluationTable(out / "evaluation.csv");
 }
 
-/// Measured at all, and never beyond the limit.
+/// Values exist, and none exceeds the limit.
 void expectWithin(const std::vector<double>& values, double limit, const std::string& what) {
   EXPECT_THAT(values, Not(IsEmpty())) << what;
   EXPECT_THAT(values, Each(Le(limit))) << what;
@@ -68,7 +68,7 @@ TEST(Accuracy, NobodyElseIsTrackedAndThePatientIsFoundAgain) {
   expectWithin(table.figure("", "found_again_max_s"), 0.2, "found again after a loss");
 }
 
-// A search that reached farther once laid this person's face over the patient's.
+// Regression: with a wider search range, this person's face was once tracked as the patient's.
 TEST(Accuracy, APersonWhoLooksLikeThePatientIsNotTracked) {
   FACENAV_NEEDS(virtualPatientMri());
   const TemporaryFolder folder;

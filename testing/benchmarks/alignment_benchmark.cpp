@@ -1,5 +1,5 @@
-// Alignment of a face cloud (20 000 points) to the skin of an MRI, from a known start that is off: ours, the
-// paper's ICP, and PCL's ICP, GICP and point-to-plane ICP on the same clouds. The head is one in closed form;
+// Alignment of a face cloud (20 000 points) to the skin of an MRI, from a start with a known error: ours, the
+// paper's ICP, and PCL's ICP, GICP and point-to-plane ICP on the same clouds. The head has a closed form; the
 // live skin differs from it by all kinds of misfit at once.
 
 #include <pcl/features/normal_3d.h>
@@ -50,8 +50,8 @@ PclCloud::Ptr toPcl(const std::vector<Eigen::Vector3d>& points, const std::vecto
   return cloud;
 }
 
-/// PCL moves the face onto the skin: mri_T_camera. Its target (tree included) is set once a case, as our
-/// field is.
+/// PCL moves the face onto the skin: mri_T_camera. Its target (with the tree) is set once per case, like our
+/// field.
 template <class Method>
 PoseMaybe runPcl(Method& method, const PclCloud::Ptr& face, const Eigen::Isometry3d& camera_T_mri) {
   method.setInputSource(face);
@@ -154,7 +154,8 @@ class AlignmentBenchmark {
       normals.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
       normals.setKSearch(12);
       normals.compute(*with_normals);
-      // A trimming distance that the start needs; narrower ones lose it, wider ones let hair pull.
+      // Largest distance that still works from this start: smaller ones lose it, larger ones let hair attract
+      // the fit.
       const double reach_mm = 0.5 * shift_mm + 5;
       icp_.setMaxCorrespondenceDistance(reach_mm);
       plane_.setMaxCorrespondenceDistance(reach_mm);
@@ -180,8 +181,8 @@ class AlignmentBenchmark {
     print("pcl::GeneralizedIterativeClosestPoint", gicp, ours_ms);
   }
 
-  /// Ours alone, over many random starts: is it ever lost? Misfit moves even the best pose by millimetres, so
-  /// that the place to find is where the fit from the true pose ends.
+  /// Ours alone, from many random starts: how often is it lost? Misfit moves even the best pose by
+  /// millimetres, so the result is compared with the fit that starts from the true pose.
   void starts(double turn_deg, double shift_mm, int trials) {
     const Eigen::Vector3d nose = registration::findNoseTip(skin_);
     Outcome fit;
@@ -207,7 +208,7 @@ class AlignmentBenchmark {
   }
 
  private:
-  /// The registration alone: what the peers do.
+  /// The registration alone, which is what the peers do.
   PoseMaybe fitOnly(const Trial& trial, const registration::AlignmentStart& start) const {
     const auto fit = registration::fitFromGuess(*scalp_, trial.face, start);
     if (!fit) return {};

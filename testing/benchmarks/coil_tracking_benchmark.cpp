@@ -1,7 +1,7 @@
-// The coil's marker beside its peers in one run: error against the truth of a ray-cast scene, and time of a
-// tracked frame and of a whole frame (processor time, one core). Peers: cv::aruco with sub-pixel corners, its
-// pose by solvePnP IPPE from the left image, and by triangulated corners from both; the AprilTag library
-// where it is installed. Prints Markdown tables.
+// The coil's marker tracker and its peers in one run: error against the truth of a ray-cast scene, and the
+// time of a tracked frame and of a whole frame (processor time, one core). Peers: cv::aruco with sub-pixel
+// corners, its pose by solvePnP IPPE from the left image and by triangulated corners from both images; the
+// AprilTag library if it is installed. Prints Markdown tables.
 // coil_tracking_benchmark [poses per row, 60]
 
 #ifdef FACENAV_HAS_APRILTAG
@@ -72,13 +72,13 @@ std::vector<View> views(const Conditions& conditions, int count, int dictionary 
     View view{
         scene::renderMarkers(conditions.rig, {{scene::arucoPrint(dictionary, 7), 60.0, truth}}, options),
         truth};
-    view.frame.captured.s = 10.0 * i;  // too long ago to predict from
+    view.frame.captured.s = 10.0 * i;  // too long after the last frame to predict from it
     made.push_back(std::move(view));
   }
   return made;
 }
 
-/// From the corners in both images: top left, top right, bottom right, bottom left of a print of 60 mm.
+/// Pose from the corners in both images: top left, top right, bottom right, bottom left of a print of 60 mm.
 std::optional<Pose> poseOf(const cameras::StereoRig& rig, const std::vector<cv::Point2f>& left,
                            const std::vector<cv::Point2f>& right) {
   if (left.empty() || right.empty()) return std::nullopt;
@@ -102,7 +102,7 @@ class Aruco {
     cv::solvePnP(model(), corners, rig_.left.k, rig_.left.distortion, rotation, translation, false,
                  cv::SOLVEPNP_IPPE_SQUARE);
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    // IPPE_SQUARE's y runs up the print: turned to the format's axes.
+    // IPPE_SQUARE's y axis runs up the print: rotate to the format's axes.
     pose.linear() = expRotation({rotation[0], rotation[1], rotation[2]}) *
                     Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).matrix();
     pose.translation() << translation[0], translation[1], translation[2];
@@ -130,12 +130,12 @@ class Aruco {
 };
 
 #ifdef FACENAV_HAS_APRILTAG
-/// The AprilTag library on a print of its own family, as it comes but for full resolution.
+/// The AprilTag library on a print of its own family, with default settings except full resolution.
 class AprilTag {
  public:
   explicit AprilTag(const cameras::StereoRig& rig) : rig_(rig) {
     apriltag_detector_add_family(detector_, family_);
-    detector_->quad_decimate = 1.0f;  // half resolution, its default, loses corners' exactness
+    detector_->quad_decimate = 1.0f;  // half resolution, its default, makes corners less exact
     detector_->nthreads = 1;
   }
   ~AprilTag() {
@@ -157,8 +157,8 @@ class AprilTag {
       apriltag_detection_t* tag = nullptr;
       zarray_get(found, i, &tag);
       if (tag->id != 7) continue;
-      // Its corners run counter-clockwise, the print stands upside down beside OpenCV's; pixel centres lie at
-      // .5.
+      // Its corners run counter-clockwise, its print is upside down compared with OpenCV's, and pixel centres
+      // are at .5.
       for (const int corner : {1, 0, 3, 2})
         corners.emplace_back(float(tag->p[corner][0] - 0.5), float(tag->p[corner][1] - 0.5));
       break;
@@ -202,7 +202,7 @@ void printRow(const char* conditions, const char* method, const Figures& f) {
               quantile(f.time_ms, 0.99));
 }
 
-/// Two frames a pose: the first finds the marker, the second (1 mm further) is followed.
+/// Two frames per pose: the marker is found in the first and tracked in the second (1 mm further).
 Figures tracked(const Conditions& conditions, const std::vector<View>& found, double& stated_ratio) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(conditions.rig, defaultCoil());
@@ -259,7 +259,7 @@ void compare(const Conditions& conditions, int count) {
 #endif
 }
 
-/// Frames without the marker: what a lost coil costs.
+/// Frames without the marker: the cost of a lost coil.
 void printLost(const cameras::StereoRig& rig, int count) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(rig, defaultCoil());

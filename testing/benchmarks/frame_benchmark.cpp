@@ -1,6 +1,6 @@
-// The end-to-end stereo frame: head and coil tracked in the virtual room's treatment, ours beside the 2010
-// paper's seven features, on one core and on all; error against the room's truth and time in the same run.
-// Prints a Markdown table.
+// The whole stereo frame: head and coil tracked in the virtual room's treatment, ours and the 2010 paper's
+// seven features, on one core and on all. Error against the room's truth, and time, in the same run. Prints a
+// Markdown table.
 
 #include <cstdio>
 #include <memory>
@@ -27,7 +27,7 @@ std::shared_ptr<const room::VirtualPatient> patient() {
       room::makePatient(volume::readNifti(support::virtualPatientMri()).volume, {}, monitor));
 }
 
-/// A scenario, rendered once: what the trackers get, and the truth.
+/// A scenario, rendered once: the trackers' input, and the truth.
 Film filmOf(const char* scenario, const std::shared_ptr<const room::VirtualPatient>& patient,
             const face::FaceDetector& detector) {
   room::ScenarioOptions options;
@@ -36,7 +36,7 @@ Film filmOf(const char* scenario, const std::shared_ptr<const room::VirtualPatie
   return support::filmed(options, patient, detector);
 }
 
-/// One way through the film.
+/// One pass through the film.
 struct Pass {
   std::vector<double> ms;  // a frame
   double squares_mm2 = 0.0;
@@ -53,7 +53,7 @@ void note(Pass& pass, double ms, const std::optional<double>& error_mm) {
 
 using Clock = double (*)();
 
-/// Each frame through a tracker; `error_mm` of a pose against the truth of its frame.
+/// Runs each frame through a tracker. `error_mm`: error of a pose against the truth of its frame.
 template <class Tracker, class ErrorOf>
 Pass run(const Film& film, Tracker& tracker, Clock clock, const ErrorOf& error_mm) {
   Pass pass;
@@ -81,8 +81,8 @@ Pass coilPass(const Film& film, coil_tracking::CoilTracker& tracker, Clock clock
   });
 }
 
-/// Head and coil as the session tracks them, sharing the frame's work. `forget_every` frames, if any, both
-/// are lost: as long a time passes as makes every prediction worthless.
+/// Head and coil as the session tracks them, with a shared work budget. Every `forget_every` frames (if not
+/// 0) both are lost: time jumps so far that no prediction is valid.
 Pass bothPass(const Film& film, head_tracking::HeadTracker& head, coil_tracking::CoilTracker& coil,
               Clock clock, int forget_every = 0) {
   constexpr double kForgotten_s = 10.0;
@@ -105,7 +105,7 @@ Pass bothPass(const Film& film, head_tracking::HeadTracker& head, coil_tracking:
   return pass;
 }
 
-/// Time only: what is to be lost there is lost.
+/// Prints times but no error: in some of these films the head must be lost.
 void stateRow(const char* name, const Pass& pass) {
   std::printf("| %s | %d of %zu | %.2f | %.2f | %.2f |\n", name, pass.tracked, pass.ms.size(),
               support::quantile(pass.ms, 0.5), support::quantile(pass.ms, 0.99),

@@ -1,7 +1,7 @@
-// Head trackers beside their peers on the same frames: the model tracker, the 2010 paper's seven features,
-// and what one would write with OpenCV alone (corners of the reference followed by pyramidal Lucas-Kanade in
-// both images, triangulated, rigid fit with robust weights). Error at a point 90 mm behind the face
-// against exact truth; processor time of each frame on one core. Then the time of finding a lost face.
+// Head trackers on the same frames: the model tracker, the 2010 paper's seven features, and a tracker of
+// OpenCV parts (corners of the reference followed by pyramidal Lucas-Kanade in both images, triangulated,
+// rigid fit with robust weights). Error at a point 90 mm behind the face against exact truth; processor time
+// of each frame on one core. Then the time of finding a lost face.
 
 #include <cstdio>
 #include <opencv2/core/utility.hpp>
@@ -48,7 +48,7 @@ support::SyntheticView viewAt(int frame, double yaw_deg) {
   return view;
 }
 
-/// OpenCV's parts, put together the usual way.
+/// OpenCV's parts in the usual combination.
 class LucasKanadeTracker {
  public:
   LucasKanadeTracker(const cameras::StereoRig& rig, const head_tracking::HeadReference& reference)

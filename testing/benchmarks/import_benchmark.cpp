@@ -1,8 +1,8 @@
-// The import beside GDCM's own reading of the same files: one pass over all headers (gdcm::Reader up to the
-// pixels) and one over all voxels (gdcm::ImageReader and its decompression). Wall clock and processor time,
-// warm file cache, children included (codecs run in child processes). Folders as arguments, or the shared
-// real T1, the odd files, 256 slices of 256 x 256, and 5000 files of all kinds in nested folders without
-// names.
+// The import compared with GDCM's own reading of the same files: one pass over all headers (gdcm::Reader up
+// to the pixels) and one over all voxels (gdcm::ImageReader with decompression). Wall clock and processor
+// time, warm file cache, child processes included (codecs run in them). Folders are given as arguments.
+// Default: the shared real T1, the odd files, 256 slices of 256 x 256, and 5000 files of all kinds without
+// extensions in nested folders.
 
 #include <gdcmImageReader.h>
 #include <gdcmReader.h>
@@ -51,7 +51,7 @@ struct Cost {
   }
 };
 
-/// The least of each over `runs` runs.
+/// The smallest time of each over `runs` runs.
 template <class Work>
 Cost costOf(Work work, int runs = 5) {
   Cost best{1e12, 1e12};
@@ -82,7 +82,7 @@ void gdcmHeaders(const std::vector<fs::path>& files) {
 }
 
 void gdcmVoxels(const std::vector<fs::path>& files) {
-  std::vector<char> volume;  // one buffer for all, as whoever wants a volume needs
+  std::vector<char> volume;  // one buffer for all, as a reader of a volume needs it
   for (const fs::path& file : files) {
     gdcm::ImageReader reader;
     reader.SetFileName(file.c_str());
@@ -110,7 +110,7 @@ void timeFolder(const fs::path& folder) {
   if (!used.empty()) printRow(folder, used.size(), "load", load, costOf([&] { gdcmVoxels(used); }, 3));
 }
 
-/// `size`^2 x `slices` of something that does not compress to nothing.
+/// A volume of `size`^2 x `slices` that compresses poorly.
 volume::Volume madeVolume(int size, int slices, unsigned seed) {
   volume::Volume volume;
   volume.grid.size = {size, size, slices};
@@ -121,7 +121,8 @@ volume::Volume madeVolume(int size, int slices, unsigned seed) {
   return volume;
 }
 
-/// 45 series of 100 slices, a tenth of them twice, and papers between them, 40 files a folder, in two levels.
+/// 45 series of 100 slices, a tenth of the slices twice, with other files between them; 40 files a folder,
+/// two levels.
 void makeMixed(const fs::path& folder) {
   constexpr int kSeries = 45, kSlices = 100, kPapers = 50, kPerFolder = 40;
   const fs::path once = folder.string() + ".once";

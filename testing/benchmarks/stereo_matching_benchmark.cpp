@@ -1,5 +1,5 @@
-// Dense stereo beside its peers in one run: time on one core and on all, error on a dotted surface with known
-// truth, and Aloe (opencv-doc, half size) with its ground truth. Prints Markdown tables.
+// Dense stereo and its peers in one run: time on one core and on all, error on a dotted surface with known
+// truth, and on Aloe (opencv-doc, half size) with its ground truth. Prints Markdown tables.
 
 #include <cmath>
 #include <cstdio>
@@ -28,7 +28,7 @@ struct Error {
   double rms_px = 0, found = 0;
 };
 
-// Over pixels that both images show with a margin; `unit`: of 16-bit disparities.
+// Error over pixels that both images show, with a margin. `unit`: px per step of a 16-bit disparity.
 Error errorOf(const cv::Mat& disparity, const cv::Mat& truth, double unit) {
   Error error;
   int count = 0, seen = 0;
@@ -38,7 +38,7 @@ Error errorOf(const cv::Mat& disparity, const cv::Mat& truth, double unit) {
           disparity.type() == CV_16S ? disparity.at<short>(y, x) * unit : disparity.at<float>(y, x);
       const double difference = d - truth.at<float>(y, x);
       ++seen;
-      if (!(std::abs(difference) < 1)) continue;  // NaN too
+      if (!(std::abs(difference) < 1)) continue;  // skips NaN, too
       ++count;
       error.rms_px += difference * difference;
     }
@@ -54,12 +54,12 @@ struct Contender {
   int runs = 7;
 };
 
-// Cramer-Rao: the deviation of a disparity fitted to a window of `side` pixels of two images with that noise,
-// rms over the image. A matcher that looks at wider windows may stay below it.
+// Cramer-Rao bound: standard error of a disparity fitted to a window of `side` pixels in two images with this
+// noise, rms over the image. A matcher with larger windows may be below it.
 double bound_px(const cv::Mat& left, int side) {
   cv::Mat grey, gradient, information;
   left.convertTo(grey, CV_32F);
-  cv::GaussianBlur(grey, grey, {}, 0.7);  // the noise has gradients of its own
+  cv::GaussianBlur(grey, grey, {}, 0.7);  // reduces gradients of the noise itself
   cv::Sobel(grey, gradient, CV_32F, 1, 0, 1, 0.5);
   cv::boxFilter(gradient.mul(gradient), information, CV_32F, {side, side}, {-1, -1}, false);
   double sum = 0;
@@ -129,7 +129,7 @@ void dottedTable() {
         scene.truth_px, bm_ms, sgbm_ms);
 }
 
-// Pixels of the left image whose true match is not hidden behind a nearer surface in the right one.
+// Pixels of the left image whose true match is not occluded in the right one.
 cv::Mat seenByBoth(const cv::Mat& truth, double scale) {
   cv::Mat seen = cv::Mat::zeros(truth.size(), CV_8U);
   for (int y = 0; y < truth.rows; ++y) {
@@ -157,7 +157,8 @@ void aloeTable() {
   }
   cv::resize(left, left, {}, 0.5, 0.5, cv::INTER_AREA);
   cv::resize(right, right, {}, 0.5, 0.5, cv::INTER_AREA);
-  const double scale = 0.5 * double(left.cols) * 2 / truth.cols;  // the truth counts pixels of its own size
+  // Converts from pixels of the truth's own size.
+  const double scale = 0.5 * double(left.cols) * 2 / truth.cols;
   cv::resize(truth, truth, left.size(), 0, 0, cv::INTER_NEAREST);
   constexpr int kDisparities = 112;
   const auto scene = support::rectifiedScene(left, right, kDisparities);
@@ -182,7 +183,7 @@ void aloeTable() {
     std::printf("| %s | %.0f | %.1f |\n", name, one_ms, 100.0 * wrong / known);
     std::fflush(stdout);
   };
-  MatchOptions lenient;  // every surface found, sure or not
+  MatchOptions lenient;  // accepts every match, certain or not
   lenient.least_correlation = 0.3;
   lenient.largest_sigma_px = 2.0;
   lenient.largest_lever_px = 6.0;

@@ -1,5 +1,5 @@
-// SCREENS.md as checks: contrast of every text colour of the style sheet, sizes of what is read from two
-// metres, and no button without words, a tooltip and a way to press it by keyboard.
+// SCREENS.md as checks: the contrast of every text colour in the style sheet, the size of text to be read
+// from two metres, and that every button has text, a tooltip and a way to press it by keyboard.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(Appearance, EveryTextStandsOutFromWhatItIsWrittenOn) {
     const auto match = it.next();
     const QString selector = match.captured(1).trimmed(), body = match.captured(2);
     const auto colour = property(body, "color");
-    if (!colour || selector.contains(":disabled")) continue;  // what cannot be used may be faint
+    if (!colour || selector.contains(":disabled")) continue;  // disabled controls may be faint
     const auto own = property(body, "background");
     for (const QColor& behind : own ? QList<QColor>{*own} : QList<QColor>{"#0b0d10", "#101419", "#15191f"}) {
       ++checked;
@@ -98,7 +98,7 @@ TEST(Appearance, AFigureIsWholeTheMomentItComes) {
   EXPECT_EQ(read_out.depth, "-289");
   EXPECT_EQ(read_out.across, "99.9");
   read_out.tilt = "178\u00b0", read_out.twist = "-178\u00b0";
-  panel.set(read_out);  // and nothing is laid out in between
+  panel.set(read_out);  // no layout runs in between
   int figures = 0;
   for (const auto* label : panel.findChildren<QLabel*>()) {
     if (!label->objectName().startsWith("figure")) continue;

@@ -13,7 +13,7 @@
 namespace facenav::ui {
 namespace {
 
-/// An archive that holds two series and is asked through the presenter only.
+/// An archive with two series, used through the presenter only.
 class ArchiveTest : public ::testing::Test {
  protected:
   ArchiveTest() {

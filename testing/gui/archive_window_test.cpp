@@ -22,9 +22,9 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kPrepareLimitMs = 150000;  // a busy machine
+constexpr int kPrepareLimitMs = 150000;  // enough for a busy machine
 
-/// The archive's page of a window, as a hand reaches it.
+/// Operates the archive page of a window by mouse and keyboard.
 class ArchiveHand {
  public:
   explicit ArchiveHand(MainWindow& window) : page_(*window.findChild<ArchivePage*>()) {}
@@ -33,7 +33,8 @@ class ArchiveHand {
     for (auto* each : page_.findChildren<QWidget*>())
       if (each->accessibleName() == field) {
         QTest::keyClick(each, Qt::Key_A, Qt::ControlModifier);
-        return QTest::keyClicks(each, QString::fromStdString(text));  // not left: what stands there counts
+        // The field keeps the focus: its content must count anyway.
+        return QTest::keyClicks(each, QString::fromStdString(text));
       }
     FAIL() << "no field " << field;
   }
@@ -42,7 +43,7 @@ class ArchiveHand {
       if (button->text() == words && button->isEnabled()) return QTest::mouseClick(button, Qt::LeftButton);
     FAIL() << "no button " << words;
   }
-  /// What the page says once the archive has answered.
+  /// What the page says when the archive has answered.
   std::string answer() {
     fixtures::waitFor([&] { return button("Find").isEnabled(); });
     return said().toStdString();

@@ -33,7 +33,7 @@ std::shared_ptr<const pictures::DrawnOverlay> redPictureOf(const session::Naviga
   return drawn;
 }
 
-/// In the middle of the left view and of the right one.
+/// Checks the middle of the left and of the right view.
 bool isRed(CameraRow& row) {
   const QImage image = row.grab().toImage();
   const int middle = image.height() / 2;
@@ -52,7 +52,7 @@ TEST_F(CameraRowTest, ShowsAPictureOfTheNewestStateUntilItIsLost) {
   row_.follow(shared(tracked));
   row_.showDrawn(redPictureOf(tracked));
   EXPECT_TRUE(isRed(row_));
-  row_.follow(shared(stateAt(10.03, true)));  // its own picture is being drawn
+  row_.follow(shared(stateAt(10.03, true)));  // its own image is still being drawn
   EXPECT_TRUE(isRed(row_));
   row_.follow(shared(stateAt(10.06, false)));
   EXPECT_FALSE(isRed(row_)) << "the coil is lost, the picture shows it";
@@ -61,12 +61,12 @@ TEST_F(CameraRowTest, ShowsAPictureOfTheNewestStateUntilItIsLost) {
 
 TEST_F(CameraRowTest, APictureThatComesTooLateIsNotShown) {
   row_.follow(shared(stateAt(10.06, false)));
-  row_.showDrawn(redPictureOf(stateAt(10.0, true)));  // of before the coil was lost
+  row_.showDrawn(redPictureOf(stateAt(10.0, true)));  // from before the coil was lost
   EXPECT_FALSE(isRed(row_));
   row_.follow(shared(stateAt(12.0, true)));
   row_.showDrawn(redPictureOf(stateAt(11.5, true)));  // half a second old
   EXPECT_FALSE(isRed(row_));
-  row_.showDrawn(redPictureOf(stateAt(12.1, true)));  // of another run
+  row_.showDrawn(redPictureOf(stateAt(12.1, true)));  // from another run
   EXPECT_FALSE(isRed(row_));
   EXPECT_EQ(row_.shown(), nullptr);
 }
@@ -79,7 +79,7 @@ TEST_F(CameraRowTest, NoPictureOfASessionComesBackIntoThePreview) {
   row_.showPlain(frame);
   row_.showDrawn(redPictureOf(tracked));
   EXPECT_FALSE(isRed(row_));
-  row_.follow(shared(tracked));  // and no preview stays under a session
+  row_.follow(shared(tracked));  // no preview stays behind a session
   EXPECT_NE(row_.grab().toImage().pixelColor(150, 120).red(), 90);
 }
 

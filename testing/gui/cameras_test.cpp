@@ -1,4 +1,4 @@
-// Live cameras, played by a recording that paces itself as cameras do.
+// Live cameras, replaced by a recording with the timing of live cameras.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace fakes = session::fakes;
 
-/// Frames of now, ten milliseconds apart, until it is told to fail.
+/// Frames with the current time, ten milliseconds apart, until it is told to fail.
 class FakeCameras : public capture::FrameSource {
  public:
   FakeCameras(std::shared_ptr<std::atomic<int>> open, std::shared_ptr<std::atomic<bool>> unplugged,
@@ -67,7 +67,7 @@ class CamerasTest : public ::testing::Test {
     TaskMonitor monitor;
     model_.open(loadCase(case_folder, monitor));
   }
-  /// From the two pictures to running trackers.
+  /// From the two images to running trackers.
   void guide() {
     cameras().takeDots();
     const auto with_dots = cameras().picture()->number;
@@ -129,9 +129,9 @@ TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   EXPECT_EQ(opened_, std::make_pair(2, 4));
   EXPECT_TRUE(cameras().words().contains("live"));
   EXPECT_FALSE(treat_->canAlign());
-  treat_->align(false);  // never with a capture of another day
+  treat_->align(false);  // never with an old capture
   EXPECT_TRUE(refused_.contains("take the two pictures"));
-  cameras().takePlain();  // the dots come first
+  cameras().takePlain();  // refused: the image with dots comes first
   EXPECT_FALSE(cameras().capture());
   ASSERT_NO_FATAL_FAILURE(guide());
   ASSERT_TRUE(aligned_with_ && aligned_with_->capture);
@@ -139,7 +139,7 @@ TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   EXPECT_TRUE(fixtures::waitFor([&] { return bool(treat_->state()->camera_T_mri); }));
   *unplugged_ = true;
   ASSERT_TRUE(fixtures::waitFor([&] { return !treat_->state()->failure.empty(); }));
-  EXPECT_FALSE(treat_->state()->camera_T_mri);  // the last pose is not left standing
+  EXPECT_FALSE(treat_->state()->camera_T_mri);  // no old pose remains
   treat_->stop();
   EXPECT_EQ(*open_, 0);
 }
@@ -148,12 +148,12 @@ TEST_F(CamerasTest, ACameraThatHangsWhileGuidingDoesNotHoldUpTheWindow) {
   openCameras();
   ASSERT_NO_FATAL_FAILURE(guide());
   *hung_ = true;
-  std::thread rescue([hung = hung_] {  // of a window that waits
+  std::thread rescue([hung = hung_] {  // frees a window that would wait for ever
     std::this_thread::sleep_for(std::chrono::seconds(5));
     *hung = false;
   });
   treat_->stop();
-  EXPECT_TRUE(*hung_);  // gone on before the camera did
+  EXPECT_TRUE(*hung_);  // the window continued before the camera did
   EXPECT_FALSE(treat_->isRunning());
   *hung_ = false;
   rescue.join();
@@ -173,12 +173,12 @@ TEST_F(CamerasTest, AnUnpluggedCameraIsSaidAndNothingIsTakenFromIt) {
 TEST_F(CamerasTest, ACameraThatHangsDoesNotHoldUpTheWindow) {
   openCameras();
   *hung_ = true;
-  std::thread rescue([hung = hung_] {  // of a window that waits
+  std::thread rescue([hung = hung_] {  // frees a window that would wait for ever
     std::this_thread::sleep_for(std::chrono::seconds(3));
     *hung = false;
   });
   cameras().show(capture::Recording{});
-  EXPECT_TRUE(*hung_);  // gone on before the camera did
+  EXPECT_TRUE(*hung_);  // the window continued before the camera did
   EXPECT_FALSE(cameras().hasPictures());
   *hung_ = false;
   rescue.join();

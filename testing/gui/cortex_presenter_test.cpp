@@ -37,7 +37,7 @@ TEST_F(CortexPresenterTest, TheCortexIsMadeWhenItIsFirstAskedFor) {
 TEST_F(CortexPresenterTest, AnotherBrainIsMadeAnewAndAnOldOneNeverShown) {
   open(true);
   cortex_.setLook(scene::BrainLook::cortex);
-  open(true);  // while the first is being made
+  open(true);  // while the first is being computed
   EXPECT_EQ(cortex_.cortex(), nullptr);
   ASSERT_TRUE(fixtures::waitFor([&] { return cortex_.cortex() != nullptr; }));
   const auto first = cortex_.cortex();

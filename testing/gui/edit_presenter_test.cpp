@@ -51,7 +51,7 @@ TEST_F(EditPresenterTest, ABrushStrokeIsOneStepInTheSliceShownAndComesBack) {
   EXPECT_FALSE(isBrain(60, 0));
   stroke(pixel(50, 0), pixel(70, 0));
   EXPECT_TRUE(isBrain(50, 0) && isBrain(60, 0) && isBrain(70, 0));
-  EXPECT_FALSE(isBrain(60, 0, 6));  // the next slice: a disc, no ball
+  EXPECT_FALSE(isBrain(60, 0, 6));  // the next slice is unchanged: a disc, not a ball
   edit_.undo();
   EXPECT_FALSE(isBrain(50, 0) || isBrain(70, 0));
   EXPECT_FALSE(edit_.canUndo());
@@ -90,7 +90,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   edit_.setTool(EditTool::brush);
   stroke(pixel(44, 0), pixel(48, 0));
   ASSERT_TRUE(edit_.hasUnsaved());
-  EXPECT_FALSE(model_.mayBeTreated());  // nobody has checked what is seen now
+  EXPECT_FALSE(model_.mayBeTreated());  // nobody has checked the mask that is shown now
   edit_.save();
   settle();
   EXPECT_FALSE(edit_.hasUnsaved());
@@ -115,7 +115,7 @@ TEST_F(EditPresenterTest, ACheckedCaseIsCheckedNoMoreFromTheFirstStrokeAndAgainO
   EXPECT_TRUE(sign_off.statusWords().startsWith("checked"));
   edit_.setTool(EditTool::brush);
   edit_.setRadius_mm(20);
-  edit_.press(plane_, pixel(44, 0), false);  // not even let go
+  edit_.press(plane_, pixel(44, 0), false);  // before the button is released
   EXPECT_FALSE(sign_off.holds());
   EXPECT_TRUE(sign_off.statusWords().contains("a correction of the brain is not saved"));
   edit_.release(plane_);
@@ -125,7 +125,7 @@ TEST_F(EditPresenterTest, ACheckedCaseIsCheckedNoMoreFromTheFirstStrokeAndAgainO
   EXPECT_TRUE(sign_off.volumes()[0].words.contains("not saved"));
   sign_off.setName("XY");
   for (int i = 0; i < sign_off.items().size(); ++i) sign_off.setSeen(i, true);
-  EXPECT_FALSE(sign_off.canSign());  // what would be signed is not what is seen
+  EXPECT_FALSE(sign_off.canSign());  // the shown mask is not the one that would be signed
   EXPECT_TRUE(sign_off.whatIsMissing().contains("save or discard"));
   edit_.discard();
   EXPECT_TRUE(sign_off.holds());
@@ -161,7 +161,7 @@ TEST_F(EditPresenterTest, TheScalpelCutsBehindTheLineDownToItsDepthAndComesBack)
   };
   EXPECT_GT(seen.eye.mm.y(), 100.0);
   edit_.setTool(EditTool::scalpel);
-  EXPECT_FALSE(edit_.isActive());  // on slices the crosshair moves as ever
+  EXPECT_FALSE(edit_.isActive());  // on slices the left button moves the crosshair
   edit_.setCutDepth_mm(12);
   edit_.cut({seen.screen_from_mri, seen.eye}, {at(-10, -10), at(10, -10), at(10, 14), at(-10, 14)});
   EXPECT_FALSE(isBrain(2, 36));

@@ -1,5 +1,5 @@
 #pragma once
-// A small case made of balls, and waiting for Qt.
+// A small case made of balls, and a way to wait for Qt.
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -1,4 +1,4 @@
-// The test program's own main: a QApplication, where there is a display.
+// main() of the tests: makes a QApplication; without a display it uses the offscreen platform.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   const facenav::testing::TemporaryFolder
-      own;  // a user's own files, and those of tests beside this one, stay untouched
+      own;  // keeps the user's files and those of parallel tests untouched
   for (const char* place : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"})
     qputenv(place, QByteArray::fromStdString(own.path().string()));
   if (!facenav::scene::hasDisplay())

@@ -1,5 +1,5 @@
-// Pictures of every page with a real case, to be looked at: FACENAV_GUI_CASES=DIR (a folder of cases, which
-// is written to: give a copy) FACENAV_GUI_PICTURES=DIR. Skipped without them.
+// Writes images of every page with a real case, for people to look at. FACENAV_GUI_CASES=DIR is a folder of
+// cases (it is written to: use a copy), FACENAV_GUI_PICTURES=DIR the output. Skipped without them.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ class Pictures {
   Pictures(MainWindow& window, QString folder) : window_(window), folder_(std::move(folder)) {}
   void take(const QString& name) {
     fixtures::waitFor([this] { return !window_.tasks().isRunning(); }, 60000);
-    fixtures::waitFor([] { return false; }, 700);  // drawn, settled
+    fixtures::waitFor([] { return false; }, 700);  // time to draw
     EXPECT_TRUE(window_.grab().save(folder_ + "/" + name + ".png"));
   }
 
@@ -47,7 +47,7 @@ class Pictures {
   QString folder_;
 };
 
-/// Cameras that see a recording over and over: FACENAV_GUI_RECORDING=DIR.
+/// Cameras that repeat a recording: FACENAV_GUI_RECORDING=DIR.
 class PlayedCameras : public capture::FrameSource {
  public:
   explicit PlayedCameras(const std::string& folder) : recording_(capture::openRecording(folder)) {}
@@ -69,7 +69,7 @@ class PlayedCameras : public capture::FrameSource {
   std::int64_t number_ = 0;
 };
 
-/// One job that stands still half-way, one that fails.
+/// One job that stops half-way, one that fails.
 Services exampleServices() {
   Services services;
   services.listSeries = [](const std::filesystem::path& folder, TaskMonitor&) {
@@ -114,7 +114,7 @@ QAbstractButton* buttonNamed(MainWindow& window, const QString& text) {
   return nullptr;
 }
 
-/// Cortex at three depths, the distance map; prints what a slider's step costs.
+/// Cortex at three depths and the distance map; prints the time of one step of the slider.
 void takeBrainLooks(MainWindow& window, Pictures& shots) {
   auto* panel = window.findChild<BrainLookPanel*>();
   ASSERT_NE(panel, nullptr);
@@ -144,12 +144,12 @@ void takeBrainLooks(MainWindow& window, Pictures& shots) {
   fixtures::waitFor([&] { return panel->findChild<DistanceLegend*>()->isVisible(); }, 90000);
   shots.take("5_plan_distance");
   looks[3]->click();
-  fixtures::waitFor([] { return false; }, 3000);  // a second view's first picture
+  fixtures::waitFor([] { return false; }, 3000);  // time for the second view's first image
   shots.take("5_plan_side_by_side");
   looks[0]->click();
 }
 
-/// The scalpel's line on the 3-D view of Check & edit, and the cut.
+/// The scalpel's line on the 3-D view of Check & edit, and the result of the cut.
 void takeScalpel(MainWindow& window, Pictures& shots) {
   auto* scalpel = buttonNamed(window, "Scalpel");
   ASSERT_NE(scalpel, nullptr);
@@ -168,7 +168,7 @@ void takeScalpel(MainWindow& window, Pictures& shots) {
   }
   shots.take("3_check_scalpel_line");
   QTest::mouseRelease(view, Qt::LeftButton, {}, middle + QPoint(48, -8));
-  fixtures::waitFor([] { return false; }, 8000);  // the model follows
+  fixtures::waitFor([] { return false; }, 8000);  // time until the model is updated
   shots.take("3_check_scalpel_cut");
   buttonNamed(window, "Undo")->click();
   scalpel->click();
@@ -186,7 +186,7 @@ void takeCameras(MainWindow& window, Pictures& shots, const std::string& recordi
   shots.take("6_treat_cameras_live");
 }
 
-/// The poses of truth/`name`.csv, frame by frame.
+/// The poses in truth/`name`.csv, by frame.
 template <class To, class From>
 std::vector<RigidTransform<To, From>> readTruth(const std::filesystem::path& recording,
                                                 const std::string& name) {
@@ -218,7 +218,7 @@ class TrueCoil : public coil_tracking::CoilTracker {
   std::vector<RigidTransform<Camera, Marker>> poses_;
 };
 
-/// A recording guided by its own truth, so that the picture is what a clinician would see; the face is lost
+/// Guides a recording by its own truth, so that the image shows what a clinician would see. The face is lost
 /// while `is_face_hidden`.
 Services trueServices(const std::string& folder, std::shared_ptr<std::atomic<bool>> is_face_hidden) {
   const auto head = readTruth<Camera, Mri>(folder, "head");
@@ -313,7 +313,7 @@ TEST(Pictures, OfEveryPage) {
   window.setPrepareStep(PrepareStep::worklist);
   shots.take("1_worklist_checked");
   for (auto* table : window.findChildren<QTableView*>())
-    if (table->isVisible()) table->selectRow(2);  // what waits
+    if (table->isVisible()) table->selectRow(2);  // the waiting job
   if (auto* show = buttonNamed(window, "Show series")) show->click();
   shots.take("2_series_read");
 }

@@ -83,7 +83,7 @@ TEST_F(PlacePresenterTest, WithoutAnAtlasItSaysSoAndTakesRasOnly) {
 TEST_F(PlacePresenterTest, RefusesAPlaceFarOutsideTheHeadInOneLineThatSaysHowFar) {
   open(true);
   QString why;
-  EXPECT_FALSE(place_.read("MNI 300 0 0", false, why));  // the ball's skin lies at 90 mm, MNI is shifted by 2
+  EXPECT_FALSE(place_.read("MNI 300 0 0", false, why));  // the ball's skin is at 90 mm, MNI is shifted by 2
   EXPECT_TRUE(why.contains("208 mm outside the head")) << why.toStdString();
   EXPECT_FALSE(why.contains('\n'));
   why.clear();

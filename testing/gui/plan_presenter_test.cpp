@@ -26,7 +26,7 @@ class PlanPresenterTest : public ::testing::Test {
     for (const auto& t : model_.current().store.targets().targets) names.push_back(t.name);
     return names;
   }
-  /// A target of the ball's left side, made elsewhere; it becomes the active one.
+  /// Adds a target on the ball's left side, not through the presenter; it becomes the active one.
   void plan(const std::string& name, double handle_deg, double gap_mm) {
     auto plan = model_.current().plan;
     plan.targets.push_back(guidance::planTarget(name, *model_.current().scalp, Point<Mri>(-40, 5, 60),
@@ -231,11 +231,11 @@ TEST_F(PlanPresenterTest, APlaceOutsideTheHeadBecomesNoTargetAndIsSaidInOneLine)
   presenter_.addTargetNear(Point<Mri>(300, 0, 0));
   EXPECT_TRUE(presenter_.plan().targets.empty());
   EXPECT_TRUE(refusal_.contains("210 mm outside the head")) << refusal_.toStdString();
-  presenter_.addTarget(Point<Mri>(0, 100, 0));  // under no scalp: the coil would face away from the head
+  presenter_.addTarget(Point<Mri>(0, 100, 0));  // no scalp above: the coil would face away from the head
   EXPECT_TRUE(presenter_.plan().targets.empty());
   EXPECT_TRUE(refusal_.contains("10 mm outside the head")) << refusal_.toStdString();
   refusal_.clear();
-  presenter_.addTargetNear(Point<Mri>(110, 0, 0));  // a little off: the cortex nearest to it
+  presenter_.addTargetNear(Point<Mri>(110, 0, 0));  // a little outside: the nearest cortex is used
   ASSERT_EQ(presenter_.plan().targets.size(), 1u) << refusal_.toStdString();
   EXPECT_NEAR(presenter_.plan().targets[0].cortex_point.mm.x(), 40.0, 4.0);
 }

@@ -26,7 +26,7 @@ dicom::SeriesInfo seriesOf(int patient) {
   return info;
 }
 
-/// The series of a folder, listed.
+/// Lists the series of a folder.
 class PreparePresenterTest : public ::testing::Test {
  protected:
   PreparePresenterTest() : queue_(services_), presenter_(services_, model_, tasks_, queue_) {

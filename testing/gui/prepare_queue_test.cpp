@@ -24,7 +24,7 @@ dicom::SeriesInfo series(const std::string& uid, bool is_recommended) {
   return info;
 }
 
-/// Services that make ball cases and say what they were asked for.
+/// Services that make ball cases and record how they are called.
 class PrepareQueueTest : public ::testing::Test {
  protected:
   PrepareQueueTest() : cases_(folder_.path() / "cases") {
@@ -79,13 +79,13 @@ TEST_F(PrepareQueueTest, SeveralDropsArePreparedOneAtATimeFromTheirRecommendedSe
   add("a");
   add("b");
   add("c");
-  EXPECT_EQ(add("c"), 3);  // twice the same is once
+  EXPECT_EQ(add("c"), 3);  // the same input is queued only once
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_TRUE(queue_->jobs().empty());
   EXPECT_EQ(at_once_, 1);
   EXPECT_EQ(chosen_, (std::vector<std::string>{"best", "best", "best"}));
   EXPECT_EQ(caseFolders().size(), 3u);
-  for (const auto& name : caseFolders())  // pseudonymous: the case's own random id, not the input's name
+  for (const auto& name : caseFolders())  // pseudonymous: the case's random id, not the input's name
     EXPECT_EQ(name, casefile::CaseStore::open(cases_ / name).caseId());
 }
 
@@ -189,7 +189,7 @@ TEST(PrepareInput, TakesTheKindsOfFileThatTheCommandLineTakes) {
   }
   EXPECT_EQ(inputOf(make("one.nii.gz")), make("one.nii.gz"));
   const QString header = make("pair.hdr");
-  EXPECT_EQ(inputOf(make("pair.img")), header);  // both halves dropped: one volume
+  EXPECT_EQ(inputOf(make("pair.img")), header);  // both files of a pair: one volume
   EXPECT_EQ(inputOf(header), header);
   EXPECT_EQ(inputOf(make("IM0001")), QString::fromStdString(folder.path().string()));
 }

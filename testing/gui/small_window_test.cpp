@@ -1,6 +1,6 @@
-// Every page in a window of 1280 x 720, and at twice the text size in one of 2560 x 1440: nothing that can be
-// pressed or typed into lies out of reach. FACENAV_GUI_PICTURES=DIR keeps a picture of each, of the first
-// case in FACENAV_GUI_CASES=DIR where that is given.
+// Every page in a window of 1280 x 720, and at twice the text size in one of 2560 x 1440: every control can
+// be reached. FACENAV_GUI_PICTURES=DIR stores an image of each page, with the first case in
+// FACENAV_GUI_CASES=DIR if that is given.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ ScrollColumn* scrollAround(const QWidget& widget) {
 
 bool isWhole(const QWidget& widget) { return widget.visibleRegion().boundingRect() == widget.rect(); }
 
-/// What a person presses, types into or reads a state from.
+/// Controls that a person presses, types into or reads a state from.
 std::vector<QWidget*> controlsOf(MainWindow& window) {
   std::vector<QWidget*> controls;
   for (auto* widget : window.findChildren<QWidget*>()) {
@@ -90,7 +90,7 @@ std::string nameOf(const QWidget& widget) {
   return std::string(widget.metaObject()->className()) + " '" + words.toStdString() + "'";
 }
 
-/// Each as a whole within the window, where needed after scrolling to it, and no button's words cut.
+/// Each control is fully inside the window, if needed after scrolling, and no button's text is cut.
 void expectInReach(MainWindow& window) {
   for (auto* widget : controlsOf(window)) {
     if (auto* column = scrollAround(*widget)) {
@@ -106,7 +106,7 @@ void expectInReach(MainWindow& window) {
   }
 }
 
-/// Without scrolling: the step bars, the sign-off button, the typed coordinates.
+/// Visible without scrolling: the step bars, the sign-off button, the typed coordinates.
 void expectAlwaysThere(MainWindow& window) {
   const std::vector<const char*> names{"1  Worklist", "4  Sign off", "1 Cameras", "2 Align", "3 Guide"};
   for (auto* button : window.findChildren<QAbstractButton*>()) {
@@ -139,7 +139,7 @@ std::filesystem::path someCase(const std::filesystem::path& folder) {
   return store.folder();
 }
 
-/// Of every page; leaves the usual text size behind.
+/// Checks every page; restores the normal text size.
 void expectEveryPageFits(const QSize& size, double text_scale, const QString& prefix) {
   applyAppearance(*qApp, text_scale);
   testing::TemporaryFolder folder;
@@ -153,7 +153,7 @@ void expectEveryPageFits(const QSize& size, double text_scale, const QString& pr
       SCOPED_TRACE(prefix.toStdString() + page.name);
       page.show(window);
       window.resize(size);
-      fixtures::waitFor([] { return false; }, 400);  // laid out and drawn
+      fixtures::waitFor([] { return false; }, 400);  // time for layout and drawing
       EXPECT_EQ(window.size(), size);
       EXPECT_LE(window.minimumSizeHint().width(), size.width());
       EXPECT_LE(window.minimumSizeHint().height(), size.height());

@@ -24,7 +24,7 @@ namespace fakes = session::fakes;
 
 const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
 
-/// Trackers that always see both; the coil stands where the target was planned.
+/// Trackers that always see head and coil; the coil is at the planned target.
 Services fakeServices() {
   Services services;
   services.align = [](const casefile::CaseStore&, const capture::Recording&, TaskMonitor&) {
@@ -48,7 +48,7 @@ std::filesystem::path writeRecording(const std::filesystem::path& folder, int fr
   return folder / "recording";
 }
 
-/// A ball case with a target under the coil; signed off when asked.
+/// A ball case with a target under the coil; signed off on request.
 std::filesystem::path plannedCase(const std::filesystem::path& folder, bool is_signed_off) {
   const auto case_folder = fixtures::writeBallCase(folder);
   guidance::TreatmentPlan plan;
@@ -59,7 +59,7 @@ std::filesystem::path plannedCase(const std::filesystem::path& folder, bool is_s
   return case_folder;
 }
 
-/// Presenter alone: no window, no display.
+/// The presenter alone: no window, no display.
 class TreatPresenterTest : public ::testing::Test {
  protected:
   TreatPresenterTest() : services_(fakeServices()), treat_(services_, model_, tasks_) {
@@ -104,7 +104,7 @@ TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride
   treat_.align(true);
   EXPECT_FALSE(tasks_.isRunning());
   EXPECT_FALSE(treat_.isAligned());
-  treat_.overrideSignOff("B. Clinician", "  ");  // no reason, no override
+  treat_.overrideSignOff("B. Clinician", "  ");  // an override needs a reason
   EXPECT_FALSE(treat_.mayTreat());
   treat_.overrideSignOff("B. Clinician", "emergency");
   ASSERT_TRUE(treat_.mayTreat());
@@ -139,7 +139,7 @@ TEST_F(TreatPresenterTest, AModelThatChangedOnDiskSinceItWasOpenedIsRefused) {
   EXPECT_TRUE(failure_.contains("scalp.vtp"));
 }
 
-/// Says when it goes: with the session that it tracks for.
+/// Reports its destruction, which comes with that of its session.
 class WatchedHead : public fakes::Head {
  public:
   explicit WatchedHead(std::function<void()> on_gone)
@@ -152,7 +152,7 @@ class WatchedHead : public fakes::Head {
 
 TEST_F(TreatPresenterTest, AfterTheRecordingVanishedAndCameBackTheOldSessionEndsBeforeTheNextStarts) {
   std::mutex mutex;
-  std::vector<bool> had_log_ended;  // when each session went
+  std::vector<bool> had_log_ended;  // one entry per session, at its end
   services_.makeNavigator = [&](const session::NavigatorSetup& setup) {
     return std::make_unique<session::Navigator>(
         setup, std::make_unique<WatchedHead>([&] {
@@ -172,7 +172,7 @@ TEST_F(TreatPresenterTest, AfterTheRecordingVanishedAndCameBackTheOldSessionEnds
   EXPECT_FALSE(treat_.isRunning());
   EXPECT_NE(failure_, "");
   std::filesystem::rename(elsewhere, recording);
-  had_log_ended.clear();  // the tracker that found no recording has gone
+  had_log_ended.clear();  // the tracker of the failed start is already destroyed
   treat_.start();
   settle();
   EXPECT_TRUE(treat_.isRunning());
@@ -243,7 +243,8 @@ TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   settle();
   const auto* figures = workspace.findChild<FiguresPanel*>();
   const auto* row = workspace.findChild<CameraRow*>();
-  ASSERT_TRUE(fixtures::waitFor([&] { return figures->figures()[0] == "0.0"; }));  // while one is drawn
+  // While an overlay is being drawn.
+  ASSERT_TRUE(fixtures::waitFor([&] { return figures->figures()[0] == "0.0"; }));
   const auto first = treat.state()->frame;
   EXPECT_TRUE(fixtures::waitFor([&] { return treat.state()->frame > first + 20; }));
   EXPECT_EQ(row->shown(), nullptr);
@@ -326,7 +327,7 @@ TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidance) {
     QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier);
     EXPECT_TRUE(fixtures::waitFor([&] { return cameras->isChecked() == is_shown; }, 2000)) << is_shown;
   }
-  cameras->setFocus();  // a button with the focus must not swallow the stop key
+  cameras->setFocus();  // a focused button must not swallow the stop key
   QTest::keyClick(cameras, Qt::Key_Space);
   ASSERT_TRUE(fixtures::waitFor([&] { return !window.treat().isRunning(); }, 2000));
   EXPECT_FALSE(cameras->isChecked());

@@ -29,7 +29,7 @@ int distinctColours(const QImage& image) {
   return int(colours.size());
 }
 
-/// Share of pixels with skin's excess of red over blue.
+/// Share of pixels whose red exceeds blue as on skin.
 double warmShare(const QImage& image) {
   int warm = 0, all = 0;
   for (int y = 0; y < image.height(); y += 2)
@@ -65,7 +65,7 @@ TEST(MainWindow, ShowsACaseInEveryWorkspace) {
     const QImage scene = pictureOf<SceneView>(window);
     ASSERT_FALSE(scene.isNull());
     EXPECT_GT(distinctColours(scene), 30) << int(workspace);
-    EXPECT_GT(warmShare(scene), 0.05) << int(workspace);  // the head's skin is there
+    EXPECT_GT(warmShare(scene), 0.05) << int(workspace);  // the skin of the head
   }
   window.setWorkspace(Workspace::treat);  // opens on its first step: no cameras yet
   QApplication::processEvents();
@@ -152,7 +152,7 @@ TEST(MainWindow, ComesBackWithCaseWorkspaceStepAndLookEvenAfterACrash) {
       if (button->text() == "Side by side") button->click();
     ASSERT_TRUE(settled(window));
     QApplication::processEvents();
-  }  // gone without being closed
+  }  // destroyed without being closed
   MainWindow window{Services{}};
   window.show();
   window.restoreLast();
@@ -166,7 +166,7 @@ TEST(MainWindow, ComesBackWithCaseWorkspaceStepAndLookEvenAfterACrash) {
   std::vector<SceneView*> seen;
   for (auto* view : window.findChildren<SceneView*>())
     if (view->isVisible()) seen.push_back(view);
-  ASSERT_EQ(seen.size(), 2u);  // model and distance, from one place
+  ASSERT_EQ(seen.size(), 2u);  // model and distance, seen from one viewpoint
   EXPECT_EQ(seen[0]->scene().renderer()->GetActiveCamera(), seen[1]->scene().renderer()->GetActiveCamera());
   QSettings().clear();
 }
@@ -183,7 +183,7 @@ TEST(MainWindow, OpensACaseAtTheStepAskedFor) {
     ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
     EXPECT_EQ(window.prepareStep(), step);
   }
-  MainWindow again{Services{}};  // and where the case is that of last time
+  MainWindow again{Services{}};  // also if the case is the last session's
   again.show();
   again.restoreLast();
   again.setPrepareStep(PrepareStep::sign_off);

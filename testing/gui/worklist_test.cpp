@@ -132,7 +132,7 @@ TEST_F(WorklistTest, ALabelBeingTypedOutlivesTheListsRefreshAndReturnOnlyStoresI
   const QPointer<QLineEdit> editor = view->viewport()->findChild<QLineEdit*>();
   ASSERT_TRUE(editor);
   QTest::keyClicks(editor, "Doe");
-  emit queue_.changed();  // as every 30 s
+  emit queue_.changed();  // this happens every 30 s
   EXPECT_EQ(editor->text(), "Doe");
   fs::create_directories(folder_.path() / "dropped");
   queue_.add(QString::fromStdString((folder_.path() / "dropped").string()));

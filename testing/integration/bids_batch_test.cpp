@@ -1,5 +1,5 @@
-// facenav-bids on a dataset of a good head, a damaged one and one session: failures stay alone, a second run
-// goes on where the first stopped.
+// facenav-bids on a dataset with a good head, a damaged one and one session: a failure affects no other
+// image, and a second run continues where the first stopped.
 
 #include <gmock/gmock.h>
 
@@ -38,7 +38,7 @@ TEST_F(BidsBatch, AFailureStaysAloneAndASecondRunGoesOn) {
   const auto first = run();
   EXPECT_EQ(first.status, 1);
   EXPECT_THAT(first.output, HasSubstr("1 prepared, 0 there already, 1 failed"));
-  EXPECT_THAT(first.output, HasSubstr("sub-bad_T1w.nii.gz"));  // the reason, in the table
+  EXPECT_THAT(first.output, HasSubstr("sub-bad_T1w.nii.gz"));  // the reason is in the table
   EXPECT_NO_THROW(casefile::CaseStore::open(output() / "sub-good/ses-a/case"));
   EXPECT_TRUE(fs::exists(output() / "sub-good/ses-a/anat/sub-good_ses-a_desc-brain_mask.nii.gz"));
   EXPECT_FALSE(fs::exists(output() / "sub-bad/case"));
@@ -49,7 +49,7 @@ TEST_F(BidsBatch, AFailureStaysAloneAndASecondRunGoesOn) {
   EXPECT_THAT(second.output, Not(HasSubstr("sub-bad")));
 }
 
-/// The workflow around a stand-in for facenav-bids that fails for one participant.
+/// The workflow with a stand-in for facenav-bids that fails for one participant.
 TEST_F(BidsBatch, TheSnakemakeWorkflowRunsEachParticipantAndGoesOnAfterAFailure) {
   if (std::system("command -v snakemake >/dev/null") != 0) GTEST_SKIP() << "snakemake is not installed";
   const fs::path program = folder_.path() / "stand_in", broken = folder_.path() / "broken";

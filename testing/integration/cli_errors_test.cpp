@@ -1,5 +1,5 @@
-// Wrong input to each verb: one clear line on stderr, exit status 1 (2 for wrong usage), nothing
-// half-written.
+// Wrong input to each verb: one clear line on stderr, exit status 1 (2 for wrong usage), no partly written
+// output.
 
 #include <gmock/gmock.h>
 
@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 void writeText(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
 
-/// Status 1, exactly one line that names what is wrong, and `product` was not made.
+/// Status 1, exactly one line that names the problem, and `product` does not exist.
 void expectRefused(const CommandResult& result, const std::string& named, const fs::path& product = {}) {
   EXPECT_EQ(result.status, 1) << result.errors;
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
@@ -31,7 +31,7 @@ void expectRefused(const CommandResult& result, const std::string& named, const 
 class CommandLine : public ::testing::Test {
  protected:
   fs::path at(const std::string& name) const { return folder_.path() / name; }
-  bool isClean() const {  // no temporary leftovers
+  bool isClean() const {  // no temporary files are left
     return std::none_of(
         fs::directory_iterator(folder_.path()), fs::directory_iterator(),
         [](const auto& entry) { return entry.path().filename().string().find("tmp") != std::string::npos; });

@@ -1,6 +1,5 @@
-// The whole path through the command line, as the README's demo runs it but shorter: DICOM -> case -> plan ->
-// recording -> alignment -> poses -> guidance -> report. The figures are checked against the room's own
-// truth.
+// The whole path through the command line, like the README's demo but shorter: DICOM -> case -> plan ->
+// recording -> alignment -> poses -> guidance -> report. The results are compared with the room's own truth.
 
 #include <gmock/gmock.h>
 
@@ -54,8 +53,8 @@ TEST(DemoPath, RunsEndToEndAndBeatsThePaper) {
   EXPECT_EQ(head.wrong_as_tracked, 0);
   EXPECT_GE(head.tracked, 57);
   EXPECT_GE(trackedCoilFrames(result / "poses.csv"),
-            20);                              // a marker that is hidden all the time guides nobody
-  EXPECT_LE(head.at_point_mm.p95, 1.0);       // alignment included; the paper's tracking alone: 5.0 mm
+            20);                              // without a visible marker there is no guidance
+  EXPECT_LE(head.at_point_mm.p95, 1.0);       // includes the alignment; the paper's tracking alone: 5.0 mm
   EXPECT_LE(head.rotation_deg.p95, 0.4);      // the paper's: 1.1 degrees
   EXPECT_LE(store.alignment()->max_mm, 3.0);  // the paper's: 6.0 mm
 }

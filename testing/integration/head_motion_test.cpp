@@ -1,6 +1,6 @@
-// The accuracy of the head's motion where it is hardest to hold, on short seeded films of the virtual room:
-// dark skin, and Colin27's smooth face that ends at mid-nose, turning to the side. Then the same heads, met
-// turned, without a frame in between.
+// Accuracy of the head's motion in the most difficult cases, on short seeded films of the virtual room: dark
+// skin, and Colin27's smooth face that ends at mid-nose, turning to the side. Then the same heads, first seen
+// turned, without frames in between.
 
 #include <gtest/gtest.h>
 
@@ -75,8 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Room, HeadMotion,
                                            Head{"Colin27", colin27(), 1.0, 21, 800, 120}),
                          [](const auto& head) { return std::string(head.param.name); });
 
-// Ordinary cameras are not triggered together. Left unallowed for, 12 ms are a millimetre and half a degree
-// here.
+// Ordinary cameras are not triggered together. Without correction, 12 ms cause an error of a millimetre and
+// half a degree here.
 TEST(FreeRunningCameras, AreKnownByTheMovingHeadAndAllowedFor) {
   FACENAV_NEEDS(virtualPatientMri());
   TaskMonitor monitor;

@@ -1,7 +1,7 @@
 #pragma once
-// ArchivePresenter: the hospital's archive (PACS) from the window: is it there, which series does it hold,
-// fetch one into the queue. The connection is remembered, a query is not (it may name a patient). What is
-// fetched lies in a private folder that goes when the case is made.
+// ArchivePresenter: the hospital's archive (PACS) from the window: test the connection, list series, fetch
+// one into the queue. The connection is remembered; a query is not, since it may name a patient. Fetched
+// files lie in a private folder that is removed when the case is made.
 
 #include <QObject>
 #include <vector>
@@ -26,19 +26,19 @@ class ArchivePresenter : public QObject {
   /// C-ECHO.
   void test();
   void find(const pacs::PacsQuery& query);
-  /// Fetches a line of the result and queues it.
+  /// Fetches one line of the result and queues it.
   void fetch(int line);
   void cancel() { runner_.cancel(); }
 
   const std::vector<pacs::PacsSeries>& series() const { return series_; }
   bool isBusy() const { return runner_.isRunning(); }
-  /// What is done now, came of it, or failed.
+  /// Current step, result or failure.
   QString words() const { return words_; }
   bool isFault() const { return is_fault_; }
 
  signals:
   void changed();
-  /// Another result.
+  /// The result changed.
   void found();
   void queued();
 

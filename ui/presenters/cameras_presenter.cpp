@@ -12,8 +12,8 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kFresh_s = 0.5;        // an older picture shows what was, not what is
-constexpr double kPairWithin_s = 20.0;  // a head holds still that long, not longer
+constexpr double kFresh_s = 0.5;        // an older image does not show the present
+constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
 const char* const kLeft = "cameras/left";
 const char* const kRight = "cameras/right";
 const char* const kRig = "cameras/rig";
@@ -84,11 +84,11 @@ bool CamerasPresenter::canOpen() const {
 }
 
 void CamerasPresenter::open() {
-  if (!canOpen() || tasks_.isRunning()) return;  // a refused task would wait for the old pictures here
+  if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   tasks_.start(tr("Opening the cameras"),
                [this, rig = *rig_, left = left_, right = right_,
                 old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 old.reset();  // a camera opens once only
+                 old.reset();  // first: a camera can be opened only once
                  auto preview =
                      std::make_shared<capture::LivePreview>(services_.openCameras(rig, left, right), false);
                  return [this, preview] {
@@ -142,7 +142,7 @@ QString CamerasPresenter::words() const {
   return tr("ready to be opened");
 }
 
-/// A picture that is older than half a second is not of now.
+/// Copy of the newest live pair. Refused if it is older than kFresh_s.
 std::optional<cameras::StereoFrame> CamerasPresenter::takeFresh() {
   const auto frame = picture();
   if (!isLive() || !isWell() || !frame) {
@@ -163,7 +163,7 @@ void CamerasPresenter::takePlain() {
   if (!dots_) return;
   plain_ = takeFresh();
   plain_taken_ = Timestamp::now();
-  if (plain_ && plain_->number <= dots_->number) {  // the very picture that has the dots
+  if (plain_ && plain_->number <= dots_->number) {  // the same image as the one with dots
     plain_.reset();
     emit refused(tr("no new picture from the cameras yet: take it again"));
   } else if (plain_ && !capture()) {

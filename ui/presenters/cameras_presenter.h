@@ -1,6 +1,6 @@
 #pragma once
-// CamerasPresenter: step 1 of Treat: which two cameras, with which calibration, and what they see; and the
-// still pair (dots on, dots off) that the alignment needs. A recording is looked at in the same way.
+// CamerasPresenter: step 1 of Treat: which two cameras, with which calibration, and what they see. It also
+// takes the still pair (dots on, dots off) for the alignment. A recording is shown in the same way.
 
 #include <QObject>
 #include <QStringList>
@@ -22,7 +22,7 @@ class CamerasPresenter : public QObject {
  public:
   CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
 
-  /// Looks anew what is plugged in.
+  /// Updates the list of connected cameras.
   void refreshDevices();
   const std::vector<capture::CameraDevice>& devices() const { return devices_; }
   /// Index of the chosen camera, -1: none. Remembered.
@@ -34,38 +34,38 @@ class CamerasPresenter : public QObject {
   QString rigFile() const { return rig_file_; }
   void setRigFile(const QString& path);
   const std::optional<cameras::StereoRig>& rig() const { return rig_; }
-  /// "1280 x 720 px, 119.8 mm apart, 0.21 px, of 20 Nov 2026", or what is wrong with it.
+  /// "1280 x 720 px, 119.8 mm apart, 0.21 px, of 20 Nov 2026", or what is wrong with the file.
   QString rigWords() const;
   bool isRigGood() const { return rig_.has_value(); }
 
   bool canOpen() const;
-  /// Opens both cameras; live pictures follow.
+  /// Opens both cameras; live images follow.
   void open();
-  /// Plays a recording for the eye.
+  /// Plays a recording as a preview.
   void show(const capture::Recording& recording);
-  /// Nothing is shown any more; hands over what must be released, off the GUI thread (a camera that gives no
-  /// picture holds up whoever waits for it); null: nothing.
+  /// Stops showing images and returns what must be released, or null. Release it off the GUI thread: a camera
+  /// that gives no image blocks the thread that releases it.
   std::shared_ptr<capture::LivePreview> release();
   bool isLive() const { return is_live_ && preview_; }
   bool hasPictures() const { return preview_ != nullptr; }
   /// The newest pair, or null.
   std::shared_ptr<const cameras::StereoFrame> picture() const;
-  /// What comes in, or what to do: "no camera found: ..".
+  /// State of the cameras, or what to do: "no camera found: ..".
   QString words() const;
-  /// False: `words` asks for something to be done.
+  /// False if `words` asks the user to do something.
   bool isWell() const;
 
-  /// The newest live pair as the one with the dots, without them. Refused when no fresh picture is there.
+  /// Keeps the newest live pair as the one with dots, or without. Refused if there is no fresh image.
   void takeDots();
   void takePlain();
   bool hasDots() const { return dots_.has_value(); }
-  /// Both pairs, once taken within 20 s of each other.
+  /// Both pairs, if taken within 20 s of each other.
   std::optional<capture::CapturePair> capture() const;
   QString captureWords() const;
 
  signals:
   void changed();
-  /// Both cameras give pictures through openCameras.
+  /// Both cameras deliver images through openCameras.
   void opened();
   void captureTaken();
   void refused(const QString& words);

@@ -11,7 +11,7 @@ std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMo
       std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
   loaded->id = QString::fromStdString(store.caseId());
   loaded->label = QString::fromStdString(store.label());
-  loaded->shown_sha256 = casefile::seenFiles(store);  // before reading: a later change cannot be missed
+  loaded->shown_sha256 = casefile::seenFiles(store);  // before reading, so that no later change is missed
   monitor.report("opening the MRI", 0.1);
   loaded->mri = std::make_shared<volume::Volume>(store.mri());
   monitor.report("opening masks", 0.5);

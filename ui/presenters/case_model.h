@@ -14,22 +14,23 @@ namespace facenav::ui {
 
 struct LoadedCase {
   casefile::CaseStore store;
-  QString id, label;  // label: what people call it, or empty
+  QString id, label;  // label: empty if there is none
   std::shared_ptr<const volume::Volume> mri;
   std::shared_ptr<const volume::Mask> head_mask, brain_mask;  // brain may be null
-  std::shared_ptr<const volume::Mask> draft;  // a correction of the brain that is not saved, as it stands now
+  // Correction of the brain that is not saved, in its current state.
+  std::shared_ptr<const volume::Mask> draft;
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const surface::BrainModel> brain;  // may be null
   std::vector<std::string> findings;
   guidance::TreatmentPlan plan;
-  std::optional<atlas::AtlasMap> atlas;             // nothing: no MNI coordinates
-  std::map<std::string, std::string> shown_sha256;  // of the files that a sign-off vouches for, as loaded
+  std::optional<atlas::AtlasMap> atlas;             // absent: no MNI coordinates
+  std::map<std::string, std::string> shown_sha256;  // of the files that a sign-off covers, as loaded
   casefile::SignOffStatus sign_off;
 
-  /// What a person must judge: the correction under way, else the mask in force. May be null.
+  /// The mask to judge: the unsaved correction, else the mask in force. May be null.
   const std::shared_ptr<const volume::Mask>& shownBrain() const { return draft ? draft : brain_mask; }
 };
-/// A clinician's word that a case may be treated without a valid sign-off; recorded in the case.
+/// A clinician allows treatment without a valid sign-off; recorded in the case.
 struct Override {
   QString by, reason;
 };
@@ -37,7 +38,7 @@ struct Override {
 /// On a worker thread. Throws Error.
 std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMonitor& monitor);
 
-/// "20 Nov" from 20101120T134501Z, in local time; with the year when it is not this one's.
+/// "20 Nov" from 20101120T134501Z, in local time; with the year if it is not the current one.
 QString dayInWords(const std::string& utc);
 /// "checked 20 Nov by XY", "not signed off", "sign-off of XY void: brain_mask.nii.gz changed", "..: a
 /// correction of the brain is not saved".
@@ -50,23 +51,23 @@ class CaseModel : public QObject {
   using QObject::QObject;
 
   bool isOpen() const { return case_ != nullptr; }
-  /// Only while open.
+  /// Valid only while a case is open.
   const LoadedCase& current() const { return *case_; }
   void open(std::shared_ptr<LoadedCase> loaded);
-  /// Stores the plan in the case. Throws Error, and keeps the old plan, when it cannot be written.
+  /// Stores the plan in the case. Throws Error if it cannot be written, and keeps the old plan.
   void setPlan(const guidance::TreatmentPlan& plan);
-  /// Already stored.
+  /// The label is already stored.
   void setLabel(const QString& label);
   void setSignOff(const casefile::SignOffStatus& status);
-  /// A corrected brain, already stored; `shown`: hashes of the case's files now.
+  /// A corrected brain, already stored. `shown`: current hashes of the case's files.
   void setBrain(std::shared_ptr<const volume::Mask> mask, std::shared_ptr<const surface::BrainModel> brain,
                 const std::map<std::string, std::string>& shown, const casefile::SignOffStatus& status);
-  /// A correction of the brain that is not saved, or null. No sign-off holds beside it.
+  /// A correction of the brain that is not saved, or null. While there is one, no sign-off is valid.
   void setDraft(std::shared_ptr<const volume::Mask> draft);
-  /// Until the case is opened again. Already recorded in the case.
+  /// Valid until the case is opened again. Already recorded in the case.
   void setOverride(const Override& given);
   const std::optional<Override>& override() const { return override_; }
-  /// A valid sign-off, or an override.
+  /// True with a valid sign-off or an override.
   bool mayBeTreated() const { return isOpen() && (case_->sign_off.holds() || override_); }
 
  signals:
@@ -74,9 +75,9 @@ class CaseModel : public QObject {
   void planChanged();
   void labelChanged();
   void brainChanged();
-  /// An unsaved correction of the brain has begun or is gone.
+  /// An unsaved correction of the brain began or ended.
   void draftChanged();
-  /// Sign-off or override.
+  /// The sign-off or the override changed.
   void signOffChanged();
 
  private:

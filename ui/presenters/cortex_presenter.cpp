@@ -10,7 +10,7 @@ namespace {
 
 const char* const kPeel = "plan/peel_mm";
 const char* const kLook = "plan/look";
-constexpr int kBeside = 3;  // after the three looks
+constexpr int kBeside = 3;  // index after the three looks
 
 }  // namespace
 
@@ -26,7 +26,7 @@ CortexPresenter::CortexPresenter(CaseModel& model, QObject* parent) : QObject(pa
     failure_ = words;
     emit changed();
   });
-  connect(&runner_, &TaskRunner::cancelled, this, &CortexPresenter::make);  // another brain meanwhile
+  connect(&runner_, &TaskRunner::cancelled, this, &CortexPresenter::make);  // another brain was set meanwhile
 }
 
 bool CortexPresenter::isPossible() const {
@@ -67,7 +67,7 @@ void CortexPresenter::setPeel_mm(double peel_mm) {
   emit changed();
 }
 
-/// From the case, where prepare has left it there; else made anew.
+/// Takes the cortex from the case if it is stored there, else computes it.
 void CortexPresenter::make() {
   const bool is_wanted = look_ != scene::BrainLook::model && !cortex_ && failure_.isEmpty();
   if (!is_wanted || !isPossible() || runner_.isRunning()) return;
@@ -81,7 +81,7 @@ void CortexPresenter::make() {
                   auto made = std::make_shared<scene::CortexPicture>(
                       scene::makeCortexPicture(*mri, *mask, std::move(*cortex), monitor));
                   return [this, subject, made] {
-                    if (subject == subject_) cortex_ = made;  // else of a brain that is no longer shown
+                    if (subject == subject_) cortex_ = made;  // else it belongs to another brain
                     emit cortexChanged();
                     emit changed();
                     QMetaObject::invokeMethod(

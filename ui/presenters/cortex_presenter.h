@@ -1,7 +1,7 @@
 #pragma once
 // CortexPresenter: how the open case's brain is drawn in 3-D: phi-theta model, detailed cortex at a peel
-// depth, or the distance between the two. The cortex is made behind the window when it is first asked for,
-// and anew when the brain is corrected.
+// depth, or the distance between the two. The cortex is computed in the background when first needed, and
+// again when the brain is corrected.
 
 #include <QObject>
 #include <QSettings>
@@ -20,30 +20,30 @@ class CortexPresenter : public QObject {
   explicit CortexPresenter(CaseModel& model, QObject* parent = nullptr);
 
   scene::BrainLook look() const { return look_; }
-  /// Begins to make the cortex where the look needs it. Remembered.
+  /// Starts computing the cortex if the look needs it. Remembered.
   void setLook(scene::BrainLook look);
-  /// The distance map with the phi-theta model beside it.
+  /// Shows the distance map with the phi-theta model beside it.
   void setBesideModel();
   bool isBesideModel() const { return is_beside_model_; }
-  /// What was chosen last (QSettings).
+  /// Sets the last choice (QSettings).
   void restoreLook();
   double peel_mm() const { return peel_mm_; }
   /// 0..40 mm.
   void setPeel_mm(double peel_mm);
-  /// Null until it is made.
+  /// Null until it is computed.
   std::shared_ptr<const scene::CortexPicture> cortex() const { return cortex_; }
-  /// A brain that can be drawn in detail is there.
+  /// True if the case has a brain that can be drawn in detail.
   bool isPossible() const;
   bool isMaking() const { return runner_.isRunning(); }
-  /// "making the cortex 40 %", "median 0.1 mm, 95 % within 3.2 mm", a failure; empty: nothing to say.
+  /// "making the cortex 40 %", "median 0.1 mm, 95 % within 3.2 mm", a failure, or empty.
   QString words() const;
-  /// End of the colour map's scale.
+  /// Upper end of the colour map's scale.
   double scale_mm() const { return cortex_ ? cortex_->full_mm : 0.0; }
 
  signals:
-  /// Look, depth or words.
+  /// Look, depth or words changed.
   void changed();
-  /// Another cortex, or none.
+  /// There is another cortex, or none.
   void cortexChanged();
 
  private:
@@ -52,7 +52,7 @@ class CortexPresenter : public QObject {
   void make();
 
   CaseModel& model_;
-  QSettings settings_;  // one that lives: each that dies writes the file, which a slider would feel
+  QSettings settings_;  // a member: each destructor writes the file, which would slow a slider
   TaskRunner runner_;
   std::shared_ptr<const scene::CortexPicture> cortex_;
   scene::BrainLook look_ = scene::BrainLook::model;

@@ -40,11 +40,11 @@ EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* paren
 
 EditPresenter::~EditPresenter() { keepDraft(); }
 
-/// Before the window or the case is closed: what the autosave has not written yet.
+/// Writes what the autosave has not written yet. Called before the window or the case closes.
 void EditPresenter::keepDraft() {
   try {
     if (editor_ && autosave_ && editor_->revision() != saved_revision_) autosave_->saveNow(*editor_);
-  } catch (const std::exception& error) {  // the last autosave stands
+  } catch (const std::exception& error) {  // the last autosave remains
     logWarning(std::string("the corrected brain's draft was not kept: ") + error.what());
   }
 }
@@ -88,7 +88,7 @@ void EditPresenter::open() {
   emit maskChanged(false);
 }
 
-/// The case is not as it was signed off while a correction is not saved.
+/// Passes the unsaved correction to the model: a sign-off does not hold beside it.
 void EditPresenter::tellDraft() {
   if (editor_ && model_.isOpen()) model_.setDraft(hasUnsaved() ? mask() : nullptr);
 }
@@ -188,7 +188,7 @@ void EditPresenter::release(const volume::SlicePlane& plane) {
   });
 }
 
-/// Slices drawn on by hand in one orientation: what interpolation goes between.
+/// Remembers the slices drawn on by hand in one orientation; interpolation runs between them.
 void EditPresenter::noteSlice(const volume::SlicePlane& plane) {
   const auto& grid = editor_->mask().grid;
   const int axis = volume::sliceAxis(grid, normalOf(plane));
@@ -214,7 +214,8 @@ void EditPresenter::cut(const editing::ScalpelView& view, const editing::Outline
   guarded([&] { finish(tr("scalpel"), editing::cut(editor_->mask(), view, outline, cut_depth_mm_)); });
 }
 
-/// The 3-D view shows the mask as it was: its model is made anew, behind the window, when the edits rest.
+/// Updates the 3-D view: computes the brain's model of the current mask in the background, after a pause in
+/// editing.
 void EditPresenter::follow() {
   if (!editor_ || editor_->revision() == followed_revision_) return;
   if (follower_.isRunning()) return follow_timer_.start();
@@ -278,7 +279,7 @@ bool EditPresenter::hasUnsaved() const {
 void EditPresenter::autosave() {
   if (!editor_ || editor_->revision() == saved_revision_ || tasks_.isRunning()) return;
   guarded([&] {
-    if (!autosave_) autosave_ = makeAutosave();  // after a save
+    if (!autosave_) autosave_ = makeAutosave();  // it was reset by save()
     autosave_->tick(*editor_, Timestamp::now().s);
   });
 }
@@ -286,7 +287,7 @@ void EditPresenter::autosave() {
 void EditPresenter::save() {
   if (!hasUnsaved() || tasks_.isRunning()) return;
   editor_->endStroke();
-  autosave_.reset();  // waits for a draft under way: it must not come after the mask
+  autosave_.reset();  // waits for a draft being written, which must not land after the mask
   const auto revision = editor_->revision();
   tasks_.start(tr("Saving the corrected brain"),
                [this, revision, mask = editor_->mask(), mri = model_.current().mri,

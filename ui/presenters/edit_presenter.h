@@ -1,6 +1,6 @@
 #pragma once
-// EditPresenter: correcting the brain's mask by hand: the tools' state, the strokes that a slice view hands
-// over, undo, autosave of a draft, and saving (which voids a sign-off). The geometry is in module editing.
+// EditPresenter: correction of the brain mask by hand: state of the tools, strokes from a slice view, undo,
+// autosave of a draft, and saving (which voids a sign-off). The geometry is in module editing.
 
 #include <QObject>
 #include <QTimer>
@@ -25,37 +25,37 @@ class EditPresenter : public QObject, public SliceTool {
   EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
   ~EditPresenter() override;
 
-  /// A case is open that has a brain mask, or a grid for one.
+  /// True if an open case has a brain mask, or a grid for one.
   bool canEdit() const { return editor_ != nullptr; }
   EditTool tool() const { return tool_; }
   void setTool(EditTool tool);
   double radius_mm() const { return radius_mm_; }
   void setRadius_mm(double radius_mm);
-  /// Ball, else a disc in the slice shown.
+  /// True: a ball. False: a disc in the shown slice.
   void setBall(bool is_ball);
 
   double cutDepth_mm() const { return cut_depth_mm_; }
-  /// Of the scalpel, below what is seen.
+  /// Depth of the scalpel's cut below the visible surface.
   void setCutDepth_mm(double depth_mm);
-  /// Cuts what lies behind a line drawn on the 3-D view.
+  /// Removes what lies behind a line drawn on the 3-D view.
   void cut(const editing::ScalpelView& view, const editing::Outline& outline);
   void smooth();
   void fillHoles();
-  /// Between the slices drawn on in the orientation drawn on last.
+  /// Interpolates between the slices drawn on, in the orientation used last.
   void interpolate();
   void resetToAutomatic();
   void undo();
   void redo();
   bool canUndo() const { return editor_ && editor_->canUndo(); }
   bool canRedo() const { return editor_ && editor_->canRedo(); }
-  /// Differs from the case's own mask, or a draft is not saved.
+  /// True if the mask differs from the case's, or a draft is not saved.
   bool hasUnsaved() const;
-  /// Into the case, with the brain's model made anew; on a worker.
+  /// Saves into the case and models the brain again, on a worker thread.
   void save();
-  /// Throws the draft away: the case's own mask again.
+  /// Discards the draft and returns to the case's own mask.
   void discard();
 
-  /// Follow the mask under correction; null while there is none.
+  /// The mask being corrected; null if there is none.
   std::shared_ptr<const volume::Mask> mask() const;
   std::shared_ptr<const volume::Mask> automatic() const;
   /// "brush 5.0 mm   brain 1 412 ml   +120 -40 voxels": for the panel.
@@ -73,11 +73,11 @@ class EditPresenter : public QObject, public SliceTool {
   void resize(int steps) override;
 
  signals:
-  /// Tool, size, history, saved or not.
+  /// Tool, size, history or saved state changed.
   void changed();
-  /// The mask's voxels; `is_stroke`: more will follow at once.
+  /// The mask's voxels changed. `is_stroke`: more changes follow at once.
   void maskChanged(bool is_stroke);
-  /// The brain's model as the mask stands now, for the 3-D view; a second or two after an edit.
+  /// The brain's model of the current mask, for the 3-D view; a second or two after an edit.
   void brainFollowed(const std::shared_ptr<const surface::BrainModel>& brain);
   void refused(const QString& words);
 

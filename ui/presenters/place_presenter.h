@@ -12,8 +12,8 @@ namespace facenav::ui {
 
 struct Place {
   Point<Mri> ras;
-  std::optional<Point<Mni>> mni;  // nothing: the case has no atlas
-  QString aal, brodmann;          // empty: no label near by
+  std::optional<Point<Mni>> mni;  // absent: the case has no atlas
+  QString aal, brodmann;          // empty: no label nearby
 };
 
 class PlacePresenter : public QObject {
@@ -25,9 +25,9 @@ class PlacePresenter : public QObject {
   Place at(const Point<Mri>& ras) const;
   /// "RAS  -37.2  -21.0  58.1" / "MNI  -38  -22  56" / "Precentral_L, BA 4 (2 mm away)".
   QString describe(const Point<Mri>& ras) const;
-  /// "-37 -21 58", "RAS -37,-21,58", "MNI -38 -22 56", as readCoordinates reads them; `is_mni` where neither
-  /// word is typed. Nothing, with `words` saying why, where it cannot be read, the case has no atlas or the
-  /// place lies more than surface::kFarthestOutside_mm outside the head.
+  /// Reads "-37 -21 58", "RAS -37,-21,58", "MNI -38 -22 56" (see readCoordinates). `is_mni` applies if
+  /// neither word is typed. Returns nothing, with the reason in `words`, if it cannot be read, the case has
+  /// no atlas, or the place lies more than surface::kFarthestOutside_mm outside the head.
   std::optional<Point<Mri>> read(const QString& typed, bool is_mni, QString& words) const;
   bool hasAtlas() const { return model_.isOpen() && model_.current().atlas; }
 

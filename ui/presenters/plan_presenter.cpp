@@ -9,7 +9,7 @@
 namespace facenav::ui {
 namespace {
 
-/// The refusal in the window's language; other errors in their own words.
+/// The refusal in the window's language; other errors keep their own words.
 QString wordsOf(const workflow::PlanRefused& refused, const QString& name) {
   switch (refused.refusal()) {
     case workflow::PlanRefusal::outside_head:
@@ -29,7 +29,7 @@ QString signedDegrees(double degrees) {
 }
 
 QString gapWords(const guidance::Target& target) {
-  return QString::number(std::max(0.0, guidance::hairGap_mm(target)), 'f', 1);  // no "-0.0"
+  return QString::number(std::max(0.0, guidance::hairGap_mm(target)), 'f', 1);  // never "-0.0"
 }
 
 }  // namespace
@@ -73,9 +73,8 @@ void PlanPresenter::attempt(Edit edit, const QString& name) {
     emit changed();
   } catch (const workflow::PlanRefused& refusal) {
     emit refused(wordsOf(refusal, name));
-    if (refusal.refusal() == workflow::PlanRefusal::name_taken)
-      emit changed();                      // the old name is shown again
-  } catch (const std::exception& error) {  // the file system's own errors too
+    if (refusal.refusal() == workflow::PlanRefusal::name_taken) emit changed();  // shows the old name again
+  } catch (const std::exception& error) {  // includes errors of the file system
     emit refused(QString::fromUtf8(error.what()));
   }
 }
@@ -154,7 +153,7 @@ double PlanPresenter::handleAngle_deg(const guidance::Target& target) const {
 QString PlanPresenter::handleFigure() const {
   if (!active()) return {};
   const double tenths = std::round(10.0 * handleAngle_deg(*active()));
-  return (tenths > 0 ? "+" : "") + QString::number(tenths / 10.0 + 0.0);  // no "-0"
+  return (tenths > 0 ? "+" : "") + QString::number(tenths / 10.0 + 0.0);  // never "-0"
 }
 
 QString PlanPresenter::gapFigure() const { return active() ? gapWords(*active()) : QString(); }

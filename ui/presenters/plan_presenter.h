@@ -1,6 +1,6 @@
 #pragma once
-// PlanPresenter: binds the window to workflow/plan_editor.h: targets on the cortex, made by a click, turned,
-// renamed, removed; every step can be undone and is saved in the case at once.
+// PlanPresenter: binds the window to workflow/plan_editor.h. It adds targets on the cortex by a click, and
+// turns, renames and removes them. Every step can be undone and is saved in the case at once.
 
 #include <QObject>
 
@@ -15,27 +15,26 @@ class PlanPresenter : public QObject {
  public:
   explicit PlanPresenter(CaseModel& model, QObject* parent = nullptr);
 
-  /// A new target under the scalp at a point of the cortex, the handle at 45 degrees; it becomes the active
-  /// one. Refused for a point outside the head.
+  /// Adds a target at a point of the cortex, under the scalp, with the handle at 45 degrees. It becomes the
+  /// active one. Refused for a point outside the head.
   void addTarget(const Point<Mri>& cortex_point);
-  /// A click on the scalp means the brain surface nearest below it.
+  /// A click on the scalp: the target is at the nearest brain surface below.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
-  /// At the point itself where it lies in the brain, else at the place of the cortex nearest to it. Refused
-  /// where the point lies more than surface::kFarthestOutside_mm outside the head.
+  /// Adds a target at the point itself if it lies in the brain, else at the nearest point of the cortex.
+  /// Refused if the point lies more than surface::kFarthestOutside_mm outside the head.
   void addTargetNear(const Point<Mri>& point);
   void removeActive();
   void renameActive(const QString& name);
-  /// Turns the handle; > 0 as seen along the coil's z, clockwise.
+  /// Turns the handle; > 0 is clockwise when seen along the coil's z.
   void turnActive(double degrees);
-  /// The active target's handle angle (as handleAngle_deg) and gap, as typed: "+45", "-12,5°", "4 mm". What
-  /// is no number, or lies outside guidance's ranges, is refused in one line.
+  /// Sets the active target's handle angle (as handleAngle_deg) or gap from typed text: "+45", "-12,5°", "4
+  /// mm". Refused, in one line, if it is no number or outside guidance's ranges.
   void setHandle(const QString& typed);
   void setGap(const QString& typed);
-  /// Moves the active target along the scalp (Coil x and y, mm); its handle keeps its direction, the coil its
-  /// gap.
+  /// Moves the active target along the scalp (Coil x and y, mm). The handle's direction and the gap stay.
   void nudgeActive(double x_mm, double y_mm);
-  /// The target that the step had changed becomes the active one. Where the case cannot be written nothing
-  /// changes, refused() says why, and the step can be tried again.
+  /// The target of the undone step becomes the active one. If the case cannot be written nothing changes,
+  /// refused() says why, and the step can be tried again.
   void undo();
   void redo();
 
@@ -45,15 +44,15 @@ class PlanPresenter : public QObject {
   void setActive(const QString& name);
   QString activeName() const { return QString::fromStdString(editor_.activeName()); }
   const guidance::Target* active() const;
-  /// "+45" (or "+43.7") and "4.0", as the fields show them; empty without an active target.
+  /// "+45" (or "+43.7") and "4.0", as shown in the fields; empty without an active target.
   QString handleFigure() const;
   QString gapFigure() const;
-  /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. Only while a case is open, as
-  /// are those below.
+  /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. This and the functions below
+  /// are valid only while a case is open.
   double handleAngle_deg(const guidance::Target& target) const;
   /// "handle +45° from anterior (+ to the midline)".
   QString handleWords(const guidance::Target& target) const;
-  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", and the handle; one line each.
+  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", and the handle; one per line.
   QString describe(const guidance::Target& target) const;
 
  signals:
@@ -62,7 +61,8 @@ class PlanPresenter : public QObject {
 
  private:
   workflow::PlannedCase planned();
-  /// changed(), or refused() with the reason; `name`: what the edit was to be called.
+  /// Runs the edit, then emits changed(), or refused() with the reason. `name`: the wanted name of the
+  /// target.
   template <class Edit>
   void attempt(Edit edit, const QString& name = {});
   void replaceActive(const guidance::Target& target);

@@ -88,7 +88,7 @@ void PreparePresenter::makeLines() {
 int PreparePresenter::recommendedLine() const {
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_recommended) return int(i);
-  if (has_several_patients_) return -1;  // whose head, only a person can say
+  if (has_several_patients_) return -1;  // only a person can say which patient is meant
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_usable) return int(i);
   return -1;

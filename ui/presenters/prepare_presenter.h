@@ -1,5 +1,6 @@
 #pragma once
-// PreparePresenter: a folder's series, to choose by hand which one is queued; opening a case; its findings.
+// PreparePresenter: lists a folder's series, of which one is chosen by hand and queued; opens a case; shows
+// its findings.
 
 #include <QObject>
 
@@ -11,7 +12,7 @@ namespace facenav::ui {
 /// One line of the series list, in words.
 struct SeriesLine {
   QString title, detail;
-  QString patient;  // "patient 2" where they are of several, the name where it is asked for; else empty
+  QString patient;  // "patient 2" if there are several; the name if it is to be shown; else empty
   bool is_usable = false, is_recommended = false;
   std::optional<dicom::Thumbnail> thumbnail;
 };
@@ -30,14 +31,14 @@ class PreparePresenter : public QObject {
 
   /// DICOM folder: lists its series. NIfTI file: one line.
   void openInput(const QString& path);
-  /// Puts the chosen line into the queue.
+  /// Queues the chosen line.
   void prepare(int line);
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
-  /// The line to choose first; -1: none can be used, or which patient is meant must be said.
+  /// The line to choose first; -1: none is usable, or a person must say which patient is meant.
   int recommendedLine() const;
-  /// Names are hidden until somebody asks for them.
+  /// Names are hidden until the user asks for them.
   void setPatientsShown(bool are_shown);
   QString input() const { return input_; }
   std::vector<FindingLine> findings() const;
@@ -46,7 +47,7 @@ class PreparePresenter : public QObject {
   void linesChanged();
 
  private:
-  /// A series as it is listed.
+  /// A listed series.
   struct Listed {
     dicom::SeriesInfo info;
     std::optional<dicom::Thumbnail> thumbnail;

@@ -20,7 +20,7 @@ namespace facenav::ui {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kBackground = 10;  // niceness; threads made by the work inherit it
+constexpr int kBackground = 10;  // niceness; the work's own threads inherit it
 const char* const kStored = "queue/inputs";
 const char* const kPatientLabel = "queue/patient_label";
 const char* const kLastDuration = "queue/last_duration_ms";
@@ -34,7 +34,7 @@ QString seriesTitle(const dicom::SeriesInfo& series) {
   return words.isEmpty() ? PrepareQueue::tr("(no description)") : words;
 }
 
-/// Whole or not at all: made under a hidden name, then renamed to its own random id.
+/// Whole or not at all: made under a hidden name, then renamed to its random id.
 fs::path makeCase(const Services& services, const fs::path& cases, PrepareOrder order, TaskMonitor& monitor) {
   fs::create_directories(cases);
   order.case_folder = cases / (".new-" + QUuid::createUuid().toString(QUuid::Id128).toStdString());
@@ -59,7 +59,8 @@ QString inputOf(const QString& dropped_path) {
   const QFileInfo info(dropped_path);
   if (!info.isFile()) return info.absoluteFilePath();
   const QString header = info.absolutePath() + "/" + info.completeBaseName() + ".hdr";
-  if (info.suffix().toLower() == "img" && QFileInfo::exists(header)) return header;  // a pair is one volume
+  // .hdr and .img are one volume
+  if (info.suffix().toLower() == "img" && QFileInfo::exists(header)) return header;
   return isNifti(dropped_path) ? info.absoluteFilePath() : info.absolutePath();
 }
 
@@ -106,7 +107,7 @@ int PrepareQueue::add(const QString& input, const std::optional<std::string>& se
     const bool is_pending = known.state == JobState::queued || known.state == JobState::preparing;
     if (known.input != input) continue;
     if (is_pending && known.series_uid == series_uid) return known.id;
-    if (!is_pending) {  // chosen by hand now, or tried again
+    if (!is_pending) {  // chosen by hand this time, or tried again
       known.series_uid = series_uid;
       retry(known.id);
       return known.id;
@@ -116,7 +117,7 @@ int PrepareQueue::add(const QString& input, const std::optional<std::string>& se
   job.id = ++last_id_;
   job.input = input;
   job.series_uid = series_uid;
-  // A folder's own name may be a patient's: it is shown nowhere.
+  // A folder's name may be a patient's, so it is never shown.
   job.title = (isNifti(input) ? tr("volume %1, %2") : tr("folder %1, %2"))
                   .arg(job.id)
                   .arg(QTime::currentTime().toString("hh:mm"));
@@ -156,7 +157,7 @@ void PrepareQueue::remove(int id) {
   emit changed();
 }
 
-/// DICOM files name the patient: they do not stay longer than they are needed.
+/// DICOM files name the patient, so they are removed as soon as possible.
 void PrepareQueue::forgetReceived(const QString& input) {
   if (QFileInfo(input).absolutePath() == receivedFolder()) QDir(input).removeRecursively();
 }
@@ -185,7 +186,8 @@ void PrepareQueue::begin() {
   const bool is_volume = isNifti(next->input);
   tasks_.start(tr("Preparing"),
                [this, order, cases, is_volume, id = running_](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 ::setpriority(PRIO_PROCESS, 0, kBackground);  // of this thread: a treatment must not feel it
+                 // Of this thread, so that a treatment is not slowed down.
+                 ::setpriority(PRIO_PROCESS, 0, kBackground);
                  auto chosen = order;
                  if (!is_volume && !chosen.series_uid) {
                    const auto series = services_.listSeries(order.input, monitor);
@@ -240,7 +242,7 @@ void PrepareQueue::store() const {
 
 void PrepareQueue::restore() {
   only_window_ = std::make_unique<QLockFile>(receivedFolder() + "/../window.lock");
-  only_window_->setStaleLockTime(0);  // only the holder's death ends it
+  only_window_->setStaleLockTime(0);  // only the end of the process that holds it frees the lock
   if (!only_window_->tryLock(0)) return;
   for (const QString& line : QSettings().value(kStored).toStringList()) {
     const QString input = line.section('\n', 0, 0);

@@ -1,7 +1,7 @@
 #pragma once
-// PrepareQueue: dropped folders and NIfTI files on their way to becoming cases: scanned, the recommended
-// series prepared, one at a time, behind the rest of the window and at low priority. What cannot be done
-// stays in the list with its one line and can be tried again; what waits is taken up again after a restart.
+// PrepareQueue: dropped folders and NIfTI files that are to become cases. Each is scanned and its recommended
+// series prepared, one at a time, in the background and at low priority. A failed job stays in the list with
+// one line of explanation and can be tried again. Waiting jobs continue after a restart.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -20,13 +20,13 @@ enum class JobState { queued, preparing, needs_choice, failed, cancelled };
 struct PrepareJob {
   int id = 0;
   QString input;                          // folder or file
-  std::optional<std::string> series_uid;  // nothing: the recommended one
+  std::optional<std::string> series_uid;  // absent: the recommended one
   JobState state = JobState::queued;
-  QString title;  // the series' description once scanned; before, its number and when it was queued
-  QString step;   // what is done now, in words
+  QString title;  // the series' description once scanned; before that, the job's number and time
+  QString step;   // current step, in words
   double fraction = 0.0;
   QString failure;
-  int patients = 0;  // whose images were found, where a choice is needed
+  int patients = 0;  // number of patients found, if a choice is needed
 };
 
 class PrepareQueue : public QObject {
@@ -34,41 +34,42 @@ class PrepareQueue : public QObject {
 
  public:
   explicit PrepareQueue(const Services& services, QObject* parent = nullptr);
-  /// Cancels what runs; it is taken up again at the next start.
+  /// Cancels the running job; it starts again with the next program start.
   ~PrepareQueue() override;
 
-  /// Where cases are made; nothing is begun before this is known.
+  /// Where cases are made. No job starts before this is set.
   void setCasesFolder(const QString& folder);
-  /// Returns the job's id; an input that waits or runs already with the same series is not queued twice.
+  /// Returns the job's id. An input that waits or runs with the same series is not queued twice.
   int add(const QString& input, const std::optional<std::string>& series_uid = std::nullopt);
   void cancel(int id);
   void retry(int id);
-  /// Takes a job that does not run out of the list.
+  /// Removes a job that is not running.
   void remove(int id);
-  /// New cases are labelled with the patient's name (remembered; off at first).
+  /// Label new cases with the patient's name (remembered; off at first).
   bool labelsByPatient() const;
   void setLabelsByPatient(bool is_labelled);
-  /// True: nothing new is begun (a treatment runs); the running one goes on.
+  /// True: no job starts (a treatment runs); a running job continues.
   void setHeld(bool is_held);
-  /// Queues what was unfinished when the program ended; removes what was fetched for jobs that are no more.
-  /// Nothing of this beside another window of this user: it is that one's.
+  /// Queues the jobs that were unfinished when the program ended, and removes fetched files of jobs that no
+  /// longer exist. Does nothing while another window of this user is open, since they may be that window's
+  /// jobs.
   void restore();
 
   const std::deque<PrepareJob>& jobs() const { return jobs_; }
   const PrepareJob* job(int id) const;
   bool isRunning() const { return tasks_.isRunning(); }
-  /// "22 s, about 14 s left"; empty while nothing runs.
+  /// "22 s, about 14 s left"; empty if no job runs.
   QString timeWords() const;
-  /// "preparing 1, 2 waiting"; empty when there is nothing to do.
+  /// "preparing 1, 2 waiting"; empty if there is no job.
   QString summary() const;
 
  signals:
-  /// A job came, went or changed its state.
+  /// A job was added, removed or changed its state.
   void changed();
-  /// Step, fraction or time of the running job.
+  /// Step, fraction or time of the running job changed.
   void progressed();
   void prepared(const QString& case_folder, const QString& case_id);
-  /// No series of this input is recommended, or it is of several patients: one must be chosen by hand.
+  /// The user must choose: no series of this input is recommended, or it has several patients.
   void choiceNeeded(int id);
 
  private:
@@ -88,15 +89,17 @@ class PrepareQueue : public QObject {
   bool is_held_ = false;
 };
 
-/// Private to the user: what came from the archive, one folder a series; removed when its job is.
+/// Folder for files fetched from the archive, private to the user. One subfolder a series, removed with its
+/// job.
 QString receivedFolder();
-/// NIfTI by its name.
+/// True if the file name is that of a NIfTI file.
 bool isNifti(const QString& path);
-/// The folder of a DICOM file; a folder or a NIfTI file as it is, of a pair the .hdr.
+/// The input for a dropped path: the folder of a DICOM file; a folder or NIfTI file itself; the .hdr of a
+/// pair.
 QString inputOf(const QString& dropped_path);
-/// Why somebody must choose: "images of 2 patients", "no series is recommended".
+/// Why the user must choose: "images of 2 patients", "no series is recommended".
 QString choiceWords(const PrepareJob& job);
-/// The series that an unattended preparation takes, or null: one must be chosen.
+/// The series to prepare without asking, or null if one must be chosen.
 const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& series);
 
 }  // namespace facenav::ui

@@ -6,7 +6,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kApart_ms = 3.0;  // worth a word: 0.3 mm of a head at 100 mm/s
+constexpr double kApart_ms = 3.0;  // shown from here on: 0.3 mm for a head that moves at 100 mm/s
 
 QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
 
@@ -18,7 +18,7 @@ Chip chip(const QString& name, const Tracked<T>& tracked, const std::string& los
           tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
 }
 
-/// One decimal; from 100 mm on none, so that the figure is as wide as its place at most.
+/// One decimal below 100 mm, none above, so that the figure never needs more width.
 QString millimetres(double value_mm) {
   return QString::number(value_mm, 'f', std::abs(value_mm) < 99.95 ? 1 : 0);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// ReadOut: a NavigationState in the words and figures that the Treat workspace shows. Lost: every figure is
+// ReadOut: a NavigationState as the words and figures of the Treat workspace. When lost, every figure is
 // blank.
 
 #include <QString>

@@ -14,7 +14,7 @@ void Retirement::add(std::function<void()> end, std::chrono::milliseconds patien
   ends_.push_back(std::async(std::launch::async, [end = std::move(end)] {
     try {
       end();
-    } catch (const std::exception& error) {  // on a thread that has nobody to tell
+    } catch (const std::exception& error) {  // no caller to report to
       logWarning(std::string("a session or camera did not end well: ") + error.what());
     }
   }));

@@ -1,6 +1,6 @@
 #pragma once
-// Retirement: where cameras and sessions go to end. A camera that hangs ends late or never, and the window
-// must not wait for it; one that is well ends within a picture, and may be opened again right after.
+// Retirement: ends cameras and sessions on threads of their own. A camera that hangs ends late or never, and
+// the window must not wait for it. A good one ends within one frame, and may be opened again right after.
 
 #include <chrono>
 #include <functional>
@@ -11,11 +11,11 @@ namespace facenav::ui {
 
 class Retirement {
  public:
-  /// Runs `end` on a thread of its own and waits for it, but no longer than `patience`.
+  /// Runs `end` on its own thread and waits for it at most `patience`.
   void add(std::function<void()> end, std::chrono::milliseconds patience);
 
  private:
-  std::vector<std::future<void>> ends_;  // waited for when this goes
+  std::vector<std::future<void>> ends_;  // the destructor waits for these
 };
 
 }  // namespace facenav::ui

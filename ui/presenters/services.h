@@ -1,7 +1,7 @@
 #pragma once
-// Services: the steps that the window has done on worker threads, bound to the modules that the command
-// line's verbs call too. The program hands in the methods (workflow/registrations.h); a test puts stand-ins
-// in place of single functions. They throw Error.
+// Services: the steps that the window runs on worker threads, bound to the modules that the command line
+// calls too. The program hands in the methods (workflow/registrations.h); a test replaces single functions.
+// They throw Error.
 
 #include <QString>
 #include <filesystem>
@@ -32,36 +32,36 @@ struct PrepareOrder {
 
 struct Services {
   std::function<std::vector<dicom::SeriesInfo>(const std::filesystem::path&, TaskMonitor&)> listSeries;
-  /// A small picture of a series; nothing where it holds none.
+  /// A small picture of a series; nothing if the series has no image.
   std::function<std::optional<dicom::Thumbnail>(const dicom::SeriesInfo&)> makeThumbnail;
-  /// Whose a series is, in words: "Family, Given, born 1970-01-31, F, ID 4711".
+  /// The patient of a series, in words: "Family, Given, born 1970-01-31, F, ID 4711".
   std::function<std::string(const dicom::SeriesInfo&)> whoseSeries;
-  // The hospital's archive: is it there, which series, fetch one into an empty folder.
+  // The hospital's archive: test the connection, list series, fetch one into an empty folder.
   std::function<void(const pacs::PacsNode&)> callArchive;
   std::function<std::vector<pacs::PacsSeries>(const pacs::PacsNode&, const pacs::PacsQuery&, TaskMonitor&)>
       findInArchive;
   std::function<pacs::Received(const pacs::PacsNode&, const pacs::PacsSeries&,
                                const std::filesystem::path& folder, pacs::Retrieval, TaskMonitor&)>
       fetchFromArchive;
-  /// Makes the case folder; replaces the model of a case that exists.
+  /// Makes the case folder, or replaces the model of an existing case.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
-  /// Aligns from a recording's capture pair, or the one stored with the case, and stores the result in the
+  /// Aligns from a recording's capture pair, or from the one stored with the case. Stores the result in the
   /// case.
   std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                            TaskMonitor&)>
       align;
-  /// Cameras that are plugged in; quick.
+  /// Connected cameras; fast.
   std::function<std::vector<capture::CameraDevice>()> listCameras;
-  /// A live pair, by index; it releases both cameras when destroyed.
+  /// A live pair, by index. Its destructor releases both cameras.
   std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, int left, int right)>
       openCameras;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
-  /// The labelled atlas; throws Error where it is not installed.
+  /// The labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;
 };
 
-/// Everything as the programs do it. `makeMethods` is called for each task: methods are not shared between
-/// threads.
+/// All services as the programs use them. `makeMethods` is called for each task, because threads must not
+/// share methods.
 Services servicesWith(std::function<workflow::Registrations()> makeMethods);
 
 }  // namespace facenav::ui

@@ -24,7 +24,7 @@ SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject*
     emit changed();
   };
   connect(&model_, &CaseModel::opened, this, beginAnew);
-  connect(&model_, &CaseModel::brainChanged, this, beginAnew);  // what was ticked was another outline
+  connect(&model_, &CaseModel::brainChanged, this, beginAnew);  // the ticks belonged to other outlines
   connect(&model_, &CaseModel::draftChanged, this, beginAnew);
   connect(&model_, &CaseModel::signOffChanged, this, &SignOffPresenter::changed);
 }

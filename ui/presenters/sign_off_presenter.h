@@ -1,7 +1,6 @@
 #pragma once
-// SignOffPresenter: the page on which a named person takes the open case's model as seen: volumes against the
-// normal range, every finding with its own tick, name and note. Nothing can be signed with a tick missing,
-// and only what was shown is signed.
+// SignOffPresenter: the page on which a named person signs off the open case's model: volumes with the normal
+// range, a tick for every finding, name and note. Signing needs every tick, and covers only what was shown.
 
 #include <QObject>
 
@@ -21,16 +20,16 @@ class SignOffPresenter : public QObject {
  public:
   SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr);
 
-  /// What must be ticked: the outlines on the montage, then each finding, word for word.
+  /// Items to tick: the outlines on the montage, then each finding verbatim.
   const QStringList& items() const { return items_; }
   void setSeen(int item, bool is_seen);
   QString name() const { return name_; }
-  /// Name or initials; remembered for the next case.
+  /// Name or initials; remembered.
   void setName(const QString& name);
   void setNote(const QString& note) { note_ = note; }
   std::vector<VolumeLine> volumes() const;
   bool canSign() const;
-  /// Why it cannot be signed yet, in words; empty when it can.
+  /// Why it cannot be signed yet, in words; empty if it can.
   QString whatIsMissing() const;
   void sign();
   /// "checked 20 Nov by XY", "not signed off", "void: brain_mask.nii.gz changed since XY checked it".

@@ -21,7 +21,7 @@ bool TaskRunner::start(const QString& title, Work work) {
   auto last_report_s = std::make_shared<std::atomic<double>>(0.0);
   monitor_ = std::make_shared<TaskMonitor>([this, last_report_s](const std::string& step, double fraction) {
     const double now_s = Timestamp::now().s;
-    if (now_s - *last_report_s < 0.05 && fraction < 1.0) return;  // 20 Hz is enough for the eye
+    if (now_s - *last_report_s < 0.05 && fraction < 1.0) return;  // 20 Hz is fast enough to look smooth
     *last_report_s = now_s;
     const QString words = QString::fromStdString(step);
     QMetaObject::invokeMethod(

@@ -1,6 +1,6 @@
 #pragma once
-// TaskRunner: runs one long task at a time on a worker thread, with progress and cancel, and hands its result
-// back on the GUI thread. One of the three places that catch Error.
+// TaskRunner: runs one long task at a time on a worker thread, with progress and cancel, and delivers its
+// result on the GUI thread. One of the few places that catch Error.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -17,7 +17,7 @@ class TaskRunner : public QObject {
   Q_OBJECT
 
  public:
-  /// What to do with the result, on the GUI thread.
+  /// Uses the result, on the GUI thread.
   using Delivery = std::function<void()>;
   /// The work, on the worker thread; throws Error or Cancelled.
   using Work = std::function<Delivery(TaskMonitor&)>;
@@ -26,7 +26,7 @@ class TaskRunner : public QObject {
   /// Cancels and waits.
   ~TaskRunner() override;
 
-  /// False, and nothing done, while another task runs.
+  /// Returns false and does nothing while another task runs.
   bool start(const QString& title, Work work);
   void cancel();
   bool isRunning() const { return is_running_; }

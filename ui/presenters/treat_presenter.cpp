@@ -10,16 +10,16 @@
 namespace facenav::ui {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(1000);  // with a session that ends
+constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
 
-/// The files may have changed on the disk since the case was opened: asked again, right before use.
+/// Checks again right before use, because files may have changed on the disk since the case was opened.
 void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
   if (is_overridden || casefile::signOffStatus(store).holds()) return;
   throw Error("the case is not signed off", signOffWords(casefile::signOffStatus(store)).toStdString(),
               "have it checked (Prepare, step 4)");
 }
 
-/// What earlier sessions learnt of the face. A damaged file costs no session.
+/// Key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without them.
 std::vector<casefile::KeptLook> knownLooks(const std::filesystem::path& case_folder) {
   try {
     return casefile::readFaceLooks(case_folder);
@@ -32,7 +32,7 @@ std::vector<casefile::KeptLook> knownLooks(const std::filesystem::path& case_fol
 void keepLooks(const session::Session& session, const std::filesystem::path& case_folder) {
   try {
     casefile::addFaceLooks(case_folder, session.learntLooks());
-  } catch (const std::exception& error) {  // on a thread that has nobody to tell
+  } catch (const std::exception& error) {  // no caller to report to
     logWarning(std::string("the looks of the face were not kept: ") + error.what());
   }
 }
@@ -96,12 +96,12 @@ void TreatPresenter::openRecording(const QString& folder) {
       coil_ = *coil;
       outcome_.reset();
       emit changed();
-      cameras_.show(*recording);  // last: it is refused where the folder has gone in the meantime
+      cameras_.show(*recording);  // last, because it throws if the folder has vanished meanwhile
     };
   });
 }
 
-/// What they were aligned to and with no longer counts.
+/// The old alignment is no longer valid.
 void TreatPresenter::useCameras() {
   stop();
   recording_ = capture::Recording{};
@@ -117,7 +117,7 @@ bool TreatPresenter::canAlign() const {
 }
 
 void TreatPresenter::align(bool then_start) {
-  if (!canAlign()) {  // never the capture of another day: live cameras need pictures of now
+  if (!canAlign()) {  // live cameras need current images, never an old capture
     if (is_live_ && mayTreat()) emit refused(tr("take the two pictures first (step 1)"));
     return;
   }
@@ -151,7 +151,7 @@ void TreatPresenter::start() {
        right = cameras_.right(), seen = cameras_.release(), store = model_.current().store,
        is_overridden = model_.override().has_value()](TaskMonitor&) mutable -> TaskRunner::Delivery {
         requireSignOff(store, is_overridden);
-        seen.reset();  // a camera opens once only
+        seen.reset();  // first: a camera can be opened only once
         setup.looks = knownLooks(store.folder());
         std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
         auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(
@@ -160,7 +160,7 @@ void TreatPresenter::start() {
       });
 }
 
-/// A session that ended by itself is still there, with its log: it ends first.
+/// A session that ended by itself still exists, with its log. It is ended first.
 void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator,
                                     std::unique_ptr<capture::FrameSource> source) {
   if (session_) endSession();
@@ -170,7 +170,7 @@ void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigato
   auto session = std::make_shared<session::Session>(
       std::move(source), std::make_unique<session::Navigator>(std::move(*navigator)), options);
   const auto folder = model_.current().store.folder();
-  log_ = std::make_unique<session::TreatmentLog>(session, folder);  // or nothing has started
+  log_ = std::make_unique<session::TreatmentLog>(session, folder);  // if this throws, nothing has started
   session_ = std::move(session);
   treated_ = folder;
   if (const auto& given = model_.override())
@@ -210,7 +210,8 @@ void TreatPresenter::stop() {
   emit changed();
 }
 
-/// From here on nothing is shown of it. A well camera ends within a picture, the log with what is left.
+/// Nothing of the session is shown from here on. A good camera ends within one frame, the log when all is
+/// written.
 void TreatPresenter::endSession() {
   retirement_.add(
       [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_]() mutable {

@@ -1,6 +1,6 @@
 #pragma once
-// TreatPresenter: cameras (a recording), align, guide: runs the Session, keeps its log and says what to show.
-// Only a case with a valid sign-off, or an override with name and reason, is treated.
+// TreatPresenter: cameras (or a recording), align, guide. Runs the Session, keeps its log and says what to
+// show. Only a case with a valid sign-off, or an override with name and reason, can be treated.
 
 #include <QObject>
 #include <filesystem>
@@ -21,7 +21,7 @@ class TreatPresenter : public QObject {
   Q_OBJECT
 
  public:
-  /// `draw`: the camera overlays, on a thread of their own; empty: as pictures/camera_overlay.h does.
+  /// `draw`: draws the camera overlays, on its own thread; empty: pictures/camera_overlay.h is used.
   TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr,
                  pictures::OverlayWorker::Draw draw = {});
   ~TreatPresenter() override;
@@ -30,47 +30,47 @@ class TreatPresenter : public QObject {
   CamerasPresenter& cameras() { return cameras_; }
   /// Step 1: opens and checks a recording folder.
   void openRecording(const QString& folder);
-  /// Step 2: aligns from the capture pair; step 3 follows at once when `then_start`.
+  /// Step 2: aligns from the capture pair. Starts step 3 afterwards if `then_start`.
   void align(bool then_start);
-  /// Step 3: from the cameras, or the recording as if live.
+  /// Step 3: runs from the cameras, or from the recording as if it were live.
   void start();
   void stop();
   void chooseTarget(const QString& name);
-  /// Recorded in the case and in the session's log; without name and reason nothing happens.
+  /// Recorded in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
-  /// A TMS pulse was given; counted and logged with where the coil was. Only while guidance runs.
+  /// Counts a TMS pulse and logs where the coil was. Only while guidance runs.
   void countPulse();
 
   bool mayTreat() const { return model_.mayBeTreated(); }
   int pulses() const { return log_ ? log_->pulses() : 0; }
-  /// Since guidance was started, "00:07:31", until it ended; empty before.
+  /// Time from the start of guidance until its end, "00:07:31"; empty before.
   QString sessionTime() const;
-  /// Why the session's log stopped; empty while all is well.
+  /// Why the session's log stopped; empty if it did not.
   QString logFailure() const;
-  /// Cameras or a recording.
+  /// True with cameras or a recording.
   bool hasRecording() const { return recording_.has_value(); }
   bool isLive() const { return is_live_; }
-  /// Everything that aligning needs is there.
+  /// True if everything needed to align is there.
   bool canAlign() const;
-  /// Why the last session found the cameras moved; empty: it did not.
+  /// The fault of the cameras that the last session found; empty: none.
   QString rigFault() const { return rig_fault_; }
   bool isAligned() const { return outcome_ != nullptr; }
   bool isRunning() const { return session_ != nullptr && !session_->hasEnded(); }
-  /// The recording has been played to its end, or a fault stopped it.
+  /// The recording reached its end, or a fault stopped the session.
   bool hasEnded() const { return session_ != nullptr && session_->hasEnded(); }
-  /// Of the recording that stands in for cameras; empty: none.
+  /// The recording used in place of cameras; empty: none.
   QString recordingFolder() const;
   QString recordingWords() const;
-  /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", "not aligned in this session"; the header says
+  /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", "not aligned in this session". The header says
   /// the same.
   QString alignmentWords() const;
   QString targetName() const { return target_; }
   /// The chosen target, or null.
   const guidance::Target* target() const;
 
-  /// The newest state; everything lost when nothing runs.
+  /// The newest state; everything is lost if nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
-  /// Has both camera pictures of `state` drawn beside the window; overlayDrawn() brings them.
+  /// Requests both camera overlays of `state`; overlayDrawn() delivers them.
   void askOverlay(std::shared_ptr<const session::NavigationState> state);
 
  signals:
@@ -89,7 +89,7 @@ class TreatPresenter : public QObject {
   CaseModel& model_;
   TaskRunner& tasks_;
   CamerasPresenter cameras_;
-  std::optional<capture::Recording> recording_;  // of live cameras: the rig and the pictures taken
+  std::optional<capture::Recording> recording_;  // with live cameras: the rig and the images taken
   bool is_live_ = false;
   mutable QString rig_fault_;
   coil_tracking::CoilModel coil_;

@@ -11,7 +11,7 @@ QString tr(const char* words) { return QCoreApplication::translate("TypedCoordin
 
 TypedCoordinates refused(const QString& why) { return {std::nullopt, why}; }
 
-/// With points as decimal marks.
+/// Reads numbers with points as decimal marks.
 TypedCoordinates readNumbers(const QStringList& parts) {
   Eigen::Vector3d mm;
   bool is_number = parts.size() == 3;
@@ -20,7 +20,7 @@ TypedCoordinates readNumbers(const QStringList& parts) {
   return refused(tr("three numbers in mm are expected, such as -38 -22 56"));
 }
 
-/// The comma of each part, if any, is a decimal mark for certain.
+/// True if each comma can only be a decimal mark.
 bool haveDecimalCommas(const QStringList& parts) {
   static const QRegularExpression kNumber("^[+-]?\\d+(,\\d+)?$");
   for (const QString& part : parts)
@@ -42,7 +42,7 @@ std::optional<double> readNumber(const QString& typed, const QString& unit) {
 TypedCoordinates readCoordinates(const QString& typed) {
   static const QRegularExpression kBetween("\\s*;\\s*|\\s*,\\s+|\\s+,\\s*|\\s+");
   QString text = typed.trimmed();
-  text.replace(QChar(0x2212), '-');  // the minus sign of printed papers
+  text.replace(QChar(0x2212), '-');  // the typographic minus sign
   QStringList parts = text.split(kBetween, Qt::SkipEmptyParts);
   if (!parts.join(QString()).contains(',')) return readNumbers(parts);
   if (haveDecimalCommas(parts)) return readNumbers(parts.replaceInStrings(",", "."));

@@ -10,7 +10,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kSettle_ms = 250;  // a case that is being written changes its folder many times
+constexpr int kSettle_ms = 250;  // a case changes its folder many times while it is written
 constexpr int kAgeing_ms = 30000;
 const char* const kFolder = "worklist/folder";
 
@@ -176,7 +176,7 @@ void WorklistPresenter::setLabel(const QString& case_folder, const QString& word
   refresh();
 }
 
-/// The folder and each case in it: a sign-off or a target changes only the case's own folder.
+/// Watches the folder and each case in it: a sign-off or a target changes only the case's own folder.
 void WorklistPresenter::watch() {
   QStringList wanted{folder_};
   for (const auto& entry : entries_) wanted << QString::fromStdString(entry.folder.string());
@@ -192,7 +192,7 @@ void WorklistPresenter::makeRows() {
   const QDateTime now = QDateTime::currentDateTimeUtc();
   for (const auto& job : queue_.jobs()) rows_.push_back(rowOf(job, queue_));
   for (const auto& entry : entries_) {
-    if (entry.folder.filename().string().front() == '.') continue;  // being made
+    if (entry.folder.filename().string().front() == '.') continue;  // still being made
     rows_.push_back(rowOf(entry));
     rows_.back().age = ageInWords(rows_.back().created, now);
   }

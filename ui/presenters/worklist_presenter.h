@@ -1,6 +1,6 @@
 #pragma once
-// WorklistPresenter: the radiographer's list: cases of the cases folder and what is on its way there, in
-// words; read anew, behind the window, whenever the folder changes.
+// WorklistPresenter: the radiographer's list in words: cases of the cases folder, and jobs that will become
+// cases. It is read again in the background whenever the folder changes.
 
 #include <QDateTime>
 #include <QFileSystemWatcher>
@@ -12,25 +12,25 @@
 
 namespace facenav::ui {
 
-/// How a line asks for attention: disc, triangle, ring, cross.
+/// How a line shows its state: disc, triangle, ring, cross.
 enum class Mark { done, look, waiting, fault };
 
 /// One line of the list.
 struct WorklistRow {
-  int job_id = 0;                // of the queue; 0: a case
+  int job_id = 0;                // job in the queue; 0: a case
   QString case_folder;           // empty for a job
-  QString name;                  // the case's label or else its id, the job's title
+  QString name;                  // the case's label or id, or the job's title
   QString label;                 // empty: none
-  bool can_be_labelled = false;  // a case that can be read
+  bool can_be_labelled = false;  // true for a readable case
   QString state;                 // "checked"
-  int state_order = 0;           // to sort by: what asks for something first
+  int state_order = 0;           // to sort by: lines that need attention first
   Mark mark = Mark::done;
   QDateTime created;
   QString age;
-  int findings = -1;  // -1: not known
+  int findings = -1;  // -1: unknown
   QString checked_by;
-  QString detail;          // first finding, step and time, failure
-  double fraction = -1.0;  // of the step that runs; < 0: none
+  QString detail;          // first finding; step and time; or failure
+  double fraction = -1.0;  // of the running step; < 0: none
 };
 
 /// "now", "12 min", "3 h", "2 days", "5 weeks".
@@ -44,16 +44,16 @@ class WorklistPresenter : public QObject {
   ~WorklistPresenter() override;
 
   QString folder() const { return folder_; }
-  /// Remembered; made when it does not exist.
+  /// Remembered; created if it does not exist.
   void setFolder(const QString& folder);
   /// The remembered folder, else ~/FaceNav/cases.
   static QString rememberedFolder();
   void refresh();
-  /// What people call the case; empty takes it away. refused() says why it could not be done.
+  /// Sets the case's label; empty removes it. refused() says why it failed.
   void setLabel(const QString& case_folder, const QString& words);
 
   const std::vector<WorklistRow>& rows() const { return rows_; }
-  /// Why the folder cannot be read; empty while it can.
+  /// Why the folder cannot be read; empty if it can.
   QString problem() const { return problem_; }
 
  signals:

@@ -27,7 +27,7 @@ QVariant textOf(const WorklistRow& row, int column) {
 QVariant sortKey(const WorklistRow& row, int column) {
   if (column == WorklistTable::state) return row.state_order;
   if (column == WorklistTable::findings) return row.findings;
-  if (column == WorklistTable::age) {  // jobs have no time yet: before all cases, in their own order
+  if (column == WorklistTable::age) {  // jobs have no age: list them before all cases, in their own order
     if (row.job_id) return qlonglong(row.job_id) - kBeforeAll_s;
     return row.created.isValid() ? -row.created.toSecsSinceEpoch() : qlonglong(0);
   }
@@ -38,7 +38,7 @@ bool isSame(const WorklistRow& a, const WorklistRow& b) {
   return a.job_id == b.job_id && a.case_folder == b.case_folder;
 }
 
-/// Whether `all` holds every one of `some`, in the same order.
+/// True if `all` contains every row of `some`, in the same order.
 bool isInOrderOf(const std::vector<WorklistRow>& some, const std::vector<WorklistRow>& all) {
   auto next = some.begin();
   for (const auto& row : all)
@@ -53,8 +53,7 @@ WorklistTable::WorklistTable(WorklistPresenter& presenter, QObject* parent)
   connect(&presenter_, &WorklistPresenter::changed, this, &WorklistTable::update);
 }
 
-/// Rows come and go one by one, so that the view keeps its selection, and a label being typed, while the list
-/// changes.
+/// Adds and removes single rows, so that the view keeps its selection and a label being typed.
 void WorklistTable::update() {
   const auto& fresh = presenter_.rows();
   removeMissing(fresh);
@@ -80,7 +79,7 @@ void WorklistTable::removeMissing(const std::vector<WorklistRow>& fresh) {
   }
 }
 
-/// Where `rows_` holds some of `fresh`, in its order.
+/// Inserts the missing rows of `fresh`. `rows_` must hold some of them, in the same order.
 void WorklistTable::insertNew(const std::vector<WorklistRow>& fresh) {
   for (int line = 0; line < int(fresh.size()); ++line) {
     const auto& row = fresh[std::size_t(line)];

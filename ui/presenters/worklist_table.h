@@ -1,5 +1,5 @@
 #pragma once
-// WorklistTable: the worklist's rows as a table that Qt's views sort and filter.
+// WorklistTable: the worklist as a table that Qt's views sort and filter.
 
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
@@ -21,7 +21,7 @@ class WorklistTable : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// A case's label, edited in place.
+  /// Edits a case's label in place.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   const WorklistRow& row(int line) const { return rows_[std::size_t(line)]; }
@@ -35,7 +35,7 @@ class WorklistTable : public QAbstractTableModel {
   std::vector<WorklistRow> rows_;
 };
 
-/// Sorted by kSortRole; filtered by words that must all occur somewhere in a row.
+/// Sorted by kSortRole; filtered by words that must all occur in a row.
 class WorklistFilter : public QSortFilterProxyModel {
   Q_OBJECT
 

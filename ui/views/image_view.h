@@ -1,5 +1,5 @@
 #pragma once
-// ImageView: a picture, scaled to the widget with its aspect kept (the camera views).
+// ImageView: an image scaled to the widget, aspect kept (the camera views).
 
 #include <QImage>
 #include <QWidget>
@@ -17,7 +17,7 @@ class ImageView : public QWidget {
 
  public:
   explicit ImageView(const QString& when_empty, QWidget* parent = nullptr);
-  /// `why_empty` stands in place of the picture where there is none; empty: the words of the constructor.
+  /// `why_empty` is shown if there is no image; empty: the words of the constructor.
   void set(const QImage& image, const QString& why_empty = {});
 
  protected:

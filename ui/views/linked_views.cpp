@@ -85,7 +85,7 @@ void LinkedViews::setBrain(const surface::BrainModel& brain) {
   scene_view_->refresh();
 }
 
-/// In the place of the last slice view.
+/// It takes the place of the last slice view.
 void LinkedViews::makeModelView() {
   model_box_ = new QWidget(this);
   auto* column = new QVBoxLayout(model_box_);
@@ -104,7 +104,7 @@ void LinkedViews::makeModelView() {
   static_cast<QGridLayout*>(layout())->addWidget(model_box_, 1, 0);
   connect(scene_view_, &SceneView::drawn, model_view_, [this] {
     if (QApplication::mouseButtons() == Qt::NoButton)
-      model_view_->refreshMoving();  // else it follows by itself
+      model_view_->refreshMoving();  // during a drag shareCamera() does this
   });
 }
 
@@ -119,7 +119,7 @@ void LinkedViews::showModelBeside(const LoadedCase* loaded) {
   model_view_->scene().setLayers(layers);
   if (is_beside && beside_ != loaded->brain) model_view_->show(*loaded);
   if (is_beside) beside_ = loaded->brain;
-  if (footer_) model_foot_->setFixedHeight(footer_->height());  // views of one size
+  if (footer_) model_foot_->setFixedHeight(footer_->height());  // makes both views the same size
   slices_.back()->setVisible(!is_beside);
   scene_title_->setVisible(is_beside);
   model_box_->setVisible(is_beside);

@@ -22,19 +22,20 @@ class LinkedViews : public QWidget {
   void show(const LoadedCase& loaded);
   void setTargets(const guidance::TreatmentPlan& plan, const std::string& active);
   void setMasksShown(bool are_shown);
-  /// In place of the case's own contours; crosshair, zoom and window stay.
+  /// Shows these in place of the case's own contours; crosshair, zoom and window stay.
   void setContours(const std::vector<scene::SliceContour>& contours);
-  /// The brain in the 3-D view, after a correction.
+  /// Shows another brain in the 3-D view, after a correction.
   void setBrain(const LoadedCase& loaded);
   void setBrain(const surface::BrainModel& brain);
-  /// The phi-theta model beside the 3-D view, from the same place, both without the skin; null: not.
+  /// Shows the phi-theta model beside the 3-D view, from the same viewpoint, both without skin. Null: hides
+  /// it.
   void showModelBeside(const LoadedCase* loaded);
-  /// Below the 3-D view; taken over.
+  /// Shown below the 3-D view. Takes ownership.
   void setSceneFooter(QWidget* footer);
   void setTool(SliceTool* tool);
   Point<Mri> crosshair() const;
   void refreshSlices();
-  /// Zoom, pan and window of the slices as at first; the crosshair stays.
+  /// Resets zoom, pan and window of the slices; the crosshair stays.
   void resetSlices();
   void setCrosshair(const Point<Mri>& at);
   SceneView& sceneView() { return *scene_view_; }

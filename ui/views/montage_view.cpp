@@ -18,7 +18,7 @@ MontageView::MontageView(QWidget* parent) : QScrollArea(parent), sheet_(new QLab
   setWidget(sheet_);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(
-      Qt::ScrollBarAlwaysOff);  // the sheet is made to fit; the wheel scrolls a larger one
+      Qt::ScrollBarAlwaysOff);  // the sheet fits the width; the wheel scrolls a taller one
   sheet_->installEventFilter(this);
   sheet_->setToolTip(tr("skin orange, brain blue; double click: look at this place on the large slices"));
   soon_.setSingleShot(true);

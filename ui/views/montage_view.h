@@ -1,6 +1,6 @@
 #pragma once
-// MontageView: the sheet of slices with the masks' contours, as wide as the view; a double click on a slice
-// asks to see it large.
+// MontageView: all slices with the masks' contours on one sheet, as wide as the view. A double click on a
+// slice asks to enlarge it.
 
 #include <QImage>
 #include <QScrollArea>

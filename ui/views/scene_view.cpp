@@ -13,7 +13,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kFluid_ms = 40.0;  // a whole picture within this needs no shortcut
+constexpr double kFluid_ms = 40.0;  // faster rendering needs no simplified scene
 constexpr int kRest_ms = 300;
 
 }  // namespace
@@ -62,7 +62,7 @@ void SceneView::refresh() {
   emit drawn();
 }
 
-/// True, and the scene made quick until it rests, where whole pictures take too long to move.
+/// Switches to a simplified scene until the motion ends, if full rendering is slow here. Returns true if so.
 bool SceneView::drawsQuickly(bool is_skin_shown) {
   if (!is_quick_ && whole_ms_ < kFluid_ms) return false;
   rest_.start();
@@ -90,7 +90,7 @@ void SceneView::setDrawing(bool is_drawing) {
   setCursor(is_drawing ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-/// The line under way, drawn over the rendered picture.
+/// Draws the unfinished line over the rendered image.
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != line_ || event->type() != QEvent::Paint)
     return QVTKOpenGLNativeWidget::eventFilter(watched, event);
@@ -147,7 +147,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 void SceneView::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
   line_->setGeometry(rect());
-  scene_->attach(renderWindow());  // the head icon keeps its shape
+  scene_->attach(renderWindow());  // keeps the shape of the head icon
 }
 
 }  // namespace facenav::ui

@@ -25,22 +25,23 @@ class SceneView : public QVTKOpenGLNativeWidget {
   /// Patient, targets and slices of a case.
   void show(const LoadedCase& loaded);
   void refresh();
-  /// While something moves: where whole pictures are slow here, quick ones, and a whole one when it rests.
+  /// Draws again during a motion: a simplified scene if full rendering is slow here, and the full one when
+  /// the motion ends.
   void refreshMoving() { refreshQuickly(true); }
-  /// The same without the skin, for a slider that is followed by the eye.
+  /// The same without the skin, while a slider moves.
   void refreshPeeling() { refreshQuickly(false); }
-  /// Both views are seen from one place; each follows when the other is turned.
+  /// Both views share one camera; each follows when the other is turned.
   void shareCamera(SceneView& other);
   /// True: the left button draws a closed line instead of turning the view (scalpel).
   void setDrawing(bool is_drawing);
-  /// As it is seen now.
+  /// The current projection.
   scene::SceneProjection projection() const { return scene_->projection(width(), height()); }
 
  signals:
-  /// By the user's hand, or drawn anew.
+  /// turned: the user moved the camera. drawn: the view was rendered.
   void turned();
   void drawn();
-  /// -1..1 right and up, as of projection(); three corners or more.
+  /// Closed line of three corners or more; x right, y up, each -1..1, as in projection().
   void outlineDrawn(const std::vector<Eigen::Vector2d>& outline);
   void picked(double x_mm, double y_mm, double z_mm, bool is_brain);
 
@@ -57,7 +58,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool drawsQuickly(bool is_skin_shown);
   void refreshQuickly(bool is_skin_shown);
 
-  QWidget* line_;  // over the picture
+  QWidget* line_;  // lies over the image
   QPolygon outline_;
   bool draws_ = false;
   QPoint pressed_at_;

@@ -1,6 +1,6 @@
 #pragma once
-// SliceTool: what the left button does on a slice instead of moving the crosshair: a stroke from press to
-// release, in pixels of the plane shown.
+// SliceTool: what the left button does on a slice in place of moving the crosshair: a stroke from press to
+// release, in pixels of the shown plane.
 
 #include <Eigen/Core>
 #include <vector>
@@ -12,17 +12,17 @@ namespace facenav::ui {
 class SliceTool {
  public:
   virtual ~SliceTool() = default;
-  /// False: the tool is put down, the view works as without it.
+  /// False: the view works as without a tool.
   virtual bool isActive() const = 0;
-  /// `is_inverse`: Shift is held (take away instead of add).
+  /// `is_inverse`: Shift is held (remove, not add).
   virtual void press(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px, bool is_inverse) = 0;
   virtual void drag(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px) = 0;
   virtual void release(const volume::SlicePlane& plane) = 0;
-  /// Ring to draw at the pointer; 0: none.
+  /// Radius of the ring at the pointer; 0: none.
   virtual double cursorRadius_mm() const = 0;
-  /// Line drawn so far (lasso), pixels of the plane; empty: none.
+  /// Unfinished line of a lasso, pixels of the plane; empty: none.
   virtual const std::vector<Eigen::Vector2d>& outline() const = 0;
-  /// Wheel with Ctrl held: larger (+1) or smaller (-1).
+  /// Wheel with Ctrl: larger (+1) or smaller (-1).
   virtual void resize(int steps) = 0;
 };
 

@@ -50,7 +50,7 @@ void SliceView::reset() {
 
 void SliceView::setTool(SliceTool* tool) {
   tool_ = tool;
-  setMouseTracking(tool != nullptr);  // the brush's ring follows the pointer
+  setMouseTracking(tool != nullptr);  // for the brush's ring at the pointer
 }
 
 void SliceView::refresh() {

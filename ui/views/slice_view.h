@@ -1,7 +1,7 @@
 #pragma once
 // SliceView: one anatomical plane through the crosshair. Left: crosshair, wheel: slice, right: zoom, middle:
-// pan, Ctrl+left: window and level, double click: a point is chosen; 1:1 (or R): zoom, pan and window as at
-// first. The picture comes from scene::SliceScene.
+// pan, Ctrl+left: window and level, double click: choose a point, 1:1 (or R): reset zoom, pan and window. The
+// image comes from scene::SliceScene.
 
 #include <QImage>
 #include <QPoint>
@@ -25,12 +25,12 @@ class SliceView : public QWidget {
   void setScene(std::shared_ptr<scene::SliceScene> scene);
   /// Draws again after the scene's content changed.
   void refresh();
-  /// Zoom and pan as at first.
+  /// Resets zoom and pan.
   void reset();
-  /// "axial  88/176", "S 12.3 mm" and "value 512": the slice's number in the scan, its place, and the MRI's
-  /// value under the crosshair. Empty without a scene.
+  /// "axial  88/176", "S 12.3 mm" and "value 512": number and position of the slice, and the MRI's value at
+  /// the crosshair. Empty without a scene.
   QStringList caption() const;
-  /// While it is active the left button draws; it must outlive the view. Null: none.
+  /// While the tool is active, the left button draws. The tool must outlive the view. Null: none.
   void setTool(SliceTool* tool);
 
  signals:
@@ -38,7 +38,7 @@ class SliceView : public QWidget {
   void chosen(double x_mm, double y_mm, double z_mm);
   /// The scene's window changed; the linked views draw again.
   void windowChanged();
-  /// Zoom, pan and window are wanted as at first, in all linked views.
+  /// The user asks to reset zoom, pan and window in all linked views.
   void resetWanted();
 
  protected:

@@ -64,7 +64,7 @@ QSpinBox* ArchiveSettings::number(QFormLayout& form, const QString& name, int va
                                   const QString& tip) {
   auto* made = new QSpinBox(this);
   made->setRange(1, most);
-  made->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the arrow keys do
+  made->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the arrow keys still work
   made->setValue(value);
   made->setToolTip(tip);
   made->setAccessibleName(name);
@@ -73,7 +73,7 @@ QSpinBox* ArchiveSettings::number(QFormLayout& form, const QString& name, int va
   return made;
 }
 
-/// As it is typed: a shortcut (Test, Find, Fetch) uses what stands in the fields.
+/// Called at every keystroke, so that a shortcut (Test, Find, Fetch) uses what the fields show.
 void ArchiveSettings::take() {
   pacs::PacsNode node;
   node.host = host_->text().trimmed().toStdString();

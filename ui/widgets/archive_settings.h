@@ -1,5 +1,5 @@
 #pragma once
-// ArchiveSettings: how the archive is reached: names, ports, TLS, retrieval; with a test.
+// ArchiveSettings: the connection to the archive: names, ports, TLS, retrieval; with a test.
 
 #include <QFrame>
 

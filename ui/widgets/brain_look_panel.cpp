@@ -37,7 +37,7 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
     button->setCheckable(true);
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::SHIFT + Qt::Key_1 + i));
-    button->setMinimumWidth(button->sizeHint().width() + 16);  // bold, once chosen
+    button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
     looks_->addButton(button, i);
     row->addWidget(button);
   }
@@ -50,7 +50,7 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
   peel_words_->setMinimumWidth(sized(110));
   column->addLayout(row);
   auto* below_box = new QWidget(this);
-  below_box->setMinimumHeight(sized(36));  // whatever is in it: the view above keeps its size
+  below_box->setMinimumHeight(sized(36));  // fixed, so that the view above keeps its size
   auto* below = new QHBoxLayout(below_box);
   below->setContentsMargins(0, 0, 0, 0);
   below->addWidget(peel_, 1);

@@ -1,6 +1,6 @@
 #pragma once
-// BrainLookPanel: below a 3-D view: phi-theta model, cortex or distance; the peel depth's slider; the colour
-// map's scale and figures.
+// BrainLookPanel: controls below a 3-D view: phi-theta model, cortex or distance; the slider of the peel
+// depth; the colour map's scale and figures.
 
 #include <QFrame>
 

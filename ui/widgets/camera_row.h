@@ -1,7 +1,7 @@
 #pragma once
-// CameraRow: both cameras side by side, as they are or with what tracking sees drawn over them. The pictures
-// come drawn from elsewhere (pictures/overlay_worker.h) and late: one that no longer fits the newest state is
-// not shown, and is taken away where it stands.
+// CameraRow: both cameras side by side, plain or with what tracking sees drawn over them. The drawn images
+// come late from another thread (pictures/overlay_worker.h). One that no longer fits the newest state is not
+// shown, and is removed if it is shown already.
 
 #include <QWidget>
 #include <memory>
@@ -18,13 +18,13 @@ class CameraRow : public QWidget {
  public:
   explicit CameraRow(QWidget* parent = nullptr);
 
-  /// The pictures themselves, before anything is tracked.
+  /// Shows the images themselves, before tracking starts.
   void showPlain(const cameras::StereoFrame& frame);
-  /// From now on only what may stand beside `now` (not null) is shown.
+  /// From now on shows only images that fit `now` (not null).
   void follow(std::shared_ptr<const session::NavigationState> now);
-  /// A finished picture; left out where it does not fit the newest state.
+  /// Shows a drawn image; ignored if it does not fit the newest state.
   void showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn);
-  /// Of the state that is shown; null: none is.
+  /// The shown overlay; null: none.
   std::shared_ptr<const pictures::DrawnOverlay> shown() const { return shown_; }
 
  private:
@@ -32,7 +32,7 @@ class CameraRow : public QWidget {
 
   ImageView *left_, *right_;
   std::shared_ptr<const session::NavigationState> now_;
-  std::shared_ptr<const pictures::DrawnOverlay> shown_;  // null: plain pictures, or none
+  std::shared_ptr<const pictures::DrawnOverlay> shown_;  // null: plain images, or none
   bool is_empty_ = true;
 };
 

@@ -59,7 +59,7 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   auto* grid = new QGridLayout;
   left_ = new QComboBox(this);
   right_ = new QComboBox(this);
-  for (auto* box : {left_, right_}) {  // as wide as there is room, not as the longest name
+  for (auto* box : {left_, right_}) {  // width follows the layout, not the longest name
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(10);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// CamerasPanel: step 1 of Treat, beside the live pictures: the two cameras, their calibration, and the two
-// still pictures for the alignment; or a recording.
+// CamerasPanel: step 1 of Treat, beside the live images: the two cameras, their calibration, and the two
+// still images for the alignment; or a recording.
 
 #include <QFrame>
 #include <QTimer>

@@ -33,7 +33,7 @@ void DistanceLegend::paintEvent(QPaintEvent*) {
     const double value = share * full_mm_;
     QString words = QString::number(value, 'f', value == int(value) ? 0 : 1);
     if (value > 0) words.prepend('+');
-    if (share == 0.0) words += tr(" mm");  // at an end it would run into its neighbour
+    if (share == 0.0) words += tr(" mm");  // at the ends it would overlap the next number
     painter.drawText(QRect(x - margin, bar_height + 3, 2 * margin, height() - bar_height - 3),
                      Qt::AlignHCenter, words);
   }

@@ -91,7 +91,7 @@ void EditPanel::addTools(QGridLayout& grid) {
     grid.addWidget(made, 1 + place / 3, place % 3);
     ++place;
   }
-  tools_->setExclusive(false);  // the chosen one can be put down
+  tools_->setExclusive(false);  // so that the active tool can be switched off
   connect(tools_, &QButtonGroup::idClicked, this, [this](int id) { presenter_.setTool(EditTool(id)); });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// EditPanel: the tools that correct the brain's mask, with their keys.
+// EditPanel: the tools for correcting the brain mask, with their keys.
 
 #include <QFrame>
 

@@ -5,7 +5,8 @@
 namespace facenav::ui {
 
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long words give way to what stands beside
+  // Long text leaves room for the widgets beside it.
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
 void ElidedLabel::set(const QString& words) {

@@ -1,6 +1,5 @@
 #pragma once
-// ElidedLabel: one line that ends in an ellipsis where there is no room for all of it; the whole is in its
-// tooltip.
+// ElidedLabel: one line of text that ends in an ellipsis if it does not fit; the tooltip has the whole text.
 
 #include <QLabel>
 

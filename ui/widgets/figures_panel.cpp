@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLeastWidth_px = 410;
 
-/// "FACE NOT SEEN: let .." as what is wrong, to be read from two metres, above what to do.
+/// "FACE NOT SEEN: let .." on two lines: what is wrong, legible from two metres, and below it what to do.
 QString twoLines(const ReadOut& read_out) {
   const QString mark = read_out.level == Level::lost ? QStringLiteral("\u2715&nbsp;") : QString();
   const int colon = read_out.instruction.indexOf(": ");
@@ -54,14 +54,14 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     auto* name = new QLabel(names[i], this);
     name->setObjectName("muted");
     name->setToolTip(tips[i]);
-    // As wide as its cell from the start: a new figure is whole at once, before any layout.
+    // Full cell width from the start: a new figure is never cut before the next layout.
     value->setAlignment(Qt::AlignCenter);
     grid->setColumnStretch(i % 2, 1);
     grid->addWidget(value, i / 2 * 2, i % 2);
     grid->addWidget(name, i / 2 * 2 + 1, i % 2, Qt::AlignCenter);
   }
   column->addLayout(grid, 1);
-  setMinimumWidth(sized(kLeastWidth_px));  // the longest figures side by side
+  setMinimumWidth(sized(kLeastWidth_px));  // for the longest figures side by side
   predicted_->setObjectName("muted");
   predicted_->setAlignment(Qt::AlignCenter);
   predicted_->setToolTip(tr("predicted error of the alignment at the target (one standard deviation)"));

@@ -1,6 +1,6 @@
 #pragma once
-// FiguresPanel: the read-out of the Treat workspace, legible from two metres: instruction, then across,
-// depth, tilt and twist at 48 pt and more. Lost: dashes.
+// FiguresPanel: the figures of the Treat workspace, legible from two metres: instruction, then across, depth,
+// tilt and twist at 48 pt and more. When lost: dashes.
 
 #include <QFrame>
 #include <QLabel>
@@ -16,7 +16,7 @@ class FiguresPanel : public QFrame {
  public:
   explicit FiguresPanel(QWidget* parent = nullptr);
   void set(const ReadOut& read_out);
-  /// What stands there now (for tests and screen readers): across, depth, tilt, twist.
+  /// The shown figures (for tests and screen readers): across, depth, tilt, twist.
   std::array<QString, 4> figures() const;
   QString instruction() const { return banner_->text(); }
 

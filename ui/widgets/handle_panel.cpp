@@ -48,7 +48,7 @@ QLineEdit* HandlePanel::field(const QString& name, const QString& tip,
     if (!made->isModified()) return;
     made->setModified(false);
     (presenter_.*set)(made->text());
-    showFigures();  // also where it was refused: the field shows what holds
+    showFigures();  // after a refusal, too: the field shows the valid value again
   });
   return made;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// HandlePanel: the active target's handle angle and its gap, to be typed or turned step by step.
+// HandlePanel: the active target's handle angle and gap, typed or changed step by step.
 
 #include <QFrame>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Words that wrap, and never widen what they stand in.
+// A label that wraps its text and never widens its container.
 
 #include <QLabel>
 
@@ -7,7 +7,7 @@ namespace facenav::ui {
 
 inline void makeNarrow(QLabel& label) {
   label.setWordWrap(true);
-  QSizePolicy policy = label.sizePolicy();  // keeps its height for a width
+  QSizePolicy policy = label.sizePolicy();  // keeps height-for-width
   policy.setHorizontalPolicy(QSizePolicy::Ignored);
   label.setSizePolicy(policy);
 }

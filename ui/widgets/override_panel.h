@@ -1,6 +1,7 @@
 #pragma once
-// OverridePanel: over the Treat workspace while the case is not signed off: says so, and takes the name and
-// reason of who treats nevertheless. Not modal. With an override it stays, one line tall, to say so.
+// OverridePanel: shown over the Treat workspace while the case is not signed off. It says so, and takes the
+// name and reason of a person who treats nevertheless. Not modal. After an override it stays as one line that
+// says so.
 
 #include <QFrame>
 

@@ -18,13 +18,13 @@ class PlacePanel : public QFrame {
  public:
   explicit PlacePanel(PlacePresenter& presenter, QWidget* parent = nullptr);
   void show(const Point<Mri>& crosshair);
-  /// The keyboard goes to the field.
+  /// Moves the keyboard focus to the field.
   void takeFocus();
 
  signals:
-  /// Typed: the crosshair is to go there.
+  /// Coordinates were typed: move the crosshair there.
   void goTo(double x_mm, double y_mm, double z_mm);
-  /// A target is wanted at the crosshair.
+  /// The user wants a target at the crosshair.
   void targetWanted(double x_mm, double y_mm, double z_mm);
 
  private:

@@ -17,7 +17,7 @@ ScrollColumn::ScrollColumn(QWidget* content, int width_px, QWidget* parent)
   setWidgetResizable(true);
   setWidget(content);
   for (QWidget* each : {content, viewport()})
-    each->setAutoFillBackground(false);  // the panel's shows through
+    each->setAutoFillBackground(false);  // the panel's background shows through
 }
 
 QSize ScrollColumn::sizeHint() const {

@@ -1,5 +1,5 @@
 #pragma once
-// ScrollColumn: a column that scrolls up and down where there is no room for all of it; never sideways.
+// ScrollColumn: a column that scrolls vertically if its content does not fit; never sideways.
 
 #include <QScrollArea>
 
@@ -7,7 +7,7 @@ namespace facenav::ui {
 
 class ScrollColumn : public QScrollArea {
  public:
-  /// Takes the content over. As wide as the content needs, and no less than `width_px`.
+  /// Takes ownership of the content. As wide as the content needs, at least `width_px`.
   ScrollColumn(QWidget* content, int width_px, QWidget* parent = nullptr);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;

@@ -1,6 +1,5 @@
 #pragma once
-// StatusChip: a state in words, shape and colour, in this order: disc = good, triangle = caution, cross =
-// lost.
+// StatusChip: a state in words, shape and colour: disc = good, triangle = caution, cross = lost.
 
 #include <QWidget>
 
@@ -14,7 +13,7 @@ class StatusChip : public QWidget {
   Q_OBJECT
 
  public:
-  /// `longest`: what it may say; its place is kept free, so that new words are never cut.
+  /// `longest`: the longest text it may show. Its width is reserved, so that no text is cut.
   explicit StatusChip(const QString& longest, QWidget* parent = nullptr);
   void set(const Chip& chip);
   QSize sizeHint() const override;

@@ -18,7 +18,7 @@ class TaskBar : public QFrame {
  public:
   TaskBar(TaskRunner& tasks, QWidget* parent = nullptr);
   void showMessage(const QString& words, bool is_failure);
-  /// Something to be done, not a failure.
+  /// Shows something to do, not a failure.
   void showNotice(const QString& words);
 
  private:

@@ -1,12 +1,11 @@
 #pragma once
-// Changes the words on a button.
+// Changes the text of a button.
 
 #include <QAbstractButton>
 
 namespace facenav::ui {
 
-/// QAbstractButton::setText drops the button's shortcut; here it stays. Nothing happens where the words are
-/// the same.
+/// Keeps the shortcut, which QAbstractButton::setText would drop. Does nothing if the text is the same.
 inline void setWords(QAbstractButton& button, const QString& words) {
   if (button.text() == words) return;
   const QKeySequence key = button.shortcut();

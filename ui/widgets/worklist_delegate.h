@@ -12,11 +12,11 @@ class WorklistDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-  /// Once: what the list says later does not overwrite what is being typed.
+  /// Fills the editor only once, so that an update of the list does not overwrite what is being typed.
   void setEditorData(QWidget* editor, const QModelIndex& index) const override;
 
  protected:
-  /// Return stores the label and goes no further: on the list itself it opens the case.
+  /// Return stores the label and is not passed on: on the list itself it would open the case.
   bool eventFilter(QObject* editor, QEvent* event) override;
 };
 

@@ -8,9 +8,9 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kAbove_px = 2;  // and below
+constexpr int kAbove_px = 2;  // above and below the text
 
-/// Qt's own size hint forgets the tick box's width and the padding, and so the last line.
+/// Qt's size hint ignores the width of the tick box and the padding, so the last line would be cut.
 class WholeSentence : public QStyledItemDelegate {
  public:
   explicit WholeSentence(const QAbstractItemView& view) : view_(view) {}

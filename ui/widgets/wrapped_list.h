@@ -1,5 +1,5 @@
 #pragma once
-// WrappedList: a list whose items are sentences, each shown whole over as many lines as it needs.
+// WrappedList: a list whose items are whole sentences, each on as many lines as it needs.
 
 #include <QListWidget>
 

@@ -44,7 +44,7 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
   connect(&cortex_, &CortexPresenter::cortexChanged, this, [this] {
     if (!is_outdated_) takeCortex();
   });
-  // However fast the slider moves, one picture at a time.
+  // Draws one image at a time, however fast the slider moves.
   connect(&cortex_, &CortexPresenter::changed, this, [this] {
     if (std::exchange(is_drawing_brain_, true)) return;
     QTimer::singleShot(0, this, [this] {
@@ -89,7 +89,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* within = new QVBoxLayout(body);
   within->setContentsMargins(0, 0, 0, 0);
   targets_->setMinimumHeight(sized(90));
-  targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what room is left
+  targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
   within->addWidget(new HandlePanel(presenter_, panel));
@@ -129,7 +129,7 @@ void PlanWorkspace::addKeys() {
   key(QKeySequence::Redo, [this] { presenter_.redo(); });
   key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
   key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
-  // Seen from above the coil its +x points to the left.
+  // Seen from above the coil, its +x points left.
   key(Qt::ALT + Qt::Key_Left, [this] { presenter_.nudgeActive(1, 0); });
   key(Qt::ALT + Qt::Key_Right, [this] { presenter_.nudgeActive(-1, 0); });
   key(Qt::ALT + Qt::Key_Up, [this] { presenter_.nudgeActive(0, 1); });
@@ -140,7 +140,7 @@ void PlanWorkspace::showCase() {
   if (!is_outdated_ || !model_.isOpen()) return;
   is_outdated_ = false;
   views_->show(model_.current());
-  shown_cortex_.reset();  // a new brain takes it out of the scene
+  shown_cortex_.reset();  // the new brain removes it from the scene
   views_->setMasksShown(false);
   takeCortex();
   showBrain();

@@ -1,5 +1,5 @@
 #pragma once
-// Plan: linked slices, cortex and scalp with the coil's ghost, list of targets.
+// Plan: linked slices; cortex and scalp with a transparent coil; the list of targets.
 
 #include <QWidget>
 

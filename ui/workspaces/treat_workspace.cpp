@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kRefresh_ms = 33;
 constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
-constexpr int kLow_px = 740;      // no room for the bull's eye above the figures
+constexpr int kLow_px = 740;      // below it, no room for the bull's eye above the figures
 
 }  // namespace
 
@@ -34,7 +34,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
       model_(model),
       scene_(new SceneView(this)),
       pictures_(new CameraRow(this)) {
-  setObjectName("treat");  // text to be read from two metres
+  setObjectName("treat");  // the style sheet makes its text legible from two metres
   auto* row = new QHBoxLayout;
   auto* middle = new QVBoxLayout;
   middle->addWidget(scene_, 3);
@@ -128,7 +128,7 @@ QWidget* TreatWorkspace::makeSteps() {
   return bar;
 }
 
-/// Step 1: the pictures large, the choice of cameras beside them; else the scene and the figures.
+/// Step 1 shows the images large with the choice of cameras; the other steps show the scene and the figures.
 void TreatWorkspace::showStage(bool shows_cameras) {
   side_->setCurrentIndex(shows_cameras ? 1 : 0);
   scene_->setVisible(!shows_cameras);
@@ -137,7 +137,7 @@ void TreatWorkspace::showStage(bool shows_cameras) {
   signature_.clear();
 }
 
-/// What the cameras see, before anything is tracked.
+/// Shows the cameras' images before tracking starts.
 void TreatWorkspace::showPreview() {
   const auto frame = presenter_.cameras().picture();
   if (!frame || frame->number == previewed_) return;
@@ -163,7 +163,8 @@ void TreatWorkspace::showSteps() {
   if (has_begun) showStage(false);
   setWords(*guide_, shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
   align_->setEnabled(presenter_.canAlign());
-  guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));  // stop always can
+  // Stopping is always possible.
+  guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
   words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                               : tr("open a case first (Ctrl+O)"));
   target_->clear();
@@ -208,12 +209,11 @@ void TreatWorkspace::refresh() {
   const bool shows_cameras = side_->currentIndex() == 1;
   if (shows_cameras && !presenter_.isRunning()) {
     showPreview();
-    if (previewed_ < 0) pictures_->follow(state);  // nothing to be seen yet, and nothing old either
+    if (previewed_ < 0) pictures_->follow(state);  // no image yet; an old one must not stay
     emit shown(read_out);
     return;
   }
-  // Drawn anew whenever anything that is shown has changed: a blanked state must replace the last one at
-  // once.
+  // Redraws as soon as anything shown has changed: a blanked state must replace the last one at once.
   const QString signature = QStringList{QString::number(state->frame),
                                         read_out.instruction,
                                         read_out.across,
@@ -254,7 +254,7 @@ void TreatWorkspace::showEvent(QShowEvent*) {
   timer_.start();
 }
 
-/// A low window folds: the bull's eye beside the figures.
+/// In a low window the bull's eye moves beside the figures.
 void TreatWorkspace::resizeEvent(QResizeEvent*) {
   const bool is_low = height() < sized(kLow_px);
   bulls_eye_and_figures_->setDirection(is_low ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

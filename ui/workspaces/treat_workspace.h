@@ -1,7 +1,7 @@
 #pragma once
-// Treat: 3-D scene, both cameras with overlays, bull's eye, read-out legible from two metres; steps 1
-// Cameras, 2 Align, 3 Guide. Takes the newest state about 30 times a second; lost or old: figures blank,
-// scene grey, words say why.
+// Treat: 3-D scene, both cameras with overlays, bull's eye, figures legible from two metres. Steps: 1
+// Cameras, 2 Align, 3 Guide. It takes the newest state about 30 times a second. If lost or old: figures
+// blank, scene grey, and words say why.
 
 #include <QTimer>
 #include <QWidget>
@@ -31,7 +31,7 @@ class TreatWorkspace : public QWidget {
   TreatPresenter& presenter() { return presenter_; }
 
  signals:
-  /// After each refresh, for the window's header.
+  /// Emitted after each refresh, for the window's header.
   void shown(const facenav::ui::ReadOut& read_out);
 
  protected:

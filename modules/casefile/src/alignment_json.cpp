@@ -17,7 +17,7 @@ double atLeastZero(const JsonReader& json) {
 const char* const kCovariance = "pose_covariance_deg_mm";
 const char* const kFreedom = "pose_freedom";
 
-/// Of (rotation, translation): files have degrees where the program has radians.
+/// For (rotation, translation): files hold degrees, the program radians.
 Vector6d degreesPerRadian() {
   Vector6d units;
   units << Eigen::Vector3d::Constant(180.0 / M_PI), Eigen::Vector3d::Ones();

@@ -73,7 +73,7 @@ void requireVersion(const JsonReader& json) {
               std::to_string(kSchemaVersion) + "; prepare the case anew or update FaceNav");
 }
 
-/// A name inside the case, nothing that leads out of it.
+/// Throws Error unless each name is a file inside the case; no path may lead out of it.
 void requireInside(const JsonReader& file) {
   const std::filesystem::path path = file.text();
   if (path.empty() || path.has_parent_path() || path == "..")

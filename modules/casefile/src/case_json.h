@@ -1,5 +1,5 @@
 #pragma once
-// case.json: schema version, id, provenance, findings, and the files the case consists of.
+// case.json: schema version, id, provenance, findings, and the files that make up the case.
 
 #include <filesystem>
 #include <string>
@@ -13,15 +13,15 @@ constexpr int kSchemaVersion = 1;
 
 struct CaseJson {
   std::string case_id, created_utc;
-  std::string label;                         // empty: none, and no key in the file
-  std::string modality, orientation_source;  // of the MRI; NIfTI has no place for them
-  std::vector<std::string> files;            // that must be there, relative to the case
+  std::string label;                         // empty: none; the key is then left out
+  std::string modality, orientation_source;  // of the MRI; NIfTI cannot hold them
+  std::vector<std::string> files;            // that must exist, relative to the case
   std::vector<std::string> findings;
   std::vector<Provenance> provenance;
   std::optional<BrainQuality> brain_quality;
 };
 
-/// Throws Error naming file and key; another schema version than ours is refused with the remedy.
+/// Throws Error naming file and key. Another schema version is refused, and the error says what to do.
 CaseJson readCaseJson(const std::filesystem::path& path);
 void writeCaseJson(const CaseJson& content, const std::filesystem::path& path);
 /// 16 random hex digits.

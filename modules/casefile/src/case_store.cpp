@@ -40,7 +40,7 @@ void requireReplaceable(const fs::path& folder, bool replace) {
 
 std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::path& folder) {
   std::vector<std::string> files{"mri.nii.gz", "head_mask.nii.gz", "scalp.vtp"};
-  auto large = std::async(std::launch::async, [&] {  // compressing takes longest, beside the rest
+  auto large = std::async(std::launch::async, [&] {  // compression takes longest: run it in parallel
     volume::writeNifti(prepared.mri, folder / "mri.nii.gz");
     if (prepared.cortex) surface::writeCortex(*prepared.cortex, folder / "cortex.vtp");
   });
@@ -67,7 +67,7 @@ std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::pa
   return files;
 }
 
-/// Rounding may put a voxel at the edge a hair outside.
+/// Moves a voxel position that rounding put just outside the grid back onto its edge.
 Eigen::Vector3d within(const volume::VoxelGrid& grid, const Eigen::Vector3d& ijk) {
   constexpr double kHair = 0.02;
   const Eigen::Vector3d last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
@@ -75,11 +75,11 @@ Eigen::Vector3d within(const volume::VoxelGrid& grid, const Eigen::Vector3d& ijk
   return (nearest - ijk).norm() < kHair ? nearest : ijk;
 }
 
-/// The same values at the same places, whatever the order of the axes: a mirrored or shifted head is another
-/// scan.
+/// True for equal values at equal places; the order of the axes does not matter. A mirrored or shifted head
+/// is another scan.
 bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   constexpr int kPointsAnAxis = 24;
-  constexpr double kSame = 0.995;  // of the values' correlation; rounding and compression leave 0.9999
+  constexpr double kSame = 0.995;  // correlation of the values; rounding and compression leave 0.9999
   double n = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
   for (int p = 0; p < kPointsAnAxis * kPointsAnAxis * kPointsAnAxis; ++p) {
     const std::array<int, 3> step{p % kPointsAnAxis, p / kPointsAnAxis % kPointsAnAxis,
@@ -95,8 +95,8 @@ bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   return (n * sum_ab - sum_a * sum_b) / spread > kSame;
 }
 
-/// Targets and sessions move on to the new case (files hard-linked: recordings are large, and the swap stays
-/// atomic).
+/// Copies targets and sessions to the new case. Session files are hard-linked: recordings are large, and the
+/// swap stays atomic.
 void keepFromOld(const fs::path& old_case, const fs::path& fresh) {
   if (fs::exists(old_case / "targets.json")) fs::copy_file(old_case / "targets.json", fresh / "targets.json");
   if (!fs::is_directory(old_case / "sessions")) return;

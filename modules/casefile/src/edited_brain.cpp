@@ -11,7 +11,7 @@ namespace {
 constexpr char kInForce[] = "brain_mask.nii.gz", kAutomatic[] = "brain_mask_auto.nii.gz",
                kDraft[] = "brain_mask_draft.nii.gz";
 
-/// Whole: a copy that breaks off leaves no file under the name.
+/// Written whole: an interrupted copy leaves no file under the final name.
 void keepAutomatic(const CaseStore& store) {
   if (hasEditedBrainMask(store)) return;
   writeWholeFile(store.folder() / kAutomatic, readWholeFile(store.folder() / kInForce),
@@ -55,7 +55,7 @@ void saveBrainModel(const CaseStore& store, const surface::BrainModel& brain,
                     const surface::DetailedCortex* cortex) {
   const fs::path vtp = store.folder() / "brain.vtp", texture = store.folder() / "brain_texture.png";
   surface::writeBrain(brain, vtp, texture, FileAccess::owner_only);
-  std::error_code absent;  // it shows the mask of before
+  std::error_code absent;  // it shows the previous mask
   fs::remove(store.folder() / "surface_distance.png", absent);
   const fs::path folded = store.folder() / "cortex.vtp";
   if (!cortex) {

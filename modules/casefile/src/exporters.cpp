@@ -15,7 +15,7 @@ void makeFolder(const fs::path& folder) {
   makePrivateFolder(folder);
 }
 
-/// The name a file will have; nothing is overwritten without being asked for.
+/// Path of the new file. Throws Error if it exists and `replace` is false.
 fs::path placeFor(const fs::path& folder, const std::string& name, bool replace) {
   const fs::path path = folder / name;
   if (fs::exists(path) && !replace)

@@ -17,7 +17,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
-/// Dangling links too.
+/// True for dangling links too.
 bool isThere(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-/// A file that lines are appended to, each in one call, so that a crash leaves whole lines.
+/// A file to append to. Each line is written in one call, so that a crash leaves only whole lines.
 class AppendedFile {
  public:
   AppendedFile(fs::path path, const std::string& header) : path_(std::move(path)) {

@@ -69,7 +69,7 @@ std::vector<std::string> differences(const std::map<std::string, std::string>& t
   return names;
 }
 
-/// Of every file directly in the case; one that vanishes meanwhile changes it, as it should.
+/// Stamp of all files directly in the case. A file that vanishes meanwhile changes the stamp, as it should.
 std::string stampOf(const fs::path& folder) {
   std::map<std::string, std::string> files;
   std::error_code fault;
@@ -123,7 +123,7 @@ std::string toString(CaseState state) {
   return {};
 }
 
-/// What a person looks at: the masks' contours and the surfaces made from them.
+/// What a person looks at: the outlines of the masks and the surfaces made from them.
 std::map<std::string, std::string> seenFiles(const CaseStore& store) {
   std::map<std::string, std::string> seen;
   for (const char* name : {"head_mask.nii.gz", "brain_mask.nii.gz", "scalp.vtp", "brain.vtp"})

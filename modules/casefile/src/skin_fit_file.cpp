@@ -19,7 +19,7 @@ namespace facenav::casefile {
 void writeSkinFit(const registration::AlignmentResult& alignment, const PointCloud<Camera>& face,
                   const std::filesystem::path& path) {
   FACENAV_EXPECT(alignment.residual_mm.size() == face.size(), "one residual a point");
-  constexpr double kFar_mm = 100.0;  // no counterpart
+  constexpr double kFar_mm = 100.0;  // beyond it: no counterpart
   const Eigen::Isometry3d mri_T_camera = alignment.camera_T_mri.isometry().inverse();
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> vertices;

@@ -1,5 +1,5 @@
 #pragma once
-// The time as names of folders and entries of files give it.
+// The current time in the form used for folder names and file entries.
 
 #include <string>
 

@@ -13,33 +13,38 @@
 namespace facenav::monitoring {
 namespace {
 
-constexpr int kCell_px = 4;         // of the map of the reference's skin
-constexpr double kReach_mm = 12.0;  // of a point from the skin, at most: a hand, hair, the wall lie beyond
-constexpr double kPointError_px = 0.1;    // disparity of a point without dots, beside its stated deviation
-constexpr double kCommonError_px = 0.06;  // of it that the whole face shares (measured in the room, 5 rigs)
-constexpr double kDepthMargin_mm = 20.0;  // beyond the face as expected, that is searched
+constexpr int kCell_px = 4;  // of the map of the reference's skin
+// Largest distance of a point from the skin; a hand, hair or the wall is further away.
+constexpr double kReach_mm = 12.0;
+// Disparity error of a point without dots, in addition to its stated standard error.
+constexpr double kPointError_px = 0.1;
+// Part of it that the whole face shares (measured in the virtual room, 5 rigs).
+constexpr double kCommonError_px = 0.06;
+constexpr double kDepthMargin_mm = 20.0;  // search range beyond the expected face
 constexpr std::size_t kMostSamples = 6000;
 constexpr std::size_t kFewestSamples = 400;
-constexpr double kLeastFacing = 0.4;  // cosine: stereo bleeds over the face's outline
-constexpr int kTile_px = 32;          // over which stereo errors go together
+// Cosine; at the outline of the face stereo mixes it with the background.
+constexpr double kLeastFacing = 0.4;
+constexpr int kTile_px = 32;  // stereo errors within a tile are correlated
 constexpr int kIterations = 10;
 constexpr double kBiweight = 4.685;  // 95 % efficiency for normal errors (Huber 1981)
 constexpr double kDegree = M_PI / 180;
 constexpr double kHalfFace_mm = 70.0;
-// What may pass: the check's own error apart, less than half of a wrong pose (3 mm, 2 degrees).
+// Limits of an alarm: the check's own error aside, less than half of what counts as a wrong pose (3 mm, 2
+// degrees).
 constexpr double kTolerated_mm = 1.2, kTolerated_deg = 0.8;
-constexpr double kSurely = 3.0;                                // standard errors beyond that for an alarm
-constexpr double kWorstSigma_mm = 1.0, kWorstSigma_deg = 0.8;  // a vaguer answer is none
+constexpr double kSurely = 3.0;  // standard errors beyond the limit for an alarm
+constexpr double kWorstSigma_mm = 1.0, kWorstSigma_deg = 0.8;  // a less certain answer is `unknown`
 
-/// Sums of the normal equations, and what each tile of the image pulls by.
+/// Sums of the normal equations, and each image tile's part of the gradient.
 struct Normal {
   Matrix6d h = Matrix6d::Zero();
   Vector6d g = Vector6d::Zero();
   std::map<std::pair<int, int>, Vector6d> pulls;
-  std::vector<double> distances;  // in standard deviations
+  std::vector<double> distances;  // |residual| in standard deviations
   int used = 0;
 
-  /// Holds for errors that a whole tile shares (Liang & Zeger 1986).
+  /// Valid for errors that are correlated within a tile (Liang & Zeger 1986).
   Matrix6d covariance() const {
     Matrix6d pull = Matrix6d::Zero();
     for (const auto& tile : pulls) pull += tile.second * tile.second.transpose();
@@ -49,8 +54,8 @@ struct Normal {
   }
 };
 
-/// Spread of normal errors from the smallest third of their lengths: more than half of the face may be
-/// covered.
+/// Standard deviation of normal errors, from the smallest third of their absolute values: more than half of
+/// the face may be occluded.
 double spreadOf(std::vector<double>& lengths) {
   constexpr double kShare = 0.35, kQuantile = 0.4538;  // P(|x| < 0.4538) = 0.35
   return selectRank(lengths, std::size_t(kShare * double(lengths.size()))) / kQuantile;
@@ -130,7 +135,7 @@ std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const cameras::StereoFra
   try {
     TaskMonitor monitor;
     face = stereo::measureFace(rig_, frame, options, monitor);
-  } catch (const Error&) {  // too little texture, too dark: nothing is known
+  } catch (const Error&) {  // too little texture or too dark: no answer
     return samples;
   }
   const std::size_t step = std::max<std::size_t>(1, face.cloud.size() / kMostSamples);

@@ -25,7 +25,7 @@ DriftWatchdog::DriftWatchdog(Measure measure, Mode mode)
 bool DriftWatchdog::isDue(double captured_s) const {
   if (checks_.isBusy()) return false;
   if (!asked_s_) return true;
-  const double waited_s = std::abs(captured_s - *asked_s_);  // a recording may start again
+  const double waited_s = std::abs(captured_s - *asked_s_);  // a recording may restart
   return waited_s >= (was_lost_ ? kRecheck_s : interval_s_);
 }
 

@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::size_t kFirstFrames = 30;  // in which the session's start is judged
 constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;
-constexpr double kMostBetweenExposures_mm = 0.1;  // else the head's motion passes for a turn of the camera
-// Where the whole reference pair fitted its calibration, skin that disagrees a little is no moved camera:
-// twice the monitor's own threshold.
+// Above it, head motion would look like a rotation of the camera.
+constexpr double kMostBetweenExposures_mm = 0.1;
+// If the whole reference pair fitted its calibration, skin that disagrees a little does not prove that a
+// camera moved: require twice the monitor's own threshold.
 constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
 
@@ -68,7 +69,7 @@ void RigCheck::add(const cameras::StereoFrame& frame, const Tracked<head_trackin
       if (const auto match = cameras::matchPatch(frame.left, frame.right, feature.left_px, feature.right_px))
         points.push_back({feature.left_px, match->right_px, match->sigma_px});
     }
-    next_feature_ += 7;  // not the same ones each time round
+    next_feature_ += 7;  // other features next time
     monitor_.add(points);
   }
   if (frames_++ % (is_first ? kFirstInterval : kLaterInterval) == 0) verdict_ = monitor_.verdict();

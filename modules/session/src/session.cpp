@@ -26,7 +26,7 @@ struct Session::Implementation {
   LatestValue<ArrivedFrame> frames;
   LatestValue<NavigationState> states;
   std::atomic<bool> is_stopping{false}, has_ended{false}, is_source_empty{false};
-  mutable std::mutex mutex;  // of what follows
+  mutable std::mutex mutex;  // guards the members below, up to `end`
   std::condition_variable stop_requested;
   std::optional<std::optional<ChosenTarget>> new_target;
   std::string failure;
@@ -44,7 +44,7 @@ struct Session::Implementation {
   void guarded(Body body);
 };
 
-/// One of the three places that catch Error: the fault becomes a state that the consumer shows.
+/// One of the few places that catch any exception: it becomes a state that the consumer shows.
 template <class Body>
 void Session::Implementation::guarded(Body body) {
   try {
@@ -56,7 +56,7 @@ void Session::Implementation::guarded(Body body) {
   }
 }
 
-/// The last thing the tracking thread does, so that no pose comes after it.
+/// Called last on the tracking thread, so that no pose follows the failure.
 void Session::Implementation::publishFailure() {
   std::lock_guard lock(mutex);
   if (failure.empty()) return;
@@ -67,7 +67,7 @@ void Session::Implementation::publishFailure() {
   states.publish(std::make_shared<NavigationState>(blanked(state, LostReason::camera)));
 }
 
-/// Before the states are closed: who sees that can ask why.
+/// Called before the states are closed: a consumer that sees them closed can then ask why.
 void Session::Implementation::noteEnd() {
   std::lock_guard lock(mutex);
   ended = Timestamp::now();
@@ -155,7 +155,7 @@ void Session::start() {
   });
   s.tracking_thread = std::thread([&s] {
     s.guarded([&s] { s.track(); });
-    s.requestStop();  // a fault here ends the capture, too
+    s.requestStop();  // a fault in tracking ends the capture, too
     s.publishFailure();
     s.noteEnd();
     s.states.close();

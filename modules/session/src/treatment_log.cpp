@@ -33,15 +33,15 @@ struct TreatmentLog::Implementation {
       : session(std::move(session_)), log(case_folder), folder(log.folder()) {}
 
   const std::shared_ptr<Session> session;
-  casefile::SessionLog log;  // the thread's alone once it runs
+  casefile::SessionLog log;  // used only by the thread once it runs
   const std::filesystem::path folder;
   std::atomic<bool> is_stopping{false};
-  mutable std::mutex mutex;  // of what follows
+  mutable std::mutex mutex;  // guards events, failure, pulses
   std::deque<Event> events;
   std::string failure;
   int pulses = 0;
   std::thread thread;
-  // The thread's own: what the last frame was.
+  // Used only by the thread: what held at the previous frame.
   bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
 
   void run();
@@ -82,7 +82,7 @@ void TreatmentLog::Implementation::writeEvents() {
   for (const auto& event : waiting) log.addEvent(event.name, event.detail);
 }
 
-/// Once; a fault has its own event.
+/// Notes the recording's end, once. A fault has its own event.
 void TreatmentLog::Implementation::noteEnd() {
   if (has_noted_end || session->end() != SessionEnd::source) return;
   char detail[64];

@@ -14,7 +14,7 @@
 namespace facenav::workflow {
 namespace {
 
-/// The face's box grown to hold forehead, chin and temples; nothing where no face was found.
+/// The face's box, enlarged to include forehead, chin and temples; nothing if no face was found.
 std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
   if (!face.left) return std::nullopt;
   const cv::Rect& box = face.left->face;
@@ -37,9 +37,9 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras
 
 constexpr double kClearStatistic = 40;  // as in RigCheck: twice the monitor's own threshold
 constexpr int kFineScale_px = 9;
-constexpr double kDotsContrast = 1.5;  // of fine detail with dots to that without; skin alone: 1
+constexpr double kDotsContrast = 1.5;  // ratio of fine detail with dots to that without; without dots it is 1
 
-/// Fine detail by the mean grey level.
+/// Fine detail relative to the mean grey level.
 double fineContrast(const cv::Mat& image) {
   cv::Mat grey, smooth;
   image.convertTo(grey, CV_32F);
@@ -55,14 +55,14 @@ bool showsDots(const capture::CapturePair& capture) {
 
 namespace {
 
-/// The calibration does not hold any more: looking elsewhere for the face would not help.
+/// The calibration is no longer valid: searching elsewhere for the face would not help.
 class CamerasMoved : public Error {
  public:
   using Error::Error;
 };
 
-/// The error that `task` ends with, where another way of doing it may help; what no other way mends is thrown
-/// on: cameras at fault, and the user's stop.
+/// Runs `task` and returns its error if another way may help. Errors that no other way avoids are rethrown: a
+/// fault of the cameras, and the user's stop.
 std::optional<Error> errorOf(const std::function<void()>& task) {
   try {
     task();
@@ -78,7 +78,7 @@ std::optional<Error> errorOf(const std::function<void()>& task) {
   }
 }
 
-/// Throws CamerasMoved where points of the face, matched anew, say so.
+/// Throws CamerasMoved if points of the face, matched again, show it.
 void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                            const cameras::StereoFrame& plain, const stereo::FaceCloud& face) {
   cameras::RigMonitor monitor(rig);
@@ -87,14 +87,14 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   if (!verdict.hasMoved()) return;
   const auto diagnosis = cameras::diagnosePair(rig, plain);
   if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
-  // Plain skin that disagrees a little, where the whole plain pair fits, is no moved camera.
+  // If plain skin disagrees a little but the whole plain pair fits, the cameras did not move.
   const bool is_clear = verdict.statistic > kClearStatistic && showsDots({frame, plain});
   if (diagnosis.fault != cameras::PairFault::none || is_clear)
     throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
 }
 
-/// The aligner and the measurement see only that nothing fits. The cameras are asked first, then the dots;
-/// what is left is the face.
+/// The aligner and the measurement know only that nothing fits. This checks the cameras first, then the dots;
+/// if both are in order, it reports the original error.
 [[noreturn]] void refuse(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                          const Error& error) {
   const auto diagnosis = cameras::diagnosePair(rig, capture.plain);
@@ -122,7 +122,8 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
   const bool has_flags = result.is_inlier.size() == face.cloud.size();
   const bool has_normals = face.cloud.normals.size() == face.cloud.size();
   for (std::size_t i = 0; has_pixels && i < face.cloud.size(); ++i) {
-    if (has_flags && !result.is_inlier[i]) continue;  // hair and coil move apart from the skull, or away
+    // Hair and coil can move relative to the skull, or disappear.
+    if (has_flags && !result.is_inlier[i]) continue;
     reference.surface.points_mm.push_back(face.cloud.points_mm[i]);
     if (has_normals) reference.surface.normals.push_back(face.cloud.normals[i]);
     reference.surface_left_px.push_back(face.left_px[i]);
@@ -130,9 +131,9 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
   return reference;
 }
 
-/// A detector that takes something else for the face (a scan that ends at the nose, a poster, a mask) must
-/// not cost the alignment: what fails with its landmarks is tried once more without them, under the same
-/// tests. If that fails too, the first reason is the better one to give: it is returned.
+/// Runs `measureAndFit`; if it fails, runs it once more without the landmarks, under the same tests. The
+/// detector may have found something else (a scan that ends at the nose, a poster, a mask), and this must not
+/// prevent the alignment. If both fail, the first error is returned because it says more.
 std::optional<Error> withoutLandmarksIfMisled(FaceInSpace& landmarks,
                                               const std::function<void()>& measureAndFit) {
   const auto first = errorOf(measureAndFit);
@@ -178,7 +179,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
     throw Error("not aligned: this scan holds no face to align to", {},
                 scalp.findings.empty() ? "use a scan of the whole head" : scalp.findings.front());
   monitor.report("finding the face", 0.0);
-  // The field of the scalp is read, or built, while the face is found and measured.
+  // Read or compute the scalp's field while the face is found and measured.
   auto field = std::async(std::launch::async,
                           [&] { return registration::keptScalpField(skinModel(scalp), field_file); });
   AlignmentOutcome outcome;

@@ -10,8 +10,8 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr double kCertain_mm = 2.0;       // a voxel or two: no hand would draw it better
-constexpr double kLookBelow = 0.8;        // confidence under which a region is named
+constexpr double kCertain_mm = 2.0;       // one or two voxels: as good as drawn by hand
+constexpr double kLookBelow = 0.8;        // a region with lower confidence is named
 constexpr std::size_t kLeastPlaces = 30;  // of a region's surface
 constexpr std::size_t kMostWords = 3;
 

@@ -8,8 +8,9 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr double kFinest_mm = 0.8, kCoarsest_mm = 1.0;  // of the cortex' grid: a sulcus is 1-2 mm wide
-constexpr int kSmoothing = 10;  // takes the voxels' steps off, leaves a gyrus its width
+// Spacing of the cortex' grid: a sulcus is 1-2 mm wide.
+constexpr double kFinest_mm = 0.8, kCoarsest_mm = 1.0;
+constexpr int kSmoothing = 10;  // removes the voxels' steps, keeps the width of a gyrus
 
 }  // namespace
 

@@ -83,7 +83,7 @@ BrainCorrection beginCorrection(const casefile::CaseStore& store, const volume::
 BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Volume& mri,
                              const volume::Mask& mask, TaskMonitor& monitor) {
   auto surfaces = buildBrainSurfaces(mri, mask, monitor);
-  casefile::saveEditedBrainMask(store, mask);  // from here on the sign-off is void
+  casefile::saveEditedBrainMask(store, mask);  // the sign-off becomes void here
   casefile::saveBrainModel(store, surfaces.model, &surfaces.cortex);
   writeSurfaceDistance(surfaces.cortex, surfaces.distance, store.folder());
   casefile::removeBrainDraft(store);

@@ -7,8 +7,8 @@ namespace facenav::workflow {
 namespace {
 
 constexpr double kEpipolarLimit_px = 6.0;  // two independent landmark fits agree to a few pixels
-constexpr double kEyesLow_mm = 45.0,
-                 kEyesHigh_mm = 85.0;    // inter-pupillary 52..78 mm in adults, with margin (ANSUR II)
+// Inter-pupillary distance is 52..78 mm in adults (ANSUR II), plus a margin.
+constexpr double kEyesLow_mm = 45.0, kEyesHigh_mm = 85.0;
 constexpr double kFaceReach_mm = 135.0;  // from the landmarks' centre: chin, temples and forehead
 constexpr double kHeadDepth_mm = 220.0;
 
@@ -38,7 +38,7 @@ void setStart(FaceInSpace& face, const Triangulated& points) {
   const auto right_eye = mean(points, 36, 41), left_eye = mean(points, 42, 47), mouth = mean(points, 48, 67);
   if (!right_eye || !left_eye) return;
   const double eyes_mm = (*right_eye - *left_eye).norm();
-  if (eyes_mm < kEyesLow_mm || eyes_mm > kEyesHigh_mm) return;  // one of the two is no face, or another face
+  if (eyes_mm < kEyesLow_mm || eyes_mm > kEyesHigh_mm) return;  // at least one of the two is not this face
   face.start.patient_right = Direction<Camera>(*right_eye - *left_eye);
   if (mouth) {
     const Eigen::Vector3d x = face.start.patient_right->v;
@@ -62,7 +62,7 @@ stereo::FaceCloud select(const stereo::FaceCloud& cloud, const std::vector<std::
   return out;
 }
 
-/// Depth of the nearest surface that holds at least a tenth of the points.
+/// Depth of the nearest surface with at least a tenth of the points.
 double nearestLargeDepth_mm(const PointCloud<Camera>& cloud) {
   std::vector<double> depths;
   depths.reserve(cloud.size());

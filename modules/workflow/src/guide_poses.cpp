@@ -8,8 +8,7 @@
 namespace facenav::workflow {
 namespace {
 
-/// Guidance needs camera_T_mri and camera_T_coil; rows that say they are something else must not pass for
-/// these.
+/// Guidance needs camera_T_mri and camera_T_coil. Throws Error for rows that state other frames.
 void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
   bool has_marker_poses = false;
   for (const auto& row : poses) {

@@ -8,12 +8,12 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;  // the landmarks' centre: all of a face
+// Before and behind the landmarks' centre: all of a face.
+constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;
 constexpr double kAround_mm = 150.0;
-// Plain skin shows little that is finer than this: larger pictures are reduced.
+// Plain skin shows little detail finer than this, so larger images are reduced.
 constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
-constexpr std::int64_t kMostMeasured =
-    40;  // frames; more hardly gain, and each takes some tenths of a second
+constexpr std::int64_t kMostMeasured = 40;  // frames; more add little, and each takes some tenths of a second
 
 cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
   const Eigen::Vector2d px = cameras::project(rig.left, centre_mm);
@@ -48,7 +48,7 @@ std::shared_ptr<const cameras::StereoFrame> frameOf(capture::FrameSource& film, 
                     : "look into timestamps.csv");
 }
 
-/// Where the face of the first frame is now.
+/// Position of the first frame's face in the current frame.
 FaceInSpace moved(const FaceInSpace& first, const Eigen::Isometry3d& now_T_first) {
   FaceInSpace now;
   if (first.centre) now.centre = Point<Camera>(Eigen::Vector3d(now_T_first * first.centre->mm));
@@ -64,7 +64,7 @@ void toWholePicture(stereo::FaceCloud& cloud, int times) {
   for (auto& px : cloud.left_px) px = cameras::inWholePicture(px, times);
 }
 
-/// False where the frame shows too little to measure.
+/// Returns false if the frame shows too little to measure.
 bool addFrame(const cameras::StereoRig& rig, const cameras::StereoFrame& frame, const FaceInSpace& first,
               const Eigen::Isometry3d& now_T_first, stereo::CloudFusion& fusion) {
   TaskMonitor silent;
@@ -113,7 +113,7 @@ MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::in
   for (auto frame = film.next(); frame && frame->number <= last; frame = film.next()) {
     monitor.report("frames", double(frame->number - first) / double(last - first));
     const auto pose = tracker.track(*frame);
-    if (pose && ++at % step != 0) continue;  // tracked over, not measured
+    if (pose && ++at % step != 0) continue;  // tracked but not measured
     const bool is_added = pose && addFrame(small, cameras::reduced(*frame, times), result.landmarks,
                                            pose->camera_T_head.isometry(), fusion);
     ++(is_added ? result.fused : result.lost);

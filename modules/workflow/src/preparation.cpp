@@ -21,12 +21,12 @@ struct HeadPart {
   surface::NavigationCheck check;
   std::vector<std::string> warnings;
 };
-/// Nothing where no face could be aligned to the scalp: the model is whole without it.
+/// Null if no face can be aligned to the scalp: the case is complete without it.
 std::shared_ptr<const registration::ScalpField> fieldOf(const surface::ScalpSurface& scalp) {
   if (!scalp.has_face) return {};
   try {
     return std::make_shared<const registration::ScalpField>(skinModel(asStored(scalp)));
-  } catch (const Error& error) {  // aligning says the same
+  } catch (const Error& error) {  // the alignment reports the same error
     logWarning(std::string("no face could be aligned to this scalp: ") + error.what());
     return {};
   }
@@ -49,8 +49,8 @@ HeadPart prepareHead(const volume::Volume& mri, const segmentation::Segmenter& s
   return {std::move(result.mask), std::move(scalp), std::move(check), std::move(result.warnings)};
 }
 
-/// Those of the check's findings that must be acknowledged: what the scalp's own findings say already, and
-/// what holds for every file of its kind, is shown but not repeated.
+/// The findings of the check that must be acknowledged. Findings that the scalp's own findings contain, or
+/// that hold for every file of this kind, are shown but need no acknowledgement.
 std::vector<std::string> worthAcknowledging(const surface::NavigationCheck& check) {
   std::vector<std::string> lines;
   for (const auto& finding : check.findings) {
@@ -75,7 +75,7 @@ void registerTo(const atlas::BrainTemplate& atlas, const volume::Volume& mri, Br
                           "): no MNI coordinates or labels");
 }
 
-/// Both surfaces of the brain, and how far they lie apart.
+/// Stores both surfaces of the brain and the distance between them.
 void keepSurfaces(BrainSurfaces surfaces, BrainPart& part) {
   const auto& [to_model, to_cortex] = surfaces.distance;
   part.quality->surface_median_mm = to_model.median_mm, part.quality->surface_p95_mm = to_model.p95_mm;
@@ -93,7 +93,7 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
     if (const auto finding = segmentation::brainVolumeFinding(result.mask.volume_ml()))
       part.findings.insert(part.findings.begin(), *finding);
     part.mask = std::move(result.mask);
-    TaskMonitor surface_monitor;  // quiet: its cancellation is this thread's
+    TaskMonitor surface_monitor;  // silent; this thread cancels it
     auto surfaces =
         std::async(std::launch::async, [&] { return buildBrainSurfaces(mri, *part.mask, surface_monitor); });
     const atlas::BrainTemplate* atlas = nullptr;
@@ -120,7 +120,8 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
   return part;
 }
 
-/// A monitor for one of two threads: passes reports on, one at a time, and the parent's cancellation back.
+/// A listener for one of two threads: forwards reports to `parent`, one at a time. The call throws Cancelled
+/// when the parent was cancelled.
 TaskMonitor::Listener forwardTo(TaskMonitor& parent, std::mutex& mutex) {
   return [&parent, &mutex](const std::string& step, double fraction) {
     std::lock_guard lock(mutex);
@@ -144,9 +145,9 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
     prepared.scalp = std::move(part.scalp);
     prepared.findings = std::move(part.warnings);
     prepared.navigation_check = std::move(part.check);
-    prepared.scalp_field = fieldOf(prepared.scalp);  // beside the brain
+    prepared.scalp_field = fieldOf(prepared.scalp);  // in parallel with the brain
   } catch (...) {
-    brain_monitor.cancel();  // then the other thread ends at its next report
+    brain_monitor.cancel();  // the other thread ends at its next report
     brain_task.wait();
     throw;
   }

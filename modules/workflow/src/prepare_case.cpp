@@ -16,7 +16,7 @@ namespace facenav::workflow {
 namespace fs = std::filesystem;
 namespace {
 
-/// The atlas, or a warning that there is none: a case without MNI coordinates is still a case.
+/// The atlas, or a warning if there is none: a case is valid without MNI coordinates.
 std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
   try {
     return atlas::readColin27();
@@ -26,14 +26,14 @@ std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& war
   }
 }
 
-/// Empty where the face was not measured.
+/// Empty if the face was not measured.
 RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
   const auto& check = prepared.navigation_check;
   if (!check || check->landmarks.points.empty()) return {};
   return pictures::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
 }
 
-/// Empty where there is no cortex.
+/// Empty if there is no cortex.
 RgbImage distancePicture(const casefile::PreparedCase& prepared) {
   if (!prepared.cortex || !prepared.brain_quality) return {};
   const auto& q = *prepared.brain_quality;
@@ -41,14 +41,14 @@ RgbImage distancePicture(const casefile::PreparedCase& prepared) {
       *prepared.cortex, {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}});
 }
 
-/// At most `most` bytes of UTF-8 text, no character cut in two.
+/// At most `most` bytes of UTF-8 text; never cuts a character.
 std::string shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
   return text.substr(0, most);
 }
 
-/// Empty where nobody asked for a label, or where there is none to be had (then said in the description).
+/// Empty if no label was asked for, or if none is available (the description then says so).
 std::string labelOf(const PrepareRequest& request, dicom::ImportedVolume& imported) {
   if (!request.is_labelled_by_patient) return casefile::asLabel(request.label);
   const std::string name = imported.series ? dicom::nameInWords(dicom::patientOf(*imported.series)) : "";
@@ -64,9 +64,9 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
     throw Error(
         "exists already", request.case_folder.string(),
         "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
-  if (!request.discard_edits) casefile::requireNoEditsIn(request.case_folder);  // said before the work
+  if (!request.discard_edits) casefile::requireNoEditsIn(request.case_folder);  // refuse early
   const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
-  if (!fs::is_directory(parent))  // said before the work, not after it
+  if (!fs::is_directory(parent))  // refuse early
     throw Error("no such folder to make the case in", parent.string(), "create it first");
   const auto head = methods.head_segmenters.create(request.head_segmenter);
   const auto brain = methods.brain_segmenters.create(request.brain_segmenter);
@@ -75,11 +75,11 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
       std::async(std::launch::async, [&atlas_warnings] { return installedAtlas(atlas_warnings); });
   auto imported = dicom::importVolume(request.input, request.series_uid, monitor,
                                       volume::niftiTransformNamed(request.nifti_transform));
-  casefile::requireTargetsStay(request.case_folder, imported.volume);  // said before the work
+  casefile::requireTargetsStay(request.case_folder, imported.volume);  // refuse early
   const std::string label = labelOf(request, imported);
   auto prepared = prepare(imported.volume, *head, *brain, monitor,
                           [&colin] { return colin.get() ? &*colin.get() : nullptr; });
-  colin.wait();  // asked for or not
+  colin.wait();  // wait even if it was not used
   imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
   prepared.label = label;
   prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
@@ -90,7 +90,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
                              {"brain", request.brain_segmenter},
                              {"nifti_transform", request.nifti_transform}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
-  // Drawn beside the writing.
+  // Drawn while files are written.
   auto face_picture = std::async(std::launch::async, [&prepared] { return faceMeasuresPicture(prepared); });
   auto distance_picture = std::async(std::launch::async, [&prepared] { return distancePicture(prepared); });
   auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,

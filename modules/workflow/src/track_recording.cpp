@@ -12,14 +12,15 @@ namespace facenav::workflow {
 namespace fs = std::filesystem;
 namespace {
 
-/// What the head tracker starts from, and where the head was then.
+/// What the head tracker starts from, and the head's pose then.
 struct Start {
   head_tracking::HeadReference reference;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
-  std::shared_ptr<const registration::ScalpField> scalp = nullptr;  // aligned to, where it was done now
+  // What the face was aligned to, if that was done now.
+  std::shared_ptr<const registration::ScalpField> scalp = nullptr;
 };
 
-/// The first frame in which both cameras see a face; tracking without an alignment starts there.
+/// The first frame in which both cameras see a face. Tracking without an alignment starts there.
 std::shared_ptr<const cameras::StereoFrame> firstFrameWithFace(const Registrations& methods,
                                                                const capture::Recording& recording,
                                                                TaskMonitor& monitor) {
@@ -45,8 +46,8 @@ Start startWithoutCase(const Registrations& methods, const capture::Recording& r
   return {{*firstFrameWithFace(methods, recording, monitor), {}, {}}, std::nullopt};
 }
 
-/// An alignment.json of another tool, without the images it was made from: nothing ties it to this recording
-/// but the user's word that the head sits in the first frame as it sat then.
+/// For another tool's alignment.json without its images. It fits this recording only if the head in the first
+/// frame is where it was at that alignment; this cannot be checked here.
 Start startFromStoredPose(const Registrations& methods, const casefile::CaseStore& store,
                           const capture::Recording& recording, TaskMonitor& monitor) {
   const auto alignment = store.alignment();
@@ -75,7 +76,7 @@ session::Navigator makeNavigator(const Registrations& methods, const TrackReques
                                  const coil_tracking::CoilModel& coil) {
   session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
                                 start.scalp};
-  setup.pace = head_tracking::Pace::patient;  // nobody waits for a recording's frames
+  setup.pace = head_tracking::Pace::patient;  // a recording may take longer than real time
   if (request.case_folder) setup.looks = casefile::readFaceLooks(*request.case_folder);
   session::Navigator navigator(setup, methods.head_trackers.create(request.head_tracker),
                                methods.coil_trackers.create(request.coil_tracker));

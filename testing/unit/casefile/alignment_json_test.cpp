@@ -38,7 +38,8 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   EXPECT_EQ(read.cautions, alignment.cautions);
 }
 
-/// A turn of 2 mrad about Camera's x at the image of Mri's origin, and 0.3 mm along each axis.
+/// Standard errors: a rotation of 2 mrad about Camera's x at the image of Mri's origin, and 0.3 mm along each
+/// axis.
 StoredAlignment withCovariance() {
   StoredAlignment alignment;
   alignment.camera_T_mri = {Eigen::Quaterniond::Identity(), {0, 0, 600}};
@@ -62,7 +63,7 @@ TEST(AlignmentJson, ThePredictedErrorIsKnownForRenamedAndLaterTargets) {
   const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
   ASSERT_TRUE(read.uncertainty);
   EXPECT_DOUBLE_EQ(read.uncertainty->freedom, 12);
-  const Point<Mri> place(0, 100, 0);  // 100 mm off the axis: 0.2 mm by the turn
+  const Point<Mri> place(0, 100, 0);  // 100 mm from the axis: the rotation gives 0.2 mm
   for (const char* name : {"renamed", "M1 hand L", "made later"}) {
     const auto error_mm = read.predictedError_mm(targetAt(name, place));
     ASSERT_TRUE(error_mm) << name;

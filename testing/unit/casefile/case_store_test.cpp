@@ -153,7 +153,7 @@ TEST(CaseStore, ReplacingKeepsIdTargetsAndSessionsButNoStaleAlignment) {
   EXPECT_EQ(entries(folder.path()), 1u) << "no temporary folder is left";
 }
 
-/// The same scan with the axis i counted from the other side.
+/// The same scan with the axis i reversed.
 PreparedCase countedBackwards(PreparedCase prepared) {
   auto& mri = prepared.mri;
   const int last = mri.grid.size[0] - 1;
@@ -200,7 +200,7 @@ TEST(CaseStore, LeavesNothingBehindWhenAStepFails) {
   const TemporaryFolder folder;
   const CaseStore before = CaseStore::create(folder.path() / "case", preparedCase(), provenance(), false);
   PreparedCase broken = preparedCase();
-  broken.mri.voxels.resize(10);  // fewer than the grid has: writing it throws
+  broken.mri.voxels.resize(10);  // fewer voxels than the grid has: writing throws
   EXPECT_ANY_THROW(CaseStore::create(folder.path() / "case", broken, provenance(), true));
   EXPECT_ANY_THROW(CaseStore::create(folder.path() / "new", broken, provenance(), false));
   EXPECT_EQ(entries(folder.path()), 1u);

@@ -56,7 +56,7 @@ TEST_F(FileGroupTest, WhereOneCannotBeReplacedAllStaysAsItWas) {
     const fs::path place = folder_.path() / blocked;
     const bool was_there = fs::exists(place);
     if (was_there) fs::remove(place);
-    write(place / "somebody's.txt", "theirs");  // a folder where a file should go
+    write(place / "somebody's.txt", "theirs");  // a folder in the place of a file
     {
       FileGroup group(folder_.path());
       for (const char* name : {"key.json", "photo.png", "aaa.png", "mmm.png", "zzz.png"})

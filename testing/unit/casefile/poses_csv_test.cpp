@@ -90,7 +90,7 @@ TEST(PosesCsv, NamesFileAndLineOfAFault) {
 
 TEST(PosesCsv, KeepsItsDecimalPointInEveryLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
-  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, name);  // where installed
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, name);  // if installed
   const std::string line = toCsvLine({1, 0.5, PoseObject::head, Eigen::Isometry3d::Identity(), 0.5, {}, ""});
   std::setlocale(LC_ALL, before.c_str());
   EXPECT_NE(line.find("0.500000,head"), std::string::npos);

@@ -17,7 +17,7 @@ TEST(SessionLog, LinesAreThereWhileTheSessionRuns) {
   log.add(PoseRow{1, 0.1, PoseObject::coil, Eigen::Isometry3d::Identity(), 0.9, {}});
   log.add(guidance::GuidanceRow{1, 0.1, "M1", {}});
   log.addEvent("stimulus", "line\nbreak");
-  EXPECT_EQ(readPoses(log.folder() / "poses.csv").size(), 2u);  // before it is closed
+  EXPECT_EQ(readPoses(log.folder() / "poses.csv").size(), 2u);  // before the log is closed
   EXPECT_NE(readWholeFile(log.folder() / "guidance.csv").find("1,0.100000,M1,lost"), std::string::npos);
   const std::string events = readWholeFile(log.folder() / "events.jsonl");
   EXPECT_NE(events.find("\"event\":\"stimulus\",\"detail\":\"line\\nbreak\"}\n"), std::string::npos)

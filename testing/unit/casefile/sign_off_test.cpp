@@ -100,7 +100,7 @@ TEST(SignOff, ACorrectedMaskMakesItVoidAndTheAutomaticOneIsKept) {
   edited.voxels.front() = !edited.voxels.front();
   saveBrainDraft(store, edited);
   EXPECT_FALSE(signOffStatus(store).holds());
-  EXPECT_TRUE(signOffStatus(store).changed.empty());  // a draft is not the case's mask yet
+  EXPECT_TRUE(signOffStatus(store).changed.empty());  // a draft is not yet the case's mask
   EXPECT_EQ(brainDraft(store)->voxels, edited.voxels);
   saveEditedBrainMask(store, edited);
   removeBrainDraft(store);
@@ -169,7 +169,7 @@ TEST(Worklist, TakesOverWhatDidNotChangeAndReadsAnewWhatDid) {
   const auto store = madeStore(folder.path() / "case");
   auto known = listCases(folder.path());
   ASSERT_EQ(known.size(), 1u);
-  known.front().checked_by = "taken over";  // tells a reused entry from one read anew
+  known.front().checked_by = "taken over";  // marks a reused entry
   EXPECT_EQ(listCases(folder.path(), known).front().checked_by, "taken over");
   signOff(store, {"A. R.", "", true});
   EXPECT_EQ(listCases(folder.path(), known).front().checked_by, "A. R.");

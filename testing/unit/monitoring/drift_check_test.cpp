@@ -16,7 +16,7 @@ using facenav::testing::SyntheticView;
 
 constexpr double kDegree = M_PI / 180;
 
-/// The surface that the reference saw, as a mesh: its points lie on every second pixel.
+/// The surface seen by the reference, as a mesh: its points lie on every second pixel.
 registration::SkinModel skinOf(const head_tracking::HeadReference& reference) {
   registration::SkinModel skin;
   skin.points.points_mm = reference.surface.points_mm;
@@ -38,7 +38,7 @@ registration::SkinModel skinOf(const head_tracking::HeadReference& reference) {
   return skin;
 }
 
-/// A portrait on a head-like surface, whose MRI frame is the camera's at the reference.
+/// A portrait on a head-like surface. Its MRI frame is the camera's frame at the reference.
 class Sitting {
  public:
   Sitting() : face_(SyntheticFace::astronaut()), reference_(face_.reference(rig_, true)) {
@@ -53,7 +53,7 @@ class Sitting {
     return sitting;
   }
   cameras::StereoFrame render(SyntheticView view) const { return face_.render(rig_, view); }
-  /// A turn (rotation vector, degrees) about the face's centre, and a shift.
+  /// A rotation (rotation vector, degrees) about the face's centre, and a shift.
   Eigen::Isometry3d about(const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm) const {
     Vector6d xi;
     xi << turn_deg * kDegree, shift_mm;
@@ -112,7 +112,7 @@ TEST(DriftCheck, KnowsNothingOfAFaceThatItCannotSee) {
   const auto& sitting = Sitting::shared();
   SyntheticView view;
   auto frame = sitting.render(view);
-  auto far = sitting.about({0, 0, 0}, {900, 0, 0});  // out of the picture
+  auto far = sitting.about({0, 0, 0}, {900, 0, 0});  // outside the image
   EXPECT_EQ(sitting.measure(frame, far).verdict, Verdict::unknown);
   frame.left.setTo(0);
   frame.right.setTo(0);

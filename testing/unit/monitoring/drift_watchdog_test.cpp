@@ -26,7 +26,7 @@ DriftFinding answer(Verdict verdict) {
   return finding;
 }
 
-/// Feeds `seconds` of frames; the capture times at which the alarm began and ended.
+/// Result of feeding `seconds` of frames: capture times at which the alarm began and ended.
 struct Course {
   std::optional<double> began_s, ended_s;
   int measured = 0;
@@ -96,7 +96,7 @@ TEST(DriftWatchdog, ChecksAFaceFoundAgainAtOnce) {
   EXPECT_LT(first_after_s, 3.05);
 }
 
-/// Live: frames go by while the face is measured, and the answer counts when it is there.
+/// Live: frames continue while the face is measured; the answer counts when it arrives.
 TEST(DriftWatchdog, NeverHoldsAFrameUp) {
   std::promise<void> finish;
   auto may_finish = finish.get_future().share();
@@ -106,7 +106,8 @@ TEST(DriftWatchdog, NeverHoldsAFrameUp) {
         return answer(Verdict::drifted);
       },
       Mode::own_thread);
-  for (int i = 0; i < 600; ++i) watchdog.add(frame(i, i * kFrame_s), kPose);  // or waits for ever
+  // Blocks for ever if it waits for the answer.
+  for (int i = 0; i < 600; ++i) watchdog.add(frame(i, i * kFrame_s), kPose);
   EXPECT_FALSE(watchdog.isAlarmed());
   finish.set_value();
   for (int i = 600; i < 2400 && !watchdog.isAlarmed(); ++i) {

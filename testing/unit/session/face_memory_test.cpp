@@ -14,7 +14,7 @@ RigidTransform<Camera, Head> moved() {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 1).normalized())), {12, -7, 30}};
 }
 
-/// Learns one look of the face, and notes those that it is given.
+/// Has one learnt key frame of the face, and records those that it is given.
 class LearningHead : public fakes::Head {
  public:
   explicit LearningHead(std::vector<head_tracking::FaceLook>& given)
@@ -47,7 +47,7 @@ TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
   EXPECT_THAT(kept[0].camera_T_mri,
               PoseNear(moved() * fakes::cameraAtReference().reframe<Head, Mri>(), 1e-9, 1e-9));
 
-  NavigatorSetup second = fakes::setup();  // the patient sits elsewhere at this session's reference
+  NavigatorSetup second = fakes::setup();  // in this session the patient sits elsewhere at the reference
   const RigidTransform<Camera, Mri> there(
       Eigen::Quaterniond(Eigen::AngleAxisd(-1.0, Eigen::Vector3d(3, 1, 2).normalized())), {-40, 10, 580});
   second.camera_T_mri_at_reference = there;

@@ -42,7 +42,7 @@ TEST(Navigator, ChainsHeadMotionWithTheAlignment) {
   EXPECT_THAT(*state.camera_T_mri, PoseNear(expected, 1e-9, 1e-9));
 }
 
-/// Shows a marker whose corners disagree with the calibration by `off_px` across the epipolar lines.
+/// Returns a marker whose corners are `off_px` away from the epipolar lines of the calibration.
 class CoilSeenByMovedCameras : public fakes::Coil {
  public:
   CoilSeenByMovedCameras(const cameras::StereoRig& rig, double off_px)
@@ -82,7 +82,7 @@ TEST(Navigator, RefusesEveryPoseWhenTheCamerasHaveMoved) {
   }
 }
 
-/// A watchdog whose face lies elsewhere from the second second to the fifth.
+/// The watchdog finds the face elsewhere between 2 s and 5 s.
 TEST(Navigator, ShowsNoPoseOfAHeadThatHasDrifted) {
   auto navigator = makeNavigator(fakes::setup(), [](auto) { return kMoved; });
   navigator.setWatchdog(std::make_unique<monitoring::DriftWatchdog>(
@@ -181,12 +181,12 @@ TEST(Navigator, IsOnTargetWhereTheTargetWasPlannedAndFollowsTheHead) {
   bool has_moved = false;
   auto navigator = makeNavigator(fakes::setup(),
                                  [&](auto) { return has_moved ? kMoved : RigidTransform<Camera, Head>(); });
-  navigator.setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));  // identity marker_T_coil
+  navigator.setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));  // marker_T_coil is the identity
   auto state = navigator.process(fakes::frame(0, 0));
   EXPECT_EQ(state.guidance.state, guidance::State::on_target);
   ASSERT_TRUE(state.guidance.values);
   EXPECT_NEAR(state.guidance.values->distance_mm, 0.0, 1e-9);
-  has_moved = true;  // the coil stays behind
+  has_moved = true;  // the coil does not move with it
   state = navigator.process(fakes::frame(1, 0.02));
   EXPECT_EQ(state.guidance.state, guidance::State::adjust);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Stand-ins for cameras and trackers: known frames, known poses, losses on demand.
+// Stand-ins for cameras and trackers: known frames, known poses, losses on request.
 
 #include <atomic>
 #include <functional>
@@ -46,7 +46,7 @@ class Source : public capture::FrameSource {
   int fails_at_;
 };
 
-/// The head's pose is a function of the frame; an empty answer is a loss.
+/// Gives the head's pose as a function of the frame; an empty result is a loss.
 class Head : public head_tracking::HeadTracker {
  public:
   using Pose = std::function<std::optional<RigidTransform<Camera, facenav::Head>>(std::int64_t)>;
@@ -96,7 +96,7 @@ inline NavigatorSetup setup() {
   return s;
 }
 
-/// A target whose wanted pose is where `camera_T_coil` is when the head stands at the reference.
+/// A target for which the wanted pose of the coil is `camera_T_coil` when the head is at the reference.
 inline ChosenTarget targetAt(const RigidTransform<Camera, facenav::Coil>& camera_T_coil) {
   ChosenTarget chosen;
   chosen.target.name = "spot";

@@ -55,7 +55,7 @@ TEST(Session, PublishesTheLastFrameThenBlanksItWhenItIsOld) {
 
 TEST(Session, OverwritesFramesThatTrackingIsTooSlowForAndCountsThem) {
   SessionOptions options;
-  options.is_paced = false;  // 200 frames at once against 20 ms of work each
+  options.is_paced = false;  // 200 frames at once, with 20 ms of work each
   Session session(std::make_unique<fakes::Source>(200, 0.01), navigator(20), options);
   session.start();
   waitForEnd(session);
@@ -77,7 +77,7 @@ TEST(Session, StopsWithinAFrameOfAnEndlessSlowSource) {
   session.start();
   std::this_thread::sleep_for(20ms);
   session.stop();
-  session.stop();  // harmless
+  session.stop();  // calling it again is harmless
   SUCCEED();
 }
 
@@ -117,7 +117,7 @@ TEST(Session, TheClockStopsWithTheRecordingAndTheEndHasItsReason) {
   EXPECT_GE(at_end_s, 0.095);
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(session.elapsed_s(), at_end_s);
-  session.stop();  // changes nothing of it
+  session.stop();  // this does not change it
   EXPECT_EQ(session.elapsed_s(), at_end_s);
   EXPECT_EQ(session.end(), SessionEnd::source);
 }

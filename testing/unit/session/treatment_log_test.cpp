@@ -53,7 +53,7 @@ TEST(TreatmentLog, KeepsPosesGuidanceLossesAndPulses) {
   for (const auto& row : rows)
     lost_heads += row.object == casefile::PoseObject::head && row.reason.has_value();
   EXPECT_GT(lost_heads, 0);
-  EXPECT_LE(lost_heads, kLostTo - kLostFrom + 1);  // the blanked last state may be one more
+  EXPECT_LE(lost_heads, kLostTo - kLostFrom + 1);  // the blanked last state may add one
   const std::string events = contentOf(place / "events.jsonl");
   for (const char* word : {"session started", "override", "emergency", "face found", "face lost", "no_face",
                            "coil found", "pulse", "recording ended", "session ended"})

@@ -10,7 +10,7 @@
 namespace facenav::workflow {
 namespace {
 
-/// 68 points of a face that looks at the left camera from 600 mm, projected into both images.
+/// Landmarks of a face that looks at the left camera from 600 mm: 68 points, projected into both images.
 class FakeDetector : public face::FaceDetector {
  public:
   FakeDetector(const cameras::StereoRig& rig, bool finds_right) : rig_(rig), finds_right_(finds_right) {
@@ -104,7 +104,7 @@ TEST(CutFace, KeepsTheFaceAndLeavesTheWallWithOrWithoutLandmarks) {
     ASSERT_EQ(cut.left_px.size(), cut.cloud.size());
     for (std::size_t i = 0; i < cut.cloud.size(); ++i) {
       EXPECT_LT(cut.cloud.points_mm[i].z(), 700);
-      EXPECT_EQ(cut.left_px[i].y(), 0.f);  // pixels stay with their points
+      EXPECT_EQ(cut.left_px[i].y(), 0.f);  // each point keeps its own pixel
     }
   }
 }
@@ -126,7 +126,7 @@ TEST(AlignFromCapture, RefusesAScanWithoutAFaceInWords) {
   }
 }
 
-/// Content with any cloud large enough; says how large it was.
+/// Accepts any cloud that is large enough, and records its size.
 class EasyAligner : public registration::Aligner {
  public:
   registration::AlignmentResult align(const registration::ScalpField&, const PointCloud<Camera>& face,
@@ -145,7 +145,7 @@ class EasyAligner : public registration::Aligner {
 class MisledAlignment : public ::testing::Test {
  protected:
   MisledAlignment() : rig(testing::convergingRig()), detector(rig, true) {
-    for (auto& p : detector.points_) p.y() -= 330;  // a face on a poster, say
+    for (auto& p : detector.points_) p.y() -= 330;  // for example, a face on a poster
     scalp.has_face = true;
     scalp.mesh = testing::ballMesh(80);
   }

@@ -15,7 +15,7 @@ atlas::AtlasMap sameSpace() {
   return {Eigen::Affine3d::Identity(), grid, std::vector<Eigen::Vector3f>(8, Eigen::Vector3f::Zero())};
 }
 
-/// 40 places about each of two known places of MNI space; those of the left temporal pole uncertain.
+/// 40 places around each of two known points in MNI space; those of the left temporal pole are uncertain.
 std::vector<BoundaryDoubt> doubts() {
   std::vector<BoundaryDoubt> all;
   for (int n = 0; n < 40; ++n) {
@@ -23,7 +23,7 @@ std::vector<BoundaryDoubt> doubts() {
     all.push_back({Point<Mri>(-40 + off, 16, -32), n < 30 ? 6.f : 1.f});
     all.push_back({Point<Mri>(20 + off, -98, 5), n < 2 ? 3.f : 1.f});
   }
-  all.push_back({Point<Mri>(37, -21, 62), 20.f});  // a region of one place says nothing
+  all.push_back({Point<Mri>(37, -21, 62), 20.f});  // a region with one place is left out
   return all;
 }
 

@@ -83,7 +83,7 @@ TEST_F(CorrectBrain, BackToTheAutomaticMask) {
 
 TEST_F(CorrectBrain, WhatChangesNothingWritesNothing) {
   BrainEdits edits;
-  edits.added = {{Point<Mri>(2, 2, 2), 5}};  // brain already
+  edits.added = {{Point<Mri>(2, 2, 2), 5}};  // already brain
   EXPECT_FALSE(correct(edits).isChanged());
   EXPECT_TRUE(casefile::validSignOff(store_)) << "the sign-off must hold";
   EXPECT_FALSE(casefile::hasEditedBrainMask(store_));

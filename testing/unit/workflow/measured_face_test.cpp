@@ -1,5 +1,5 @@
-// A portrait on a head-like surface of known shape, without dots: how well it is measured, in one frame and
-// in several.
+// A portrait on a head-like surface of known shape, without dots: errors of the measured face, from one frame
+// and from several.
 
 #include "facenav/workflow/measured_face.h"
 
@@ -16,7 +16,7 @@ using facenav::testing::SyntheticFace;
 using facenav::testing::SyntheticView;
 using ::testing::HasSubstr;
 
-/// The head sways by some millimetres and degrees; one frame may be hidden.
+/// The head sways by some millimetres and degrees; one frame may be occluded.
 class SwayingFilm : public capture::FrameSource {
  public:
   SwayingFilm(const SyntheticFace& face, const cameras::StereoRig& rig, int frames, int hidden = -1,
@@ -51,7 +51,8 @@ class SwayingFilm : public capture::FrameSource {
 
 struct Errors {
   int points = 0;
-  double median_mm = 0, rms_mm = 0, within = 0, within_two = 0;  // shares within 1 and 2 stated deviations
+  // Shares within 1 and 2 stated standard errors.
+  double median_mm = 0, rms_mm = 0, within = 0, within_two = 0;
 };
 
 class MeasuredFaces : public ::testing::Test {
@@ -65,7 +66,7 @@ class MeasuredFaces : public ::testing::Test {
     if (truth_.empty()) makeTruth();
   }
 
-  /// Distance of the skin along the ray of every second pixel; 0 where there is none.
+  /// Distance of the skin along the ray of every second pixel; 0: no skin.
   void makeTruth() {
     const auto reference = face_->reference(rig_, true);
     truth_ = cv::Mat::zeros(rig_.height_px, rig_.width_px, CV_64F);
@@ -74,12 +75,12 @@ class MeasuredFaces : public ::testing::Test {
           reference.surface.points_mm[i].norm();
   }
 
-  /// Without the outline, where stereo bleeds into the background.
+  /// False at the outline, where stereo mixes face and background.
   static bool isInner(const Eigen::Vector3d& p_mm) {
     return (p_mm.head<2>() - Eigen::Vector2d(0, -10)).norm() < 55;
   }
 
-  /// Of the inner face, against the truth along the ray.
+  /// Errors of the inner face, compared with the truth along the ray.
   Errors errorsOf(const stereo::FusedCloud& cloud) const {
     Errors errors;
     std::vector<double> off_mm;
@@ -113,7 +114,7 @@ class MeasuredFaces : public ::testing::Test {
     return measureFilm(film, 0, frames - 1, *tracker, *detector_, monitor);
   }
 
-  /// Of two clouds of one inner face, rms along the rays that both have, without the worst twentieth.
+  /// Difference of two clouds of one inner face: rms along the rays that both have, without the largest 5 %.
   double differenceOf(const stereo::FusedCloud& a, const stereo::FusedCloud& b) const {
     cv::Mat distance = cv::Mat::zeros(rig_.height_px, rig_.width_px, CV_64F);
     const auto at = [&](const stereo::FusedCloud& cloud, std::size_t i) -> double& {
@@ -163,7 +164,7 @@ TEST_F(MeasuredFaces, SeveralFramesSayHowManyTheyAreAndHowFarTheyMayBeOff) {
   expectWithinStatedDeviation(many);
 }
 
-/// What changes from one film to another of the same motion with other noise.
+/// Compares two films of the same motion with different noise.
 TEST_F(MeasuredFaces, SeveralFramesAreLessNoisyThanOne) {
   const double one_mm = differenceOf(filmed(1, -1, 1).cloud, filmed(1, -1, 101).cloud);
   const double many_mm = differenceOf(filmed(9, -1, 1).cloud, filmed(9, -1, 101).cloud);

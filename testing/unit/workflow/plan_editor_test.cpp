@@ -9,7 +9,7 @@
 namespace facenav::workflow {
 namespace {
 
-/// A ball of 90 mm with a brain of 40 mm, and a plan kept in memory that can refuse to be written.
+/// A ball of 90 mm with a brain of 40 mm, and a plan in memory whose writing can fail on request.
 class PlanEditorTest : public ::testing::Test {
  protected:
   PlanEditorTest()
@@ -122,7 +122,7 @@ TEST_F(PlanEditorTest, RefusesANameThatIsTakenAndAPlaceOutsideTheHead) {
 TEST_F(PlanEditorTest, APlaceOutsideTheBrainIsTakenToTheNearestCortex) {
   editor_.addTargetNear(Point<Mri>(110, 0, 0));
   EXPECT_NEAR(editor_.active()->cortex_point.mm.x(), 40.0, 4.0);
-  editor_.addTargetNear(Point<Mri>(10, 20, 20));  // inside: the place itself
+  editor_.addTargetNear(Point<Mri>(10, 20, 20));  // inside: the point itself
   EXPECT_LT((editor_.active()->cortex_point.mm - Eigen::Vector3d(10, 20, 20)).norm(), 1e-9);
 }
 

@@ -63,7 +63,8 @@ TEST(Prepare, MakesScalpAndBrain) {
   ASSERT_TRUE(prepared.brain && prepared.brain_mask);
   EXPECT_FALSE(prepared.scalp.mesh.triangles.empty());
   EXPECT_NEAR(prepared.brain_mask->volume_ml(), 4.0 / 3 * M_PI * 27.0, 3.0);
-  EXPECT_TRUE(mentions(prepared.findings, "adults have 1100 to 1700 ml"));  // 113 ml is no adult's brain
+  // 113 ml is below the range of adults
+  EXPECT_TRUE(mentions(prepared.findings, "adults have 1100 to 1700 ml"));
 }
 
 TEST(Prepare, GoesOnWithTheScalpAloneWhenNoBrainCanBeModelled) {

@@ -13,7 +13,7 @@ PointCloud<Camera> faceAt(double z_mm) {
   return face;
 }
 
-/// A calibration that knows all but this one parameter.
+/// A calibration in which only this parameter has an error.
 cameras::StereoRig knownBut(int parameter, double sigma) {
   cameras::StereoRig rig = facenav::testing::convergingRig();
   const int n = 2 * (4 + 5) + 6;
@@ -32,8 +32,9 @@ TEST(SharedDepth, FollowsTheCalibrationsOwnCovariance) {
   const auto face = faceAt(600);
   const double known_mm = sharedDepthSigma_mm(knownBut(0, 0.0), face);
   EXPECT_NEAR(known_mm, 0.01 * 600 * 600 / (800 * 120.0), 0.005) << "only matching is left";
-  // Calibrations are off by 1.5 of the errors that they state (RigUncertainty). A baseline that is stated to
-  // 0.2 mm of 120 then makes 600 mm uncertain by 1.5 mm; a right principal point to 0.1 px, by 0.15 px.
+  // The model takes a calibration's true errors to be 1.5 times the stated ones (RigUncertainty). A stated
+  // error of 0.2 mm for a baseline of 120 mm thus gives 1.5 mm at 600 mm; one of 0.1 px for the right
+  // principal point gives 0.15 px.
   constexpr int kShiftX = 2 * (4 + 5) + 3, kRightCentreX = 4 + 5 + 2;
   EXPECT_NEAR(sharedDepthSigma_mm(knownBut(kShiftX, 0.2), face), 1.5, 0.1);
   EXPECT_NEAR(sharedDepthSigma_mm(knownBut(kRightCentreX, 0.1), face), 0.15 * 600 * 600 / (800 * 120.0),

@@ -1,4 +1,4 @@
-// The capture pair that a case keeps beside its alignment: it says which cameras the alignment belongs to.
+// The capture pair stored with a case's alignment: it tells which cameras the alignment is valid for.
 
 #include "facenav/workflow/stored_capture.h"
 
@@ -37,7 +37,7 @@ void store(const fs::path& folder, const cameras::StereoRig& rig, const capture:
   group.commit("alignment_capture");
 }
 
-/// Of a fit with this residual; its face has no point.
+/// Outcome of a fit with this residual and a face without points.
 AlignmentOutcome outcomeOf(double rms_mm) {
   AlignmentOutcome outcome;
   outcome.result.rms_mm = rms_mm;
@@ -55,7 +55,7 @@ casefile::CaseStore someCase(const fs::path& folder) {
   return casefile::CaseStore::create(folder, prepared, {}, false);
 }
 
-/// Files of `folder` that another user could read, found while it lives.
+/// Collects files of `folder` that other users could read, during its lifetime.
 class OthersEyes {
  public:
   explicit OthersEyes(fs::path folder) : folder_(std::move(folder)), thread_([this] { look(); }) {}
@@ -96,7 +96,7 @@ TEST(StoredCapture, AnAlignmentOfOtherCamerasIsRefusedInOneClearLine) {
   EXPECT_EQ(same->pattern.left.size(), cv::Size(rig.width_px, rig.height_px));
 
   auto longer = rig;
-  longer.left.k(0, 0) += 0.5;  // a calibration anew
+  longer.left.k(0, 0) += 0.5;  // another calibration
   auto moved = rig;
   moved.right_T_left = {rig.right_T_left.quaternion(),
                         rig.right_T_left.translation_mm() + Eigen::Vector3d(0.05, 0, 0)};
@@ -128,7 +128,7 @@ TEST(StoredAlignment, NoFileOfItCanEverBeReadByOthers) {
   const facenav::testing::TemporaryFolder folder;
   const auto rig = facenav::testing::convergingRig();
   const auto store = someCase(folder.path() / "case");
-  fs::permissions(store.folder(), fs::perms(0755));  // a case that was copied, say
+  fs::permissions(store.folder(), fs::perms(0755));  // for example, a copied case
   const mode_t before = ::umask(022);
   OthersEyes eyes(store.folder());
   for (int i = 0; i < 5; ++i) storeAlignment(store, rig, someCapture(rig), outcomeOf(0.5));

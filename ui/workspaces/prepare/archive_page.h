@@ -1,5 +1,6 @@
 #pragma once
-// From the archive: a query, what it found, and the way there; the chosen series is fetched and queued.
+// Queries the archive and lists what it found, with the settings of the connection. The chosen series is
+// fetched and queued.
 
 #include <QWidget>
 
@@ -21,7 +22,7 @@ class ArchivePage : public QWidget {
   explicit ArchivePage(ArchivePresenter& presenter, QWidget* parent = nullptr);
 
  signals:
-  /// A series is in the queue; or: back without one.
+  /// Leaves the page: a series was queued, or the user went back.
   void queued();
   void left();
 

@@ -44,7 +44,7 @@ CheckPage::CheckPage(PreparePresenter& presenter, EditPresenter& edit, CaseModel
           [this](const std::shared_ptr<const surface::BrainModel>& brain) {
             if (!is_outdated_) views_->setBrain(*brain);
           });
-  // A stroke's own view draws itself; the others follow when it is done.
+  // A stroke redraws only its own view; the others follow when it ends.
   connect(&edit_, &EditPresenter::maskChanged, this, [this](bool is_stroke) {
     if (!is_stroke && !is_outdated_ && isVisible()) views_->refreshSlices();
   });
@@ -70,7 +70,7 @@ QWidget* CheckPage::makeFindingsPanel() {
   connect(masks, &QCheckBox::toggled, views_, &LinkedViews::setMasksShown);
   connect(go_on, &QPushButton::clicked, this, &CheckPage::goOn);
   findings_->setMinimumHeight(sized(110));
-  findings_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what room is left
+  findings_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
   auto* body = new QWidget(panel);
   auto* within = new QVBoxLayout(body);
   within->setContentsMargins(0, 0, 0, 0);
@@ -101,7 +101,7 @@ void CheckPage::showCase() {
   showFindings();
 }
 
-/// Skin orange, brain as it is being corrected blue, the automatic one white.
+/// Skin orange, brain under correction blue, automatic brain white.
 void CheckPage::showContours() {
   if (!model_.isOpen() || is_outdated_) return;
   std::vector<scene::SliceContour> contours{{model_.current().head_mask, scene::palette::kOrange}};

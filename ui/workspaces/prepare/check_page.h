@@ -1,5 +1,6 @@
 #pragma once
-// Step 3, Check & edit: linked slices with the masks' contours, the brain, and what the preparation found.
+// Step 3, Check & edit: linked slices with the masks' contours, the brain, and the findings of the
+// preparation.
 
 #include <QWidget>
 
@@ -20,7 +21,7 @@ class CheckPage : public QWidget {
   void lookAt(const Point<Mri>& at);
 
  signals:
-  /// Seen: on to the sign-off.
+  /// The user continues to the sign-off.
   void goOn();
 
  protected:

@@ -1,5 +1,5 @@
 #pragma once
-// Prepare: four steps of the radiographer, one page each: 1 Worklist, 2 Series, 3 Check & edit, 4 Sign off.
+// Prepare: the radiographer's four steps, one page each: 1 Worklist, 2 Series, 3 Check & edit, 4 Sign off.
 
 #include <QWidget>
 

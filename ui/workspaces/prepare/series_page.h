@@ -1,5 +1,5 @@
 #pragma once
-// Step 2, Series: what a folder holds, with a small picture of each; the chosen one is queued.
+// Step 2, Series: the series of a folder, each with a small image; the chosen one is queued.
 
 #include <QWidget>
 

@@ -97,7 +97,7 @@ void SignOffPage::fillItems() {
   showTicks();
 }
 
-/// A sign-off that holds acknowledged them all.
+/// Ticks every item if a sign-off is valid.
 void SignOffPage::showTicks() {
   if (!presenter_.holds()) return;
   is_filling_ = true;
@@ -124,7 +124,7 @@ void SignOffPage::showState() {
 
 void SignOffPage::showEvent(QShowEvent*) {
   if (!model_.isOpen() || (!is_outdated_ && !model_.current().draft)) return;
-  is_outdated_ = false;  // a draft may have been drawn on since
+  is_outdated_ = false;  // a draft may have changed since
   montage_->show(model_.current());
   showState();
 }

@@ -72,7 +72,7 @@ void WorklistPage::makeTable() {
   view_->setItemDelegate(new WorklistDelegate(view_));
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setEditTriggers(QAbstractItemView::EditKeyPressed);  // F2 on the name; letters go to the filter
+  view_->setEditTriggers(QAbstractItemView::EditKeyPressed);  // F2 edits the name; letters go to the filter
   view_->setSortingEnabled(true);
   view_->sortByColumn(WorklistTable::age, Qt::AscendingOrder);
   view_->setShowGrid(false);

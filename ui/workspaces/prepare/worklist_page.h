@@ -1,5 +1,5 @@
 #pragma once
-// Step 1, Worklist: cases and what is on its way to becoming one; type to filter, double click to open.
+// Step 1, Worklist: cases, and jobs that will become cases. Type to filter, double click to open.
 
 #include <QWidget>
 
@@ -22,7 +22,7 @@ class WorklistPage : public QWidget {
 
  signals:
   void caseChosen(const QString& folder);
-  /// A line that has no case yet: its series are to be shown.
+  /// A job that has no case yet was chosen: show its series.
   void inputChosen(const QString& input);
 
  protected:
@@ -36,7 +36,7 @@ class WorklistPage : public QWidget {
   void labelChosen();
   void showState();
   void chooseFolder();
-  /// The selected line, or null.
+  /// The selected row, or null.
   const WorklistRow* chosen() const;
 
   WorklistPresenter& presenter_;

@@ -1,7 +1,7 @@
 #pragma once
-// BrainQuality: what prepare itself thinks of its brain mask and surface, for the radiographer: how far the
-// mask may be off, region by region, and how far the phi-theta picture lies from the true surface. In
-// case.json, additive.
+// BrainQuality: how far prepare trusts its own brain mask and surface, for the radiographer. It states how
+// far the mask may be off in each region, and how far the phi-theta surface lies from the true one. Kept in
+// case.json as an additive key.
 
 #include <string>
 #include <vector>
@@ -10,16 +10,16 @@ namespace facenav::casefile {
 
 struct RegionConfidence {
   std::string region;     // "left temporal pole"
-  double confidence = 1;  // share of the region's surface whose place is certain to 2 mm, 0..1
-  double doubt_mm = 0;    // 90 of 100 places of its surface are certain to this
+  double confidence = 1;  // share of the region's surface whose position is certain to 2 mm, 0..1
+  double doubt_mm = 0;    // 90 % of its surface is certain to this
 };
 
 struct BrainQuality {
-  std::vector<RegionConfidence> regions;  // the most doubtful first; empty where the method states no doubt
-  /// From every vertex of the true surface (the cortex with open sulci, cortex.vtp) to the phi-theta surface
-  /// ..
+  std::vector<RegionConfidence> regions;  // least certain first; empty where the method states no uncertainty
+  /// Distance from each vertex of the true surface (cortex with open sulci, cortex.vtp) to the phi-theta
+  /// surface.
   double surface_median_mm = 0, surface_p95_mm = 0;
-  /// .. and from every vertex of the phi-theta surface to the true one (0 in cases of before this was kept).
+  /// Distance from each vertex of the phi-theta surface to the true surface (0 in older cases).
   double model_median_mm = 0, model_p95_mm = 0;
 };
 

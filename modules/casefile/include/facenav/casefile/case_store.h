@@ -1,7 +1,7 @@
 #pragma once
 // Case: one folder, one patient (FORMATS.md). CaseStore opens, creates and updates it; every file is written
-// whole. Privacy: the case id is random, files are 0600 and folders 0700; nothing here writes a patient's
-// name but the label that a user asked for.
+// whole. Privacy: the case id is random, files are 0600 and folders 0700. The only field that may hold a
+// patient's name is the label, which a user must ask for.
 
 #include <filesystem>
 #include <map>
@@ -27,30 +27,32 @@ struct StoredAlignment {
   RigidTransform<Camera, Mri> camera_T_mri;
   double rms_mm = 0, max_mm = 0, inlier_fraction = 0;
   int points = 0;
-  // Per target at the time of the alignment: standard error, and what 95 of 100 errors stay below (absent in
-  // files of older versions).
+  // Per target, as predicted at the alignment: standard error, and the 95th percentile of the error (absent
+  // in older files).
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
-  std::optional<registration::PoseUncertainty> uncertainty;  // nothing: another tool's file, or an older one
-  // Size of the live face over the scan's, and its standard error (0: not estimated, or an older file).
+  std::optional<registration::PoseUncertainty> uncertainty;  // absent in older files and other tools' files
+  // Size of the live face relative to the scan's, and its standard error (0: not estimated, or an older
+  // file).
   double face_scale = 1.0, face_scale_sigma = 0.0;
-  std::vector<std::string> cautions;  // plain words
+  std::vector<std::string> cautions;  // in plain words
 
-  /// Predicted standard error at the target's cortex point as it is now, whatever its name, mm. Without the
-  /// pose's covariance: what was predicted under this name; nothing where that is not known either.
+  /// Predicted standard error at the target's current cortex point, mm; the target's name does not matter.
+  /// Without the pose's covariance: the value stored under this name. Nothing if neither is known.
   std::optional<double> predictedError_mm(const guidance::Target& target) const;
 };
-/// A whole file, 0600.
+/// Writes the whole file, 0600.
 void writeAlignment(const StoredAlignment& alignment, const std::filesystem::path& path);
-/// Throws Error naming file and key; a mirrored or non-rigid pose is refused.
+/// Throws Error naming file and key. A mirrored or non-rigid pose is refused.
 StoredAlignment readAlignment(const std::filesystem::path& path);
 
-/// What prepare produced; brain parts absent where no brain can be modelled.
+/// What prepare produced. Brain parts are absent where no brain can be modelled.
 struct PreparedCase {
   volume::Volume mri;
   volume::Mask head_mask;
   std::optional<volume::Mask> brain_mask;
   surface::ScalpSurface scalp;
-  /// Of the scalp as scalp.vtp gives it back; kept for alignments, which build it where it is absent.
+  /// Distance field of the scalp as read back from scalp.vtp. Kept for alignments, which compute it if it is
+  /// absent.
   std::shared_ptr<const registration::ScalpField> scalp_field;
   std::optional<surface::BrainModel> brain;
   std::optional<surface::DetailedCortex> cortex;
@@ -58,7 +60,7 @@ struct PreparedCase {
   std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
   std::optional<BrainQuality> brain_quality;
-  std::string label;  // asLabel; empty: none, or the replaced case's
+  std::string label;  // as asLabel gives it; empty: none, or that of the replaced case
 };
 
 /// A step's record in case.json.
@@ -69,36 +71,35 @@ struct Provenance {
 };
 
 constexpr int kLongestLabel = 120;  // bytes
-/// What people call a case, as it is kept: one line, no blanks around it. Throws Error when it is longer than
-/// kLongestLabel.
+/// A case's label as it is kept: one line, trimmed. Throws Error when it is longer than kLongestLabel.
 std::string asLabel(const std::string& words);
 
-/// Throws Error where `folder` is a case with targets whose MRI is not `mri` at the same place (another scan,
-/// or the same one by the other map of a NIfTI): its targets would point elsewhere.
+/// Throws Error where `folder` is a case with targets and its MRI is not `mri` at the same place (another
+/// scan, or the same NIfTI read by its other transform): its targets would point elsewhere.
 void requireTargetsStay(const std::filesystem::path& folder, const volume::Volume& mri);
 
 class CaseStore {
  public:
   /// Opens an existing case. Throws Error: no case.json, wrong schema version, missing file.
   static CaseStore open(const std::filesystem::path& folder);
-  /// Creates the case whole (temporary folder, renamed). Throws Error if `folder` exists and is no case; a
-  /// case that exists is replaced only with `replace`, and then its id, label (unless `prepared` has one),
-  /// targets (requireTargetsStay) and sessions are kept; its alignment is not, since it belongs to the old
-  /// scalp. A brain mask corrected by hand is lost only with `discard_edits`.
+  /// Creates the whole case (in a temporary folder, then renamed). Throws Error if `folder` exists and is no
+  /// case. An existing case is replaced only with `replace`: its id, label (unless `prepared` has one),
+  /// targets (requireTargetsStay) and sessions are kept. Its alignment is dropped, since it belongs to the
+  /// old scalp. A brain mask corrected by hand is dropped only with `discard_edits`.
   static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
                           const std::vector<Provenance>& provenance, bool replace,
                           bool discard_edits = false);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::string caseId() const;
-  /// What people call the case; empty unless somebody asked for it. It may be a patient's name.
+  /// Label of the case; empty unless someone set it. It may be a patient's name.
   std::string label() const;
-  /// Throws Error as asLabel does; an empty one takes the label away.
+  /// Throws Error as asLabel does. Empty removes the label.
   void setLabel(const std::string& words) const;
-  /// When the model was made, as 20100412T134501Z; empty in cases of before this was kept.
+  /// When the model was made, as 20100412T134501Z; empty in older cases.
   std::string createdUtc() const;
   std::vector<std::string> findings() const;
-  std::optional<BrainQuality> brainQuality() const;  // nothing in cases of before this was kept
+  std::optional<BrainQuality> brainQuality() const;  // absent in older cases
   std::vector<Provenance> provenance() const;
   /// Adds a step's record to case.json.
   void addProvenance(const Provenance& step) const;
@@ -106,15 +107,16 @@ class CaseStore {
   volume::Mask headMask() const;
   std::optional<volume::Mask> brainMask() const;
   surface::ScalpSurface scalp() const;
-  /// Where the scalp's distance field is kept for alignments: derived, built again when missing or stale.
+  /// Where the scalp's distance field is kept for alignments. It is derived, and is computed again when
+  /// missing or stale.
   std::filesystem::path scalpField() const;
   std::optional<surface::BrainModel> brain() const;
-  /// cortex.vtp; nothing in cases of before this was kept, or after an edit that did not model it anew.
+  /// cortex.vtp; absent in older cases, or after an edit that did not model the cortex again.
   std::optional<surface::DetailedCortex> cortex() const;
-  std::optional<atlas::AtlasMap> atlas() const;  // nothing where the case was made without
-  guidance::TreatmentPlan targets() const;       // empty plan where targets.json is absent
+  std::optional<atlas::AtlasMap> atlas() const;  // absent if the case was made without one
+  guidance::TreatmentPlan targets() const;       // empty plan if targets.json is absent
   void setTargets(const guidance::TreatmentPlan& plan) const;
-  std::optional<StoredAlignment> alignment() const;  // nothing where alignment.json is absent
+  std::optional<StoredAlignment> alignment() const;  // absent if there is no alignment.json
 
  private:
   explicit CaseStore(std::filesystem::path folder) : folder_(std::move(folder)) {}

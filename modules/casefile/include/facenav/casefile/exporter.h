@@ -1,7 +1,7 @@
 #pragma once
-// Exporter: what a case holds, as files for other programs (planning, printing, neuroimaging). Plug-in
-// interface; the implementations are registered by name in app. Everything is in Mri (RAS mm) and written
-// whole, 0600.
+// Exporter: writes what a case holds as files for other programs (planning, printing, neuroimaging). Plug-in
+// interface; app registers the implementations by name. Everything is in Mri (RAS mm) and written whole,
+// 0600.
 
 #include <filesystem>
 #include <memory>
@@ -16,17 +16,16 @@ namespace facenav::casefile {
 class Exporter {
  public:
   virtual ~Exporter() = default;
-  /// Writes into `folder` (made, 0700, if it is not there) and returns the files written. A file that exists
-  /// is an Error unless `replace`. Throws Error also when the case holds nothing of the kind.
+  /// Writes into `folder` (created with 0700 if absent) and returns the files written. Throws Error if a file
+  /// exists and `replace` is false, or if the case holds nothing of the kind.
   virtual std::vector<std::filesystem::path> write(const CaseStore& store,
                                                    const std::filesystem::path& folder, bool replace,
                                                    TaskMonitor& monitor) const = 0;
 };
 
-/// scalp, brain (the phi-theta model) and cortex (iso-surface of the brain mask), as far as the case has
-/// them.
+/// Scalp, brain (the phi-theta model) and cortex (iso-surface of the brain mask), where the case has them.
 std::unique_ptr<Exporter> makeMeshExporter(surface::MeshFormat format);
-/// mri.nii.gz, head_mask.nii.gz and, where there is one, brain_mask.nii.gz.
+/// mri.nii.gz, head_mask.nii.gz and, if present, brain_mask.nii.gz.
 std::unique_ptr<Exporter> makeNiftiExporter();
 
 }  // namespace facenav::casefile

@@ -1,7 +1,8 @@
 #pragma once
-// face_looks/ in a case: how the patient's face looked in earlier sessions (turned, lit, smiling), so that it
-// is found at once in the next. Photographs: the folder is 0700 and its files 0600 from the first byte; all
-// but the face is black. Pose and MRI belong together: a case that is prepared anew starts without them.
+// face_looks/ in a case: key frames of the patient's face from earlier sessions (turned, other light,
+// smiling), so that the next session finds the face at once. They are photographs: the folder is 0700 and its
+// files 0600 from the first byte, and everything but the face is black. Each pose refers to this MRI, so a
+// case that is prepared again starts without them.
 
 #include <filesystem>
 #include <string>
@@ -16,17 +17,17 @@ namespace facenav::casefile {
 
 struct KeptLook {
   cameras::StereoRig rig;
-  cameras::StereoFrame frame;  // the pictures only, as recorded
+  cameras::StereoFrame frame;  // the images only, as recorded
   RigidTransform<Camera, Mri> camera_T_mri;
-  Matrix6d covariance = Matrix6d::Zero();  // of (w rad, v mm) about the face's centre, Camera's axes
+  Matrix6d covariance = Matrix6d::Zero();  // of (w rad, v mm) about the face's centre, in Camera's axes
   std::string captured_utc;                // 20100412T134501Z
 };
 
 constexpr std::size_t kMostLooks = 6;
 
-/// Empty where there are none. Throws Error naming a file that cannot be read, or does not fit its rig.
+/// Empty if there are none. Throws Error naming a file that cannot be read or does not fit its rig.
 std::vector<KeptLook> readFaceLooks(const std::filesystem::path& case_folder);
-/// Adds looks to those that are there, whole or not at all; of more than kMostLooks the oldest go. Sets
+/// Adds key frames to those that exist, all or none. Beyond kMostLooks, the oldest are removed. Sets
 /// captured_utc where it is empty. Throws Error.
 void addFaceLooks(const std::filesystem::path& case_folder, std::vector<KeptLook> looks);
 

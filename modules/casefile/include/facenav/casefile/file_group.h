@@ -1,7 +1,6 @@
 #pragma once
-// FileGroup: files and folders that belong together, such as an alignment and the photographs that it rests
-// on. They are written into a private folder beside their places and then moved there: either every one is
-// replaced, or none.
+// FileGroup: files and folders that belong together, such as an alignment and its photographs. They are
+// written into a private folder beside their final places and then moved there: all are replaced, or none.
 
 #include <filesystem>
 #include <string>
@@ -11,19 +10,19 @@ namespace facenav::casefile {
 
 class FileGroup {
  public:
-  /// Makes the private folder (0700) inside `folder`. Throws Error where that cannot be done.
+  /// Makes the private folder (0700) inside `folder`. Throws Error if that fails.
   explicit FileGroup(std::filesystem::path folder);
   /// Removes what was not committed.
   ~FileGroup();
   FileGroup(const FileGroup&) = delete;
   FileGroup& operator=(const FileGroup&) = delete;
 
-  /// Files and folders are written here, under their final names.
+  /// Write files and folders here, under their final names.
   const std::filesystem::path& staging() const { return fresh_; }
-  /// Sets 0600 on files and 0700 on folders, forces them to the disk and moves each into its place. `key` is
-  /// the file without which the others do not count: it goes first and comes last, so that a crash in between
-  /// leaves no mixture of old and new. Throws Error where one cannot be replaced (also a file by a folder);
-  /// then all are as before.
+  /// Sets 0600 on files and 0700 on folders, syncs them to the disk and moves each into its place. The others
+  /// do not count without the file `key`: its old version is removed first and its new one is placed last, so
+  /// a crash in between leaves no mixture of old and new. Throws Error if one cannot be replaced (also a file
+  /// by a folder); then nothing has changed.
   void commit(const std::string& key);
 
  private:
@@ -37,7 +36,7 @@ class FileGroup {
 
   std::filesystem::path folder_, root_, fresh_, old_;
   std::vector<Move> moves_;
-  bool keeps_old_ = false;  // they could not be moved back
+  bool keeps_old_ = false;  // moving them back failed
 };
 
 }  // namespace facenav::casefile

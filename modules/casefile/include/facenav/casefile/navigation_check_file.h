@@ -1,6 +1,6 @@
 #pragma once
 // navigation_check.json of a case: the import check's findings, landmarks (Mri mm) and measures, as prepare
-// made them. Cases of before have none.
+// made them. Older cases have none.
 
 #include <optional>
 
@@ -9,11 +9,11 @@
 
 namespace facenav::casefile {
 
-/// A whole file, 0600.
+/// Writes the whole file, 0600.
 void writeNavigationCheck(const surface::NavigationCheck& check, const std::filesystem::path& path);
 /// Throws Error naming file and key.
 surface::NavigationCheck readNavigationCheck(const std::filesystem::path& path);
-/// Nothing where the case has none.
+/// Nothing if the case has none.
 std::optional<surface::NavigationCheck> navigationCheckOf(const CaseStore& store);
 
 }  // namespace facenav::casefile

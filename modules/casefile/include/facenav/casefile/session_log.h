@@ -1,8 +1,7 @@
 #pragma once
-// SessionLog: what a treatment session leaves in sessions/<UTC time>/ of its case: poses.csv, guidance.csv
-// and events.jsonl, appended line by line while it runs. A line is handed to the system at once (a crash of
-// the program loses none); events, and everything at close, are also forced to the disk. For one thread at a
-// time.
+// SessionLog: the files of a treatment session in sessions/<UTC time>/ of its case: poses.csv, guidance.csv
+// and events.jsonl, appended line by line. Each line goes to the operating system at once, so a crash of the
+// program loses none. Events, and everything at close, are also synced to the disk. One thread at a time.
 
 #include <filesystem>
 #include <memory>
@@ -15,8 +14,8 @@ namespace facenav::casefile {
 
 class SessionLog {
  public:
-  /// Makes sessions/<UTC time>/ in the case folder (with a counter behind it when that second is taken).
-  /// Throws Error when it cannot be written.
+  /// Makes sessions/<UTC time>/ in the case folder (with a counter appended if that second is taken). Throws
+  /// Error when it cannot be written.
   explicit SessionLog(const std::filesystem::path& case_folder);
   ~SessionLog();
   SessionLog(SessionLog&&) noexcept;
@@ -25,9 +24,9 @@ class SessionLog {
   const std::filesystem::path& folder() const;
   void add(const PoseRow& row);
   void add(const guidance::GuidanceRow& row);
-  /// One line {"utc": .., "event": .., "detail": ..}. No patient's name in it.
+  /// One line {"utc": .., "event": .., "detail": ..}. Must not contain a patient's name.
   void addEvent(const std::string& event, const std::string& detail = {});
-  /// Forces everything to the disk; may take milliseconds.
+  /// Syncs everything to the disk; may take milliseconds.
   void sync();
 
  private:

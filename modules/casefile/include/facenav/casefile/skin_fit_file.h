@@ -1,6 +1,7 @@
 #pragma once
-// skin_fit.vtp: the map of the skin's fit. The measured points in Mri (mm) as vertices, with point data
-// `residual_mm` (signed along the MRI skin's outward normal) and `is_inlier` (1: counted in the fit).
+// skin_fit.vtp: how well the measured face fits the MRI's skin. Vertices are the measured points in Mri (mm),
+// with point data `residual_mm` (signed along the MRI skin's outward normal) and `is_inlier` (1: used in the
+// fit).
 
 #include <filesystem>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace facenav::casefile {
 
-/// A whole file, 0600. Points without a counterpart on the skin are left out. Throws Error.
+/// Writes the whole file, 0600. Points with no skin within 100 mm are left out. Throws Error.
 void writeSkinFit(const registration::AlignmentResult& alignment, const PointCloud<Camera>& face,
                   const std::filesystem::path& path);
 

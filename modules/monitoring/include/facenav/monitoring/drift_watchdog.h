@@ -1,8 +1,8 @@
 #pragma once
-// DriftWatchdog: has the face measured (drift_check.h) about once a second beside the tracking, and raises an
-// alarm when twice in a row it does not lie where it is tracked; the alarm lasts until the next check that
-// agrees. Live it works in a thread of its own and never holds a frame up. In recordings it measures in line,
-// and its answer counts from a fixed time later on, so that the same recording always gives the same poses.
+// DriftWatchdog: measures the face (drift_check.h) about once a second beside the tracking. It raises an
+// alarm when two checks in a row find the face elsewhere than tracked; the alarm lasts until a check agrees.
+// Live, it uses its own thread and never delays a frame. In recordings it measures inline, and its answer
+// counts after a fixed delay, so that the same recording always gives the same poses.
 
 #include <functional>
 #include <memory>
@@ -28,12 +28,12 @@ class DriftWatchdog {
   using Mode = Checks::Mode;
 
   static constexpr double kInterval_s = 1.0;
-  static constexpr double kRecheck_s = 0.25;  // after a doubtful answer, or after the head was lost
-  static constexpr double kAnswer_s = 0.1;    // in line: when the answer counts, after the frame's capture
+  static constexpr double kRecheck_s = 0.25;  // after an uncertain answer, or after the head was lost
+  static constexpr double kAnswer_s = 0.1;  // inline: delay from the frame's capture until the answer counts
 
   DriftWatchdog(Measure measure, Mode mode);
 
-  /// Each frame: with the pose as tracked, whether it is shown or not; without one where the head is lost.
+  /// Call for each frame: with the tracked pose, shown or not, or without a pose where the head is lost.
   void add(std::shared_ptr<const cameras::StereoFrame> frame,
            const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri);
   bool isAlarmed() const { return is_alarmed_; }
@@ -46,8 +46,8 @@ class DriftWatchdog {
   bool isDue(double captured_s) const;
 
   Checks checks_;
-  std::optional<double> asked_s_;   // capture time of the frame last measured
-  double interval_s_ = kRecheck_s;  // until the next
+  std::optional<double> asked_s_;   // capture time of the last measured frame
+  double interval_s_ = kRecheck_s;  // until the next measurement
   bool was_lost_ = false, is_alarmed_ = false;
   int drifted_in_row_ = 0;
   DriftFinding finding_;

@@ -1,6 +1,6 @@
 #pragma once
-// Where a pair of pictures gives no face, no cloud or no start of tracking: is it the cameras? The cold path
-// from cameras::PairDiagnosis to the words of an Error.
+// When a pair of images gives no face, no cloud or no start of tracking: are the cameras the cause? Turns a
+// cameras::PairDiagnosis into the words of an Error. Cold path.
 
 #include <functional>
 #include <optional>
@@ -15,20 +15,20 @@ namespace facenav::monitoring {
 /// Why no pose of these cameras can be trusted.
 struct RigFault {
   head_tracking::LossDetail detail = head_tracking::LossDetail::unknown;
-  std::string words;  // one line, with the advice
+  std::string words;  // one line, with advice
 };
 
-/// Nothing where the diagnosis names no fault.
+/// Nothing if the diagnosis names no fault.
 std::optional<RigFault> rigFault(const cameras::PairDiagnosis& diagnosis);
 
-/// The calibration or the cameras are at fault: looking elsewhere for the face would not help.
+/// The calibration or the cameras are at fault: searching for the face elsewhere would not help.
 class PairError : public Error {
  public:
   explicit PairError(const cameras::PairDiagnosis& diagnosis, const std::string& before = {});
 };
 
-/// Runs `task`. Where it throws an Error and the pictures of `frame` do not fit the rig, throws a PairError
-/// in its place: what failed is the consequence.
+/// Runs `task`. If it throws an Error and the images of `frame` do not fit the rig, throws a PairError
+/// instead, because the cameras are the cause.
 void withPairFault(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                    const std::function<void()>& task);
 

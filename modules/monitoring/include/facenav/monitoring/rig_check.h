@@ -1,7 +1,7 @@
 #pragma once
-// RigCheck: feeds cameras::RigMonitor from what navigation sees anyway, so that cameras that have moved since
-// their calibration are noticed at the session's start and during it, without a board: textured points of the
-// face, matched anew in both directions, and the coil's marker. Some tens of microseconds a frame.
+// RigCheck: feeds cameras::RigMonitor with what navigation measures anyway: textured points of the face,
+// matched again in both directions, and the coil's marker. Cameras that moved since their calibration are
+// noticed at the session's start and during it, without a board. Costs some tens of microseconds a frame.
 
 #include "facenav/cameras/rig_monitor.h"
 #include "facenav/coil_tracking/coil_tracker.h"
@@ -10,8 +10,8 @@
 
 namespace facenav::monitoring {
 
-/// Points of a measured surface (Camera, mm, with their left pixels), matched anew in this pair: the check of
-/// a capture before it is aligned. At most `most` of them, spread over the surface.
+/// Points of a measured surface (Camera, mm, with their left pixels), matched again in this pair. Used to
+/// check a capture before it is aligned. At most `most` of them, spread over the surface.
 std::vector<cameras::Correspondence> matchSurface(const cameras::StereoRig& rig,
                                                   const cameras::StereoFrame& frame,
                                                   const PointCloud<Camera>& surface,
@@ -21,19 +21,19 @@ std::vector<cameras::Correspondence> matchSurface(const cameras::StereoRig& rig,
 class RigCheck {
  public:
   explicit RigCheck(const cameras::StereoRig& rig) : rig_(rig), monitor_(rig) {}
-  /// The reference pair of the session: asked as a whole whether it fits the rig (half a second).
+  /// The session's reference pair: checks as a whole whether it fits the rig (half a second).
   void start(const head_tracking::HeadReference& reference);
   void add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
            const std::optional<coil_tracking::MarkerSighting>& marker);
-  /// Why no pose can be trusted, as of some frames ago; empty: nothing speaks against the cameras.
+  /// Why no pose can be trusted, as of the last verdict (some frames ago); empty if no fault is known.
   std::optional<RigFault> fault() const;
 
  private:
   cameras::StereoRig rig_;
   cameras::RigMonitor monitor_;
   cameras::RigVerdict verdict_;
-  std::optional<RigFault> reference_fault_;  // learnt from such pictures nothing is right later on
-  bool has_fitted_ = false;                  // the whole reference pair, its calibration
+  std::optional<RigFault> reference_fault_;  // a session that starts with such images stays wrong
+  bool has_fitted_ = false;                  // the whole reference pair fitted its calibration
   std::size_t frames_ = 0, next_feature_ = 0;
 };
 

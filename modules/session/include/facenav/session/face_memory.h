@@ -1,6 +1,7 @@
 #pragma once
-// The looks of the patient's face between sessions: the case keeps them against the MRI
-// (casefile/face_looks.h), the tracker wants them against the head of this session (tracking/face_look.h).
+// Key frames of the patient's face between sessions. The case keeps them relative to the MRI
+// (casefile/face_looks.h); the tracker needs them relative to this session's head
+// (head_tracking/face_look.h).
 
 #include <vector>
 
@@ -9,8 +10,8 @@
 
 namespace facenav::session {
 
-/// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both alignments err by some tenths
-/// of a millimetre: that is stated with the poses.
+/// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both sessions' alignments err by
+/// some tenths of a millimetre, so each key frame also states that error (between_sessions).
 std::vector<head_tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
                                                const RigidTransform<Head, Mri>& head_T_mri);
 std::vector<casefile::KeptLook> asKept(const std::vector<head_tracking::FaceLook>& looks,

@@ -1,6 +1,6 @@
 #pragma once
-// NavigationState: everything known at one frame, immutable once published; what the window, the recorder and
-// the tables read. Poses in Camera (mm); a lost pose has no value (Tracked), and guidance is lost with it.
+// NavigationState: everything known at one frame, immutable once published. The window, the recorder and the
+// tables read it. Poses in Camera (mm). A lost pose has no value (Tracked), and guidance is lost with it.
 
 #include <cstdint>
 #include <memory>
@@ -19,7 +19,7 @@ namespace facenav::session {
 struct NavigationState {
   std::int64_t frame = -1;  // -1: none yet
   Timestamp captured;       // the source's clock
-  Timestamp arrived;        // steady clock, when the frame came in
+  Timestamp arrived;        // steady clock, when the frame arrived
   std::shared_ptr<const cameras::StereoFrame> images;
 
   Tracked<head_tracking::HeadPose> head = Lost{LostReason::stale};
@@ -37,29 +37,30 @@ struct NavigationState {
   double latency_ms = 0.0;     // from the frame's arrival to this state
   std::uint64_t dropped = 0;   // frames overwritten before they were tracked, since the start
   head_tracking::LossDetail head_detail =
-      head_tracking::LossDetail::unknown;  // where the head is lost: what it looks like
-  bool has_drifted = false;                // the watchdog's alarm: the face does not lie where it is tracked
-  std::string rig_fault;  // why every pose is refused, in words: the cameras have moved, are out of step, ..
+      head_tracking::LossDetail::unknown;  // why the head is lost, as far as known
+  bool has_drifted = false;                // the watchdog's alarm: the face is not where tracking places it
+  std::string rig_fault;  // why every pose is refused, in words: the cameras moved, are out of step, ..
   head_tracking::LossDetail rig_fault_detail = head_tracking::LossDetail::unknown;  // the same as one word
   std::string failure;  // an Error that ended the session, in words
 };
 
-/// The same state with every pose lost for `reason` and guidance blanked; images stay, to be seen.
+/// The same state with every pose lost for `reason` and guidance blanked. The images stay and can be shown.
 NavigationState blanked(const NavigationState& state, LostReason reason);
 
-/// One word for poses.csv: why the head is lost, finer than its reason ("covered", "drift", "cameras_moved");
-/// empty where it is tracked or nothing more is known.
+/// One word for poses.csv that says more than the reason why the head is lost ("covered", "drift",
+/// "cameras_moved"). Empty if the head is tracked or nothing more is known.
 std::string lossWord(const NavigationState& state);
 
 /// What to tell the user when something is lost, head first: "FACE HIDDEN: move the coil or hand aside".
 /// Empty when both are tracked.
 std::string lossInWords(const NavigationState& state);
 
-/// The same for one of them, also where the other is lost before it. Empty where it is tracked.
+/// The same for head or coil alone, whatever the state of the other. Empty if it is tracked.
 std::string headLossInWords(const NavigationState& state);
 std::string coilLossInWords(const NavigationState& state);
 
-/// All that is lost by its name alone, head first: "FACE COVERED", "COIL NOT SEEN"; a cause of both once.
+/// Titles of all that is lost, head first: "FACE COVERED", "COIL NOT SEEN". A cause common to both is named
+/// once.
 std::vector<std::string> lossTitles(const NavigationState& state);
 
 }  // namespace facenav::session

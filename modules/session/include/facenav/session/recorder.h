@@ -1,6 +1,6 @@
 #pragma once
-// Recorder: keeps a session's frames as a recording folder (FORMATS.md), on a thread of its own behind a
-// bounded queue: when the disk is too slow, frames are left out and counted; tracking never waits.
+// Recorder: writes a session's frames as a recording folder (FORMATS.md), on its own thread behind a bounded
+// queue. When the disk is too slow, frames are dropped and counted; tracking never waits.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace facenav::session {
 class Recorder {
  public:
   Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig, std::size_t queue_limit = 120);
-  /// Without close(): nothing is left behind.
+  /// Without close(), nothing is left on the disk.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -26,9 +26,9 @@ class Recorder {
   void close();
 
   std::uint64_t written() const;
-  /// Frames left out because the queue was full.
+  /// Frames dropped because the queue was full.
   std::uint64_t leftOut() const;
-  /// Why writing stopped (disk full, ..); empty while all is well.
+  /// Why writing stopped (disk full, ..); empty if it did not.
   std::string failure() const;
 
  private:

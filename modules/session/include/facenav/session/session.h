@@ -1,9 +1,9 @@
 #pragma once
 // Session: the live loop of ARCHITECTURE.md. Capture thread: FrameSource -> LatestValue<frame> (recorded
 // sources are paced by their time stamps). Tracking thread: newest frame -> Navigator ->
-// LatestValue<NavigationState>. Old frames are overwritten, never queued, and counted. The consumer asks
-// latest() at its own rate. Past the age limit, or after a fault or the recording's end, latest() is blanked:
-// the last pose is never left standing.
+// LatestValue<NavigationState>. Old frames are overwritten, never queued, and counted. The consumer calls
+// latest() at its own rate. Past the age limit, after a fault or after the recording's end, latest() is
+// blanked: an old pose is never shown.
 
 #include <memory>
 #include <optional>
@@ -16,8 +16,8 @@
 namespace facenav::session {
 
 struct SessionOptions {
-  double age_limit_s = 0.25;  // beyond it a state is stale
-  bool is_paced = true;       // recordings: frames come when their time stamps say; false for live cameras
+  double age_limit_s = 0.25;  // an older state is stale
+  bool is_paced = true;       // recordings: deliver frames at their time stamps; false for live cameras
   double speed = 1.0;         // of a paced source, relative to real time
 
   template <class Self, class Visitor>
@@ -28,8 +28,8 @@ struct SessionOptions {
   }
 };
 
-/// How a session came to its end.
-enum class SessionEnd { none, source, fault, stop };  // none: it has not; source: no more frames
+/// How a session ended.
+enum class SessionEnd { none, source, fault, stop };  // none: still running; source: no more frames
 
 class Session {
  public:
@@ -42,22 +42,22 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   void start();
-  /// Both threads end after the frame they are at; returns when they have. Safe to call twice.
+  /// Both threads finish their current frame; returns when they have ended. Safe to call twice.
   void stop();
-  /// The newest state, blanked ("stale") when older than the age limit. Never null; before the first frame:
-  /// stale.
+  /// The newest state, blanked ("stale") when older than the age limit. Never null; stale before the first
+  /// frame.
   std::shared_ptr<const NavigationState> latest() const;
-  /// Waits for a state not taken before; null on time-out or at the end. Not blanked.
+  /// Waits for a state that was not taken before; null on time-out or at the end. Not blanked.
   std::shared_ptr<const NavigationState> take(std::chrono::milliseconds timeout);
   /// True once the source has ended and its last frame was tracked, or a fault stopped the session.
   bool hasEnded() const;
-  /// What ended it; a stop that comes later changes nothing.
+  /// What ended it; a later stop changes nothing.
   SessionEnd end() const;
   /// From start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
   const Recorder* recorder() const;
-  /// After stop(): the patient's face as this session learnt it.
+  /// After stop(): key frames of the patient's face from this session, to keep with the case.
   std::vector<casefile::KeptLook> learntLooks() const;
 
  private:

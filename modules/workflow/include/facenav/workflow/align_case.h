@@ -1,6 +1,6 @@
 #pragma once
-// ALIGN: the third step of the data flow, as the verb, the window and the demo run it: the capture pair and
-// the case's scalp -> alignment.json and what it rests on, in the case.
+// ALIGN: the third step of the data flow, used by the verb, the window and the demo. The capture pair and the
+// case's scalp -> alignment.json and the files that go with it, in the case.
 
 #include <string>
 
@@ -11,20 +11,20 @@
 
 namespace facenav::workflow {
 
-/// Aligns by the method registered as `aligner`, and writes alignment.json, the map of the skin's fit and the
+/// Aligns by the method registered as `aligner`. Writes alignment.json, the map of the skin's fit and the
 /// capture pair into the case. Throws Error ("not aligned: ..").
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const cameras::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor);
 
-/// Writes an alignment and what it rests on into the case: alignment.json, alignment_capture/ (photographs),
-/// skin_fit.vtp and skin_fit.png. All or nothing, for the user alone from the first byte. Throws Error; the
-/// alignment of before is whole then.
+/// Writes an alignment and its files into the case: alignment.json, alignment_capture/ (photographs),
+/// skin_fit.vtp and skin_fit.png. All or none, private to the user from the first byte. Throws Error; the
+/// previous alignment is then unchanged.
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome);
 
-/// The recording's own capture pair, else the one that the case was aligned with. Throws Error where there is
-/// none, or where the case's was taken with another rig.
+/// The recording's own capture pair, or else the one that the case was aligned with. Throws Error if there is
+/// none, or if the case's pair was taken with another rig.
 capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording);
 
 }  // namespace facenav::workflow

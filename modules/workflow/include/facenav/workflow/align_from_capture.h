@@ -1,8 +1,8 @@
 #pragma once
 // The ALIGN arrow of the data flow: capture pair (with dots, and plain) -> face cloud -> Aligner ->
 // camera_T_mri at the capture, without a click. The face found in the plain pair gives a start (patient's
-// right and up, nose tip), the region to measure, and its depth; where no face is found the whole image is
-// measured and the nearest large surface taken.
+// right and up, nose tip), the region to measure, and its depth. If no face is found, the whole image is
+// measured and the nearest large surface is used.
 
 #include <map>
 #include <memory>
@@ -23,41 +23,42 @@
 
 namespace facenav::workflow {
 
-/// The face as found in both images of a plain pair, and what that says in space (Camera, mm).
+/// The face as found in both images of a plain pair, and its position in space (Camera, mm).
 struct FaceInSpace {
   std::optional<face::FaceLandmarks> left, right;
-  registration::AlignmentStart start;   // what could be triangulated plausibly
+  registration::AlignmentStart start;   // landmarks that were triangulated to a plausible position
   std::optional<Point<Camera>> centre;  // of the landmarks
 };
 FaceInSpace findFace(const cameras::StereoRig& rig, const cameras::StereoFrame& plain,
                      const face::FaceDetector& detector);
 
-/// The face's part of a cloud: near the landmarks where there are any, else the nearest large surface.
+/// The part of a cloud that is the face: near the landmarks if there are any, else the nearest large surface.
 stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& face);
 
-/// False where the pattern's picture shows no more than the plain one: the projector was off.
+/// False if the image with dots shows no more detail than the plain one: the projector was off.
 bool showsDots(const capture::CapturePair& capture);
 
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 
 struct AlignmentOutcome {
   registration::AlignmentResult result;
-  stereo::FaceCloud face;  // what was offered to the aligner; result's lists run along it
-  std::vector<registration::RegionFit> regions;  // how each part of the face fits, the worst first
+  stereo::FaceCloud face;  // input of the aligner; the lists in `result` have one entry per point of it
+  std::vector<registration::RegionFit> regions;  // fit of each part of the face, the worst first
   FaceInSpace landmarks;
   head_tracking::HeadReference
       reference;  // for the head tracker: plain frame, inlier points with their pixels
-  // Per target: standard error, and what 95 of 100 errors stay below.
+  // Per target: standard error, and the 95th percentile of the error.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
-  std::shared_ptr<const registration::ScalpField> scalp;  // aligned to; for the drift watchdog
+  // What the face was aligned to; also used by the drift watchdog.
+  std::shared_ptr<const registration::ScalpField> scalp;
 
   casefile::StoredAlignment stored() const;
 };
 
-/// `field_file`: where the scalp's distance field is kept (casefile::CaseStore::scalpField()); built there
-/// when missing. Throws Error: a scan without a face, no dots, or the aligner's own refusal ("not aligned:
-/// ..."), unchanged.
+/// `field_file`: where the scalp's distance field is kept (casefile::CaseStore::scalpField()); it is made
+/// there if missing. Throws Error: a scan without a face, no dots, or the aligner's own refusal ("not
+/// aligned: ..."), unchanged.
 AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
                                   const face::FaceDetector& detector,

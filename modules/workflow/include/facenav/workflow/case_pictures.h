@@ -1,5 +1,5 @@
 #pragma once
-// The pictures that a case keeps. They show the patient's face and brain: for this user's eyes only (0600).
+// Pictures kept in a case. They show the patient's face and brain, so only this user may read them (0600).
 
 #include <filesystem>
 
@@ -12,7 +12,7 @@ void writePrivatePng(const RgbImage& image, const std::filesystem::path& path);
 
 /// How far the phi-theta surface lies from the cortex.
 RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures);
-/// The same as surface_distance.png in the case.
+/// Writes it as surface_distance.png into the case.
 void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,
                           const std::filesystem::path& case_folder);
 

@@ -1,7 +1,7 @@
 #pragma once
-// The correction of the brain mask: opened, edited (module editing), put into force with both of the brain's
-// surfaces made anew. The window edits stroke by stroke, the command line a list of edits; both begin and
-// save here. Places are Mri, mm. A saved correction makes an earlier sign-off void.
+// Correction of the brain mask: open it, edit it (module editing), put it into force with both surfaces of
+// the brain made again. The window edits stroke by stroke, the command line by a list of edits; both begin
+// and save here. Places are in Mri, mm. A saved correction makes an earlier sign-off void.
 
 #include <filesystem>
 #include <memory>
@@ -15,41 +15,40 @@
 
 namespace facenav::workflow {
 
-inline constexpr double kGrowReach_mm = 20.0;  // of a region grown from one place
-inline constexpr double kSmooth_mm = 1.5;      // of the Gaussian that smooths the mask
+inline constexpr double kGrowReach_mm = 20.0;  // largest distance of a grown region from its seed
+inline constexpr double kSmooth_mm = 1.5;      // sigma of the Gaussian that smooths the mask
 
 struct BrainCorrection {
   std::shared_ptr<editing::MaskEditor> editor;
-  bool has_draft = false;  // the editor goes on from an unfinished correction
+  bool has_draft = false;  // the editor continues an unfinished correction
 };
-/// Begins from the unfinished correction where there is one, else from `in_force` (the case's brain mask;
-/// null: it has none, then from an empty mask on `grid`). Throws Error for a damaged file.
+/// Continues the unfinished correction if there is one, else starts from `in_force` (the case's brain mask;
+/// null if the case has none: then from an empty mask on `grid`). Throws Error for a damaged file.
 BrainCorrection beginCorrection(const casefile::CaseStore& store, const volume::VoxelGrid& grid,
                                 const volume::Mask* in_force);
 
-/// Puts `mask` into force: the mask, both surfaces and the picture of their distance are written, the draft
-/// is removed. Throws Error: the case has no brain mask, another grid, an empty mask, disk full.
+/// Puts `mask` into force: writes the mask, both surfaces and the picture of their distance, and removes the
+/// draft. Throws Error: the case has no brain mask, another grid, an empty mask, disk full.
 BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Volume& mri,
                              const volume::Mask& mask, TaskMonitor& monitor);
 
-/// Edits of a whole correction, done in the order of the members.
+/// The edits of a correction. They are applied in the order of the members.
 struct BrainEdits {
-  bool discards_draft = false;    // not from the unfinished correction
-  bool starts_automatic = false;  // from the mask that prepare made
-  std::optional<std::filesystem::path> drawn =
-      {};  // a mask (NIfTI) on the scan's grid, in place of the start
+  bool discards_draft = false;                      // do not continue an unfinished correction
+  bool starts_automatic = false;                    // start from the mask that prepare made
+  std::optional<std::filesystem::path> drawn = {};  // a mask (NIfTI) on the scan's grid to start from
   std::vector<editing::Ball> added = {}, removed = {};
-  std::vector<Point<Mri>> grown = {};  // what hangs together with the place and looks like it
+  std::vector<Point<Mri>> grown = {};  // adds the connected region of similar values around each place
   bool fills_holes = false, smooths = false;
 };
 struct CorrectedBrain {
   double before_ml = 0, after_ml = 0;
-  std::size_t added_voxels = 0, removed_voxels = 0;  // against the mask that was in force
-  bool had_draft = false;                            // the edits went on from an unfinished correction
+  std::size_t added_voxels = 0, removed_voxels = 0;  // compared with the mask that was in force
+  bool had_draft = false;                            // the edits continued an unfinished correction
   bool isChanged() const { return added_voxels + removed_voxels > 0; }
 };
-/// Applies the edits and saves. Nothing is written where the mask stays the one in force, but a discarded or
-/// finished draft is removed. Throws Error: no brain mask, a place outside the scan, a mask on another grid.
+/// Applies the edits and saves. If the mask does not change, nothing is written, but a discarded or finished
+/// draft is removed. Throws Error: no brain mask, a place outside the scan, a mask on another grid.
 CorrectedBrain correctBrain(const casefile::CaseStore& store, const BrainEdits& edits, TaskMonitor& monitor);
 
 }  // namespace facenav::workflow

@@ -10,11 +10,11 @@
 
 namespace facenav::workflow {
 
-/// Predicted error of the alignment at a target as it is planned now, mm; 0 where alignment.json does not
-/// say. Throws Error: no such target.
+/// Predicted error of the alignment at the target as it is planned now, mm; 0 if alignment.json does not say.
+/// Throws Error: no such target.
 double predictedError_mm(const casefile::CaseStore& store, const std::string& target);
 
-/// guidance.csv's rows from poses and the case's plan. Throws Error: no such target, or poses that are not
+/// Rows of guidance.csv from poses and the case's plan. Throws Error: no such target, or poses that are not
 /// placed in the MRI.
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
                                               const std::vector<casefile::PoseRow>& poses,

@@ -1,7 +1,6 @@
 #pragma once
-// The face as the cameras measure it, without a scan: from one pair of pictures with dots or without, or from
-// several frames of a film, carried together by the head tracker's motion. Camera frame of the (first) frame,
-// mm.
+// The face as the cameras measure it, without a scan: from one pair of images, with dots or without, or fused
+// from several frames of a film by the head's motion. Camera frame of the (first) frame, mm.
 
 #include <memory>
 #include <utility>
@@ -19,15 +18,15 @@ struct MeasuredFace {
   int fused = 1, lost = 0;  // frames
 };
 
-/// One pair. `plain`: in which the face is looked for; the same as `measured` where there are no dots. Throws
-/// Error as stereo::measureFace does, and where no point of a face was found.
+/// One pair. `plain`: the images in which the face is searched; the same as `measured` if there are no dots.
+/// Throws Error as stereo::measureFace does, and if no point of a face was found.
 MeasuredFace measurePair(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
                          const cameras::StereoFrame& plain, bool has_dots, const face::FaceDetector& detector,
                          TaskMonitor& monitor);
 
-/// The film's frames `first` to `last` (both included). `tracker` is started on the first. Frames in which
-/// the face is lost, or cannot be measured, are left out and counted. Of a long film, some 40 frames are
-/// measured, evenly. Throws Error: no such frame, no face in the first.
+/// Fuses the film's frames `first` to `last` (both included). `tracker` is started on the first. Frames in
+/// which the face is lost or cannot be measured are left out and counted. Of a long film, some 40 evenly
+/// spaced frames are measured. Throws Error: no such frame, no face in the first.
 MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
                          head_tracking::HeadTracker& tracker, const face::FaceDetector& detector,
                          TaskMonitor& monitor);

@@ -1,7 +1,7 @@
 #pragma once
-// PlanEditor: a case's targets under a person's hands: placed, renamed, turned, moved, removed, undone and
-// done again. Every step is written into the case at once, by the function handed in; a step that cannot be
-// written changes nothing, neither the plan nor what can be undone.
+// PlanEditor: edits of a case's targets: add, rename, turn, move, remove, undo, redo. Every step is written
+// into the case at once, by the function handed in. A step that cannot be written changes nothing: neither
+// the plan nor the undo list.
 
 #include <functional>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace facenav::workflow {
 
-/// The case as the editor sees it. `plan` and `head` are asked for each step, so that what others change in
-/// the case meanwhile is seen. `write` throws where the case cannot be written, and keeps the old plan.
+/// The case as the editor sees it. `plan` and `head` are read at each step, so that changes by others are
+/// seen. `write` throws if the case cannot be written, and then keeps the old plan.
 struct PlannedCase {
   std::function<const guidance::TreatmentPlan&()> plan;
   std::function<PlannedHead()> head;
@@ -24,29 +24,29 @@ class PlanEditor {
  public:
   explicit PlanEditor(PlannedCase planned) : case_(std::move(planned)) {}
 
-  /// Another case: nothing can be undone, its first target is the active one.
+  /// Starts with another case: the undo list is empty, its first target is the active one.
   void begin();
 
-  // Places of a new target, which becomes the active one; the handle at 45 degrees. They throw Error, and
+  // Add a target, which becomes the active one, with the handle at 45 degrees. They throw Error, and
   // PlanRefused: outside the head, no brain model.
   void addTarget(const Point<Mri>& cortex_point);
-  /// At the brain surface nearest to a place on the scalp.
+  /// At the brain surface nearest to a point of the scalp.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
-  /// At the place itself where it lies in the brain, else at the place of the cortex nearest to it.
+  /// At the point itself if it lies in the brain, else at the nearest point of the cortex.
   void addTargetNear(const Point<Mri>& point);
 
-  // Of the active target; nothing happens where there is none.
+  // Edit the active target; they do nothing if there is none.
   void remove();
-  /// Throws PlanRefused where another target has the name.
+  /// Throws PlanRefused if another target has the name.
   void rename(const std::string& name);
   void replace(const guidance::Target& target);
-  /// > 0 clockwise as seen along the coil's z.
+  /// > 0 clockwise when seen along the coil's z.
   void turn(double angle_rad);
-  /// Along the scalp, in the coil's x and y (mm); handle and gap stay. Throws Error where no scalp lies
-  /// there.
+  /// Moves along the scalp, in the coil's x and y (mm). Handle angle and gap stay. Throws Error if there is
+  /// no scalp at the new place.
   void nudge(double x_mm, double y_mm);
 
-  /// The target that the step had changed becomes the active one. False: there is no step.
+  /// The target changed by the undone step becomes the active one. Returns false if there is no step.
   bool undo();
   bool redo();
   bool canUndo() const { return !undo_.empty(); }
@@ -54,7 +54,7 @@ class PlanEditor {
 
   void setActive(const std::string& name) { active_ = name; }
   const std::string& activeName() const { return active_; }
-  /// Null where there is none.
+  /// Null if there is none.
   const guidance::Target* active() const { return find(case_.plan(), active_); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// PLAN: where a place that was clicked or typed is aimed at, and edits of a treatment plan as plain
-// functions. The window (PlanEditor) and `facenav target` use the same ones. Places are Mri, mm.
+// PLAN: the cortex point for a place that was clicked or typed, and edits of a treatment plan as plain
+// functions. The window (PlanEditor) and `facenav target` use the same ones. Places are in Mri, mm.
 
 #include <functional>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace facenav::workflow {
 
-/// What targets are placed on. `brain` is null where the case holds the scalp alone.
+/// The surfaces that targets are placed on. `brain` is null if the case holds the scalp alone.
 struct PlannedHead {
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const volume::Mask> head_mask;
@@ -21,36 +21,36 @@ struct PlannedHead {
 PlannedHead plannedHead(const casefile::CaseStore& store);
 
 enum class PlanRefusal { outside_head, name_taken, no_brain };
-/// An edit that was asked for and refused; nothing has changed.
+/// An edit that is refused; nothing has changed.
 class PlanRefused : public Error {
  public:
   PlanRefused(PlanRefusal refusal, const std::string& what_happened, const std::string& remedy,
               double outside_mm = 0)
       : Error(what_happened, {}, remedy), refusal_(refusal), outside_mm_(outside_mm) {}
   PlanRefusal refusal() const { return refusal_; }
-  double outside_mm() const { return outside_mm_; }  // of outside_head
+  double outside_mm() const { return outside_mm_; }  // for outside_head
 
  private:
   PlanRefusal refusal_;
   double outside_mm_;
 };
 
-/// Throws PlanRefused where `p` lies more than `limit_mm` outside the head.
+/// Throws PlanRefused if `p` lies more than `limit_mm` outside the head.
 void requireInHead(const PlannedHead& head, const Point<Mri>& p, double limit_mm);
-/// `p` itself inside the brain model or where there is none; else the nearest point of the model. Throws
-/// PlanRefused for a place more than surface::kFarthestOutside_mm outside the head.
+/// `p` itself if it lies inside the brain model or there is no model; else the nearest point of the model.
+/// Throws PlanRefused if `p` lies more than surface::kFarthestOutside_mm outside the head.
 Point<Mri> cortexNear(const PlannedHead& head, const Point<Mri>& p);
-/// The vertex of the brain model nearest to a place on the scalp. Throws PlanRefused where there is no model.
+/// The vertex of the brain model nearest to a point of the scalp. Throws PlanRefused if there is no model.
 Point<Mri> cortexUnder(const PlannedHead& head, const Point<Mri>& scalp_point);
 
-/// The target turned about its own z, > 0 clockwise as seen along it.
+/// The target turned about its own z, > 0 clockwise when seen along it.
 guidance::Target turned(const guidance::Target& target, double angle_rad);
-/// `target` in place of the one called `name`; added at the end where there is none.
+/// The plan with `target` in place of the one called `name`, or appended if there is none.
 guidance::TreatmentPlan with(guidance::TreatmentPlan plan, const std::string& name,
                              const guidance::Target& target);
 guidance::TreatmentPlan without(guidance::TreatmentPlan plan, const std::string& name);
 const guidance::Target* find(const guidance::TreatmentPlan& plan, const std::string& name);
-/// The first of "Target 1", "Target 2", .. that no target has; `numbered` gives the name of a number.
+/// The first of "Target 1", "Target 2", .. that no target has; `numbered` makes the name from the number.
 std::string freeName(const guidance::TreatmentPlan& plan, const std::function<std::string(int)>& numbered);
 
 }  // namespace facenav::workflow

@@ -1,5 +1,5 @@
 #pragma once
-// PREPARE: the first step of the data flow, as the verb, the window and the demo run it: MRI -> case folder.
+// PREPARE: the first step of the data flow, used by the verb, the window and the demo: MRI -> case folder.
 
 #include <filesystem>
 #include <optional>
@@ -18,18 +18,18 @@ struct PrepareRequest {
   std::string head_segmenter, brain_segmenter;  // registered names
   std::string nifti_transform = "automatic";    // or "sform", "qform"
   bool replace = false;
-  bool discard_edits = false;  // with replace: also a case whose brain mask was corrected by hand
-  std::string label = {};      // what people call the case; empty: none, or the replaced case's
+  bool discard_edits = false;  // with replace: even if the brain mask was corrected by hand
+  std::string label = {};      // label of the case; empty: none, or that of the replaced case
   bool is_labelled_by_patient =
-      false;  // by the name in the DICOM files, else the Patient ID, else not at all
+      false;  // label is the name in the DICOM files, else the Patient ID, else none
 };
 struct PrepareOutcome {
   casefile::CaseStore store;
-  std::vector<std::string> description, findings;  // plain words for the radiographer
+  std::vector<std::string> description, findings;  // in plain words for the radiographer
   std::optional<double> brain_ml;
   std::optional<surface::NavigationCheck> navigation_check;
 };
-/// INPUT -> case folder, whole or not at all. Throws Error.
+/// INPUT -> case folder, written whole or not at all. Throws Error.
 PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& request, TaskMonitor& monitor);
 
 }  // namespace facenav::workflow

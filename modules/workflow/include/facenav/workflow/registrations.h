@@ -1,6 +1,6 @@
 #pragma once
-// The methods that the steps can be done by, under their names. The program fills it (app/registrations.cpp);
-// a step asks for a method by name and knows no implementation.
+// The methods available for the steps, by name. The program fills it (app/registrations.cpp); a step asks for
+// a method by name and knows no implementation.
 
 #include "facenav/casefile/exporter.h"
 #include "facenav/coil_tracking/coil_tracker.h"
@@ -19,11 +19,11 @@ struct Registrations {
   Registry<head_tracking::HeadTracker> head_trackers{"head tracker"};
   Registry<coil_tracking::CoilTracker> coil_trackers{"coil tracker"};
   Registry<casefile::Exporter> exporters{"export format"};
-  /// The program's one face detector (its landmark model takes 100 MB), made when first asked for.
+  /// The program's one face detector (its landmark model takes 100 MB), made at first use.
   std::function<std::shared_ptr<const face::FaceDetector>()> face_detector;
 };
 
-/// "model, features7": for help texts.
+/// Names as a list for help texts: "model, features7".
 template <class Interface>
 std::string namesOf(const Registry<Interface>& registry) {
   std::string names;
