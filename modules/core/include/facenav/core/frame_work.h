@@ -1,10 +1,11 @@
 #pragma once
-// FrameWork: what head and coil have cost together in one frame. Counted, not timed, so that the same frames
-// give the same poses on any machine. A lost head or coil is looked for as far as the frame's limit allows
-// and further in the next frame, in its pictures; the head comes first, and what the coil had to put off is
-// left room for in the next frame.
+// FrameWork: what head and coil have cost together in one frame, and the most that a frame may cost. It is
+// counted, not timed, so that the same frames give the same poses on any machine. The search for a lost head
+// or coil ends at the frame's limit and goes on in the next frame, in its images. The head comes first.
+// Search of the coil that was deferred has room reserved in the next frame.
 
 namespace facenav {
+inline namespace core {
 
 struct FrameWork {
   static constexpr int kMost = 7000;  // looks that a frame may take
@@ -12,4 +13,5 @@ struct FrameWork {
   int left() const { return kMost - looks; }
 };
 
+}  // namespace core
 }  // namespace facenav
