@@ -62,7 +62,7 @@ void play(head_tracking::HeadTracker& tracker, const cameras::StereoRig& rig,
   for (trial.frames = 0; trial.frames < kAfter; ++trial.frames) {
     const auto pose = tracker.track(film.next(left, right));
     if (!pose) {
-      trial.detail = head_tracking::toString(tracker.lossDetail());
+      trial.detail = head_tracking::toString(pose.loss_detail);
       continue;
     }
     if (!trial.found_after_s) trial.found_after_s = trial.frames * kFrame_s;

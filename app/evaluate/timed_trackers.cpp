@@ -34,24 +34,19 @@ class TimedHeadTracker : public head_tracking::HeadTracker {
  public:
   TimedHeadTracker(std::unique_ptr<head_tracking::HeadTracker> tracker, LastCall& last)
       : tracker_(std::move(tracker)), last_(last) {}
-  void start(const cameras::StereoRig& rig, const head_tracking::HeadReference& reference) override {
-    tracker_->start(rig, reference);
+  void start(const cameras::StereoRig& rig, const head_tracking::HeadReference& reference,
+             head_tracking::Pace pace) override {
+    tracker_->start(rig, reference, pace);
   }
-  Tracked<head_tracking::HeadPose> track(const cameras::StereoFrame& frame) override {
-    auto pose = [&] {
+  head_tracking::HeadResult track(const cameras::StereoFrame& frame,
+                                  const head_tracking::HeadContext& context) override {
+    auto result = [&] {
       const OneThreadClock clock(last_);
-      return tracker_->track(frame);
+      return tracker_->track(frame, context);
     }();
-    last_.ms = std::max(0.0, last_.ms - tracker_->beside_ms());  // live, this runs on other threads
-    return pose;
+    last_.ms = std::max(0.0, last_.ms - result.beside_ms);  // live, this runs on other threads
+    return result;
   }
-  void setPace(head_tracking::Pace pace) override { tracker_->setPace(pace); }
-  double beside_ms() const override { return tracker_->beside_ms(); }
-  head_tracking::LossDetail lossDetail() const override { return tracker_->lossDetail(); }
-  head_tracking::ExposureOffset exposureOffset() const override { return tracker_->exposureOffset(); }
-  FrameWork work() const override { return tracker_->work(); }
-  void leave(const FrameWork& work) override { tracker_->leave(work); }
-  void forgetLearnt() override { tracker_->forgetLearnt(); }
 
  private:
   std::unique_ptr<head_tracking::HeadTracker> tracker_;
@@ -65,15 +60,11 @@ class TimedCoilTracker : public coil_tracking::CoilTracker {
   void start(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil) override {
     tracker_->start(rig, coil);
   }
-  Tracked<coil_tracking::CoilPose> track(const cameras::StereoFrame& frame) override {
+  coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
+                                  const coil_tracking::CoilContext& context) override {
     const OneThreadClock clock(last_);
-    return tracker_->track(frame);
+    return tracker_->track(frame, context);
   }
-  void setRightLate(double late_s, double sigma_s) override { tracker_->setRightLate(late_s, sigma_s); }
-  void setWorkBefore(const FrameWork& work) override { tracker_->setWorkBefore(work); }
-  FrameWork work() const override { return tracker_->work(); }
-  FrameWork putOff() const override { return tracker_->putOff(); }
-  std::optional<coil_tracking::MarkerSighting> sighting() const override { return tracker_->sighting(); }
 
  private:
   std::unique_ptr<coil_tracking::CoilTracker> tracker_;

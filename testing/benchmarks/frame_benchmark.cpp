@@ -89,16 +89,15 @@ Pass bothPass(const Film& film, head_tracking::HeadTracker& head, coil_tracking:
   head.start(film.rig, film.reference);
   coil.start(film.rig, film.coil);
   Pass pass;
+  FrameWork deferred;
   double passed_s = 0.0;
   for (std::size_t i = 0; i < film.frames.size(); ++i) {
     cameras::StereoFrame frame = *film.frames[i];
     if (forget_every > 0 && i % std::size_t(forget_every) == 0) passed_s += kForgotten_s;
     frame.captured.s += passed_s;
     const double start_ms = clock();
-    head.leave(coil.putOff());
-    const auto pose = head.track(frame);
-    coil.setWorkBefore(head.work());
-    coil.track(frame);
+    const auto pose = head.track(frame, {deferred, false});
+    deferred = coil.track(frame, {pose.exposure_offset, pose.work}).deferred;
     const double ms = clock() - start_ms;
     note(pass, ms, pose ? std::optional(film.errorAtTarget_mm(*pose, i)) : std::nullopt);
   }

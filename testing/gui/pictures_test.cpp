@@ -208,10 +208,11 @@ class TrueCoil : public coil_tracking::CoilTracker {
  public:
   explicit TrueCoil(std::vector<RigidTransform<Camera, Marker>> poses) : poses_(std::move(poses)) {}
   void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
-  Tracked<coil_tracking::CoilPose> track(const cameras::StereoFrame& frame) override {
+  coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
+                                  const coil_tracking::CoilContext&) override {
     coil_tracking::CoilPose coil;
     coil.camera_T_marker = poses_[std::size_t(frame.number) % poses_.size()];
-    return {coil, 0.9};
+    return Tracked<coil_tracking::CoilPose>(coil, 0.9);
   }
 
  private:

@@ -39,10 +39,10 @@ void note(const CoilSetup& setup, const CoilFit& fit, std::size_t marker, std::v
 CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                    FrameWork& work) {
   Found found;
-  put_off_looks_ = 0;
-  if (!put_off_.empty()) {
-    fit(setup, frame, std::exchange(put_off_, {}), found, work);
-    if (!found.good.empty() || !put_off_.empty()) return found;
+  deferred_looks_ = 0;
+  if (!deferred_.empty()) {
+    fit(setup, frame, std::exchange(deferred_, {}), found, work);
+    if (!found.good.empty() || !deferred_.empty()) return found;
   }
   const bool is_left_first = turn_ % 2 == 0, is_fresh = turn_ == 0;
   for (const bool is_left : {is_left_first, !is_left_first}) {
@@ -51,11 +51,11 @@ CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::Stereo
     if ((is_fresh && is_left == is_left_first) || is_seen) light = MarkerLight::bright_else_dim;
     const int needed = light == MarkerLight::bright_else_dim ? 2 * kOneLightLooks : kOneLightLooks;
     if (work.left() < needed) {
-      put_off_looks_ = needed + kNewFitLooks;
+      deferred_looks_ = needed + kNewFitLooks;
       return found;
     }
     const bool shows_any = look(setup, frame, is_left, light, found, work);
-    if (!found.good.empty() || !put_off_.empty() || (!shows_any && !is_fresh)) break;
+    if (!found.good.empty() || !deferred_.empty() || (!shows_any && !is_fresh)) break;
   }
   ++turn_;
   return found;
@@ -82,8 +82,8 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
     if (is_explained) continue;
     if (work.left() < kNewFitLooks) {
       // Which of them is the coil is known when all are fitted.
-      put_off_looks_ = std::min(int(candidates.size()) * kNewFitLooks, kMostPutOff);
-      put_off_ = std::move(candidates);
+      deferred_looks_ = std::min(int(candidates.size()) * kNewFitLooks, kMostPutOff);
+      deferred_ = std::move(candidates);
       found.good.clear();
       return;
     }

@@ -24,7 +24,7 @@ class CoilSearch {
   /// The frame has shown the coil, or cannot be looked at.
   void end() { *this = {}; }
   /// What it takes to go on from the last frame, where that had no room for it.
-  FrameWork putOff() const { return {put_off_looks_}; }
+  FrameWork deferred() const { return {deferred_looks_}; }
 
  private:
   /// A marker seen in one image, and the poses that this allows.
@@ -42,8 +42,8 @@ class CoilSearch {
            Found& found, FrameWork& work);
 
   int turn_ = 0;  // of the frames since the coil was lost, those that were looked at
-  int put_off_looks_ = 0;
-  std::vector<Candidate> put_off_;  // seen in the last frame, not fitted yet
+  int deferred_looks_ = 0;
+  std::vector<Candidate> deferred_;  // seen in the last frame, not fitted yet
 };
 
 }  // namespace facenav::coil_tracking

@@ -40,18 +40,10 @@ bool isBlank(const cv::Mat& grey) {
 class MarkerCoilTracker final : public CoilTracker {
  public:
   void start(const cameras::StereoRig& rig, const CoilModel& coil) override;
-  Tracked<CoilPose> track(const cameras::StereoFrame& frame) override;
-  void setRightLate(double late_s, double sigma_s) override {
-    right_late_s_ = late_s, right_late_sigma_s_ = sigma_s;
-  }
-  void setWorkBefore(const FrameWork& work) override { work_before_ = work; }
-  FrameWork work() const override { return work_; }
-  FrameWork putOff() const override { return search_.putOff(); }
-  std::optional<MarkerSighting> sighting() const override {
-    return before_ && velocity_.tail<3>().norm() < kResting_mm_s ? sighting_ : std::nullopt;
-  }
+  CoilResult track(const cameras::StereoFrame& frame, const CoilContext& context) override;
 
  private:
+  Tracked<CoilPose> poseIn(const cameras::StereoFrame& frame);
   std::optional<CoilFit> fitPredicted(const cameras::StereoFrame& frame, const CoilToCamera& prediction);
   /// Well enough, of a coil that moves before cameras that expose apart; a coil just found has no velocity.
   bool isMotionKnown() const;
@@ -87,7 +79,7 @@ class MarkerCoilTracker final : public CoilTracker {
   std::optional<Past> last_, before_;
   std::vector<std::size_t> last_markers_;
   CoilSearch search_;
-  FrameWork work_before_, work_;  // of the frame: before the coil's turn, in all
+  FrameWork work_;  // of the frame so far, the head's included
   std::optional<MarkerSighting> sighting_;
   cameras::RigUncertainty uncertainty_;
   std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
@@ -98,7 +90,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
   setup_ = {rig, coil, {}};
   right_T_left_ = rig.right_T_left;
-  right_late_s_ = 0.0, forgetMotion();
+  right_late_s_ = right_late_sigma_s_ = 0.0, forgetMotion();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = cameras::uncertaintyOf(rig);
   edgeWeights(kMostTaps, 0.8);  // the table is made now, not in a frame
@@ -107,18 +99,28 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   before_.reset();
   sighting_.reset();
   search_.end();
-  work_before_ = work_ = {};
+  work_ = {};
 }
 
-Tracked<CoilPose> MarkerCoilTracker::track(const cameras::StereoFrame& frame) {
+CoilResult MarkerCoilTracker::track(const cameras::StereoFrame& frame, const CoilContext& context) {
   FACENAV_EXPECT(!setup_.patterns.empty(), "track() before start()");
+  right_late_s_ = context.exposure_offset.right_late_s;
+  right_late_sigma_s_ = context.exposure_offset.sigma_s;
+  work_ = context.work_before;
+  CoilResult result = poseIn(frame);
+  result.work = work_;
+  result.deferred = search_.deferred();
+  if (before_ && velocity_.tail<3>().norm() < kResting_mm_s) result.sighting = sighting_;
+  return result;
+}
+
+Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
   sighting_.reset();
   const double t_s = frame.captured.s;
   const auto prediction = predicted(t_s);
   setup_.rig.right_T_left = rightAsSeen(prediction);
   std::optional<CoilFit> found;
   bool is_seen = false;
-  work_ = std::exchange(work_before_, {});
   if (!isUsable(frame.left, setup_.rig) || !isUsable(frame.right, setup_.rig)) {
     last_.reset();
     search_.end();

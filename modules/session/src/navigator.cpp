@@ -1,6 +1,7 @@
 #include "facenav/session/navigator.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "facenav/monitoring/pair_fault.h"
 #include "facenav/session/face_memory.h"
@@ -31,9 +32,9 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
       coil_(std::move(coil)) {
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
-  head_->setPace(setup.pace);
-  monitoring::withPairFault(rig_, setup.reference.frame, [&] { head_->start(rig_, setup.reference); });
-  if (head_T_mri_) head_->addLooks(asTracked(setup.looks, *head_T_mri_));
+  head_tracking::HeadReference reference = setup.reference;
+  if (head_T_mri_) reference.looks = asTracked(setup.looks, *head_T_mri_);
+  monitoring::withPairFault(rig_, reference.frame, [&] { head_->start(rig_, reference, setup.pace); });
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
@@ -66,15 +67,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   state.is_aligned = head_T_mri_.has_value();
   state.target = target_ ? target_->target.name : "";
   if (isUsable(*frame, rig_)) {
-    head_->leave(coil_->putOff());
-    state.head = head_->track(*frame);
-    watching_ms += head_->beside_ms();
-    if (!state.head) state.head_detail = head_->lossDetail();
-    state.exposure_offset = head_->exposureOffset();
-    coil_->setRightLate(state.exposure_offset.right_late_s, state.exposure_offset.sigma_s);
-    coil_->setWorkBefore(head_->work());
-    state.coil = coil_->track(*frame);
-    rig_check_.add(*frame, state.head, coil_->sighting());
+    watching_ms += track(*frame, state);
     place(state);
     const Timestamp tracked = Timestamp::now();
     watch(frame, state);
@@ -92,6 +85,19 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   }
   state.processing_ms = state.latency_ms = std::max(0.0, (Timestamp::now() - begin) * 1e3 - watching_ms);
   return state;
+}
+
+/// Head, then coil. Returns the time of what live is done beside the frames, ms.
+double Navigator::track(const cameras::StereoFrame& frame, NavigationState& state) {
+  const auto head = head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false)});
+  const auto coil = coil_->track(frame, {head.exposure_offset, head.work});
+  coil_deferred_ = coil.deferred;
+  state.head = head;
+  state.head_detail = head.loss_detail;
+  state.exposure_offset = head.exposure_offset;
+  state.coil = coil;
+  rig_check_.add(frame, state.head, coil.sighting);
+  return head.beside_ms;
 }
 
 void Navigator::place(NavigationState& state) const {
@@ -112,7 +118,7 @@ void Navigator::watch(const std::shared_ptr<const cameras::StereoFrame>& frame, 
   if (!state.head || state.head->between_exposures_mm < kMostBetweenExposures_mm)
     watchdog_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
   if (!watchdog_->isAlarmed()) return;
-  if (!was_alarmed) head_->forgetLearnt();
+  if (!was_alarmed) is_learnt_in_doubt_ = true;
   state.has_drifted = true;
   state.head = Lost{LostReason::high_residual};
   state.camera_T_mri = Lost{LostReason::high_residual};

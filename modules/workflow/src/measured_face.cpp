@@ -100,8 +100,7 @@ MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::in
   MeasuredFace result;
   result.first = frameOf(film, first);
   result.landmarks = findFace(rig, *result.first, detector);
-  tracker.setPace(head_tracking::Pace::patient);
-  tracker.start(rig, {*result.first, {}, {}});
+  tracker.start(rig, {*result.first, {}, {}}, head_tracking::Pace::patient);
   const int times = plainReduction(rig, result.landmarks);
   const cameras::StereoRig small = cameras::reduced(rig, times);
   stereo::CloudFusion fusion(small, stereo::kPlainSkinError_px);

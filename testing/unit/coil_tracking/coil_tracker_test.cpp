@@ -273,7 +273,8 @@ TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExpos
   constexpr double kLate_s = 0.012;
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(rig, defaultCoil());
-  tracker->setRightLate(kLate_s, 5e-4);
+  CoilContext late;
+  late.exposure_offset = {kLate_s, 5e-4};
   for (int i = 0; i < 36; ++i) {
     const double t_s = i / 60.0;
     SceneOptions options;
@@ -281,7 +282,7 @@ TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExpos
     auto frame = renderMarkers(rig, {{id7(), 60, broughtIn(t_s)}}, options);
     frame.right = renderMarkers(rig, {{id7(), 60, broughtIn(t_s + kLate_s)}}, options).right;
     frame.captured.s = t_s;
-    const auto pose = tracker->track(frame);
+    const auto pose = tracker->track(frame, late);
     ASSERT_EQ(pose.isTracked(), i > 0) << i;  // one frame tells no velocity
     if (pose) {
       const bool has_stopped = i > 26;  // at 0.4 s; the velocity is taken over three frames
@@ -302,16 +303,15 @@ TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
   for (const int before : {FrameWork::kMost - 100, FrameWork::kMost - 1500}) {  // to look, or only to fit
     const auto tracker = makeMarkerCoilTracker();
     tracker->start(rig, defaultCoil());
-    tracker->setWorkBefore({before});
-    EXPECT_FALSE(tracker->track(movedFrame(rig, 0)).isTracked());
-    EXPECT_LE(tracker->work().looks, FrameWork::kMost);
-    ASSERT_GT(tracker->putOff().looks, 0);
-    tracker->setWorkBefore({FrameWork::kMost - tracker->putOff().looks});
-    const auto pose = tracker->track(movedFrame(rig, 1));
+    const auto first = tracker->track(movedFrame(rig, 0), {{}, {before}});
+    EXPECT_FALSE(first.isTracked());
+    EXPECT_LE(first.work.looks, FrameWork::kMost);
+    ASSERT_GT(first.deferred.looks, 0);
+    const auto pose = tracker->track(movedFrame(rig, 1), {{}, {FrameWork::kMost - first.deferred.looks}});
     ASSERT_TRUE(pose) << before;
     EXPECT_THAT(pose->camera_T_marker, PoseNear(markerPose(597, 20, 70, 2, {5.0, 0}), 0.3, 0.3));
-    EXPECT_EQ(tracker->putOff().looks, 0);
-    EXPECT_LE(tracker->work().looks, FrameWork::kMost);
+    EXPECT_EQ(pose.deferred.looks, 0);
+    EXPECT_LE(pose.work.looks, FrameWork::kMost);
   }
 }
 
@@ -330,10 +330,9 @@ TEST(CoilTracker, TheFramesWorkKeepsItsLimitWhateverIsShown) {
       for (int i = 0; i < 4; ++i) {
         auto frame = renderMarkers(rig, placed, options);
         frame.captured.s = i / 60.0;
-        tracker->setWorkBefore({kTrackedHead});
-        const auto pose = tracker->track(frame);
+        const auto pose = tracker->track(frame, {{}, {kTrackedHead}});
         EXPECT_EQ(pose.isTracked(), prints == 1);
-        EXPECT_LE(tracker->work().looks, FrameWork::kMost) << prints << " prints";
+        EXPECT_LE(pose.work.looks, FrameWork::kMost) << prints << " prints";
       }
     }
 }

@@ -98,6 +98,13 @@ inline PoseError errorOf(const head_tracking::HeadPose& pose, const SyntheticVie
   return poseError(pose.camera_T_head, RigidTransform<Camera, Head>::fromIsometry(view.motion), kCortex);
 }
 
+/// What a loss is said to look like; empty where the head is tracked.
+inline std::string wordOf(const head_tracking::HeadResult& result) {
+  if (result) return {};
+  const std::string word = head_tracking::toString(result.loss_detail);
+  return word.empty() ? "lost" : word;
+}
+
 class HeadTrackers : public ::testing::Test {
  protected:
   void SetUp() override {

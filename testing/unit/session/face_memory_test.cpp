@@ -19,7 +19,10 @@ class LearningHead : public fakes::Head {
  public:
   explicit LearningHead(std::vector<head_tracking::FaceLook>& given)
       : fakes::Head([](auto) { return moved(); }), given_(given) {}
-  void addLooks(const std::vector<head_tracking::FaceLook>& looks) override { given_ = looks; }
+  void start(const cameras::StereoRig&, const head_tracking::HeadReference& reference,
+             head_tracking::Pace) override {
+    given_ = reference.looks;
+  }
   std::vector<head_tracking::FaceLook> learntLooks() const override {
     head_tracking::FaceLook look;
     look.rig = fakes::rig();

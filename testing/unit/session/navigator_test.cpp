@@ -47,7 +47,15 @@ class CoilSeenByMovedCameras : public fakes::Coil {
  public:
   CoilSeenByMovedCameras(const cameras::StereoRig& rig, double off_px)
       : fakes::Coil(kMarker), rig_(rig), off_px_(off_px) {}
-  std::optional<coil_tracking::MarkerSighting> sighting() const override {
+  coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
+                                  const coil_tracking::CoilContext& context) override {
+    auto result = fakes::Coil::track(frame, context);
+    result.sighting = sighting();
+    return result;
+  }
+
+ private:
+  coil_tracking::MarkerSighting sighting() const {
     coil_tracking::MarkerSighting marker;
     for (int i = 0; i < 4; ++i) {
       const Eigen::Vector3d p_mm =
@@ -62,7 +70,6 @@ class CoilSeenByMovedCameras : public fakes::Coil {
     return marker;
   }
 
- private:
   cameras::StereoRig rig_;
   double off_px_;
 };
@@ -141,8 +148,13 @@ struct NotedWork {
 class WorkingHead : public fakes::Head {
  public:
   explicit WorkingHead(NotedWork& noted) : fakes::Head([](auto) { return kMoved; }), noted_(noted) {}
-  FrameWork work() const override { return {1234}; }
-  void leave(const FrameWork& work) override { noted_.left_by_head = work.looks; }
+  head_tracking::HeadResult track(const cameras::StereoFrame& frame,
+                                  const head_tracking::HeadContext& context) override {
+    noted_.left_by_head = context.reserved.looks;
+    auto result = fakes::Head::track(frame, context);
+    result.work = {1234};
+    return result;
+  }
 
  private:
   NotedWork& noted_;
@@ -151,8 +163,13 @@ class WorkingHead : public fakes::Head {
 class WaitingCoil : public fakes::Coil {
  public:
   explicit WaitingCoil(NotedWork& noted) : fakes::Coil(std::nullopt), noted_(noted) {}
-  void setWorkBefore(const FrameWork& work) override { noted_.before_coil = work.looks; }
-  FrameWork putOff() const override { return {567}; }
+  coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
+                                  const coil_tracking::CoilContext& context) override {
+    noted_.before_coil = context.work_before.looks;
+    auto result = fakes::Coil::track(frame, context);
+    result.deferred = {567};
+    return result;
+  }
 
  private:
   NotedWork& noted_;
@@ -163,6 +180,8 @@ TEST(Navigator, HeadAndCoilShareTheWorkOfAFrame) {
   Navigator navigator(fakes::setup(), std::make_unique<WorkingHead>(noted),
                       std::make_unique<WaitingCoil>(noted));
   navigator.process(fakes::frame(0, 0));
+  EXPECT_EQ(noted.left_by_head, 0) << "nothing was deferred yet";
+  navigator.process(fakes::frame(1, 0.02));
   EXPECT_EQ(noted.before_coil, 1234);
   EXPECT_EQ(noted.left_by_head, 567);
 }

@@ -51,14 +51,14 @@ class Head : public head_tracking::HeadTracker {
  public:
   using Pose = std::function<std::optional<RigidTransform<Camera, facenav::Head>>(std::int64_t)>;
   explicit Head(Pose pose, int work_ms = 0) : pose_(std::move(pose)), work_ms_(work_ms) {}
-  void start(const cameras::StereoRig&, const head_tracking::HeadReference&) override {}
-  Tracked<head_tracking::HeadPose> track(const cameras::StereoFrame& f) override {
+  void start(const cameras::StereoRig&, const head_tracking::HeadReference&, head_tracking::Pace) override {}
+  head_tracking::HeadResult track(const cameras::StereoFrame& f, const head_tracking::HeadContext&) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(work_ms_));
     const auto pose = pose_(f.number);
     if (!pose) return Lost{LostReason::no_face};
     head_tracking::HeadPose head;
     head.camera_T_head = *pose;
-    return {head, 0.8};
+    return Tracked<head_tracking::HeadPose>(head, 0.8);
   }
 
  private:
@@ -70,14 +70,14 @@ class Coil : public coil_tracking::CoilTracker {
  public:
   explicit Coil(std::optional<RigidTransform<Camera, Marker>> pose) : pose_(std::move(pose)) {}
   void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
-  Tracked<coil_tracking::CoilPose> track(const cameras::StereoFrame&) override {
+  coil_tracking::CoilResult track(const cameras::StereoFrame&, const coil_tracking::CoilContext&) override {
     if (!pose_) return Lost{LostReason::no_marker};
     coil_tracking::CoilPose coil;
     coil.camera_T_marker = *pose_;
     for (auto* corners : {&coil.left_corners_px, &coil.right_corners_px})
       *corners = {Eigen::Vector2d(20, 10), Eigen::Vector2d(40, 10), Eigen::Vector2d(40, 30),
                   Eigen::Vector2d(20, 30)};
-    return {coil, 0.9};
+    return Tracked<coil_tracking::CoilPose>(coil, 0.9);
   }
 
  private:

@@ -42,8 +42,12 @@ class FeatureHeadTracker : public HeadTracker {
   explicit FeatureHeadTracker(std::shared_ptr<const face::FaceDetector> detector)
       : detector_(detector ? std::move(detector) : face::makeFaceDetector()) {}
 
-  void start(const cameras::StereoRig& rig, const HeadReference& reference) override {
+  using HeadTracker::start;
+  using HeadTracker::track;
+
+  void start(const cameras::StereoRig& rig, const HeadReference& reference, Pace) override {
     rig_ = rig;
+    drawn_.clear();
     last_.reset();
     reference_ = {reference.frame.left.clone(), reference.frame.right.clone(), 0, {}};
     const auto face = face::findStereoFace(*detector_, rig, reference.frame);
@@ -59,7 +63,13 @@ class FeatureHeadTracker : public HeadTracker {
     guard_.start(reference.frame);
   }
 
-  Tracked<HeadPose> track(const cameras::StereoFrame& frame) override {
+  HeadResult track(const cameras::StereoFrame& frame, const HeadContext&) override {
+    FACENAV_EXPECT(!features_.empty(), "track() before start()");
+    return poseIn(frame);
+  }
+
+ private:
+  Tracked<HeadPose> poseIn(const cameras::StereoFrame& frame) {
     const double speed_mm_s = last_ ? last_->velocity.tail<3>().norm() : 0.0;
     const auto fault = guard_.check(frame, speed_mm_s, boundingBox(drawn_, true), boundingBox(drawn_, false));
     if (fault) return lost(*fault);
@@ -68,7 +78,6 @@ class FeatureHeadTracker : public HeadTracker {
     return relocalise(frame);
   }
 
- private:
   struct Last {
     Eigen::Isometry3d motion;
     Vector6d velocity;  // 1/s, about the face's centre

@@ -47,10 +47,12 @@ class ModelHeadTracker : public HeadTracker {
   explicit ModelHeadTracker(std::shared_ptr<const face::FaceDetector> detector)
       : detector_(detector ? std::move(detector) : face::makeFaceDetector()) {}
 
-  void setPace(Pace pace) override { pace_ = pace; }
+  using HeadTracker::start;
+  using HeadTracker::track;
 
-  void start(const cameras::StereoRig& rig, const HeadReference& reference) override {
+  void start(const cameras::StereoRig& rig, const HeadReference& reference, Pace pace) override {
     lost_face_.reset();
+    pace_ = pace;
     const auto face = face::findStereoFace(*detector_, rig, reference.frame);
     if (!face && reference.surface.empty())
       throw Error("no face is found in both images of the reference frame", {},
@@ -82,9 +84,32 @@ class ModelHeadTracker : public HeadTracker {
     lost_face_ = std::make_unique<LostFace>(
         std::make_shared<FaceRecovery>(rig, reference.frame, region, surface, face, detector_),
         LostFace::Learnt{&camera_.rig(), &model_, &both_cameras_, &camera_}, pace_);
+    lost_face_->add(reference.looks);
   }
 
-  Tracked<HeadPose> track(const cameras::StereoFrame& frame) override {
+  HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) override {
+    FACENAV_EXPECT(lost_face_ != nullptr, "track() before start()");
+    if (context.is_learnt_in_doubt) forgetLearnt();
+    left_out_ = context.reserved.looks;
+    HeadResult result = poseIn(frame);
+    if (!result) result.loss_detail = detail_;
+    result.exposure_offset = {camera_.late_s(), camera_.sigma_s()};
+    result.work = work_;
+    result.beside_ms = beside_ms_;
+    return result;
+  }
+
+  std::vector<FaceLook> learntLooks() const override {
+    return lost_face_ ? lost_face_->learnt() : std::vector<FaceLook>();
+  }
+
+ private:
+  struct FirstLoss {
+    LostReason reason;
+    Eigen::Isometry3d motion;
+  };
+
+  Tracked<HeadPose> poseIn(const cameras::StereoFrame& frame) {
     const auto fault = guard_.check(frame, last_.velocity().tail<3>().norm(), left_box_, right_box_);
     const bool has_just_left = work_.left_out > 0;  // not twice running: a lost head has its turn, too
     work_ = {}, work_.left_out = has_just_left ? 0 : left_out_;
@@ -100,23 +125,7 @@ class ModelHeadTracker : public HeadTracker {
     return recover(frame, is_recent ? std::optional(last_.predicted(frame.captured)) : std::nullopt);
   }
 
-  LossDetail lossDetail() const override { return detail_; }
-
-  ExposureOffset exposureOffset() const override { return {camera_.late_s(), camera_.sigma_s()}; }
-
-  FrameWork work() const override { return work_; }
-
-  double beside_ms() const override { return beside_ms_; }
-
-  void leave(const FrameWork& work) override { left_out_ = work.looks; }
-
-  void addLooks(const std::vector<FaceLook>& looks) override { lost_face_->add(looks); }
-
-  std::vector<FaceLook> learntLooks() const override {
-    return lost_face_ ? lost_face_->learnt() : std::vector<FaceLook>();
-  }
-
-  void forgetLearnt() override {
+  void forgetLearnt() {
     if (lost_face_) lost_face_->forget();
     check_.cancel();
     keys_ = KeyFrames(model_);
@@ -125,12 +134,6 @@ class ModelHeadTracker : public HeadTracker {
     last_.forget();
     lost_frames_ = 0;
   }
-
- private:
-  struct FirstLoss {
-    LostReason reason;
-    Eigen::Isometry3d motion;
-  };
 
   std::optional<Eigen::Isometry3d> lastPose() const {
     return last_.isKnown() ? std::optional(last_.pose()) : std::nullopt;

@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "facenav/cameras/exposure_offset.h"
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/frame_work.h"
@@ -59,21 +61,29 @@ struct MarkerSighting {
   double size_sigma_mm = 0.0;   // of the size that both images show
 };
 
+/// What the session knows when a frame's turn comes.
+struct CoilContext {
+  cameras::ExposureOffset exposure_offset;  // of this frame's cameras
+  FrameWork work_before;                    // what the frame has cost already
+};
+
+/// The pose, or Lost, with what the frame has told besides.
+struct CoilResult : Tracked<CoilPose> {
+  using Tracked<CoilPose>::Tracked;
+  CoilResult(Tracked<CoilPose> pose) : Tracked<CoilPose>(std::move(pose)) {}
+  FrameWork work;      // of this frame, with what came before; 0 where the method does not count
+  FrameWork deferred;  // search that this frame's budget did not allow: room to be kept in the next frame
+  std::optional<MarkerSighting> sighting;  // none where no marker was fitted, or while the coil moves
+};
+
 class CoilTracker {
  public:
   virtual ~CoilTracker() = default;
+  /// Begins anew. Throws Error where the coil has no marker or a pattern cannot be read.
   virtual void start(const cameras::StereoRig& rig, const CoilModel& coil) = 0;
-  virtual Tracked<CoilPose> track(const cameras::StereoFrame& frame) = 0;
-  /// The right camera exposes so much later than the left one, known to `sigma_s`; of the frames to come.
-  virtual void setRightLate(double /*late_s*/, double /*sigma_s*/) {}
-  /// What the frame to come has cost already, before the coil's turn.
-  virtual void setWorkBefore(const FrameWork& /*work*/) {}
-  /// Of the last frame, with what came before; 0 where the method does not count.
-  virtual FrameWork work() const { return {}; }
-  /// What the last frame's work would not allow any more: to be left room for in the next.
-  virtual FrameWork putOff() const { return {}; }
-  /// Of the frame tracked last; nothing where no marker was fitted, or while the coil moves.
-  virtual std::optional<MarkerSighting> sighting() const { return std::nullopt; }
+  /// A frame that cannot be used (no image, another size) is Lost{camera}.
+  virtual CoilResult track(const cameras::StereoFrame& frame, const CoilContext& context) = 0;
+  CoilResult track(const cameras::StereoFrame& frame) { return track(frame, CoilContext()); }
 };
 
 std::unique_ptr<CoilTracker> makeMarkerCoilTracker();  // "marker"

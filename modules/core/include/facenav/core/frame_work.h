@@ -5,6 +5,7 @@
 // priority. For search work that the coil had to defer, a part of the next frame's limit is reserved.
 
 namespace facenav {
+inline namespace core {
 
 struct FrameWork {
   static constexpr int kMost = 7000;  // patch comparisons allowed in a frame
@@ -12,4 +13,5 @@ struct FrameWork {
   int left() const { return kMost - looks; }
 };
 
+}  // namespace core
 }  // namespace facenav

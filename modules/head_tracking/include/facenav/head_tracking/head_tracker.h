@@ -6,8 +6,10 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "facenav/cameras/exposure_offset.h"
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/frame_work.h"
@@ -38,18 +40,13 @@ struct HeadPose {
   double between_exposures_mm = 0.0;
 };
 
-/// How much later than the left camera the right one exposes: ordinary cameras run free.
-struct ExposureOffset {
-  double right_late_s = 0.0;  // 0 while it is not known to differ from 0
-  double sigma_s = 0.0;       // 0: not measured
-};
-
 /// What the tracker learns the face from: a frame without dots, and, where the face was measured densely at
 /// the same head position, its points (Camera, mm) with their pixels in the left image as recorded.
 struct HeadReference {
   cameras::StereoFrame frame;
   PointCloud<Camera> surface;  // may be empty: then depth comes from the frame itself
   std::vector<Eigen::Vector2f> surface_left_px;
+  std::vector<FaceLook> looks = {};  // the patient's face in earlier sessions
 };
 
 /// What becomes of work that takes longer than a frame (a lost face found anew).
@@ -59,31 +56,38 @@ enum class Pace {
   patient,  // done in its frame and used there: for recordings that nobody waits for
 };
 
+/// What the session knows when a frame's turn comes.
+struct HeadContext {
+  FrameWork reserved;  // work of this frame to be left for the other tracker
+  /// The drift watchdog has raised an alarm: forget what was learnt since start(), track from the reference
+  /// anew.
+  bool is_learnt_in_doubt = false;
+};
+
+/// The pose, or Lost, with what the frame has told besides.
+struct HeadResult : Tracked<HeadPose> {
+  using Tracked<HeadPose>::Tracked;
+  HeadResult(Tracked<HeadPose> pose) : Tracked<HeadPose>(std::move(pose)) {}
+  LossDetail loss_detail = LossDetail::unknown;  // of a loss
+  cameras::ExposureOffset exposure_offset;       // as learnt from the moving head so far
+  FrameWork work;                                // done in this frame; 0 where the method does not count
+  double beside_ms = 0.0;  // part of this call's time that a live session spends beside the frames
+};
+
 class HeadTracker {
  public:
   virtual ~HeadTracker() = default;
-  /// Before start().
-  virtual void setPace(Pace /*pace*/) {}
-  /// Throws Error("no face ...") when no face is found in the reference frame.
-  virtual void start(const cameras::StereoRig& rig, const HeadReference& reference) = 0;
+  /// Begins anew: nothing is kept of an earlier start. Throws Error("no face ...") when no face is found in
+  /// the reference frame.
+  virtual void start(const cameras::StereoRig& rig, const HeadReference& reference, Pace pace) = 0;
+  void start(const cameras::StereoRig& rig, const HeadReference& reference) {
+    start(rig, reference, Pace::as_live);
+  }
   /// Any frame after start(); frames may have been dropped in between, and the first may be far from the
-  /// reference.
-  virtual Tracked<HeadPose> track(const cameras::StereoFrame& frame) = 0;
-  /// Of the last frame, where it was lost.
-  virtual LossDetail lossDetail() const { return LossDetail::unknown; }
-  /// As learnt from the moving head so far.
-  virtual ExposureOffset exposureOffset() const { return {}; }
-  /// Of the last frame; 0 where the method does not count.
-  virtual FrameWork work() const { return {}; }
-  /// Of the last frame's time, what a live session does beside the frames (ms).
-  virtual double beside_ms() const { return 0.0; }
-  /// So much of the frame to come is to be left for another tracker.
-  virtual void leave(const FrameWork& /*work*/) {}
-  /// What was learnt since start() is in doubt (the drift watchdog's alarm): track from the reference anew.
-  virtual void forgetLearnt() {}
-  /// After start(), before the first frame: other looks of the patient's face, from earlier sessions.
-  virtual void addLooks(const std::vector<FaceLook>& /*looks*/) {}
-  /// Looks learnt since start() that are sure enough to be kept.
+  /// reference. A frame that cannot be used (no image, another size) is Lost{camera}. Never throws.
+  virtual HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) = 0;
+  HeadResult track(const cameras::StereoFrame& frame) { return track(frame, HeadContext()); }
+  /// Looks learnt since start() that are sure enough to be kept with the case.
   virtual std::vector<FaceLook> learntLooks() const { return {}; }
 };
 

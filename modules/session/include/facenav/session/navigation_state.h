@@ -27,7 +27,7 @@ struct NavigationState {
   Tracked<RigidTransform<Camera, Mri>> camera_T_mri = Lost{LostReason::stale};
   Tracked<RigidTransform<Camera, Coil>> camera_T_coil = Lost{LostReason::stale};
 
-  head_tracking::ExposureOffset exposure_offset;  // between the cameras, as known at this frame
+  cameras::ExposureOffset exposure_offset;  // between the cameras, as known at this frame
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen

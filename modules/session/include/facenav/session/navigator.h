@@ -54,6 +54,7 @@ class Navigator {
   NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);
 
  private:
+  double track(const cameras::StereoFrame& frame, NavigationState& state);
   void place(NavigationState& state) const;
   void watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void guide(NavigationState& state);
@@ -66,6 +67,8 @@ class Navigator {
   std::unique_ptr<monitoring::DriftWatchdog> watchdog_;  // null: none
   std::unique_ptr<head_tracking::HeadTracker> head_;
   std::unique_ptr<coil_tracking::CoilTracker> coil_;
+  FrameWork coil_deferred_;          // by the last frame, to the next one
+  bool is_learnt_in_doubt_ = false;  // told to the head's tracker with the next frame
   std::optional<ChosenTarget> target_;
   guidance::GuidanceState previous_;
 };
