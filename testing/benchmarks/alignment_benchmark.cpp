@@ -12,12 +12,12 @@
 #include <cstdlib>
 #include <functional>
 
-#include "face_regions.h"
+#include "confidence/face_regions.h"
+#include "confidence/fit_report.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/registration/aligner.h"
-#include "fit_report.h"
-#include "robust_fit.h"
+#include "fit/robust_fit.h"
 #include "support/model_head.h"
 #include "support/skin_misfit.h"
 #include "support/stopwatch.h"
