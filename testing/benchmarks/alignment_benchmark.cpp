@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "confidence/face_regions.h"
 #include "confidence/fit_report.h"
+#include "facenav/anatomy/nose.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/registration/aligner.h"
@@ -111,7 +111,7 @@ void print(const char* name, const Outcome& o, double ours_ms) {
 class AlignmentBenchmark {
  public:
   explicit AlignmentBenchmark(const registration::SkinModel& skin)
-      : skin_(skin), target_(registration::findNoseTip(skin) + Eigen::Vector3d(-38, -115, 100)) {
+      : skin_(skin), target_(anatomy::findNoseTip(skin.points.points_mm) + Eigen::Vector3d(-38, -115, 100)) {
     double start_ms = processorTime_ms();
     scalp_ = std::make_unique<ScalpField>(skin_);
     std::printf("Built once a case: our field %.0f ms (%zu vertices)", processorTime_ms() - start_ms,
@@ -130,7 +130,7 @@ class AlignmentBenchmark {
   }
 
   void run(double turn_deg, double shift_mm, int trials) {
-    const Eigen::Vector3d nose = registration::findNoseTip(skin_);
+    const Eigen::Vector3d nose = anatomy::findNoseTip(skin_.points.points_mm);
     Outcome fit, whole, paper, icp, plane, gicp;
     TaskMonitor monitor;
     for (int t = 0; t < trials; ++t) {
@@ -183,7 +183,7 @@ class AlignmentBenchmark {
   /// Ours alone, over many random starts: is it ever lost? Misfit moves even the best pose by millimetres, so
   /// that the place to find is where the fit from the true pose ends.
   void starts(double turn_deg, double shift_mm, int trials) {
-    const Eigen::Vector3d nose = registration::findNoseTip(skin_);
+    const Eigen::Vector3d nose = anatomy::findNoseTip(skin_.points.points_mm);
     Outcome fit;
     int same = 0;
     for (int t = 0; t < trials; ++t) {

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/stereo/reduced_pair.h"
 
 namespace facenav::workflow {
 namespace {
 
-constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;  // the landmarks' centre: all of a face
+constexpr double kBefore_mm = 180.0;  // the landmarks' centre: a hand or a coil in front of the face
 constexpr double kAround_mm = 150.0;
 // Plain skin shows little that is finer than this: larger pictures are reduced.
 constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
@@ -28,7 +29,7 @@ stereo::FaceCloud measureNear(const stereo::StereoRig& rig, const stereo::Stereo
   stereo::FaceCloudOptions options = has_dots ? stereo::FaceCloudOptions() : stereo::plainFaceOptions();
   if (face.centre) {
     options.nearest_mm = std::max(100.0, face.centre->mm.z() - kBefore_mm);
-    options.farthest_mm = face.centre->mm.z() + kBehind_mm;
+    options.farthest_mm = face.centre->mm.z() + anatomy::kHeadDepth_mm;
     options.left_roi = roiAround(rig, face.centre->mm);
   }
   return cutFace(stereo::measureFace(rig, frame, options, monitor), face);

@@ -67,7 +67,7 @@ bool isNoFit(const Closeness& c) {
 
 Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                       const Eigen::Isometry3d& mri_T_camera, const Covers& covers) {
-  const FaceRegions regions(scalp.noseTip_mm());
+  const anatomy::FaceRegions regions(scalp.noseTip_mm());
   Closeness out;
   std::vector<double> skin, core, bare;
   std::vector<Eigen::Vector3f> close_mm;

@@ -68,13 +68,13 @@ Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& point
                                const Eigen::Isometry3d& pose, double limit_mm) {
   const auto patches = coveredPatches(scalp, points, pose, limit_mm);
   const Eigen::Vector3d middle = scalp.middle_mm();
-  return increment(-poseError(patches, FaceRegions(scalp.noseTip_mm()), middle), middle, pose);
+  return increment(-poseError(patches, anatomy::FaceRegions(scalp.noseTip_mm()), middle), middle, pose);
 }
 
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                  const Eigen::Isometry3d& pose, double limit_mm) {
   const FieldFitter fitter(scalp, face, points);
-  const FaceRegions regions(scalp.noseTip_mm());
+  const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
   fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle, {});
@@ -85,7 +85,8 @@ FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const 
 FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                const Eigen::Isometry3d& pose, double limit_mm) {
   const auto patches = coveredPatches(scalp, FieldFitter(scalp, face, points), pose, limit_mm);
-  FinalFit fit{pose, limit_mm, believe(patches, FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {})};
+  FinalFit fit{pose, limit_mm,
+               believe(patches, anatomy::FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {})};
   fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
   return fit;
 }

@@ -36,7 +36,7 @@ constexpr double kPatch_mm = 12.0;
 // which third of the patches was asked.
 constexpr std::size_t kShapePatches = 150, kMostShapes = 6;
 
-LinearModel linearModel(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
+LinearModel linearModel(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                         const Eigen::Vector3d& pivot) {
   const auto n = Eigen::Index(patches.size());
   LinearModel model{{n, LinearModel::kColumns}, VectorXd(n), VectorXd(n), MatrixXd(n, n)};
@@ -249,13 +249,13 @@ Vector6d units() {
 
 }  // namespace
 
-Vector6d poseError(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
+Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                    const Eigen::Vector3d& pivot) {
   const LinearModel model = linearModel(patches, regions, pivot);
   return units().asDiagonal() * (workingEstimator(model) * model.columns.col(LinearModel::kResidual));
 }
 
-PoseBelief believe(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
+PoseBelief believe(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                    const Eigen::Vector3d& pivot, const MisfitPrior& prior) {
   const auto shapes = plausibleShapes(linearModel(some(patches, kShapePatches), regions, pivot), prior);
   LinearModel model = linearModel(patches, regions, pivot);

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "cloud/skin_patches.h"
-#include "face_regions.h"
+#include "facenav/anatomy/face_regions.h"
 
 namespace facenav::registration {
 
@@ -44,12 +44,12 @@ struct PoseBelief {
 };
 
 /// What a pose is off (turn rad, shift mm, about the pivot), by the working covariance alone.
-Vector6d poseError(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
+Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                    const Eigen::Vector3d& pivot_mri_mm);
 
 /// The same with all that is believed of it. `patches`: about 12 mm; those that their neighbours do not
 /// explain within 3 sigma are let go gradually.
-PoseBelief believe(const std::vector<SkinPatch>& patches, const FaceRegions& regions,
+PoseBelief believe(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                    const Eigen::Vector3d& pivot_mri_mm, const MisfitPrior& prior);
 
 }  // namespace facenav::registration

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "cloud/skin_patches.h"
-#include "face_regions.h"
+#include "facenav/anatomy/face_regions.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
 
@@ -20,7 +20,7 @@ constexpr double kCovered_mm = 2.0;  // hair stands off by this and more, skin h
 
 std::vector<RegionFit> fitByRegion(const ScalpField& scalp, const PointCloud<Camera>& face,
                                    const AlignmentResult& alignment) {
-  const FaceRegions regions(scalp.noseTip_mm());
+  const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Isometry3d mri_T_camera = alignment.camera_T_mri.isometry().inverse();
   std::map<std::string, std::pair<std::vector<double>, int>> found;  // residuals; how many did not count
   for (std::size_t p = 0; p < face.size() && p < alignment.residual_mm.size(); ++p) {

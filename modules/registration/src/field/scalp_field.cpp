@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "confidence/face_regions.h"
+#include "facenav/anatomy/nose.h"
 #include "facenav/core/error.h"
 #include "nearest_skin.h"
 
@@ -25,7 +25,7 @@ ScalpField::ScalpField(const SkinModel& skin) : ScalpField(skin, Unfilled{}) {
   low_ = nearest().low_mm();
   high_ = nearest().high_mm();
   origin_ = (low_ - Eigen::Vector3d::Constant(NearestSkin::kMargin_mm)).cast<float>();
-  nose_tip_ = findNoseTip(skin_);
+  nose_tip_ = anatomy::findNoseTip(skin_.points.points_mm);
   fillCoarse();
   showGrids();
   fillBricks();

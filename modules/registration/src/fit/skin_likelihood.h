@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "confidence/face_regions.h"
+#include "facenav/anatomy/face_regions.h"
 #include "field_fit.h"
 
 namespace facenav::registration {
@@ -43,7 +43,7 @@ class SkinLikelihood {
   double energy(const std::vector<double>& covered, const std::vector<Patch>& patches) const;
   double pull(const std::vector<double>& covered, std::size_t patch) const;
 
-  FaceRegions regions_;
+  anatomy::FaceRegions regions_;
   double full_ = 0.0;                         // points of a patch that is seen in full
   std::vector<int> patch_of_;                 // each point's
   std::vector<std::vector<int>> neighbours_;  // of each patch

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/anatomy/lateral_landmarks.h"
+#include "facenav/anatomy/midline_profile.h"
 #include "head_frame.h"
-#include "lateral_landmarks.h"
-#include "midline_profile.h"
 #include "scalp/scalp_outline.h"
 
 namespace facenav::surface {
 namespace {
 
+using anatomy::MaybePoint;
+using anatomy::MidlineLandmarks;
+using anatomy::Side;
+using anatomy::SkinRelief;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -37,7 +41,7 @@ class LandmarkFinder {
     MidlineLandmarks middle;
     for (int round = 0; round < 3; ++round) {  // the first outline is nodding, the next ones level
       head_mm_ = inHead(frame_, scalp_.mesh);
-      middle = midlineLandmarks(midlineProfile(head_mm_, scalp_.mesh));
+      middle = anatomy::midlineLandmarks(anatomy::midlineProfile(head_mm_, scalp_.mesh.triangles));
       if (!middle.nasion || !middle.opisthocranion) return {};
       const Vector2d forward = middle.glabella.value_or(*middle.nasion) - *middle.opisthocranion;
       if (round < 2) frame_ = pitched(frame_, {0, forward.x(), forward.y()});
@@ -85,22 +89,24 @@ class LandmarkFinder {
   }
 
   void addEyesAndNose(const MidlineLandmarks& middle) {
-    const SkinRelief front = smoothed(reliefFrom(Side::front, head_mm_, scalp_.mesh), 1.5);
+    const SkinRelief front =
+        anatomy::smoothed(anatomy::reliefFrom(Side::front, head_mm_, scalp_.mesh.triangles), 1.5);
     for (const int side : {1, -1}) {
       const std::string end = side > 0 ? " R" : " L";
-      const EyeLandmarks eye = findEye(front, *onMidline(middle.nasion), side);
+      const anatomy::EyeLandmarks eye = anatomy::findEye(front, *onMidline(middle.nasion), side);
       add("endocanthion" + end, eye.inner_corner, kFair_mm);
       add("lid centre" + end, eye.lid_centre, kSmooth_mm);
-      if (middle.subnasale) add("alare" + end, findAla(front, *onMidline(middle.subnasale), side), kSharp_mm);
+      if (middle.subnasale)
+        add("alare" + end, anatomy::findAla(front, *onMidline(middle.subnasale), side), kSharp_mm);
     }
   }
 
   /// Tragi, and the widest places of face (in front of the ears, below the eyes) and head (above the ears).
   void addSides(const Vector2d& nasion) {
-    const SkinRelief right = reliefFrom(Side::right, head_mm_, scalp_.mesh);
-    const SkinRelief left = reliefFrom(Side::left, head_mm_, scalp_.mesh);
+    const SkinRelief right = anatomy::reliefFrom(Side::right, head_mm_, scalp_.mesh.triangles);
+    const SkinRelief left = anatomy::reliefFrom(Side::left, head_mm_, scalp_.mesh.triangles);
     const Vector3d root(0, nasion.x(), nasion.y());
-    addTragi(findTragus(right, root, 1), findTragus(left, root, -1));
+    addTragi(anatomy::findTragus(right, root, 1), anatomy::findTragus(left, root, -1));
     addWidest("zygion", right, left, {nasion.x() - 68, nasion.x() - 35}, {nasion.y() - 50, nasion.y() - 5});
     addWidest("euryon", right, left, {nasion.x() - 150, nasion.x() - 40}, {nasion.y() + 40, nasion.y() + 95});
   }
@@ -148,8 +154,8 @@ class LandmarkFinder {
     found_.circumference_mm = hullPerimeter(std::move(points));
   }
 
-  static double hullPerimeter(std::vector<Vector2d> points) {  // Andrew's monotone chain
-    if (points.size() < 3) return 0;
+  static std::optional<double> hullPerimeter(std::vector<Vector2d> points) {  // Andrew's monotone chain
+    if (points.size() < 3) return std::nullopt;
     std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
       return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
     });

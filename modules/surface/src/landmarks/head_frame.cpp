@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/surface/closest_point.h"
 
@@ -20,14 +21,13 @@ struct SymmetryPlane {
 
 /// Points of the skin down to a head's height below the vertex: shoulders and neck are not symmetric.
 std::vector<Vector3d> samplesOf(const TriangleMesh& scalp) {
-  constexpr double kHeadHeight_mm = 200;
   constexpr std::size_t kCount = 1500;
   double top_mm = -1e9;
   for (const auto& v : scalp.vertices_mm) top_mm = std::max(top_mm, v.z());
   std::vector<Vector3d> samples;
   const std::size_t step = std::max<std::size_t>(1, scalp.vertices_mm.size() / kCount);
   for (std::size_t v = 0; v < scalp.vertices_mm.size(); v += step)
-    if (scalp.vertices_mm[v].z() > top_mm - kHeadHeight_mm) samples.push_back(scalp.vertices_mm[v]);
+    if (scalp.vertices_mm[v].z() > top_mm - anatomy::kHeadHeight_mm) samples.push_back(scalp.vertices_mm[v]);
   return samples;
 }
 

@@ -3,11 +3,10 @@
 // out from the nose tip along the axes of Mri (adult distances, after Farkas 1994), good to a centimetre,
 // which is what words and weights need.
 
+#include <Eigen/Core>
 #include <string>
 
-#include "facenav/registration/scalp_field.h"
-
-namespace facenav::registration {
+namespace facenav::anatomy {
 
 class FaceRegions {
  public:
@@ -27,8 +26,4 @@ class FaceRegions {
   Eigen::Vector3d nose_;
 };
 
-/// The tip of the nose, or of what the scan has of it: where the front of the head stands out most from the
-/// skin 25-35 mm to both sides. Independent of the head's pitch.
-Eigen::Vector3d findNoseTip(const SkinModel& skin);
-
-}  // namespace facenav::registration
+}  // namespace facenav::anatomy

@@ -7,9 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "facenav/surface/triangle_mesh.h"
-
-namespace facenav::surface {
+namespace facenav::anatomy {
 
 /// Points (front, up), mm, from the vertex down over the face (or over the back of the head), about 0.7 mm
 /// apart. Ends where the scan does.
@@ -19,8 +17,10 @@ struct MidlineProfile {
   Outline front, back;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // inside the cranium
 };
-/// `head_mm`: vertices in the head frame, where the plane of symmetry is x = 0.
-MidlineProfile midlineProfile(const std::vector<Eigen::Vector3d>& head_mm, const TriangleMesh& mesh);
+/// `head_mm`: vertices of the skin in the head frame, where the plane of symmetry is x = 0; `triangles` over
+/// them.
+MidlineProfile midlineProfile(const std::vector<Eigen::Vector3d>& head_mm,
+                              const std::vector<Eigen::Vector3i>& triangles);
 
 struct MidlineLandmarks {
   std::optional<Eigen::Vector2d> glabella, nasion, pronasale, subnasale, pogonion, opisthocranion;
@@ -28,4 +28,4 @@ struct MidlineLandmarks {
 /// Empty where the outline has no nose, or ends before a landmark.
 MidlineLandmarks midlineLandmarks(const MidlineProfile& profile);
 
-}  // namespace facenav::surface
+}  // namespace facenav::anatomy

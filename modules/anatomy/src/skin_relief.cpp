@@ -1,9 +1,9 @@
-#include "skin_relief.h"
+#include "facenav/anatomy/skin_relief.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace facenav::surface {
+namespace facenav::anatomy {
 namespace {
 
 using Eigen::Vector3d;
@@ -46,7 +46,8 @@ std::optional<double> SkinRelief::at(double across_mm, double up_mm) const {
   return (1 - t) * ((1 - s) * h[0] + s * h[1]) + t * ((1 - s) * h[2] + s * h[3]);
 }
 
-SkinRelief reliefFrom(Side side, const std::vector<Vector3d>& head_mm, const TriangleMesh& mesh) {
+SkinRelief reliefFrom(Side side, const std::vector<Vector3d>& head_mm,
+                      const std::vector<Eigen::Vector3i>& triangles) {
   const View view = viewOf(side);
   Vector3d low = head_mm.front(), high = low;
   for (const auto& v : head_mm) low = low.cwiseMin(v), high = high.cwiseMax(v);
@@ -58,7 +59,7 @@ SkinRelief reliefFrom(Side side, const std::vector<Vector3d>& head_mm, const Tri
   relief.columns = int(high[view.across] - relief.left_mm) + 2;
   relief.rows = int(high[view.up] - relief.bottom_mm) + 2;
   relief.height_mm.assign(std::size_t(relief.columns) * relief.rows, SkinRelief::kNone);
-  for (const auto& triangle : mesh.triangles) {
+  for (const auto& triangle : triangles) {
     std::array<Vector3d, 3> p;
     for (int k = 0; k < 3; ++k) {
       const Vector3d& v = head_mm[std::size_t(triangle[k])];
@@ -93,4 +94,4 @@ SkinRelief smoothed(const SkinRelief& relief, double sigma_mm) {
   return pass(pass(relief, 1, 0), 0, 1);
 }
 
-}  // namespace facenav::surface
+}  // namespace facenav::anatomy

@@ -1,15 +1,13 @@
 #pragma once
-// The skin as a height map seen from one side, in the head's own axes (head_frame.h): from the front, the
-// right or the left, 1 mm cells, filled triangle by triangle, smoothed where asked.
+// The skin as a height map seen from one side, in the head's own axes (found by surface's landmarks): from
+// the front, the right or the left, 1 mm cells, filled triangle by triangle, smoothed where asked.
 
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <vector>
 
-#include "facenav/surface/triangle_mesh.h"
-
-namespace facenav::surface {
+namespace facenav::anatomy {
 
 /// Heights along `toward` over two axes, all of the head frame: 0 right, 1 front, 2 up.
 struct SkinRelief {
@@ -30,10 +28,11 @@ struct SkinRelief {
 
 enum class Side { front, right, left };
 
-/// `head_mm`: the mesh's vertices in the head frame. Seen from the right or left, height is the distance from
-/// the plane of symmetry.
-SkinRelief reliefFrom(Side side, const std::vector<Eigen::Vector3d>& head_mm, const TriangleMesh& mesh);
+/// `head_mm`: the skin's vertices in the head frame; `triangles` over them. Seen from the right or left,
+/// height is the distance from the plane of symmetry.
+SkinRelief reliefFrom(Side side, const std::vector<Eigen::Vector3d>& head_mm,
+                      const std::vector<Eigen::Vector3i>& triangles);
 /// Gaussian over the cells that have skin.
 SkinRelief smoothed(const SkinRelief& relief, double sigma_mm);
 
-}  // namespace facenav::surface
+}  // namespace facenav::anatomy

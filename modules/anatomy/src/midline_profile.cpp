@@ -1,9 +1,9 @@
-#include "midline_profile.h"
+#include "facenav/anatomy/midline_profile.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace facenav::surface {
+namespace facenav::anatomy {
 namespace {
 
 using Eigen::Vector2d;
@@ -12,9 +12,10 @@ using Eigen::Vector3d;
 constexpr int kBins = 1080;  // of the full turn about a point inside the cranium
 
 /// Where the plane x = 0 cuts the triangles' edges, as (front, up).
-std::vector<Vector2d> cutPoints(const std::vector<Vector3d>& head_mm, const TriangleMesh& mesh) {
+std::vector<Vector2d> cutPoints(const std::vector<Vector3d>& head_mm,
+                                const std::vector<Eigen::Vector3i>& triangles) {
   std::vector<Vector2d> points;
-  for (const auto& t : mesh.triangles) {
+  for (const auto& t : triangles) {
     std::vector<Vector2d> ends;
     for (int k = 0; k < 3; ++k) {
       const Vector3d &a = head_mm[std::size_t(t[k])], &b = head_mm[std::size_t(t[(k + 1) % 3])];
@@ -72,11 +73,11 @@ double outwards(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   return Vector2d(-along.y(), along.x()).dot(p - a);
 }
 
-/// The point of [from, to) furthest from the line a-b: outwards (sign 1) or inwards (-1). -1 below
-/// `least_mm`.
-int furthest(const Outline& line, int from, int to, const Vector2d& a, const Vector2d& b, double sign,
-             double least_mm) {
-  int best = -1;
+/// The point of [from, to) furthest from the line a-b: outwards (sign 1) or inwards (-1). Nothing
+/// below `least_mm`.
+std::optional<int> furthest(const Outline& line, int from, int to, const Vector2d& a, const Vector2d& b,
+                            double sign, double least_mm) {
+  std::optional<int> best;
   for (int i = std::max(0, from); i < std::min(to, int(line.size())); ++i)
     if (const double here = sign * outwards(line[std::size_t(i)], a, b); here > least_mm)
       least_mm = here, best = i;
@@ -96,15 +97,15 @@ std::vector<double> prominences(const Outline& line) {
 }
 
 /// The nose tip: from above, the first that stands out so much below a hollow (the nose's root); forehead and
-/// brow have none above them, mouth and chin lie below. -1 where there is none, or where the scan ends above
-/// it.
-int noseTip(const Outline& line) {
+/// brow have none above them, mouth and chin lie below. Nothing where there is none, or where the
+/// scan ends above it.
+std::optional<int> noseTip(const Outline& line) {
   constexpr double kLength_mm = 60, kLeast_mm = 7, kHollow_mm = 2.5, kNext_mm = 25;
   const std::vector<double> out_mm = prominences(line);
-  int best = -1;
+  std::optional<int> best;
   for (int i = steps(60); i + steps(12) < int(line.size()); ++i) {
-    if (best >= 0 && i > best + steps(kNext_mm)) break;
-    const double least_mm = best < 0 ? kLeast_mm : out_mm[std::size_t(best)];
+    if (best && i > *best + steps(kNext_mm)) break;
+    const double least_mm = best ? out_mm[std::size_t(*best)] : kLeast_mm;
     if (out_mm[std::size_t(i)] <= least_mm) continue;
     const auto from = out_mm.begin() + std::max(0, i - steps(kLength_mm));
     if (*std::min_element(from, out_mm.begin() + i) < -kHollow_mm) best = i;
@@ -113,9 +114,9 @@ int noseTip(const Outline& line) {
 }
 
 /// Where the nose meets the lip: the deepest corner within a nose's depth below the tip.
-int noseBase(const Outline& line, int tip) {
+std::optional<int> noseBase(const Outline& line, int tip) {
   constexpr double kReach_mm = 12, kLeast_mm = 2;
-  int best = -1;
+  std::optional<int> best;
   double deepest_mm = kLeast_mm;
   for (int i = tip + steps(8); i < tip + steps(45) && i + steps(kReach_mm) < int(line.size()); ++i) {
     const auto at = [&](int k) -> const Vector2d& { return line[std::size_t(k)]; };
@@ -126,11 +127,11 @@ int noseBase(const Outline& line, int tip) {
 }
 
 /// The point of [from, to), above `anchor`, at which a line from there touches the outline from outside.
-int tangentPoint(const Outline& line, int anchor, int from, int to) {
-  int best = -1;
+std::optional<int> tangentPoint(const Outline& line, int anchor, int from, int to) {
+  std::optional<int> best;
   for (int i = std::max(0, from); i < std::min(to, int(line.size())); ++i) {
     const auto at = [&](int k) -> const Vector2d& { return line[std::size_t(k)]; };
-    if (best < 0 || outwards(at(i), at(best), at(anchor)) > 0) best = i;
+    if (!best || outwards(at(i), at(*best), at(anchor)) > 0) best = i;
   }
   return best;
 }
@@ -156,8 +157,9 @@ std::optional<Vector2d> backOfHead(const MidlineProfile& profile, const Vector2d
 
 }  // namespace
 
-MidlineProfile midlineProfile(const std::vector<Vector3d>& head_mm, const TriangleMesh& mesh) {
-  const auto points = cutPoints(head_mm, mesh);
+MidlineProfile midlineProfile(const std::vector<Vector3d>& head_mm,
+                              const std::vector<Eigen::Vector3i>& triangles) {
+  const auto points = cutPoints(head_mm, triangles);
   if (points.size() < 50) return {};
   double top_mm = -1e9, front_mm = -1e9, back_mm = 1e9;
   for (const auto& p : points) top_mm = std::max(top_mm, p.y());
@@ -171,28 +173,28 @@ MidlineProfile midlineProfile(const std::vector<Vector3d>& head_mm, const Triang
 MidlineLandmarks midlineLandmarks(const MidlineProfile& profile) {
   const Outline& line = profile.front;
   MidlineLandmarks found;
-  const bool has_tip = noseTip(line) >= 0;
-  const int tip = has_tip ? noseTip(line) : int(line.size()) - 1;  // the scan may end on the nose's bridge
+  const std::optional<int> nose_tip = noseTip(line);
+  const int tip = nose_tip.value_or(int(line.size()) - 1);  // the scan may end on the nose's bridge
   if (tip < steps(90)) return found;
   const auto at = [&](int i) { return line[std::size_t(i)]; };
-  const int brow = tangentPoint(line, tip, tip - steps(85), tip - steps(32));
-  if (brow < 0) return found;
-  const int root = furthest(line, brow, tip, at(brow), at(tip), -1, has_tip ? 1.0 : 4.0);
-  if (root < 0) return found;
-  if (has_tip) found.pronasale = at(tip);
-  found.nasion = at(root);
-  const int forehead = std::max(0, root - steps(45));
-  if (const int g = furthest(line, root - steps(35), root - steps(5), at(forehead), at(root), 1, 0.3); g >= 0)
-    found.glabella = at(g);
-  if (const int base = has_tip ? noseBase(line, tip) : -1; base >= 0) {
-    found.subnasale = at(base);
-    const int low = std::min(int(line.size()) - 1, base + steps(95));
-    if (low > base + steps(60))
-      if (const int chin = furthest(line, base + steps(35), low, at(base), at(low), 1, 2.0); chin >= 0)
-        found.pogonion = at(chin);
+  const auto brow = tangentPoint(line, tip, tip - steps(85), tip - steps(32));
+  if (!brow) return found;
+  const auto root = furthest(line, *brow, tip, at(*brow), at(tip), -1, nose_tip ? 1.0 : 4.0);
+  if (!root) return found;
+  if (nose_tip) found.pronasale = at(tip);
+  found.nasion = at(*root);
+  const int forehead = std::max(0, *root - steps(45));
+  if (const auto g = furthest(line, *root - steps(35), *root - steps(5), at(forehead), at(*root), 1, 0.3))
+    found.glabella = at(*g);
+  if (const auto base = nose_tip ? noseBase(line, tip) : std::nullopt) {
+    found.subnasale = at(*base);
+    const int low = std::min(int(line.size()) - 1, *base + steps(95));
+    if (low > *base + steps(60))
+      if (const auto chin = furthest(line, *base + steps(35), low, at(*base), at(low), 1, 2.0))
+        found.pogonion = at(*chin);
   }
-  found.opisthocranion = backOfHead(profile, found.glabella.value_or(at(brow)));
+  found.opisthocranion = backOfHead(profile, found.glabella.value_or(at(*brow)));
   return found;
 }
 
-}  // namespace facenav::surface
+}  // namespace facenav::anatomy

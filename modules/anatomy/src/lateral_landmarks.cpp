@@ -1,9 +1,9 @@
-#include "lateral_landmarks.h"
+#include "facenav/anatomy/lateral_landmarks.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace facenav::surface {
+namespace facenav::anatomy {
 namespace {
 
 using Eigen::Vector3d;
@@ -115,4 +115,4 @@ MaybePoint findTragus(const SkinRelief& lateral, const Vector3d& nasion, int sid
   return best;
 }
 
-}  // namespace facenav::surface
+}  // namespace facenav::anatomy

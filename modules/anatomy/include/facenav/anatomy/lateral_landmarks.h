@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "skin_relief.h"
+#include "facenav/anatomy/skin_relief.h"
 
-namespace facenav::surface {
+namespace facenav::anatomy {
 
 using MaybePoint = std::optional<Eigen::Vector3d>;  // head frame
 
@@ -23,4 +23,4 @@ MaybePoint findAla(const SkinRelief& front, const Eigen::Vector3d& subnasale, in
 /// The skin in front of the ear's deepest hollow. `lateral`: the relief from that side.
 MaybePoint findTragus(const SkinRelief& lateral, const Eigen::Vector3d& nasion, int side);
 
-}  // namespace facenav::surface
+}  // namespace facenav::anatomy
