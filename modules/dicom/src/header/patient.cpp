@@ -85,7 +85,7 @@ std::string inWords(const Patient& patient) {
 int patientCount(const std::vector<SeriesInfo>& series) {
   std::set<int> patients;
   for (const SeriesInfo& info : series)
-    if (info.patient > 0 && info.rows > 0) patients.insert(info.patient);
+    if (info.patient && info.rows > 0) patients.insert(*info.patient);
   return int(patients.size());
 }
 

@@ -49,7 +49,7 @@ struct SliceHeader {
   double slice_thickness_mm = 0, repetition_time_ms = 0, inversion_time_ms = 0, gantry_tilt_deg = 0;
   int series_number = 0, instance_number = 0;
   Patient patient;
-  int patient_number = 0;  // among the files scanned together; patient_identity.h
+  std::optional<int> patient_number;  // among the files scanned together; patient_identity.h
   bool is_mosaic = false;
 };
 

@@ -135,7 +135,7 @@ class Grouper {
 }  // namespace
 
 std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers) {
-  std::map<std::pair<std::string, int>, std::vector<ImageRef>> by_uid;  // and by patient
+  std::map<std::pair<std::string, std::optional<int>>, std::vector<ImageRef>> by_uid;  // and by patient
   for (std::size_t h = 0; h < headers.size(); ++h)
     for (std::size_t f = 0; f < headers[h].images.size(); ++f)
       by_uid[{headers[h].series_uid, headers[h].patient_number}].push_back({int(h), int(f)});

@@ -100,8 +100,9 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   result.misfit_mm = fit.belief.field_mm;
   evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
   evidence.misfit_mm = result.misfit_mm;
-  evidence.scale = result.face_scale = 1.0 + fit.belief.scale;
-  evidence.scale_sigma = result.face_scale_sigma = fit.belief.scale_sigma;
+  evidence.scale = 1.0 + fit.belief.scale;
+  evidence.scale_sigma = fit.belief.scale_sigma;
+  if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
   requireTrust(evidence);
   result.cautions = cautionsOf(evidence);
 

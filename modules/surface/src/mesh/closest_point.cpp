@@ -26,7 +26,7 @@ ClosestPoint::~ClosestPoint() = default;
 ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
 ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
 
-SurfacePoint ClosestPoint::nearest(const Point<Mri>& p, int near) const {
+SurfacePoint ClosestPoint::nearest(const Point<Mri>& p, std::optional<int> near) const {
   const NearestPlace found = tree_->boxes.nearest(p.mm.cast<float>(), near);
   FACENAV_EXPECT(found.triangle >= 0, "a mesh with triangles has a nearest one");
   SurfacePoint out;

@@ -12,7 +12,7 @@ std::vector<float> signedDistances_mm(const TriangleMesh& from, const TriangleMe
   const auto count = vtkIdType((from.vertices_mm.size() + std::size_t(step) - 1) / std::size_t(step));
   std::vector<float> distances(static_cast<std::size_t>(count));
   vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    int near = -1;
+    std::optional<int> near;
     for (vtkIdType n = begin; n < end; ++n) {
       const auto found =
           nearest.nearest(Point<Mri>(from.vertices_mm[std::size_t(n) * std::size_t(step)]), near);

@@ -108,11 +108,11 @@ void TriangleTree::visit(int node, const Array4f& p, NearestPlace& best, float& 
   if (to_farther <= best.squared_mm2 * (1 + kSame)) visit(farther, p, best, best_facing);
 }
 
-NearestPlace TriangleTree::nearest(const Vector3f& p_mm, int near) const {
+NearestPlace TriangleTree::nearest(const Vector3f& p_mm, std::optional<int> near) const {
   NearestPlace best;
   best.squared_mm2 = std::numeric_limits<float>::max() / 2;
   float best_facing = kUnknown;
-  if (near >= 0) consider(slot_[std::size_t(near)], p_mm, best, best_facing);
+  if (near) consider(slot_[std::size_t(*near)], p_mm, best, best_facing);
   visit(0, padded(p_mm), best, best_facing);
   return best;
 }

@@ -2,6 +2,7 @@
 // A tree of boxes over a mesh's triangles: the nearest place of the mesh, also from far away (VTK's cell
 // locator searches shell after shell of empty buckets there and takes milliseconds).
 
+#include <optional>
 #include <vector>
 
 #include "facenav/surface/triangle_mesh.h"
@@ -19,10 +20,10 @@ class TriangleTree {
  public:
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// `near`: a triangle that is probably close (the answer for a neighbour), which shortens the search; -1
-  /// for none. Where several triangles share the nearest place (an edge, a corner), the one that faces the
+  /// `near`: a triangle that is probably close (the answer for a neighbour), which shortens the search.
+  /// Where several triangles share the nearest place (an edge, a corner), the one that faces the
   /// point most is named: its side tells inside from outside.
-  NearestPlace nearest(const Eigen::Vector3f& p_mm, int near = -1) const;
+  NearestPlace nearest(const Eigen::Vector3f& p_mm, std::optional<int> near = {}) const;
 
  private:
   struct Node {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "facenav/core/robust_statistics.h"
 #include "mesh/mesh_polydata.h"
@@ -112,14 +113,14 @@ struct Edge {
   static constexpr double kNoPeak_mm = 1e3;
 };
 
-/// Sub-sample place of the outermost local maximum of at least `least`, in samples; -1 when there is none.
-double outermostMaximum(const std::vector<float>& f, float least) {
+/// Sub-sample place of the outermost local maximum of at least `least`, in samples.
+std::optional<double> outermostMaximum(const std::vector<float>& f, float least) {
   for (int s = int(f.size()) - 2; s > 0; --s) {
     if (f[s] < f[s - 1] || f[s] <= f[s + 1] || f[s] < least || f[s] <= 0) continue;
     const double curvature = f[s - 1] - 2.0 * f[s] + f[s + 1];
     return s + (curvature < 0 ? std::clamp(0.5 * (f[s - 1] - f[s + 1]) / curvature, -0.5, 0.5) : 0.0);
   }
-  return -1;
+  return std::nullopt;
 }
 
 /// Standard deviation of the Gaussian that the fall-off follows outside its foot: minus the second derivative
@@ -140,14 +141,14 @@ Edge outermostEdge(const std::vector<float>& fall, double first_mm) {
   std::vector<float> growth(fall.size(), 0.f);
   for (std::size_t s = 1; s + 1 < fall.size(); ++s) growth[s] = fall[s - 1] - fall[s + 1];
   Edge edge;
-  const double foot =
+  const std::optional<double> foot =
       outermostMaximum(growth, kSignificant * *std::max_element(growth.begin(), growth.end()));
-  if (foot < 0) return edge;
-  edge.foot_mm = first_mm + foot * kStep_mm;
-  edge.slope = fall[int(foot)];
-  edge.tail_mm = tailSigma_mm(fall, int(std::lround(foot)));
-  const double peak = outermostMaximum(fall, kSignificant * *std::max_element(fall.begin(), fall.end()));
-  if (peak >= 0 && peak < foot) edge.gap_mm = (foot - peak) * kStep_mm, edge.slope = fall[int(peak)];
+  if (!foot) return edge;
+  edge.foot_mm = first_mm + *foot * kStep_mm;
+  edge.slope = fall[int(*foot)];
+  edge.tail_mm = tailSigma_mm(fall, int(std::lround(*foot)));
+  const auto peak = outermostMaximum(fall, kSignificant * *std::max_element(fall.begin(), fall.end()));
+  if (peak && *peak < *foot) edge.gap_mm = (*foot - *peak) * kStep_mm, edge.slope = fall[int(*peak)];
   return edge;
 }
 

@@ -31,9 +31,8 @@ struct StoredAlignment {
   // files of older versions).
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
   std::optional<registration::PoseUncertainty> uncertainty;  // nothing: another tool's file, or an older one
-  // Size of the live face over the scan's, and its standard error (0: not estimated, or an older file).
-  double face_scale = 1.0, face_scale_sigma = 0.0;
-  std::vector<std::string> cautions;  // plain words
+  std::optional<registration::FaceScale> face_scale;         // nothing: not estimated, or an older file
+  std::vector<std::string> cautions;                         // plain words
 
   /// Predicted standard error at the target's cortex point as it is now, whatever its name, mm. Without the
   /// pose's covariance: what was predicted under this name; nothing where that is not known either.
