@@ -8,8 +8,8 @@ namespace {
 void print(const surface::FaceMeasure& measure) {
   std::printf("  %-42s %s%5.0f mm  +- %.0f", measure.name.c_str(), measure.is_lower_bound ? ">=" : "  ",
               measure.value_mm, measure.uncertainty_mm);
-  if (measure.usual_high_mm > 0)
-    std::printf("   adults %.0f-%.0f%s", measure.usual_low_mm, measure.usual_high_mm,
+  if (measure.usual)
+    std::printf("   adults %.0f-%.0f%s", measure.usual->low_mm, measure.usual->high_mm,
                 measure.isUsual() ? "" : "  unusual");
   std::printf("\n");
 }

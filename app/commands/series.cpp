@@ -43,9 +43,9 @@ std::vector<std::string> owners(const std::vector<dicom::SeriesInfo>& series, bo
   std::vector<std::string> words(series.size());
   if (!are_named && dicom::patientCount(series) < 2) return words;
   for (std::size_t s = 0; s < series.size(); ++s)
-    if (series[s].patient > 0)
+    if (series[s].patient)
       words[s] = are_named ? dicom::inWords(dicom::patientOf(series[s]))
-                           : "patient " + std::to_string(series[s].patient);
+                           : "patient " + std::to_string(*series[s].patient);
   return words;
 }
 
@@ -93,7 +93,7 @@ nlohmann::json toJson(const dicom::SeriesInfo& info) {
           {"study_uid", info.study_uid},
           {"description", info.description},
           {"part", info.part},
-          {"patient", info.patient},
+          {"patient", info.patient.value_or(0)},
           {"date", info.date},
           {"modality", info.modality},
           {"contrast", info.contrast},

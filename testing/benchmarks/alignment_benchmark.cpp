@@ -12,12 +12,12 @@
 #include <cstdlib>
 #include <functional>
 
-#include "face_regions.h"
+#include "confidence/fit_report.h"
+#include "facenav/anatomy/nose.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/registration/aligner.h"
-#include "fit_report.h"
-#include "robust_fit.h"
+#include "fit/robust_fit.h"
 #include "support/model_head.h"
 #include "support/skin_misfit.h"
 #include "support/stopwatch.h"
@@ -111,7 +111,7 @@ void print(const char* name, const Outcome& o, double ours_ms) {
 class AlignmentBenchmark {
  public:
   explicit AlignmentBenchmark(const registration::SkinModel& skin)
-      : skin_(skin), target_(registration::findNoseTip(skin) + Eigen::Vector3d(-38, -115, 100)) {
+      : skin_(skin), target_(anatomy::findNoseTip(skin.points.points_mm) + Eigen::Vector3d(-38, -115, 100)) {
     double start_ms = processorTime_ms();
     scalp_ = std::make_unique<ScalpField>(skin_);
     std::printf("Built once a case: our field %.0f ms (%zu vertices)", processorTime_ms() - start_ms,
@@ -130,7 +130,7 @@ class AlignmentBenchmark {
   }
 
   void run(double turn_deg, double shift_mm, int trials) {
-    const Eigen::Vector3d nose = registration::findNoseTip(skin_);
+    const Eigen::Vector3d nose = anatomy::findNoseTip(skin_.points.points_mm);
     Outcome fit, whole, paper, icp, plane, gicp;
     TaskMonitor monitor;
     for (int t = 0; t < trials; ++t) {
@@ -184,7 +184,7 @@ class AlignmentBenchmark {
   /// Ours alone, from many random starts: how often is it lost? Misfit moves even the best pose by
   /// millimetres, so the result is compared with the fit that starts from the true pose.
   void starts(double turn_deg, double shift_mm, int trials) {
-    const Eigen::Vector3d nose = registration::findNoseTip(skin_);
+    const Eigen::Vector3d nose = anatomy::findNoseTip(skin_.points.points_mm);
     Outcome fit;
     int same = 0;
     for (int t = 0; t < trials; ++t) {

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "facenav/core/error.h"
-#include "pixel_decoder.h"
-#include "slice_stack.h"
+#include "pixels/pixel_decoder.h"
+#include "series/slice_stack.h"
 
 namespace {
 

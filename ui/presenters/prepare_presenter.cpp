@@ -37,7 +37,7 @@ void PreparePresenter::openInput(const QString& path) {
       monitor.report("thumbnails", double(i) / double(listed.size()));
       const auto& info = listed[i].info;
       if (services_.makeThumbnail) listed[i].thumbnail = services_.makeThumbnail(info);
-      if (services_.whoseSeries && info.patient > 0)
+      if (services_.whoseSeries && info.patient)
         listed[i].patient = QString::fromStdString(services_.whoseSeries(info));
     }
     return [this, path, listed = std::move(listed)] {
@@ -64,8 +64,8 @@ void PreparePresenter::makeLines() {
     line.thumbnail = listed.thumbnail;
     if (are_patients_shown_)
       line.patient = listed.patient;
-    else if (s.patient > 0 && has_several_patients_)
-      line.patient = tr("patient %1").arg(s.patient);
+    else if (s.patient && has_several_patients_)
+      line.patient = tr("patient %1").arg(*s.patient);
     line.title = s.description.empty() ? tr("(no description)") : QString::fromStdString(s.description);
     line.detail = tr("%1  %2  %3 x %4 x %5  %6 mm  %7")
                       .arg(QString::fromStdString(s.modality), QString::fromStdString(s.plane))

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "facenav/segmentation/brain_norms.h"
+#include "facenav/anatomy/brain_norms.h"
 #include "facenav/workflow/sign_off_gate.h"
 
 namespace facenav::ui {
@@ -47,16 +47,17 @@ std::vector<VolumeLine> SignOffPresenter::volumes() const {
   const auto& c = model_.current();
   if (!c.shownBrain()) return {{tr("no brain model: the case holds the scalp alone"), false}};
   const double ml = c.shownBrain()->volume_ml();
+  const anatomy::Norm& normal = anatomy::kNormalBrain;
   VolumeLine line;
-  line.is_normal = segmentation::isNormalBrain(ml);
+  line.is_normal = normal.contains(ml);
   line.words = tr("brain %1 ml%2, %3 the normal range of adults, %4 to %5 ml")
                    .arg(std::lround(ml))
                    .arg(c.draft ? tr(" (correction, not saved)") : QString())
-                   .arg(line.is_normal                            ? tr("inside")
-                        : ml < segmentation::kNormalBrainLeast_ml ? tr("below")
-                                                                  : tr("above"))
-                   .arg(segmentation::kNormalBrainLeast_ml, 0, 'f', 0)
-                   .arg(segmentation::kNormalBrainMost_ml, 0, 'f', 0);
+                   .arg(line.is_normal    ? tr("inside")
+                        : ml < normal.low ? tr("below")
+                                          : tr("above"))
+                   .arg(normal.low, 0, 'f', 0)
+                   .arg(normal.high, 0, 'f', 0);
   lines.push_back(line);
   return lines;
 }

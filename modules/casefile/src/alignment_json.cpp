@@ -75,9 +75,9 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
     json[kCovariance] = asInFile(alignment.uncertainty->covariance);
     json[kFreedom] = alignment.uncertainty->freedom;
   }
-  if (alignment.face_scale_sigma > 0) {
-    json["face_scale"] = alignment.face_scale;
-    json["face_scale_sigma"] = alignment.face_scale_sigma;
+  if (alignment.face_scale) {
+    json["face_scale"] = alignment.face_scale->value;
+    json["face_scale_sigma"] = alignment.face_scale->sigma;
   }
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
   writeWholeFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
@@ -98,8 +98,9 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
     if (json.has(key))
       for (const auto& [name, value] : json.at(key).members()) (*map)[name] = atLeastZero(value);
   alignment.uncertainty = readUncertainty(json);
-  if (json.has("face_scale")) alignment.face_scale = atLeastZero(json.at("face_scale"));
-  if (json.has("face_scale_sigma")) alignment.face_scale_sigma = atLeastZero(json.at("face_scale_sigma"));
+  if (json.has("face_scale") && json.has("face_scale_sigma"))
+    alignment.face_scale =
+        registration::FaceScale{atLeastZero(json.at("face_scale")), atLeastZero(json.at("face_scale_sigma"))};
   if (json.has("cautions"))
     for (const auto& words : json.at("cautions").elements()) alignment.cautions.push_back(words.text());
   return alignment;

@@ -28,7 +28,7 @@ Json toJson(const surface::FaceMeasure& m) {
             {"mm", rounded(m.value_mm)},
             {"uncertainty_mm", rounded(m.uncertainty_mm)}};
   if (m.is_lower_bound) json["on_scan_edge"] = true;
-  if (m.usual_high_mm > 0) json["adult_range_mm"] = {m.usual_low_mm, m.usual_high_mm};
+  if (m.usual) json["adult_range_mm"] = {m.usual->low_mm, m.usual->high_mm};
   return json;
 }
 
@@ -42,8 +42,7 @@ surface::FaceMeasure readMeasure(const JsonReader& json) {
   m.is_lower_bound = json.has("on_scan_edge");
   if (!json.has("adult_range_mm")) return m;
   const auto range = json.at("adult_range_mm").numbers(2);
-  m.usual_low_mm = range[0];
-  m.usual_high_mm = range[1];
+  m.usual = surface::UsualRange{range[0], range[1]};
   return m;
 }
 

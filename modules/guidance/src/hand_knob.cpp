@@ -2,20 +2,21 @@
 
 #include <algorithm>
 
+#include "facenav/anatomy/brain_norms.h"
 #include "facenav/core/error.h"
 
 namespace facenav::guidance {
 namespace {
 
-// Colin27's brain (mricron's ch2bet.nii.gz), MNI mm, and the hand area of left M1.
-const Eigen::AlignedBox3d kMniBrain(Eigen::Vector3d(-72, -106, -67), Eigen::Vector3d(71, 73, 84));
-const Eigen::Vector3d kMniHandKnob(-37, -21, 58);
+using anatomy::kLeftHandKnob_mm;
+using anatomy::kTemplateBrain_mm;
 
 Eigen::Vector3d scaledHandKnob_mm(const Eigen::AlignedBox3d& brain, Side side) {
   if (brain.isEmpty()) throw Error("no hand area can be guessed: the brain is empty");
-  const Eigen::Vector3d scale = brain.sizes().cwiseQuotient(kMniBrain.sizes());
-  const Eigen::Vector3d from_centre_mm = (kMniHandKnob - kMniBrain.center()).cwiseProduct(scale);
-  const double below_vertex_mm = (kMniBrain.max().z() - kMniHandKnob.z()) * 0.5 * (scale.x() + scale.y());
+  const Eigen::Vector3d scale = brain.sizes().cwiseQuotient(kTemplateBrain_mm.sizes());
+  const Eigen::Vector3d from_centre_mm = (kLeftHandKnob_mm - kTemplateBrain_mm.center()).cwiseProduct(scale);
+  const double below_vertex_mm =
+      (kTemplateBrain_mm.max().z() - kLeftHandKnob_mm.z()) * 0.5 * (scale.x() + scale.y());
   const double lateral_mm = side == Side::left ? from_centre_mm.x() : -from_centre_mm.x();
   return {brain.center().x() + lateral_mm, brain.center().y() + from_centre_mm.y(),
           brain.max().z() - below_vertex_mm};
@@ -24,7 +25,7 @@ Eigen::Vector3d scaledHandKnob_mm(const Eigen::AlignedBox3d& brain, Side side) {
 }  // namespace
 
 Point<Mni> handKnob(Side side) {
-  Eigen::Vector3d p_mm = kMniHandKnob;
+  Eigen::Vector3d p_mm = kLeftHandKnob_mm;
   if (side == Side::right) p_mm.x() = -p_mm.x();
   return Point<Mni>(p_mm);
 }

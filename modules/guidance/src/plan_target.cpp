@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/anatomy/brain_norms.h"
 #include "facenav/geometry/nearest_on_triangle.h"
 #include "facenav/guidance/target.h"
 #include "tangent_directions.h"
@@ -42,7 +43,7 @@ Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, c
   if (scalp.mesh.triangles.empty()) throw Error("no target can be planned: the scalp surface is empty");
   const Eigen::Vector3d scalp_mm = nearestOnScalp(scalp.mesh, cortex_point.mm);
   const double depth_mm = (cortex_point.mm - scalp_mm).norm();
-  if (!(depth_mm >= 1.0 && depth_mm <= 80.0))
+  if (!anatomy::kTargetDepth.contains(depth_mm))
     throw Error("no target can be planned: the cortex point lies " + std::to_string(int(depth_mm)) +
                     " mm from the scalp",
                 "target " + name, "choose a point on the cortex");

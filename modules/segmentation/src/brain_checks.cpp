@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "facenav/anatomy/brain_norms.h"
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/regrid.h"
 
@@ -12,11 +14,7 @@ namespace {
 
 using volume::Mask;
 
-constexpr double kLeast_ml = 600, kMost_ml = 2200;  // no brain that rTMS treats lies outside
-// Per ball by the head, of which the three real heads' brains measure 0.94 to 1.19; and whatever the head.
-constexpr double kMostOfBall = 1.3, kMostEver_ml = 2600;
 constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
-constexpr double kLeastExtent_mm = 100;
 constexpr double kThickSlice_mm = 3;
 constexpr double kCutArea_mm2 = 100;   // of the brain in the scan's outermost slice
 constexpr double kMiddle = 0.6;        // of the brain's ball
@@ -30,7 +28,8 @@ std::string millilitres(double ml) { return std::to_string(int(std::lround(ml)))
 
 double mostVolume_ml(const BetSphere& by_head) {
   const double ball_ml = 4.0 / 3 * M_PI * std::pow(by_head.radius_mm, 3) * 1e-3;
-  return std::clamp(kMostOfBall * ball_ml, kMost_ml, kMostEver_ml);
+  return std::clamp(anatomy::kBrainPerHeadBall.high * ball_ml, anatomy::kPossibleBrain.high,
+                    anatomy::kLargestBrain.high);
 }
 
 /// Area of the mask in the outermost slice of each side of the grid (RAS order): left, right, back, front,
@@ -61,7 +60,7 @@ void requireBrainScan(const volume::Volume& volume) {
   if (volume.modality == "CT") noBrain("this is a CT, in which grey and white matter look alike");
   const Eigen::Vector3d h = volume.grid.spacing_mm();
   for (int a = 0; a < 3; ++a)
-    if (volume.grid.size[a] * h[a] < kLeastExtent_mm)
+    if (volume.grid.size[a] * h[a] < anatomy::kScanOfBrain.low)
       noBrain("the scan covers only " + std::to_string(int(volume.grid.size[a] * h[a])) +
               " mm in one direction");
 }
@@ -86,8 +85,9 @@ void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere) 
 
 std::vector<std::string> checkBrain(const Mask& brain, const BetSphere& by_head) {
   const double ml = brain.volume_ml(), most_ml = mostVolume_ml(by_head);
-  if (ml < kLeast_ml || ml > most_ml)
-    noBrain("what looks like a brain measures " + millilitres(ml) + " (600 to " +
+  if (ml < anatomy::kPossibleBrain.low || ml > most_ml)
+    noBrain("what looks like a brain measures " + millilitres(ml) + " (" +
+            std::to_string(int(anatomy::kPossibleBrain.low)) + " to " +
             std::to_string(int(std::lround(most_ml))) + " is possible in this head)");
   std::vector<std::string> warnings;
   constexpr std::array<const char*, 6> kSides{"left", "right", "back", "front", "bottom", "top"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/volume/mask_morphology.h"
@@ -20,9 +21,6 @@ constexpr double kFine = 0.95;         // of the working spacing
 constexpr double kTopArea_mm2 = 2500;  // a slice this large belongs to the head, not to hair or noise
 constexpr double kGirthFrom_mm = 100,
                  kGirthTo_mm = 20;  // below the top: the slices that give girth and centre
-// The girth is the radius of the disc with the area of a large axial slice: 84 mm in adults, less in
-// children.
-constexpr double kLeastGirth_mm = 50, kMostGirth_mm = 125;
 constexpr double kRoundness = 0.98,
                  kBrainShare = 0.81;  // height of the centre, radius of the brain's ball, per girth
 constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same where a head fills 0.4 of its scan
@@ -191,7 +189,7 @@ BrainStart findBrainStart(const Volume& working) {
   }
   if (weight <= 0) noBrain("there is no head in this volume");
   const double girth_mm = std::sqrt(valueAtRank(areas, areas.size() * 3 / 4) / M_PI);
-  if (girth_mm < kLeastGirth_mm || girth_mm > kMostGirth_mm)
+  if (!anatomy::kGirthRadius.contains(girth_mm))
     noBrain("the largest object is " + std::to_string(int(2 * girth_mm)) + " mm across, which is no head");
   // On a ball of that girth the first slice's own size tells how far above the centre it lies, also where the
   // scan cuts the top.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/mask_morphology.h"
@@ -106,7 +107,9 @@ void requireHead(const Mask& head) {
   for (int a = 0; a < 3; ++a) extent_mm[a] = (high[a] - low[a] + 1) * head.grid.spacing_mm()[a];
   std::sort(extent_mm.begin(), extent_mm.end());
   const char* remedy = "choose a T1 or CT series that shows the whole head";
-  if (count == 0 || volume_ml < 300 || extent_mm[1] < 80 || extent_mm[0] < 25)
+  if (count == 0 || !anatomy::kScannedHead.contains(volume_ml) ||
+      !anatomy::kScannedHeadMiddle.contains(extent_mm[1]) ||
+      !anatomy::kScannedHeadShortest.contains(extent_mm[0]))
     throw Error("no head in this volume: nothing of a head's size stands out from the background", {},
                 remedy);
   if (count > 0.985 * double(head.voxels.size()))

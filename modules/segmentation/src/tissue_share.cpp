@@ -6,6 +6,7 @@
 #include "brain_checks.h"
 #include "brain_refinement.h"
 #include "brain_start.h"
+#include "facenav/anatomy/brain_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
@@ -17,10 +18,9 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kMargin_mm = 4;          // so that the field falls to 0 within the grid
-constexpr double kDeepestSulcus_mm = 25;  // below the brain's hull: the insula lies at 20 to 25
-constexpr double kRim_mm = 1.5;           // beyond the mask: fluid, not yet skull
-constexpr double kCore_mm = 4;            // this deep within the mask there is nothing but brain
+constexpr double kMargin_mm = 4;  // so that the field falls to 0 within the grid
+constexpr double kRim_mm = 1.5;   // beyond the mask: fluid, not yet skull
+constexpr double kCore_mm = 4;    // this deep within the mask there is nothing but brain
 
 Volume shareOf(const Volume& flat, const TissueModel& tissue) {
   Volume share = flat;
@@ -35,7 +35,7 @@ void fillEnclosed(Volume& share, const Mask& brain) {
   const auto depth_mm = volume::depthWithin(brain);
   Mask tissue{share.grid, std::vector<std::uint8_t>(share.voxels.size())};
   for (std::size_t v = 0; v < tissue.voxels.size(); ++v)
-    tissue.voxels[v] = share.voxels[v] >= 0.5f || depth_mm[v] > kDeepestSulcus_mm;
+    tissue.voxels[v] = share.voxels[v] >= 0.5f || depth_mm[v] > anatomy::kDeepestSulcus_mm;
   const Mask filled = fillHoles(tissue);
   for (std::size_t v = 0; v < tissue.voxels.size(); ++v)
     if (filled.voxels[v] && share.voxels[v] < 0.5f) share.voxels[v] = 1;

@@ -165,7 +165,6 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.predicted_tre_p95_mm = predicted_tre_p95_mm;
   alignment.uncertainty = result.uncertainty();
   alignment.face_scale = result.face_scale;
-  alignment.face_scale_sigma = result.face_scale_sigma;
   alignment.cautions = result.cautions;
   return alignment;
 }

@@ -1,5 +1,7 @@
 #include <numeric>
 
+#include "facenav/anatomy/face_norms.h"
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/workflow/align_from_capture.h"
 
@@ -7,10 +9,6 @@ namespace facenav::workflow {
 namespace {
 
 constexpr double kEpipolarLimit_px = 6.0;  // two independent landmark fits agree to a few pixels
-// Inter-pupillary distance is 52..78 mm in adults (ANSUR II), plus a margin.
-constexpr double kEyesLow_mm = 45.0, kEyesHigh_mm = 85.0;
-constexpr double kFaceReach_mm = 135.0;  // from the landmarks' centre: chin, temples and forehead
-constexpr double kHeadDepth_mm = 220.0;
 
 using Triangulated = std::vector<std::optional<Eigen::Vector3d>>;
 
@@ -38,7 +36,7 @@ void setStart(FaceInSpace& face, const Triangulated& points) {
   const auto right_eye = mean(points, 36, 41), left_eye = mean(points, 42, 47), mouth = mean(points, 48, 67);
   if (!right_eye || !left_eye) return;
   const double eyes_mm = (*right_eye - *left_eye).norm();
-  if (eyes_mm < kEyesLow_mm || eyes_mm > kEyesHigh_mm) return;  // at least one of the two is not this face
+  if (!anatomy::kEyesInSpace.contains(eyes_mm)) return;  // at least one of the two is not this face
   face.start.patient_right = Direction<Camera>(*right_eye - *left_eye);
   if (mouth) {
     const Eigen::Vector3d x = face.start.patient_right->v;
@@ -87,8 +85,8 @@ stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& fac
   const double nearest_mm = cloud.cloud.empty() ? 0.0 : nearestLargeDepth_mm(cloud.cloud);
   for (std::size_t i = 0; i < cloud.cloud.size(); ++i) {
     const Eigen::Vector3d& p = cloud.cloud.points_mm[i];
-    const bool is_face = face.centre ? (p - face.centre->mm).norm() < kFaceReach_mm
-                                     : std::abs(p.z() - nearest_mm) < 0.75 * kHeadDepth_mm;
+    const bool is_face = face.centre ? (p - face.centre->mm).norm() < anatomy::kFaceReach_mm
+                                     : std::abs(p.z() - nearest_mm) < 0.75 * anatomy::kHeadDepth_mm;
     if (is_face) kept.push_back(i);
   }
   return select(cloud, kept);

@@ -22,9 +22,9 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
 
 }  // namespace
 
-double predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
+std::optional<double> predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
   const auto alignment = store.alignment();
-  return alignment ? alignment->predictedError_mm(store.targets().find(target)).value_or(0.0) : 0.0;
+  return alignment ? alignment->predictedError_mm(store.targets().find(target)) : std::nullopt;
 }
 
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
@@ -33,7 +33,8 @@ std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
   requirePlacedPoses(poses);
   const auto plan = store.targets();
   const auto& target = plan.find(target_name);
-  const double predicted_mm = predictedError_mm(store, target_name);
+  const double predicted_mm =
+      predictedError_mm(store, target_name).value_or(0.0);  // 0 in guidance.csv: not known
 
   std::map<std::int64_t, std::pair<const casefile::PoseRow*, const casefile::PoseRow*>> frames;
   for (const auto& row : poses)

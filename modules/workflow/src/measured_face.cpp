@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/cameras/reduced_pair.h"
 #include "facenav/core/error.h"
 
 namespace facenav::workflow {
 namespace {
 
-// Before and behind the landmarks' centre: all of a face.
-constexpr double kBefore_mm = 180.0, kBehind_mm = 220.0;
+constexpr double kBefore_mm = 180.0;  // the landmarks' centre: a hand or a coil in front of the face
 constexpr double kAround_mm = 150.0;
 // Plain skin shows little detail finer than this, so larger images are reduced.
 constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
@@ -28,7 +28,7 @@ stereo::FaceCloud measureNear(const cameras::StereoRig& rig, const cameras::Ster
   stereo::FaceCloudOptions options = has_dots ? stereo::FaceCloudOptions() : stereo::plainFaceOptions();
   if (face.centre) {
     options.nearest_mm = std::max(100.0, face.centre->mm.z() - kBefore_mm);
-    options.farthest_mm = face.centre->mm.z() + kBehind_mm;
+    options.farthest_mm = face.centre->mm.z() + anatomy::kHeadDepth_mm;
     options.left_roi = roiAround(rig, face.centre->mm);
   }
   return cutFace(stereo::measureFace(rig, frame, options, monitor), face);

@@ -5,9 +5,9 @@
 #include <future>
 #include <mutex>
 
+#include "facenav/anatomy/brain_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
-#include "facenav/segmentation/brain_norms.h"
 #include "facenav/workflow/align_from_capture.h"
 #include "facenav/workflow/brain_confidence.h"
 #include "facenav/workflow/brain_surfaces.h"
@@ -90,7 +90,7 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
   try {
     auto result = segmenter.segment(mri, monitor);
     part.findings = std::move(result.warnings);
-    if (const auto finding = segmentation::brainVolumeFinding(result.mask.volume_ml()))
+    if (const auto finding = anatomy::brainVolumeFinding(result.mask.volume_ml()))
       part.findings.insert(part.findings.begin(), *finding);
     part.mask = std::move(result.mask);
     TaskMonitor surface_monitor;  // silent; this thread cancels it

@@ -83,7 +83,7 @@ session::Navigator makeNavigator(const Registrations& methods, const TrackReques
   if (!request.target.empty()) {
     const auto store = casefile::CaseStore::open(request.case_folder.value());
     navigator.setTarget(session::ChosenTarget{store.targets().find(request.target),
-                                              predictedError_mm(store, request.target)});
+                                              predictedError_mm(store, request.target).value_or(0.0)});
   }
   return navigator;
 }

@@ -23,8 +23,7 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   alignment.points = 15234;
   alignment.predicted_tre_mm = {{"M1 hand L", 0.42}};
   alignment.predicted_tre_p95_mm = {{"M1 hand L", 0.81}};
-  alignment.face_scale = 0.987;
-  alignment.face_scale_sigma = 0.004;
+  alignment.face_scale = registration::FaceScale{0.987, 0.004};
   alignment.cautions = {"the skin fits loosely"};
   writeAlignment(alignment, folder.path() / "alignment.json");
   const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
@@ -33,8 +32,9 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   EXPECT_EQ(read.max_mm, 1.7);
   EXPECT_EQ(read.predicted_tre_mm, alignment.predicted_tre_mm);
   EXPECT_EQ(read.predicted_tre_p95_mm, alignment.predicted_tre_p95_mm);
-  EXPECT_DOUBLE_EQ(read.face_scale, 0.987);
-  EXPECT_DOUBLE_EQ(read.face_scale_sigma, 0.004);
+  ASSERT_TRUE(read.face_scale);
+  EXPECT_DOUBLE_EQ(read.face_scale->value, 0.987);
+  EXPECT_DOUBLE_EQ(read.face_scale->sigma, 0.004);
   EXPECT_EQ(read.cautions, alignment.cautions);
 }
 

@@ -20,8 +20,8 @@ surface::NavigationCheck madeCheck() {
   check.landmarks.points = {{"nasion", Point<Mri>(1.0, 90.5, -20.25), 1.5, false},
                             {"pronasale", Point<Mri>(1.0, 112.0, -55.0), 1.0, true}};
   check.landmarks.right = Direction<Mri>(Eigen::Vector3d(1, 0.1, 0));
-  check.measures = {{"nose length", "nasion", "pronasale", 40.8, 3.5, 37, 58, true},
-                    {"free", "a", "b", 12.0, 2.0, 0, 0, false}};
+  check.measures = {{"nose length", "nasion", "pronasale", 40.8, 3.5, surface::UsualRange{37, 58}, true},
+                    {"free", "a", "b", 12.0, 2.0, std::nullopt, false}};
   return check;
 }
 
@@ -42,8 +42,9 @@ TEST(NavigationCheckFile, WhatIsWrittenIsRead) {
   EXPECT_LT((read.landmarks.right.v - written.landmarks.right.v).norm(), 1e-3);
   ASSERT_EQ(read.measures.size(), 2u);
   EXPECT_TRUE(read.measures[0].is_lower_bound);
-  EXPECT_EQ(read.measures[0].usual_high_mm, 58);
-  EXPECT_EQ(read.measures[1].usual_high_mm, 0);
+  ASSERT_TRUE(read.measures[0].usual);
+  EXPECT_EQ(read.measures[0].usual->high_mm, 58);
+  EXPECT_FALSE(read.measures[1].usual);
 }
 
 TEST(NavigationCheckFile, RefusesAnotherVerdict) {

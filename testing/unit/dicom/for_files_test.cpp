@@ -1,6 +1,6 @@
 // Many files on all cores: what is reported does not depend on which core was faster.
 
-#include "for_files.h"
+#include "bytes/for_files.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <numeric>
 #include <thread>
 
+#include "bytes/file_prefix.h"
 #include "facenav/core/error.h"
-#include "file_prefix.h"
 #include "support/test_data.h"
 
 namespace facenav::testing {

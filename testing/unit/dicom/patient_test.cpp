@@ -5,7 +5,7 @@
 #include "dicom_bytes.h"
 #include "facenav/core/error.h"
 #include "facenav/dicom/import_volume.h"
-#include "patient_identity.h"
+#include "header/patient_identity.h"
 #include "support/test_data.h"
 
 namespace facenav::testing {

@@ -129,12 +129,14 @@ TEST(SurfaceAligner, TellsTheFacesSizeFromTheScans) {
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {.seed = 9});
   const auto right = align(patientsField(), cloud);
-  EXPECT_NEAR(right.face_scale, 1.0, 3 * right.face_scale_sigma + 0.002);
-  EXPECT_GT(right.face_scale_sigma, 0.0);
+  ASSERT_TRUE(right.face_scale);
+  EXPECT_NEAR(right.face_scale->value, 1.0, 3 * right.face_scale->sigma + 0.002);
+  EXPECT_GT(right.face_scale->sigma, 0.0);
   EXPECT_TRUE(right.cautions.empty()) << right.cautions.front();
   // The pose stays rigid; the size is reported. Off by far, the face does not fit any more.
   const auto small = align(patientsField(), resized(cloud, 0.988));
-  EXPECT_NEAR(small.face_scale, 0.988, 0.005);
+  ASSERT_TRUE(small.face_scale);
+  EXPECT_NEAR(small.face_scale->value, 0.988, 0.005);
   ASSERT_FALSE(small.cautions.empty());
   EXPECT_THAT(small.cautions.front(), HasSubstr("of the MRI's size"));
   const Eigen::Vector3d target_mm = 0.988 * (truth * kTarget).mm;  // in such cameras' space

@@ -1,4 +1,4 @@
-#include "point_kernel.h"
+#include "field/point_kernel.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "cube_numbers.h"
+#include "cloud/cube_numbers.h"
 #include "facenav/registration/scalp_field.h"
 #include "support/model_head.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
-#include "facenav/segmentation/brain_norms.h"
 
 // Balls of known volume as brains.
 
@@ -34,14 +33,6 @@ TEST(BrainChecks, GrantsABrainThatFillsALargeHead) {
 
 TEST(BrainChecks, GrantsMoreToAHeadThatIsItselfLarge) {
   EXPECT_NO_THROW(checkBrain(ballOf_ml(2300), headOf_ml(2350)));
-}
-
-TEST(BrainNorms, AVolumeThatNoAdultHasIsFoundOnceAndSaysWhatIsNormal) {
-  EXPECT_FALSE(brainVolumeFinding(1100));
-  EXPECT_FALSE(brainVolumeFinding(1700));
-  EXPECT_EQ(brainVolumeFinding(1099),
-            "the brain measures 1099 ml, adults have 1100 to 1700 ml: check its outline");
-  EXPECT_TRUE(brainVolumeFinding(2300));
 }
 
 TEST(BrainChecks, HasNothingToSayOfAnAdultsBrain) {

@@ -150,7 +150,7 @@ TEST(ClosestPoint, AgreesWithTryingEveryTriangle) {
   const surface::ClosestPoint tree(few);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-80, 80);
-  int near = -1;
+  std::optional<int> near;
   for (int n = 0; n < 300; ++n) {
     const Vector3d p(place(random), place(random), place(random));
     double least = 1e9;  // over a fine sampling of every triangle

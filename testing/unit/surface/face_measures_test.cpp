@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <functional>
 
+#include "facenav/anatomy/nose.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/surface/navigation_check.h"
 #include "facenav/volume/nifti.h"
@@ -92,8 +93,25 @@ TEST(FaceMeasures, OfAnAdultAreUsualAndFollowPoseScaleAndMirror) {
   EXPECT_TRUE(std::any_of(giant.begin(), giant.end(), [](const auto& m) { return !m.isUsual(); }));
 }
 
+TEST(FaceLandmarks, AllThreeSearchesFindOneNose) {
+  const ScalpSurface& scalp = virtualPatientsScalp();
+  const FaceLandmarks landmarks = findFaceLandmarks(scalp);
+  ASSERT_TRUE(landmarks.find("pronasale") && landmarks.find("nasion"));
+  const Eigen::Vector3d tip = landmarks.find("pronasale")->point.mm,
+                        root = landmarks.find("nasion")->point.mm;
+  EXPECT_LT((anatomy::findNoseTip(scalp.mesh.vertices_mm) - tip).norm(), 10.0) << "good to a centimetre";
+  using anatomy::FrontRelief;
+  const FrontRelief relief(scalp.mesh.vertices_mm, {2.5, FrontRelief::FirstRow::top});
+  const int midline = midlineColumn(relief);
+  const auto rise = findNoseRise(relief, midline);
+  ASSERT_TRUE(rise);
+  EXPECT_NEAR(relief.x_mm(midline), tip.x(), 5.0);
+  EXPECT_NEAR(relief.z_mm(rise->crest_row), tip.z(), 10.0);
+  EXPECT_NEAR(relief.z_mm(rise->root_row), root.z(), 15.0) << "where the ridge begins to rise";
+}
+
 TEST(FaceMeasures, LowerBoundIsOnlyEverTooLarge) {
-  FaceMeasure measure{"nose", "a", "b", 30, 3, 37, 58, true};
+  FaceMeasure measure{"nose", "a", "b", 30, 3, UsualRange{37, 58}, true};
   EXPECT_TRUE(measure.isUsual());
   measure.is_lower_bound = false;
   EXPECT_FALSE(measure.isUsual());

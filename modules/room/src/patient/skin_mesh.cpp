@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/regrid.h"
 
@@ -22,7 +23,6 @@ constexpr int kClosing = 3;  // voxels: narrow openings of the skin are closed
 // Voxels of air added around the scan: nose and ears may touch its edge, and smoothing and closing must not
 // reach the rim.
 constexpr int kPad = 2 * kClosing + 2;
-constexpr double kSmallestHead_ml = 800.0;
 constexpr double kOwnEdge = 0.4;  // smallest slope of the skin's edge, relative to the steepest within reach
 constexpr float kLowestMr = -200.f, kAir_hu = -1000.f, kSoftTissue_hu = 200.f;
 
@@ -281,7 +281,7 @@ surface::TriangleMesh makeSkinMesh(const volume::Volume& input, TaskMonitor& mon
   const Flags solid = solidHead(scan.grid, field, threshold);
   const double volume_ml =
       std::accumulate(solid.begin(), solid.end(), 0.0) * scan.grid.voxelVolume_mm3() / 1000.0;
-  if (volume_ml < kSmallestHead_ml)
+  if (!anatomy::kWholeHead.contains(volume_ml))
     throw Error("no head in the volume", "", "give a T1 scan of a whole head");
   monitor.report("virtual patient: skin", 0.4);
   // Raises the field above the level deep inside, so that only the outermost surface remains.

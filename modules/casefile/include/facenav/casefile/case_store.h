@@ -31,10 +31,8 @@ struct StoredAlignment {
   // in older files).
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
   std::optional<registration::PoseUncertainty> uncertainty;  // absent in older files and other tools' files
-  // Size of the live face relative to the scan's, and its standard error (0: not estimated, or an older
-  // file).
-  double face_scale = 1.0, face_scale_sigma = 0.0;
-  std::vector<std::string> cautions;  // in plain words
+  std::optional<registration::FaceScale> face_scale;         // nothing: not estimated, or an older file
+  std::vector<std::string> cautions;                         // in plain words
 
   /// Predicted standard error at the target's current cortex point, mm; the target's name does not matter.
   /// Without the pose's covariance: the value stored under this name. Nothing if neither is known.

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct SeriesInfo {
   bool has_contrast_agent = false;
   std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty where unknown
   int series_number = 0;
-  int patient = 0;  // 1, 2, .. among the series listed together; 0: not known. Whose they are: patient.h
+  std::optional<int> patient;  // 1, 2, .. among the series listed together. Whose they are: patient.h
   int rows = 0, columns = 0, slices = 0;
   Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();  // column, row, slice
   Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();   // along right, anterior, superior

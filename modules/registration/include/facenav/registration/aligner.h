@@ -27,6 +27,12 @@ struct AlignmentStart {
   double shared_depth_sigma_mm = 0.0;
 };
 
+/// Size of the live face over that of the scan, with its standard error (how well the face fixes it; what
+/// scans and calibrations are off by is not in it). The pose does not follow it.
+struct FaceScale {
+  double value = 1.0, sigma = 0.0;
+};
+
 struct AlignmentResult {
   RigidTransform<Camera, Mri> camera_T_mri;
   double rms_mm = 0.0, max_mm = 0.0;       // residuals |point - skin| of the inliers
@@ -38,9 +44,7 @@ struct AlignmentResult {
                                            // the origin of Mri's image
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
-  // Size of the live face over that of the scan, with its standard error (how well the face fixes it; what
-  // scans and calibrations are off by is not in it). The pose does not follow it. 0: not estimated.
-  double face_scale = 1.0, face_scale_sigma = 0.0;
+  std::optional<FaceScale> face_scale;  // nothing: not estimated
   std::vector<std::string> cautions;  // plain words: what a clinician should look at before trusting the fit
 
   PoseUncertainty uncertainty() const { return {covariance, freedom}; }

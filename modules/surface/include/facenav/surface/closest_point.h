@@ -2,6 +2,7 @@
 // The nearest place on a surface: cortex under a scalp point, distance of a target to the scalp.
 
 #include <memory>
+#include <optional>
 
 #include "facenav/surface/triangle_mesh.h"
 
@@ -25,7 +26,7 @@ class ClosestPoint {
   ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
   /// `near`: a triangle that is probably close, e.g. the answer for a neighbour; it only saves time.
-  SurfacePoint nearest(const Point<Mri>& p, int near = -1) const;
+  SurfacePoint nearest(const Point<Mri>& p, std::optional<int> near = {}) const;
 
  private:
   struct Tree;

@@ -20,7 +20,7 @@ struct FaceLandmark {
 
 struct FaceLandmarks {
   std::vector<FaceLandmark> points;
-  double circumference_mm = 0.0;  // over glabella and opisthocranion, as a tape lies; 0 where not measurable
+  std::optional<double> circumference_mm;  // over glabella and opisthocranion, as a tape lies
   bool is_circumference_cut = false;
   Direction<Mri> right, front, up;  // the head's own axes
 

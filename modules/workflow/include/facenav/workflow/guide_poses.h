@@ -1,6 +1,7 @@
 #pragma once
 // GUIDE: poses of head and coil (poses.csv) and the case's plan -> distance, tilt and twist, frame by frame.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,9 @@
 
 namespace facenav::workflow {
 
-/// Predicted error of the alignment at the target as it is planned now, mm; 0 if alignment.json does not say.
-/// Throws Error: no such target.
-double predictedError_mm(const casefile::CaseStore& store, const std::string& target);
+/// Predicted error of the alignment at the target as it is planned now, mm; nothing if alignment.json does not
+/// say. Throws Error: no such target.
+std::optional<double> predictedError_mm(const casefile::CaseStore& store, const std::string& target);
 
 /// Rows of guidance.csv from poses and the case's plan. Throws Error: no such target, or poses that are not
 /// placed in the MRI.

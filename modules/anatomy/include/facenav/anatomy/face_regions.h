@@ -1,0 +1,29 @@
+#pragma once
+// Which part of the face a point of the skin belongs to, and how much soft tissue lies there: anatomy laid
+// out from the nose tip along the axes of Mri (adult distances, after Farkas 1994), good to a centimetre,
+// which is what words and weights need.
+
+#include <Eigen/Core>
+#include <string>
+
+namespace facenav::anatomy {
+
+class FaceRegions {
+ public:
+  explicit FaceRegions(const Eigen::Vector3d& nose_tip_mri_mm) : nose_(nose_tip_mri_mm) {}
+
+  /// "forehead", "left brow", "nose", "right cheekbone", "left cheek", "mouth", "chin", "left jaw", "right
+  /// temple": the patient's left and right.
+  std::string nameOf(const Eigen::Vector3d& p_mri_mm) const;
+  /// 0 where skin lies close to bone (forehead, brow, bridge of the nose, cheekbones), 1 where cheeks, lips
+  /// and jaw move and sag.
+  double softness(const Eigen::Vector3d& p_mri_mm) const;
+  /// How often something else than skin is seen there: hair above the hairline and at the temples, seldom a
+  /// hand, a coil or a mask on the face.
+  double foreignShare(const Eigen::Vector3d& p_mri_mm) const;
+
+ private:
+  Eigen::Vector3d nose_;
+};
+
+}  // namespace facenav::anatomy

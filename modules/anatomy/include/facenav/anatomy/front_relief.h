@@ -1,0 +1,55 @@
+#pragma once
+// The front of the head as a relief: how far forward (Mri +y) the skin lies over a grid of x and z. What the
+// nose is sought on (nose.h), and what tells a face from a defaced scan (surface's face check).
+// Coarse cells of points, in Mri; skin_relief.h is finer, made of triangles, in the head's own axes.
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+namespace facenav::anatomy {
+
+class FrontRelief {
+ public:
+  static constexpr double kNone = -1e6;  // no skin in that cell
+  enum class FirstRow { top, bottom };   // of the head
+  struct Grid {
+    double cell_mm;
+    FirstRow first_row;
+    /// Skin farther behind the foremost is left out: the back of the head, seen through a hole.
+    double depth_mm = std::numeric_limits<double>::infinity();
+  };
+
+  /// `skin_mm`: at least one point of the skin, Mri. Of the points in a cell the foremost counts.
+  FrontRelief(const std::vector<Eigen::Vector3d>& skin_mm, const Grid& grid);
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  /// Mri y, mm; kNone outside the grid and where there is no skin.
+  double at(int row, int column) const {
+    return row < 0 || row >= rows_ || column < 0 || column >= columns_
+               ? kNone
+               : forward_mm_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
+  }
+  /// The edges of a row and a column from which they are counted, Mri mm.
+  double z_mm(int row) const { return first_z_mm_ + z_sign_ * row * grid_.cell_mm; }
+  double x_mm(int column) const { return left_mm_ + column * grid_.cell_mm; }
+  /// The cell's middle, at the height of its skin, Mri mm.
+  Eigen::Vector3d middleOf(int row, int column) const {
+    return {left_mm_ + (column + 0.5) * grid_.cell_mm, at(row, column),
+            first_z_mm_ + z_sign_ * (row + 0.5) * grid_.cell_mm};
+  }
+  /// A distance as a number of cells, rounded.
+  int cells(double mm) const;
+
+ private:
+  Grid grid_;
+  double left_mm_ = 0, first_z_mm_ = 0, z_sign_ = -1;  // -1 where rows go down
+  int columns_ = 0, rows_ = 0;
+  std::vector<double> forward_mm_;
+};
+
+/// The column about which the front is most symmetric, the head's turn allowed for.
+int midlineColumn(const FrontRelief& relief);
+
+}  // namespace facenav::anatomy

@@ -1,0 +1,34 @@
+#pragma once
+// The head's size: what a scan must hold at least to show a head, how far a head reaches around its face. In
+// mm and ml. The measures of face and head that are held against a person stand in face_norms.h.
+
+#include "facenav/anatomy/norm.h"
+
+namespace facenav::anatomy {
+
+/// What stands out from the background and is less is no head. Slabs and children pass.
+inline constexpr Norm kScannedHead("volume of what a scan shows of a head", "ml", 300, kNoLimit,
+                                   "children and adults", "judgement: a slab through a child's head");
+inline constexpr Norm kScannedHeadMiddle("second longest edge of the box around it", "mm", 80, kNoLimit,
+                                         "children and adults", "judgement, as above");
+inline constexpr Norm kScannedHeadShortest("shortest edge of the box around it", "mm", 25, kNoLimit,
+                                           "children and adults", "judgement, as above");
+/// A virtual patient needs a whole head, not a slab.
+inline constexpr Norm kWholeHead("volume of a whole head", "ml", 800, kNoLimit, "children and adults",
+                                 "judgement");
+/// A scan that covers less in one direction shows no whole brain.
+inline constexpr Norm kScanOfBrain(
+    "shortest edge of a scan of the brain", "mm", 100, kNoLimit, "children and adults",
+    "judgement; the template's brain measures 143 x 179 x 151 mm (brain_norms.h)");
+/// Radius of the disc that has the area of a large axial slice; 84 in adults, less in children.
+inline constexpr Norm kGirthRadius("radius of the head's girth", "mm", 50, 125, "children and adults",
+                                   "judgement: from a child's head to one with shoulders in the slice");
+
+/// From the vertex down to the chin; neck and shoulders lie below. Judgement.
+inline constexpr double kHeadHeight_mm = 200;
+/// From the middle between eyes and mouth to chin, temples and forehead, all around. Judgement.
+inline constexpr double kFaceReach_mm = 135;
+/// How deep a head lies behind its face: the longest head (face_norms.h, 214) and a nose. Judgement.
+inline constexpr double kHeadDepth_mm = 220;
+
+}  // namespace facenav::anatomy

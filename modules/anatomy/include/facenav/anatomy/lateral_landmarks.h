@@ -1,0 +1,26 @@
+#pragma once
+// Landmarks beside the midline, on reliefs of the head (skin_relief.h): inner corners of the eyes,
+// lid centres, wings of the nose, tragi.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "facenav/anatomy/skin_relief.h"
+
+namespace facenav::anatomy {
+
+using MaybePoint = std::optional<Eigen::Vector3d>;  // head frame
+
+struct EyeLandmarks {
+  MaybePoint inner_corner, lid_centre;
+};
+/// `front`: the relief smoothed by about 1.5 mm. `side` +1: the patient's right.
+EyeLandmarks findEye(const SkinRelief& front, const Eigen::Vector3d& nasion, int side);
+
+/// The outermost of the nose's wing, over the height of the wings above the nose's base.
+MaybePoint findAla(const SkinRelief& front, const Eigen::Vector3d& subnasale, int side);
+
+/// The skin in front of the ear's deepest hollow. `lateral`: the relief from that side.
+MaybePoint findTragus(const SkinRelief& lateral, const Eigen::Vector3d& nasion, int side);
+
+}  // namespace facenav::anatomy

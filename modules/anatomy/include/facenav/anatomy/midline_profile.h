@@ -1,0 +1,31 @@
+#pragma once
+// The head's outline in its plane of symmetry, and the landmarks that anthropometry defines on it (Farkas,
+// Anthropometry of the Head and Face, 1994): all from curvature and distances along the line, so that a
+// nodding head gives the same ones.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace facenav::anatomy {
+
+/// Points (front, up), mm, from the vertex down over the face (or over the back of the head), about 0.7 mm
+/// apart. Ends where the scan does.
+using Outline = std::vector<Eigen::Vector2d>;
+
+struct MidlineProfile {
+  Outline front, back;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // inside the cranium
+};
+/// `head_mm`: vertices of the skin in the head frame, where the plane of symmetry is x = 0; `triangles` over
+/// them.
+MidlineProfile midlineProfile(const std::vector<Eigen::Vector3d>& head_mm,
+                              const std::vector<Eigen::Vector3i>& triangles);
+
+struct MidlineLandmarks {
+  std::optional<Eigen::Vector2d> glabella, nasion, pronasale, subnasale, pogonion, opisthocranion;
+};
+/// Empty where the outline has no nose, or ends before a landmark.
+MidlineLandmarks midlineLandmarks(const MidlineProfile& profile);
+
+}  // namespace facenav::anatomy

@@ -1,0 +1,49 @@
+#pragma once
+// PixelDecoder: the stored values of one file's images, rescaled. Native data are read from the bytes
+// directly, RLE is unpacked here (PS3.5 annex G), JPEG, JPEG-LS and JPEG 2000 go through GDCM's codecs, one
+// frame at a time.
+
+#include <vector>
+
+#include "header/slice_header.h"
+
+namespace facenav::dicom {
+
+/// Where GDCM's codecs run: in a child process an image (isolated_codec.h), or here, for who is such a child.
+enum class Isolation { each_image, none };
+
+class PixelDecoder {
+ public:
+  /// Throws Error naming the file: pixels missing, cut off, colour, of a kind FaceNav does not read, ..
+  PixelDecoder(FilePrefix& file, const SliceHeader& header, Isolation isolation = Isolation::each_image);
+  /// rows x columns values of frame `frame` (from 0): slope * stored + intercept.
+  std::vector<float> image(int frame) const;
+  /// The same to `out`, which holds rows x columns values; `scratch` keeps the stored bytes, so that one
+  /// buffer serves all images of a series.
+  void decode(int frame, float* out, std::string& scratch) const;
+
+ private:
+  struct Raw {
+    std::string_view bytes;
+    int bits = 16;  // of one voxel in `bytes`
+    bool is_big_endian = false;
+  };
+  Raw raw(int frame, std::string& scratch) const;
+  std::string frameStream(int frame) const;
+  std::size_t imageBytes() const;
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  FilePrefix& file_;
+  const SliceHeader& header_;
+  Isolation isolation_;
+  std::vector<ByteRange> fragments_;
+};
+
+/// In words why the voxels of this file cannot be read, from its header alone; empty when they can.
+std::string voxelProblem(const SliceHeader& header);
+/// The voxels are compressed in a way that only GDCM's codecs read.
+bool usesForeignCodec(const SliceHeader& header);
+/// The frame of `stream` unpacked into little-endian voxels of `bytes_per_voxel`; empty when damaged.
+std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel);
+
+}  // namespace facenav::dicom

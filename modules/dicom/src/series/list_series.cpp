@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <map>
+
+#include "bytes/for_files.h"
+#include "facenav/core/error.h"
+#include "facenav/dicom/patient.h"
+#include "header/patient_identity.h"
+#include "series_groups.h"
+#include "series_scan.h"
+#include "series_verdict.h"
+
+namespace facenav::dicom {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char kDicomDirClass[] = "1.2.840.10008.1.3.10";  // Media Storage Directory Storage
+
+struct DamagedFile {
+  fs::path file;
+  std::string problem, start;  // the first bytes, where its Series UID may still be read
+};
+
+/// The error's words without the file's name and remedy.
+std::string faultOf(const Error& error, const fs::path& file) {
+  std::string words = error.what();
+  const std::size_t at = words.find(file.string());
+  if (at == 0) words = words.substr(file.string().size());
+  while (!words.empty() && (words.front() == ':' || words.front() == ' ')) words.erase(0, 1);
+  return words.substr(0, words.rfind("; "));
+}
+
+/// By its meta header: a table of contents of files that are found anyway, damaged or not.
+bool isDicomDir(FilePrefix& file) {
+  constexpr std::uint64_t kPreamble = 132, kMetaHeader = 512;
+  const std::string& bytes = file.bytes();
+  if (!file.ensure(kPreamble) || bytes.compare(128, 4, "DICM") != 0) return false;
+  file.ensure(std::min(file.fileSize(), kPreamble + kMetaHeader));
+  return bytes.substr(kPreamble, kMetaHeader).find(kDicomDirClass) != std::string::npos;
+}
+
+/// What one file is: an image, damaged, or neither.
+struct ScannedFile {
+  std::optional<SliceHeader> header;
+  std::optional<DamagedFile> damage;
+};
+
+ScannedFile scanFile(const fs::path& path) {
+  constexpr std::uint64_t kStart = 16 << 10;
+  std::optional<FilePrefix> file;
+  try {
+    file.emplace(path);
+    if (isDicomDir(*file)) return {};
+    return {readSliceHeader(*file), {}};
+  } catch (const Error& error) {
+    if (!file) return {{}, DamagedFile{path, "cannot be read", ""}};
+    const std::string& bytes = file->bytes();
+    if (bytes.size() < 132 || bytes.compare(128, 4, "DICM") != 0) return {};  // no DICOM after all
+    return {{}, DamagedFile{path, faultOf(error, path), bytes.substr(0, kStart)}};
+  }
+}
+
+/// A damaged file takes the series with it whose UID it carries, or else those that lie in its folder.
+void applyDamage(std::vector<SeriesInfo>& series, const std::vector<DamagedFile>& damaged) {
+  for (const DamagedFile& damage : damaged) {
+    const auto carries = [&](const SeriesInfo& info) {
+      return !info.series_uid.empty() && damage.start.find(info.series_uid) != std::string::npos;
+    };
+    const bool is_known = std::any_of(series.begin(), series.end(), carries);
+    for (SeriesInfo& info : series) {
+      const bool lies_beside = std::any_of(info.files.begin(), info.files.end(), [&](const fs::path& file) {
+        return file.parent_path() == damage.file.parent_path();
+      });
+      if (!(is_known ? carries(info) : lies_beside) || !info.is_loadable) continue;
+      info.is_loadable = info.is_fit_for_navigation = false;
+      info.problem_kind = SeriesProblem::damaged;
+      info.problem = "a file beside it is damaged: " + damage.problem;
+      info.problem_file = damage.file;
+    }
+  }
+}
+
+SeriesInfo damagedEntry(const DamagedFile& damage) {
+  SeriesInfo info;
+  info.description = damage.file.filename().string();
+  info.files = {damage.file};
+  info.problem_kind = SeriesProblem::damaged;
+  info.problem = damage.problem;
+  info.problem_file = damage.file;
+  return info;
+}
+
+void numberParts(std::vector<SeriesInfo>& series) {
+  std::map<std::string, int> seen;
+  for (SeriesInfo& info : series)
+    if (const int count = ++seen[info.series_uid]; count > 1) info.id += "#" + std::to_string(count);
+}
+
+void recommend(std::vector<SeriesInfo>& series) {
+  std::stable_sort(series.begin(), series.end(), [](const SeriesInfo& a, const SeriesInfo& b) {
+    const double score_a = navigationScore(a), score_b = navigationScore(b);
+    if (score_a != score_b) return score_a > score_b;
+    if (a.is_loadable != b.is_loadable) return a.is_loadable;
+    return a.series_number < b.series_number;
+  });
+  if (patientCount(series) > 1) return;  // whose head is meant only a person knows
+  if (!series.empty() && navigationScore(series.front()) > 0) series.front().is_recommended = true;
+}
+
+}  // namespace
+
+std::vector<fs::path> filesUnder(const fs::path& folder, bool is_recursive) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) throw Error("does not exist", folder.string(), "check the path");
+  std::vector<fs::path> files;
+  if (fs::is_regular_file(folder, error)) return {folder};
+  const auto options = fs::directory_options::skip_permission_denied;
+  const auto collect = [&](auto iterator) {
+    for (const auto end = decltype(iterator)(); iterator != end; iterator.increment(error)) {
+      if (error) break;
+      if (iterator->is_regular_file(error)) files.push_back(iterator->path());
+    }
+  };
+  if (is_recursive)
+    collect(fs::recursive_directory_iterator(folder, options, error));
+  else
+    collect(fs::directory_iterator(folder, options, error));
+  if (files.empty()) throw Error("holds no files", folder.string(), "check the path and its permissions");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::optional<SliceHeader> readHeaderOf(const fs::path& path) {
+  FilePrefix file(path);
+  return readSliceHeader(file);
+}
+
+bool isDicomDir(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;
+  try {
+    FilePrefix file(path);
+    return isDicomDir(file);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std::string& where,
+                                  TaskMonitor& monitor) {
+  std::vector<ScannedFile> scanned(files.size());
+  forFiles(files.size(), monitor, "reading DICOM headers",
+           [&](std::size_t f, std::size_t) { scanned[f] = scanFile(files[f]); });
+  std::vector<SliceHeader> headers;
+  std::vector<DamagedFile> damaged;
+  for (ScannedFile& file : scanned) {
+    if (file.header) headers.push_back(std::move(*file.header));
+    if (file.damage) damaged.push_back(std::move(*file.damage));
+  }
+  if (headers.empty() && damaged.size() == 1)
+    throw Error(damaged[0].problem, damaged[0].file.string(), "copy it again");
+  if (headers.empty() && damaged.empty())
+    throw Error("holds no DICOM images", where, "give a folder of DICOM files or a .nii.gz");
+  numberPatients(headers);
+  std::vector<SeriesInfo> series;
+  for (const SeriesGroup& group : groupImages(headers)) series.push_back(describeGroup(headers, group));
+  numberParts(series);
+  applyDamage(series, damaged);
+  for (const DamagedFile& damage : damaged) series.push_back(damagedEntry(damage));
+  recommend(series);
+  monitor.report("reading DICOM headers", 1.0);
+  return series;
+}
+
+std::vector<SeriesInfo> listSeries(const fs::path& folder, TaskMonitor& monitor) {
+  if (isDicomDir(folder)) {  // the files it names lie under its folder (PS3.10 8.6), and so may others
+    const fs::path whole = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+    return scanFiles(filesUnder(whole, true), whole.string(), monitor);
+  }
+  return scanFiles(filesUnder(folder, true), folder.string(), monitor);
+}
+
+}  // namespace facenav::dicom

@@ -1,0 +1,262 @@
+#include "fit_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+#include "cloud/cloud_sampling.h"
+#include "cloud/skin_patches.h"
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
+#include "fit/part_fits.h"
+#include "fit/skin_likelihood.h"
+
+namespace facenav::registration {
+namespace {
+
+// Both must be exceeded: hair and a hand may cover more than half of what the cameras see, and then the third
+// that fits best still tells; swollen skin lifts the best third, but not the median as far. Measured: right
+// head 0.1-0.35 mm median and 0.6-0.9 close, wrong head 1.3-2.4 mm and 0.2-0.5 close.
+constexpr double kWrongMedian_mm = 0.9, kWrongThird_mm = 0.5, kLeastClose = 0.3;
+// A mask explains half of a face that does not fit, if what is left fits as closely as skin does: bare 0.3 to
+// 1 of the face at 0.05-0.25 mm with the right head, 0 to 0.65 at 0.45-1.1 mm or 0 to 0.25 at any with
+// others.
+constexpr double kLeastBare = 0.25, kMostlyBare = 0.7, kWrongBare_mm = 0.4;
+// Logarithms of odds.
+constexpr double kFarFromMirrored = 30.0;
+constexpr double kMirrored = -5.0, kLeastUnmirrored = 1.0, kRival = 3.0;
+// How much likelier (logarithm) a face must be at another size; the fit beside the pose sees 2 % at most,
+// since what is off by more than the misfit's limit does not count there.
+constexpr double kScaled = 10.0;
+// Sizes: a rim of 0.6 % is what scanners and calibrations are off by. One in twenty is said,
+// what chance hardly makes and matters at the cortex (2 % of 100 mm) is refused.
+constexpr double kScannerScale = 0.006;
+constexpr double kCautionScale = 0.01;  // a millimetre at the cortex
+constexpr double kCautionScale_z = 2.0, kRefusedScale_z = 4.0, kRefusedScale = 0.02;
+constexpr double kLoose_mm = 0.6, kSuspect_mm = 0.3;
+constexpr double kHairy = 0.35;           // where hair is this frequent, it says nothing about the head
+constexpr double kLeastExtent_mm = 45.0;  // a whole face has 120, forehead to mid-nose 80
+constexpr double kLargestError_mm = 2.0;
+
+Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
+  constexpr float kSettled_mm = 0.02f;
+  for (float reach_mm = from_mm; reach_mm > 1.2f; reach_mm *= 0.55f)
+    pose = fitter.fit(pose, {reach_mm, 0.7f * reach_mm, 4, reach_mm < 4.0f, kSettled_mm});
+  return fitter.fit(pose, {1.2f, 1.0f, 5, true, kSettled_mm});
+}
+
+/// Four standard deviations across or up the face, the smaller.
+double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
+  if (points_mri_mm.empty()) return 0.0;
+  Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
+  for (const auto& p : points_mri_mm)
+    sum += p.cast<double>().array(), squares += p.cast<double>().array().square();
+  const double n = double(points_mri_mm.size());
+  const Eigen::Array3d extent = 4 * (squares / n - (sum / n).square()).max(0.0).sqrt();
+  return std::min(extent.x(), extent.z());
+}
+
+bool isNoFit(const Closeness& c) {
+  return (c.median_mm > kWrongMedian_mm && c.best_third_mm > kWrongThird_mm) ||
+         c.close_fraction < kLeastClose || c.bare_share < kLeastBare ||
+         (c.bare_share < kMostlyBare && c.bare_mm > kWrongBare_mm);
+}
+
+Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+                      const Eigen::Isometry3d& mri_T_camera, const Covers& covers) {
+  const anatomy::FaceRegions regions(scalp.noseTip_mm());
+  Closeness out;
+  std::vector<double> skin, core, bare;
+  std::vector<Eigen::Vector3f> close_mm;
+  const auto matches = FieldFitter(scalp, face, points).match(mri_T_camera);
+  for (std::size_t p = 0; p < matches.size(); ++p) {
+    const PointMatch& m = matches[p];
+    const double off_mm = double(std::abs(m.residual_mm));
+    if (!m.is_valid || off_mm > 15) continue;
+    ++out.face_points;
+    if (regions.foreignShare(m.at_mri_mm.cast<double>()) > kHairy) continue;
+    skin.push_back(off_mm);
+    if (off_mm < 1.5) close_mm.push_back(m.at_mri_mm);
+    if (off_mm < 6) core.push_back(off_mm);
+    if (!covers.hold(face.points_mm[std::size_t(points[p])])) bare.push_back(off_mm);
+  }
+  const double all = std::max<double>(1.0, double(skin.size()));
+  out.close_fraction = double(close_mm.size()) / all;
+  out.bare_share = double(bare.size()) / all;
+  out.bare_mm = upperMedian(bare);
+  out.extent_mm = facialExtent_mm(close_mm);
+  if (core.empty()) return out;
+  std::sort(core.begin(), core.end());
+  out.best_third_mm = core[core.size() / 3];
+  out.median_mm = core[core.size() / 2];
+  return out;
+}
+
+/// How much likelier the skin is than its mirror image. The face is mirrored instead of the skin, which is
+/// the same, and fitted with as much care as the face itself, from three turns near the pose.
+void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
+                     const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
+  const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
+  PointCloud<Camera> mirrored = pick(face, points);
+  for (auto& p : mirrored.points_mm) p = flipped(p);
+  for (auto& n : mirrored.normals) n = flipped(n);
+  std::vector<int> all(mirrored.size());
+  std::iota(all.begin(), all.end(), 0);
+  const Eigen::Vector3d middle = scalp.middle_mm();
+  const Eigen::Vector3d flip(-1, 1, 1);
+  Eigen::Isometry3d twin = Eigen::Isometry3d::Identity();
+  twin.linear() = flip.asDiagonal() * mri_T_camera.linear() * flip.asDiagonal();
+  twin.translation() = flipped(mri_T_camera.translation()) + Eigen::Vector3d(2 * middle.x(), 0, 0);
+  const FieldFitter fitter(scalp, mirrored, all);
+  const SkinLikelihood logLikelihood(scalp, mirrored, all);
+  double most = -1e9;
+  Eigen::Isometry3d best = twin;
+  for (const double yaw_deg : {-8.0, 0.0, 8.0}) {
+    Vector6d turn = Vector6d::Zero();
+    turn[2] = yaw_deg * M_PI / 180.0;
+    const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f);
+    const double there = logLikelihood(fitter.match(pose));
+    if (there > most) most = there, best = pose;
+  }
+  const FieldFitter given(scalp, face, points);
+  const double here = SkinLikelihood(scalp, face, points)(given.match(mri_T_camera));
+  evidence.mirror_log_odds = here - most;
+  if (evidence.mirror_log_odds > kFarFromMirrored) return;  // no care gains a mirror image so much
+  const PartFit closest = fitParts(scalp, mirrored, all, best).front();
+  if (closest.log_likelihood > most) most = closest.log_likelihood, best = closest.mri_T_camera;
+  evidence.mirror_log_odds = here - most;
+  if (evidence.mirror_log_odds > 0) return;
+  const Covers covers(scalp, mirrored, all, best);
+  evidence.does_mirror_fit = !isNoFit(closenessOf(scalp, mirrored, all, best, covers));
+}
+
+/// How much likelier the pose is than the best that the face finds elsewhere.
+double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
+                    const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals) {
+  double most = -1e9;
+  const std::vector<int> points = thinOut(face, 6.0, 2000);
+  const FieldFitter everything(scalp, face, points);
+  const SkinLikelihood logLikelihood(scalp, face, points);
+  for (const Candidate& rival : rivals) {
+    constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares cut at 4 mm
+    if (kTruncated_mm2 - rival.cost < 0.6 * (kTruncated_mm2 - rivals.front().cost)) continue;
+    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f);
+    if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * M_PI / 180.0, 10.0)) continue;
+    most = std::max(most, logLikelihood(everything.match(pose)));
+  }
+  return logLikelihood(everything.match(mri_T_camera)) - most;
+}
+
+/// The size of the live face over the scan's at which it would fit, and the logarithm of how much likelier;
+/// cameras whose calibration is off in scale see everything so.
+std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud<Camera>& face,
+                                       const std::vector<int>& points,
+                                       const Eigen::Isometry3d& mri_T_camera) {
+  const SkinLikelihood logLikelihood(scalp, face, points);
+  const double as_is = logLikelihood(FieldFitter(scalp, face, points).match(mri_T_camera));
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const int p : points) centre += face.points_mm[std::size_t(p)] / double(points.size());
+  PointCloud<Camera> scaled = face;
+  std::pair<double, double> best{1.0, 0.0};
+  for (const double scale : {0.88, 0.91, 0.94, 0.96, 0.975, 1.025, 1.04, 1.06, 1.09, 1.12}) {
+    for (const int p : points) scaled.points_mm[std::size_t(p)] = face.points_mm[std::size_t(p)] / scale;
+    const FieldFitter fitter(scalp, scaled, points);
+    const Eigen::Isometry3d start = mri_T_camera * Eigen::Translation3d(centre - centre / scale);
+    const double log_odds = logLikelihood(fitter.match(settle(fitter, start, 8.0f))) - as_is;
+    if (log_odds > best.second) best = {scale, log_odds};
+  }
+  return best;
+}
+
+/// By how many standard errors the scale differs from one, what scanners are off by included.
+double scaleZ(const FitEvidence& evidence) {
+  if (!(evidence.scale_sigma > 0)) return 0.0;
+  return std::abs(evidence.scale - 1.0) / std::hypot(evidence.scale_sigma, kScannerScale);
+}
+
+std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
+
+std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
+
+[[noreturn]] void refuse(const std::string& why, const std::string& remedy) {
+  throw Error("not aligned: " + why, {}, remedy);
+}
+
+[[noreturn]] void refuseSize(double scale) {
+  refuse(
+      "the face does not fit this MRI: the cameras measure it at " + percentOf(scale) + " of its size there",
+      "check that this is the patient's own MRI; if it is, the square size that the cameras were calibrated "
+      "with");
+}
+
+}  // namespace
+
+FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
+                           const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
+                           const std::vector<Candidate>& rivals) {
+  FitEvidence evidence;
+  const std::vector<int> near = nearHead(scalp, face, finitePoints(face), mri_T_camera, 30.0);
+  const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
+  evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
+  compareMirrored(evidence, scalp, face, sparse, mri_T_camera);
+  if (isNoFit(evidence.closeness) || evidence.closeness.bare_mm > kSuspect_mm)
+    std::tie(evidence.fitting_scale, evidence.scale_log_odds) =
+        fittingScale(scalp, face, sparse, mri_T_camera);
+  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals);
+  return evidence;
+}
+
+void requireLikeness(const FitEvidence& evidence) {
+  const Closeness& closeness = evidence.closeness;
+  const bool is_resized = evidence.scale_log_odds > kScaled;  // then little of it lies close
+  if (closeness.face_points < 300 || (closeness.extent_mm < kLeastExtent_mm && !is_resized))
+    refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
+  if (evidence.mirror_log_odds < kMirrored && evidence.does_mirror_fit &&
+      !(is_resized && evidence.scale_log_odds > -evidence.mirror_log_odds))
+    refuse("the MRI is mirrored: its left and right are swapped",
+           "import the MRI again from its DICOM files");
+  if (is_resized) refuseSize(evidence.fitting_scale);
+  if (isNoFit(closeness))
+    refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
+               " of it lies on the skin, median distance " + fixed(closeness.median_mm, 1) + " mm)",
+           "check that this is the patient's own MRI, and measure the face again");
+  if (evidence.mirror_log_odds < kLeastUnmirrored)
+    refuse("the face cannot be told from its mirror image",
+           "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
+  if (evidence.rival_log_odds < kRival)
+    refuse("the pose is ambiguous: the face fits in two places", "show more of the face to both cameras");
+}
+
+void requireTrust(const FitEvidence& evidence) {
+  requireLikeness(evidence);
+  if (scaleZ(evidence) > kRefusedScale_z && std::abs(evidence.scale - 1) > kRefusedScale)
+    refuseSize(evidence.scale);
+  if (!(evidence.predicted_error_mm < kLargestError_mm))
+    refuse("too little of the face was measured to fix the pose (predicted error " +
+               fixed(evidence.predicted_error_mm, 1) + " mm)",
+           "show more of the face to both cameras");
+}
+
+bool isPartlyCovered(const FitEvidence& evidence) { return evidence.closeness.bare_share < kMostlyBare; }
+
+std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
+  std::vector<std::string> cautions;
+  const double off = std::abs(evidence.scale - 1);
+  if (scaleZ(evidence) > kCautionScale_z || (off > kCautionScale && off > 3 * evidence.scale_sigma))
+    cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
+                       " of the MRI's size (+/- " + fixed(100 * evidence.scale_sigma, 1) +
+                       "): check the square size that they were calibrated with, and the MRI's size");
+  const double loose_mm = std::max(evidence.closeness.bare_mm, evidence.misfit_mm);
+  if (loose_mm > kLoose_mm)
+    cautions.push_back("the skin fits loosely (by " + fixed(loose_mm, 1) +
+                       " mm): check that this is the patient's own MRI, and a calm face");
+  if (isPartlyCovered(evidence))
+    cautions.push_back(percent(1 - evidence.closeness.bare_share) +
+                       " of the face is covered (a mask, hair, a hand): the rest was aligned");
+  return cautions;
+}
+
+}  // namespace facenav::registration

@@ -1,0 +1,150 @@
+#include "fit_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cloud/cloud_sampling.h"
+#include "facenav/core/error.h"
+#include "fit/robust_fit.h"
+
+namespace facenav::registration {
+namespace {
+
+constexpr double kModelPatch_mm = 12.0;
+constexpr double kLeastCovered =
+    0.65;  // a patch with more points off the skin is at the edge of hair or coil
+
+std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter& fitter,
+                                      const Eigen::Isometry3d& pose, double limit_mm) {
+  auto patches =
+      gatherPatches(fitter.match(pose), {kModelPatch_mm, limit_mm, limit_mm}, pose, scalp.middle_mm());
+  patches.erase(std::remove_if(patches.begin(), patches.end(),
+                               [](const SkinPatch& p) { return p.covered < kLeastCovered; }),
+                patches.end());
+  if (patches.size() < 20)
+    throw Error("not aligned: too little of the face was measured", {},
+                "show the whole face to both cameras, with the dots on it");
+  return patches;
+}
+
+/// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at
+/// the image of Mri's origin: there the head turns the other way, and the shift is that of the origin.
+Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_mm,
+                  const Eigen::Matrix3d& camera_R_mri) {
+  Matrix6d carry = Matrix6d::Zero();
+  carry.topLeftCorner<3, 3>() = -camera_R_mri;
+  carry.bottomLeftCorner<3, 3>() = -camera_R_mri * skew(pivot_mri_mm);
+  carry.bottomRightCorner<3, 3>() = -camera_R_mri;
+  return carry * covariance * carry.transpose();
+}
+
+/// The largest predicted error where coils aim: up to 60 mm off the head's middle.
+double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& middle) {
+  constexpr double kBrain_mm = 60.0;
+  double worst = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-kBrain_mm, kBrain_mm})
+      worst =
+          std::max(worst, result.predictedError_mm(Point<Mri>(middle + side * Eigen::Vector3d::Unit(axis))));
+  return worst;
+}
+
+/// A face that is larger or smaller than the scan's by more than two standard errors says that scan or
+/// calibration is off in size; the pose, which fits at the face, is then off in the brain by that much of the
+/// way there. A shift, since only the brain is asked about.
+Matrix6d bySize(const PoseBelief& belief, const Eigen::Vector3d& face_mri_mm, const Eigen::Vector3d& middle,
+                const Eigen::Matrix3d& camera_R_mri) {
+  const double beyond = std::max(0.0, std::abs(belief.scale) - 2 * belief.scale_sigma);
+  const Eigen::Vector3d shift_mm = beyond * (camera_R_mri * (middle - face_mri_mm));
+  Matrix6d covariance = Matrix6d::Zero();
+  covariance.bottomRightCorner<3, 3>() = shift_mm * shift_mm.transpose();
+  return covariance;
+}
+
+}  // namespace
+
+Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& points,
+                               const Eigen::Isometry3d& pose, double limit_mm) {
+  const auto patches = coveredPatches(scalp, points, pose, limit_mm);
+  const Eigen::Vector3d middle = scalp.middle_mm();
+  return increment(-poseError(patches, anatomy::FaceRegions(scalp.noseTip_mm()), middle), middle, pose);
+}
+
+FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+                 const Eigen::Isometry3d& pose, double limit_mm) {
+  const FieldFitter fitter(scalp, face, points);
+  const anatomy::FaceRegions regions(scalp.noseTip_mm());
+  const Eigen::Vector3d middle = scalp.middle_mm();
+  FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
+  fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle, {});
+  fit.mri_T_camera = increment(-fit.belief.error, middle, fit.mri_T_camera);
+  return fit;
+}
+
+FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
+               const Eigen::Isometry3d& pose, double limit_mm) {
+  const auto patches = coveredPatches(scalp, FieldFitter(scalp, face, points), pose, limit_mm);
+  FinalFit fit{pose, limit_mm,
+               believe(patches, anatomy::FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {})};
+  fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
+  return fit;
+}
+
+AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
+                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence) {
+  AlignmentResult result;
+  result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
+  result.covariance = inCamera(fit.belief.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
+  result.freedom = fit.belief.freedom;
+  result.misfit_mm = fit.belief.field_mm;
+  evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
+  evidence.misfit_mm = result.misfit_mm;
+  evidence.scale = 1.0 + fit.belief.scale;
+  evidence.scale_sigma = fit.belief.scale_sigma;
+  if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
+  requireTrust(evidence);
+  result.cautions = cautionsOf(evidence);
+
+  std::vector<int> all(face.size());
+  std::iota(all.begin(), all.end(), 0);
+  const FieldFitter fitter(scalp, face, all);
+  const auto matches = fitter.match(fit.mri_T_camera), nearest = fitter.match(closest);
+  const std::vector<float> weights = patchWeights(nearest, 4.0);
+  double squares = 0;
+  std::size_t offered = 0;
+  Eigen::Vector3d face_mri_mm = Eigen::Vector3d::Zero();
+  // On a bare face a patch or two that look covered still fit the skin, and go with the head.
+  const bool is_partly_covered = isPartlyCovered(evidence);
+  for (std::size_t p = 0; p < matches.size(); ++p) {
+    const double residual = double(matches[p].residual_mm);
+    const bool is_inlier = weights[p] > 0 && matches[p].is_valid &&
+                           std::abs(nearest[p].residual_mm) < fit.limit_mm &&
+                           !(is_partly_covered && covers.hold(face.points_mm[p]));
+    offered += nearest[p].is_valid && std::abs(nearest[p].residual_mm) < 15;
+    result.is_inlier.push_back(is_inlier);
+    result.residual_mm.push_back(residual);
+    if (!is_inlier) continue;
+    ++result.points;
+    squares += residual * residual;
+    face_mri_mm += matches[p].at_mri_mm.cast<double>();
+    result.max_mm = std::max(result.max_mm, std::abs(residual));
+  }
+  face_mri_mm /= std::max(1, result.points);
+  result.covariance += bySize(fit.belief, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
+  result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
+  result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;
+  return result;
+}
+
+void requireMaterial(const ScalpField& scalp, const PointCloud<Camera>& face) {
+  if (!scalp.skin().has_face)
+    throw Error("not aligned: the MRI shows no face to align to", {},
+                "use a scan with the face in it (not defaced)");
+  const std::size_t finite = finitePoints(face).size();
+  if (finite < 500)
+    throw Error("not aligned: too little of the face was measured (" + std::to_string(finite) + " points)",
+                {}, "show the whole face to both cameras, with the dots on it");
+}
+
+}  // namespace facenav::registration

@@ -1,0 +1,74 @@
+#pragma once
+// Robust point-to-plane fit of the face cloud to the scalp's distance field by Gauss-Newton on SE(3) (Chen
+// and Medioni 1992; on a distance field: Fitzgibbon 2003). The loss is one-sided while coarse: points outside
+// the skin (hair, clothes, a hand) are let go earlier than points inside, which no camera can see. State:
+// mri_T_camera.
+
+#include <limits>
+#include <vector>
+
+#include "facenav/geometry/rotation.h"
+#include "facenav/registration/scalp_field.h"
+#include "field/point_kernel.h"
+
+namespace facenav::registration {
+
+struct FitStage {
+  float inside_mm, outside_mm;  // residuals beyond have no weight
+  int iterations;
+  bool is_fine;              // the fine grid, or the coarse one
+  float settled_mm = 5e-4f;  // a step shorter than this, and turned by less than this in 100 mm, is the last
+};
+
+/// One point of the cloud against the skin.
+struct PointMatch {
+  float residual_mm = std::numeric_limits<float>::max();  // along the skin's normal, positive outside
+  Eigen::Vector3f normal_mri = Eigen::Vector3f::Zero(), at_mri_mm = Eigen::Vector3f::Zero();
+  bool is_valid = false;  // a counterpart exists: within the scan, skin that faces the camera
+};
+
+class FieldFitter {
+ public:
+  FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& cloud, const std::vector<int>& points);
+
+  std::size_t size() const { return count_; }
+  /// One per point, 0..1, or empty.
+  void setWeights(std::vector<float> weights);
+
+  Eigen::Isometry3d fit(Eigen::Isometry3d mri_T_camera, const FitStage& stage) const;
+  std::vector<PointMatch> match(const Eigen::Isometry3d& mri_T_camera) const;
+  /// Numbers of the points within `reach_mm` of the skin, by the coarse grid.
+  std::vector<int> within(const Eigen::Isometry3d& mri_T_camera, double reach_mm) const;
+  /// Mean truncated squared residual over all points, mm^2: points without counterpart cost the truncation,
+  /// points deep inside the head 1.3 times (the neck bends).
+  double cost(const Eigen::Isometry3d& mri_T_camera, double truncation_mm) const;
+
+ private:
+  point::Points points() const;
+  /// visit(block, number of its first point), block by block.
+  template <class Visitor>
+  void measure(const Eigen::Isometry3d& mri_T_camera, bool is_fine, Visitor&& visit) const;
+
+  const ScalpField& scalp_;
+  std::vector<float> points_[3], normals_[3];  // x, y, z; whole blocks
+  std::vector<float> weights_;
+  Eigen::Vector3f pivot_;  // increments rotate about the head's middle
+  std::size_t count_;
+};
+
+/// Tukey's biweight: 1 at 0, 0 from `limit` on.
+inline float tukeyWeight(float residual, float limit) {
+  const float u = residual / limit, v = 1.0f - u * u;
+  return v > 0.0f ? v * v : 0.0f;
+}
+
+/// exp(w) (q - pivot) + pivot + v, applied after `pose`.
+Eigen::Isometry3d increment(const Vector6d& xi, const Eigen::Vector3d& pivot_mm,
+                            const Eigen::Isometry3d& pose);
+
+/// Do the two poses put the head in different places (more than `rotation_rad` or `distance_mm` at
+/// `pivot_mri_mm`)?
+bool areDistinct(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const Eigen::Vector3d& pivot_mri_mm,
+                 double rotation_rad, double distance_mm);
+
+}  // namespace facenav::registration

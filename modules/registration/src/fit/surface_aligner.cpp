@@ -1,0 +1,87 @@
+#include <future>
+#include <optional>
+
+#include "confidence/fit_report.h"
+#include "facenav/core/error.h"
+#include "robust_fit.h"
+
+namespace facenav::registration {
+namespace {
+
+AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
+                         const std::vector<Candidate>& rivals, TaskMonitor& monitor) {
+  monitor.report("modelling the skin's misfit", 0.7);
+  auto gathering = std::async(std::launch::async, [&] {
+    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals);
+  });
+  std::optional<FinalFit> fit;
+  try {
+    fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm);
+  } catch (const Error&) {
+    requireLikeness(gathering.get());  // a stranger's skin has little that fits: then that is the reason
+    throw;
+  }
+  fit->belief.covariance += robust.doubt;
+  monitor.report("checking the fit", 0.9);
+  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get());
+}
+
+AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
+                       SearchWidth width, std::size_t most, TaskMonitor& monitor) {
+  const auto candidates = findStarts(scalp, face, start, width, most, monitor);
+  monitor.report("fitting the face", 0.5);
+  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, monitor);
+}
+
+/// What no residual shows: the whole cloud too near or too far.
+void addSharedDepth(AlignmentResult& result, const PointCloud<Camera>& face, double sigma_mm) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t p = 0; p < face.size(); ++p)
+    if (result.is_inlier[p]) sum += face.points_mm[p];
+  const Eigen::Vector3d along = sigma_mm * sum.normalized();
+  result.covariance.bottomRightCorner<3, 3>() += along * along.transpose();
+}
+
+class SurfaceAligner : public Aligner {
+ public:
+  AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
+                        TaskMonitor& monitor) const override {
+    AlignmentResult result = fit(scalp, face, start, monitor);
+    addSharedDepth(result, face, start.shared_depth_sigma_mm);
+    return result;
+  }
+
+ private:
+  static AlignmentResult fit(const ScalpField& scalp, const PointCloud<Camera>& face,
+                             const AlignmentStart& start, TaskMonitor& monitor) {
+    requireMaterial(scalp, face);
+    monitor.report("fitting the face", 0.0);
+    try {
+      if (const auto robust = fitFromGuess(scalp, face, start))
+        return conclude(scalp, face, *robust, {}, monitor);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error&) {
+      // A poor guess: look around it.
+    }
+    // Hints may mislead and the first search is quick: what it refuses gets a wider one. What the first
+    // search said of the best pose is the reason that counts; wider ones end in worse poses.
+    std::optional<Error> reason;
+    for (const auto& [width, most] :
+         {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})
+      try {
+        return search(scalp, face, start, width, std::size_t(most), monitor);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error& refusal) {
+        if (!reason) reason = refusal;
+      }
+    throw *reason;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Aligner> makeSurfaceAligner() { return std::make_unique<SurfaceAligner>(); }
+
+}  // namespace facenav::registration

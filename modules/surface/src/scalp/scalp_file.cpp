@@ -1,0 +1,78 @@
+// scalp.vtp: the mesh with its normals; what else the scalp knows as field data.
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "facenav/core/error.h"
+#include "facenav/surface/scalp_surface.h"
+#include "mesh/mesh_polydata.h"
+
+namespace facenav::surface {
+namespace {
+
+constexpr char kHasFace[] = "has_face", kFindings[] = "findings", kFieldOfView[] = "field_of_view_mm";
+
+Error malformed(const std::filesystem::path& path, const std::string& what) {
+  return Error("not a scalp file: " + what, path.string(), "run 'facenav prepare' again");
+}
+
+}  // namespace
+
+void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path) {
+  const auto poly_data = toPolyData(scalp.mesh);
+  vtkNew<vtkUnsignedCharArray> has_face;
+  has_face->SetName(kHasFace);
+  has_face->InsertNextValue(scalp.has_face ? 1 : 0);
+  vtkNew<vtkStringArray> findings;
+  findings->SetName(kFindings);
+  for (const auto& finding : scalp.findings) findings->InsertNextValue(finding);
+  vtkNew<vtkDoubleArray> planes;
+  planes->SetName(kFieldOfView);
+  planes->SetNumberOfComponents(6);
+  for (const auto& [point, normal] : scalp.field_of_view) {
+    const double row[6] = {point.mm[0], point.mm[1], point.mm[2], normal.v[0], normal.v[1], normal.v[2]};
+    planes->InsertNextTuple(row);
+  }
+  poly_data->GetFieldData()->AddArray(has_face);
+  if (!scalp.findings.empty()) poly_data->GetFieldData()->AddArray(findings);
+  if (!scalp.field_of_view.empty()) poly_data->GetFieldData()->AddArray(planes);
+  writePolyData(*poly_data, path);
+}
+
+ScalpSurface readScalp(const std::filesystem::path& path) {
+  const auto poly_data = readPolyData(path);
+  ScalpSurface scalp;
+  scalp.mesh = toTriangleMesh(*poly_data);
+  if (scalp.mesh.triangles.empty()) throw malformed(path, "no triangles");
+  vtkFieldData& fields = *poly_data->GetFieldData();
+  auto* has_face = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kHasFace));
+  if (!has_face || has_face->GetNumberOfTuples() != 1) throw malformed(path, "no field has_face");
+  scalp.has_face = has_face->GetTuple1(0) != 0;
+  if (auto* findings = vtkStringArray::SafeDownCast(fields.GetAbstractArray(kFindings)))
+    for (vtkIdType f = 0; f < findings->GetNumberOfValues(); ++f)
+      scalp.findings.push_back(findings->GetValue(f));
+  if (auto* planes = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kFieldOfView))) {
+    if (planes->GetNumberOfComponents() != 6) throw malformed(path, "field_of_view_mm needs 6 components");
+    for (vtkIdType p = 0; p < planes->GetNumberOfTuples(); ++p) {
+      double row[6];
+      planes->GetTuple(p, row);
+      scalp.field_of_view.emplace_back(Point<Mri>(row[0], row[1], row[2]),
+                                       Direction<Mri>(Eigen::Vector3d(row[3], row[4], row[5])));
+    }
+  }
+  return scalp;
+}
+
+ScalpSurface asStored(ScalpSurface scalp) {
+  // The very way through the file's arrays: GCC 12 vectorises a loop of casts to float and back so that the
+  // last normals keep their double precision.
+  scalp.mesh.normals = toTriangleMesh(*toPolyData(scalp.mesh)).normals;
+  for (auto& [point, normal] : scalp.field_of_view) normal = Direction<Mri>(Eigen::Vector3d(normal.v));
+  return scalp;
+}
+
+}  // namespace facenav::surface
