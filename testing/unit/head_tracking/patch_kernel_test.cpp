@@ -83,7 +83,7 @@ TEST(PatchKernel, BothKernelsGiveTheSameSums) {
   outside.offset[0] = 74.f, outside.offset[1] = 18.6f;
   const patch::Placement places[2] = {inside, outside};
   patch::Sums base[2], fast[2];
-  patch::sumPatchesBase(image, samples, pose, places, 2, base);
+  patch::baseKernel()(image, samples, pose, places, 2, base);
   patch::kernel()(image, samples, pose, places, 2, fast);
   EXPECT_TRUE(base[0].is_inside && fast[0].is_inside);
   EXPECT_FALSE(base[1].is_inside || fast[1].is_inside);

@@ -62,7 +62,7 @@ void expectNear(float a, float b, float tolerance, const char* what) {
 }
 
 TEST(PointKernel, TheFastestAgreesWithTheBaseToRounding) {
-  if (&point::fastestKernel() == &point::baseKernel()) GTEST_SKIP() << "no AVX2";
+  if (&point::kernel() == &point::baseKernel()) GTEST_SKIP() << "no AVX2";
   ModelHead head;  // small: built quickly
   head.bumps.clear();
   head.radii_mm.setConstant(35);
@@ -80,7 +80,7 @@ TEST(PointKernel, TheFastestAgreesWithTheBaseToRounding) {
         const int count = std::min(point::kBlock, kPoints - first);
         point::Block base, fast;
         point::baseKernel().measure(field.grids(), points, first, count, from, is_fine, base);
-        point::fastestKernel().measure(field.grids(), points, first, count, from, is_fine, fast);
+        point::kernel().measure(field.grids(), points, first, count, from, is_fine, fast);
         for (int i = 0; i < count; ++i) {
           expectNear(base.residual_mm[i], fast.residual_mm[i], 5e-4f, "distance");
           for (int a = 0; a < 3; ++a) expectNear(base.normal[a][i], fast.normal[a][i], 1e-3f, "normal");
@@ -90,7 +90,7 @@ TEST(PointKernel, TheFastestAgreesWithTheBaseToRounding) {
         }
         const point::Loss loss{30, 20, {0, 10, 5}};
         const point::Sums a = point::baseKernel().sum(base, points, first, loss);
-        const point::Sums b = point::fastestKernel().sum(base, points, first, loss);
+        const point::Sums b = point::kernel().sum(base, points, first, loss);
         EXPECT_NEAR(a.weight, b.weight, 1e-5 * (1 + a.weight));
         for (int k = 0; k < 28; ++k)
           EXPECT_NEAR(a.products[k], b.products[k], 1e-5 * (100 + 1e4 * double(a.weight))) << k;

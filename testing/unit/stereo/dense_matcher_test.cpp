@@ -10,6 +10,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/parallel_for.h"
+#include "facenav/core/simd.h"
 #include "matchers/block_search.h"
 #include "matchers/disparity_field.h"
 #include "matchers/plane_field.h"
@@ -111,7 +112,7 @@ TEST(FieldMatcher, ThreadsDoNotChangeTheResult) {
 }
 
 TEST(FieldMatcher, KernelsOfBothInstructionSetsAgree) {
-  if (!cv::checkHardwareSupport(CV_CPU_AVX2)) GTEST_SKIP() << "this processor has no AVX2";
+  if (instructionSet() != InstructionSet::avx2) GTEST_SKIP() << "this processor has no AVX2";
   const auto surface = dotted();
   const MatchImages images(surface.rectification, surface.images);
   const cv::Mat start = searchBlocks(surface.rectification, surface.images);

@@ -1,8 +1,7 @@
 #pragma once
 // The inner loop of the head track: patches of skin, placed in an image by pose and camera, and the sums over
-// their samples from which gain, likeness and displacement follow. Compiled twice (the platform's base and
-// AVX2) and chosen at run time; raw pointers only, so that no inline function of a library is emitted for
-// AVX2 and picked up by the linker for every machine.
+// their samples from which gain, likeness and displacement follow. Compiled twice
+// (facenav/core/simd.h).
 
 #include <cstdint>
 
@@ -39,11 +38,8 @@ struct Sums {
 using Kernel = void (*)(const Image& image, const Samples& samples, const float camera_T_head[12],
                         const Placement* placements, int count, Sums* sums);
 
-void sumPatchesBase(const Image& image, const Samples& samples, const float camera_T_head[12],
-                    const Placement* placements, int count, Sums* sums);
-void sumPatchesAvx2(const Image& image, const Samples& samples, const float camera_T_head[12],
-                    const Placement* placements, int count, Sums* sums);
-
+Kernel baseKernel();
+Kernel avx2Kernel();
 /// The fastest that this processor runs.
 Kernel kernel();
 

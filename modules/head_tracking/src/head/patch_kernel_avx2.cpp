@@ -69,12 +69,14 @@ inline Sums sumPatch(const Image& image, const Samples& samples, const float m[1
   return sums;
 }
 
-}  // namespace
-
-void sumPatchesAvx2(const Image& image, const Samples& samples, const float camera_T_head[12],
-                    const Placement* placements, int count, Sums* sums) {
+void sumPatches(const Image& image, const Samples& samples, const float camera_T_head[12],
+                const Placement* placements, int count, Sums* sums) {
   for (int i = 0; i < count; ++i) sums[i] = sumPatch(image, samples, camera_T_head, placements[i]);
 }
+
+}  // namespace
+
+Kernel avx2Kernel() { return sumPatches; }
 
 }  // namespace facenav::head_tracking::patch
 
@@ -82,10 +84,7 @@ void sumPatchesAvx2(const Image& image, const Samples& samples, const float came
 
 namespace facenav::head_tracking::patch {
 
-void sumPatchesAvx2(const Image& image, const Samples& samples, const float camera_T_head[12],
-                    const Placement* placements, int count, Sums* sums) {
-  sumPatchesBase(image, samples, camera_T_head, placements, count, sums);
-}
+Kernel avx2Kernel() { return baseKernel(); }
 
 }  // namespace facenav::head_tracking::patch
 

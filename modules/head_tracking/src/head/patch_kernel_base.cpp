@@ -1,5 +1,7 @@
 #include "patch_kernel.h"
 
+#include "facenav/core/simd.h"
+
 namespace facenav::head_tracking::patch {
 namespace {
 
@@ -32,20 +34,18 @@ Sums sumPatch(const Image& image, const Samples& samples, const float m[12], con
   return sums;
 }
 
-}  // namespace
-
-void sumPatchesBase(const Image& image, const Samples& samples, const float camera_T_head[12],
-                    const Placement* placements, int count, Sums* sums) {
+void sumPatches(const Image& image, const Samples& samples, const float camera_T_head[12],
+                const Placement* placements, int count, Sums* sums) {
   for (int i = 0; i < count; ++i) sums[i] = sumPatch(image, samples, camera_T_head, placements[i]);
 }
 
+}  // namespace
+
+Kernel baseKernel() { return sumPatches; }
+
 Kernel kernel() {
-#if defined(FACENAV_HAS_AVX2) && (defined(__x86_64__) || defined(__i386__))
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has_avx2 ? sumPatchesAvx2 : sumPatchesBase;
-#else
-  return sumPatchesBase;
-#endif
+  static const Kernel chosen = chooseKernel(baseKernel, avx2Kernel);
+  return chosen;
 }
 
 }  // namespace facenav::head_tracking::patch

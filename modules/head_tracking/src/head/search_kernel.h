@@ -1,8 +1,7 @@
 #pragma once
 // The inner loops of the search for a lost face (coarse_search.h, face_template.h, skin_detail.h): light
 // evened out, a stencil laid over every place, one step of the template's fit, patches taken apart into
-// patterns. Compiled twice like patch_kernel.h and
-// chosen at run time; raw pointers only, for the same reason.
+// patterns. Compiled twice (facenav/core/simd.h).
 
 #include <cstdint>
 

@@ -1,8 +1,7 @@
 #pragma once
 // The inner loops of the fit: points of the cloud, placed in the MRI by a pose, looked up in the scalp's
-// distance field, and the sums of a Gauss-Newton step. Compiled twice (the platform's base and AVX2) and
-// chosen at run time; raw arrays only, so that no inline function of a library is emitted for AVX2 and picked
-// up by the linker for every machine. The two differ by rounding alone.
+// distance field, and the sums of a Gauss-Newton step. Compiled twice
+// (facenav/core/simd.h); the two differ by rounding alone.
 
 #include "facenav/registration/field_grids.h"
 
@@ -53,7 +52,8 @@ struct Kernel {
 };
 
 const Kernel& baseKernel();
-/// The base where the compiler or the processor has no AVX2.
-const Kernel& fastestKernel();
+const Kernel& avx2Kernel();
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::registration::point

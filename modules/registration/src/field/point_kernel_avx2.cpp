@@ -7,9 +7,6 @@
 #include <immintrin.h>
 
 namespace facenav::registration::point {
-
-const Kernel& avx2Kernel();
-
 namespace {
 
 struct Vector {
@@ -256,8 +253,8 @@ Sums sum(const Block& block, const Points& points, int first, const Loss& loss) 
 }  // namespace
 
 const Kernel& avx2Kernel() {
-  static const Kernel kernel{measure, sum};
-  return kernel;
+  static const Kernel avx2{measure, sum};
+  return avx2;
 }
 
 }  // namespace facenav::registration::point
@@ -266,7 +263,6 @@ const Kernel& avx2Kernel() {
 
 namespace facenav::registration::point {
 
-const Kernel& avx2Kernel();
 const Kernel& avx2Kernel() { return baseKernel(); }
 
 }  // namespace facenav::registration::point

@@ -1,15 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/simd.h"
 #include "facenav/registration/scalp_field.h"
 #include "point_kernel.h"
 
 namespace facenav::registration::point {
-
-#ifdef FACENAV_HAS_AVX2
-const Kernel& avx2Kernel();
-#endif
-
 namespace {
 
 /// Loops without branches, so that compilers run four points at once.
@@ -100,17 +96,13 @@ Sums sum(const Block& block, const Points& points, int first, const Loss& loss) 
 }  // namespace
 
 const Kernel& baseKernel() {
-  static const Kernel kernel{measure, sum};
-  return kernel;
+  static const Kernel base{measure, sum};
+  return base;
 }
 
-const Kernel& fastestKernel() {
-#if defined(FACENAV_HAS_AVX2) && (defined(__x86_64__) || defined(__i386__))
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has_avx2 ? avx2Kernel() : baseKernel();
-#else
-  return baseKernel();
-#endif
+const Kernel& kernel() {
+  static const Kernel& chosen = chooseKernel(baseKernel, avx2Kernel);
+  return chosen;
 }
 
 }  // namespace facenav::registration::point

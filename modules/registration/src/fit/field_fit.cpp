@@ -71,7 +71,7 @@ template <class Visitor>
 void FieldFitter::measure(const Eigen::Isometry3d& mri_T_camera, bool is_fine, Visitor&& visit) const {
   const point::View view = viewFrom(mri_T_camera);
   const point::Points from = points();
-  const point::Kernel& kernel = point::fastestKernel();
+  const point::Kernel& kernel = point::kernel();
   Block block;
   for (std::size_t first = 0; first < count_; first += kBlock) {
     const int count = int(std::min<std::size_t>(kBlock, count_ - first));
@@ -128,7 +128,7 @@ Eigen::Isometry3d FieldFitter::fit(Eigen::Isometry3d pose, const FitStage& stage
   for (int iteration = 0; iteration < stage.iterations; ++iteration) {
     NormalEquations sums;
     measure(pose, stage.is_fine, [&](const Block& block, std::size_t first) {
-      sums.add(point::fastestKernel().sum(block, from, int(first), loss));
+      sums.add(point::kernel().sum(block, from, int(first), loss));
     });
     if (sums.total < 20) break;
     const Vector6d xi = sums.step();

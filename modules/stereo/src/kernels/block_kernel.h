@@ -1,9 +1,9 @@
 #pragma once
 // The "field" matcher's start: whole-pixel disparities of 4 x 4 pixel blocks, every disparity searched at
 // full resolution. Truncated absolute differences of locally normalised images (6 bits) add up to 8 bits over
-// a block, 32 disparities to an AVX2 register; windows are 3 x 3 blocks (12 x 12 pixels), of which every
-// other row is looked at (all rows: a quarter slower, the same surfaces found). Compiled twice, as
-// ssd_kernel.h says.
+// a block, 32 disparities to an AVX2 register. Windows are 3 x 3 blocks (12 x 12 pixels), of which every
+// other row is read (all rows: a quarter slower, the same surfaces found). Compiled twice
+// (facenav/core/simd.h).
 
 #include <cstdint>
 
@@ -33,9 +33,8 @@ struct Kernel {
   /// is 0.
   void (*levels)(const float* grey, const std::uint8_t* mask, const float* scale, const float* offset,
                  int width, int highest, int invalid, std::uint8_t* out);
-  /// Sums of grey levels and of their squares over the cells of 4 x 4 pixels in four rows; `width` is a
-  /// multiple of
-  /// 4. `columns`: 2 * width floats of scratch memory.
+  /// Sums of grey levels and of their squares over the cells of 4 x 4 pixels in four rows. `width`: a
+  /// multiple of 4. `columns`: 2 * width floats of scratch memory.
   void (*cell_sums)(const float* rows, int stride, int width, float* columns, float* sums, float* squares);
   bool needs_one_strip = false;  // the back end does all rows at once
 };
@@ -49,6 +48,7 @@ inline std::int64_t scratchSize(int columns, int disparities) {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-Kernel bestKernel();  // of those two, what this processor can do
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::block

@@ -1,13 +1,14 @@
 #pragma once
-// The "field" matcher's inner loops, compiled twice (base instruction set and AVX2; see ssd_kernel.h for why
-// raw pointers only). All loops run along rows of plain arrays, for the compiler to turn into SIMD.
+// The "field" matcher's inner loops, compiled twice (facenav/core/simd.h). All loops run along rows of plain
+// arrays, so that the compiler can turn them into SIMD.
 //
 // Disparities live on nodes, one for each 2 x 2 pixels (node i stands at pixel 2 i + 0.5). One Gauss-Newton
 // step over the whole image: warp the right row by the interpolated field, form the ten products of
 //   left = offset + gain * right_warped + slope * gradient
 // at each pixel, add them up over 2 x 2 pixels, smooth those sums with a Gaussian (the window), and solve
-// the 3 unknowns at each node: d += -slope / gain. Windows thus cost nothing more than smoothing, and the
-// field itself is the shape of the surface inside each window: slopes and curvature need no unknowns.
+// the 3 unknowns at each node: d += -slope / gain. A window costs no more than
+// smoothing. The field itself is the surface's shape inside each window, so slopes and curvature need no
+// unknowns.
 
 #include <cstdint>
 
@@ -49,5 +50,7 @@ inline std::int64_t scratchSize(int columns) {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::field

@@ -1,5 +1,6 @@
 #pragma once
-// The rectified pair as the "field" matcher's kernels read it: raw pointers only, see ssd_kernel.h for why.
+// The rectified pair as the "field" matcher's kernels read it: raw pointers only (facenav/core/simd.h says
+// why).
 
 #include <cstdint>
 

@@ -1,14 +1,14 @@
 #pragma once
-// The "field" matcher's inner loops, compiled twice (base instruction set and AVX2; see ssd_kernel.h for why
-// raw pointers only). All loops run along rows of plain arrays, for the compiler to turn into SIMD.
+// The "field" matcher's inner loops, compiled twice (facenav/core/simd.h). All loops run along rows of plain
+// arrays, so that the compiler can turn them into SIMD.
 //
 // The surface is a grid of planes, one at the middle of each 4 x 4 pixel block: disparity d, slopes a, b;
 // between the middles neighbouring planes are blended. A Gauss-Newton step warps the right image once by the
-// whole surface; each pixel then says, by its grey value, where it would like the surface: d - e / g, e the
-// difference left - (offset + gain * right), g the gain times the right image's gradient, with weight g^2.
-// Weighted least squares over a window gives each plane anew. Windows are sums over 4 x 4 blocks, smoothed
-// between blocks: they cost as good as nothing, and hold the surface's own shape where it bends. Gain and
-// offset come from the step before.
+// whole surface; each pixel's grey value then gives an estimate of the disparity there: d - e / g with weight
+// g^2, e the difference left - (offset + gain * right), g the gain times the right image's gradient. Weighted
+// least squares over a window gives each plane anew. Windows are sums over 4 x 4 blocks, smoothed between
+// blocks: they cost almost nothing, and follow the surface's own shape where it bends. Gain and offset come
+// from the previous step.
 
 #include <cstdint>
 
@@ -44,7 +44,7 @@ inline std::int64_t scratchSize(int columns) {
   return 24 * padded + std::int64_t(kSums) * (columns + 16) * (2 * kLargestRadius + 3);
 }
 
-struct Output {  // one pixel row; disparity NaN where the plane is not believed
+struct Output {  // one pixel row; disparity NaN where the plane is not accepted
   float *disparity, *slope_x, *slope_y, *sigma;
 };
 
@@ -55,9 +55,9 @@ struct Kernel {
                float* scratch, const Field& to);
   /// Disparity and slope along x of pixel row y (width rounded up to blocks).
   void (*pixel_row)(const Field&, int y, float* scratch, float* disparity);
-  /// Pixel row y of the result; `disparity` as pixel_row gave it, believed in columns [first, end) where the
-  /// block's `believed` is a number.
-  void (*map_row)(const Field&, const float* believed, int y, int first, int end, int width,
+  /// Pixel row y of the result; `disparity` as pixel_row gave it, accepted in columns [first, end) where the
+  /// block's `accepted` is a number.
+  void (*map_row)(const Field&, const float* accepted, int y, int first, int end, int width,
                   const float* disparity, const Output&);
   /// Symmetric filter of a row, kSplineRadius elements readable beyond both ends, kMiddle_grey subtracted.
   void (*spline_row)(const float* row, const float* weights, int width, float* out);
@@ -66,6 +66,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-Kernel bestKernel();  // of those two, what this processor can do
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::planes

@@ -1,6 +1,6 @@
 #pragma once
-// Images resampled by quintic B-splines (Unser 1999; poles from his table): what cubic convolution loses of
-// dots one or two pixels wide cannot be matched any more. Compiled twice, as ssd_kernel.h says.
+// Images resampled by quintic B-splines (Unser 1999; poles from his table): cubic convolution
+// blurs dots one or two pixels wide too much to match them. Compiled twice (facenav/core/simd.h).
 
 #include <cstdint>
 
@@ -21,5 +21,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::resample

@@ -1,6 +1,6 @@
 #pragma once
 // Inner loops of the "sgm" matcher (semi-global matching, Hirschmueller 2008, on census costs, Zabih and
-// Woodfill 1994). Compiled twice, as ssd_kernel.h says.
+// Woodfill 1994). Compiled twice (facenav/core/simd.h).
 
 #include <cstdint>
 
@@ -25,5 +25,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::sgm

@@ -1,8 +1,7 @@
 #pragma once
-// The whole-pixel search of one row strip, in plain loops over 16-bit integers that the compiler turns into
-// SIMD: each pixel's disparities lie side by side in memory. Compiled twice (SSE2 or the platform's base, and
-// AVX2); raw pointers only, so that no inline function of a library is emitted for AVX2 and picked up by the
-// linker for every machine.
+// The whole-pixel search of the "ssd" matcher over one strip of rows: plain loops over 16-bit integers that
+// the compiler turns into SIMD. Each pixel's disparities lie side by side in memory. Compiled twice
+// (facenav/core/simd.h).
 
 #include <cstdint>
 
@@ -30,11 +29,16 @@ struct Scratch {
   const std::uint16_t* zeros;  // kDisparityBlock of them
 };
 
-/// Rows [first, last): best disparity (or -1) per pixel and left-right consistent ones only.
-/// `uniqueness`: the second best cost must exceed the best by this share / 256.
-void searchRowsBase(const Images& images, const Scratch& scratch, int first, int last, int uniqueness,
-                    std::int16_t* disparity, int disparity_stride);
-void searchRowsAvx2(const Images& images, const Scratch& scratch, int first, int last, int uniqueness,
-                    std::int16_t* disparity, int disparity_stride);
+struct Kernel {
+  /// Rows [first, last): the best disparity of each pixel; -1 where there is none that the right image agrees
+  /// with. `uniqueness`: the second best cost must exceed the best by this share / 256.
+  void (*search_rows)(const Images& images, const Scratch& scratch, int first, int last, int uniqueness,
+                      std::int16_t* disparity, int disparity_stride);
+};
+
+Kernel baseKernel();
+Kernel avx2Kernel();
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::ssd

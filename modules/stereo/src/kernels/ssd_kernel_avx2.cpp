@@ -5,9 +5,6 @@ namespace {
 #include "ssd_kernel.inl"
 }  // namespace
 
-void searchRowsAvx2(const Images& images, const Scratch& scratch, int first, int last, int uniqueness,
-                    std::int16_t* disparity, int disparity_stride) {
-  searchRows(images, scratch, first, last, uniqueness, disparity, disparity_stride);
-}
+Kernel avx2Kernel() { return {searchRows}; }
 
 }  // namespace facenav::stereo::ssd

@@ -1,13 +1,17 @@
 #include "ssd_kernel.h"
 
+#include "facenav/core/simd.h"
+
 namespace facenav::stereo::ssd {
 namespace {
 #include "ssd_kernel.inl"
 }  // namespace
 
-void searchRowsBase(const Images& images, const Scratch& scratch, int first, int last, int uniqueness,
-                    std::int16_t* disparity, int disparity_stride) {
-  searchRows(images, scratch, first, last, uniqueness, disparity, disparity_stride);
+Kernel baseKernel() { return {searchRows}; }
+
+const Kernel& kernel() {
+  static const Kernel chosen = chooseKernel(baseKernel, avx2Kernel);
+  return chosen;
 }
 
 }  // namespace facenav::stereo::ssd

@@ -2,7 +2,7 @@
 // Stage 2 of the "ssd" matcher, one row: Gauss-Newton fit of the right window to the left one. The model is
 //   left(x + u, y + v) = gain * right(x + u - (d + a u + b v), y + v) + offset
 // with u, v over the window; d the disparity, a and b its slopes. Gain and offset are solved for exactly at
-// each step (they enter linearly), then d, a, b by a 3 x 3 system. Compiled twice, as ssd_kernel.h says.
+// each step (they enter linearly), then d, a, b by a 3 x 3 system. Compiled twice (facenav/core/simd.h).
 
 #include <cstdint>
 
@@ -54,5 +54,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
+/// The fastest that this processor runs.
+const Kernel& kernel();
 
 }  // namespace facenav::stereo::subpixel

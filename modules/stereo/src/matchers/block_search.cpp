@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -13,10 +12,6 @@
 #include "strips.h"
 
 namespace facenav::stereo {
-
-block::Kernel block::bestKernel() {
-  return cv::checkHardwareSupport(CV_CPU_AVX2) ? avx2Kernel() : baseKernel();
-}
 
 namespace {
 
@@ -124,7 +119,7 @@ cv::Mat blocksOf(const Rectification& r, const cv::Size& image, const PointCloud
 }
 
 int matchedBlocks(const Rectification& rectification, const RectifiedPair& pair) {
-  const cv::Mat blocks = agreeingBlocks(rectification, pair, block::bestKernel());
+  const cv::Mat blocks = agreeingBlocks(rectification, pair, block::kernel());
   return cv::countNonZero(blocks == blocks);  // NaN differs from itself
 }
 

@@ -12,7 +12,7 @@ namespace facenav::stereo {
 /// 32-bit float, one disparity for each 4 x 4 pixels of the rectified left image; blocks without a clear
 /// match are filled from their neighbours. All NaN where nothing matches.
 cv::Mat searchBlocks(const Rectification& rectification, const RectifiedPair& pair,
-                     const block::Kernel& kernel = block::bestKernel());
+                     const block::Kernel& kernel = block::kernel());
 
 /// The same from points of a surface known beforehand (Camera): the nearest of those in each block; no
 /// search.

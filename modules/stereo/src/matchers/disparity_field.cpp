@@ -42,7 +42,7 @@ cv::Mat smoothed(const cv::Mat& plane, double sigma) {
 DisparityField::DisparityField(const MatchImages& images)
     : images_(images.rows()),
       nodes_{(images_.width + 1) / 2, (images_.height + 1) / 2, (images_.width + 1) / 2},
-      kernel_(cv::checkHardwareSupport(CV_CPU_AVX2) ? field::avx2Kernel() : field::baseKernel()) {}
+      kernel_(field::kernel()) {}
 
 void DisparityField::start(const cv::Mat& nodes) {
   FACENAV_EXPECT(nodes.cols == nodes_.columns && nodes.rows == nodes_.rows, "a node for each 2 x 2 pixels");

@@ -1,7 +1,6 @@
 #include "disparity_search.h"
 
 #include <algorithm>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -84,14 +83,13 @@ cv::Mat searchDisparities(const Rectification& rectification, const RectifiedPai
                      half};
   cv::Mat disparity(pair.left.size(), CV_16S);
   // Strips fixed in number, so that the result never depends on the number of cores.
-  const bool has_avx2 = cv::checkHardwareSupport(CV_CPU_AVX2);
-  const auto search = has_avx2 ? ssd::searchRowsAvx2 : ssd::searchRowsBase;
   constexpr int kStrips = 8;
   parallelRanges(0, kStrips, [&](int begin, int end) {
     StripMemory memory(images);
     for (int i = begin; i < end; ++i)
-      search(images, memory.scratch(), images.height * i / kStrips, images.height * (i + 1) / kStrips,
-             kUniqueness_256, disparity.ptr<std::int16_t>(), int(disparity.step1()));
+      ssd::kernel().search_rows(images, memory.scratch(), images.height * i / kStrips,
+                                images.height * (i + 1) / kStrips, kUniqueness_256,
+                                disparity.ptr<std::int16_t>(), int(disparity.step1()));
   });
   for (int y = 0; y < disparity.rows; ++y)
     for (int x = 0; x < disparity.cols; ++x) {

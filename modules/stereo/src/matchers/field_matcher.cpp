@@ -44,7 +44,7 @@ class FieldMatcher : public DenseMatcher {
 }  // namespace
 
 std::unique_ptr<DenseMatcher> makeFieldMatcher() {
-  return std::make_unique<FieldMatcher>(block::bestKernel(), planes::bestKernel());
+  return std::make_unique<FieldMatcher>(block::kernel(), planes::kernel());
 }
 
 #ifdef FACENAV_CUDA
@@ -52,8 +52,8 @@ bool hasCudaMatcher() { return cuda::hasDevice(); }
 
 std::unique_ptr<DenseMatcher> makeCudaFieldMatcher() {
   if (!cuda::hasDevice()) throw Error("no CUDA device answers", {}, "use the matcher 'field'");
-  return std::make_unique<FieldMatcher>(cuda::blockKernel(block::bestKernel()),
-                                        cuda::planeKernel(planes::bestKernel()));
+  return std::make_unique<FieldMatcher>(cuda::blockKernel(block::kernel()),
+                                        cuda::planeKernel(planes::kernel()));
 }
 #else
 bool hasCudaMatcher() { return false; }

@@ -21,7 +21,7 @@ cv::Mat splineAlongRows(const cv::Mat& image) {
     sum += (i ? 2 : 1) * weights[i];
   }
   for (float& weight : weights) weight /= sum;
-  const planes::Kernel kernel = planes::bestKernel();
+  const planes::Kernel& kernel = planes::kernel();
   cv::Mat coefficients(image.size(), CV_32F);
   const int width = image.cols;
   parallelRanges(0, image.rows, [&](int begin, int end) {

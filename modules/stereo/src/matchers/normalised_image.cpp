@@ -49,7 +49,7 @@ Statistics statisticsOf(const cv::Mat& image, const block::Kernel& kernel) {
 cv::Mat normalisedImage(const cv::Mat& image, const cv::Mat& mask, int invalid, int rows, int columns,
                         int margin, bool is_mirrored) {
   cv::Mat levels(rows, columns, CV_8U, cv::Scalar(invalid));
-  const block::Kernel kernel = block::bestKernel();
+  const block::Kernel& kernel = block::kernel();
   const Statistics statistics = statisticsOf(image, kernel);
   const int cells = statistics.mean.cols;
   parallelRanges(0, image.rows, [&](int begin, int end) {

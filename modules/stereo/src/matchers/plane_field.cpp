@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "disparity_filter.h"
@@ -12,10 +11,6 @@
 #include "strips.h"
 
 namespace facenav::stereo {
-
-planes::Kernel planes::bestKernel() {
-  return cv::checkHardwareSupport(CV_CPU_AVX2) ? avx2Kernel() : baseKernel();
-}
 
 namespace {
 

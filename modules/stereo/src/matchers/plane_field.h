@@ -14,7 +14,7 @@ namespace facenav::stereo {
 class PlaneField {
  public:
   /// `images` must outlive it.
-  explicit PlaneField(const MatchImages& images, const planes::Kernel& kernel = planes::bestKernel());
+  explicit PlaneField(const MatchImages& images, const planes::Kernel& kernel = planes::kernel());
 
   /// `blocks`: 32-bit float, the disparity of each 4 x 4 pixels; no NaN.
   void start(const cv::Mat& blocks);

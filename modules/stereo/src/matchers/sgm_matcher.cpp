@@ -75,7 +75,7 @@ class Volume {
 
 void Volume::fillCosts(const Rectification& r, const RectifiedPair& pair) {
   const auto left = censusOf(pair.left), right = censusOf(pair.right);
-  const sgm::Kernel kernel = cv::checkHardwareSupport(CV_CPU_AVX2) ? sgm::avx2Kernel() : sgm::baseKernel();
+  const sgm::Kernel& kernel = sgm::kernel();
   parallelRanges(0, height_, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const std::uint64_t *left_row = left.data() + std::size_t(y) * width_,
@@ -94,7 +94,7 @@ void Volume::fillCosts(const Rectification& r, const RectifiedPair& pair) {
 }
 
 void Volume::sweep(int down) {
-  const sgm::Step step = (cv::checkHardwareSupport(CV_CPU_AVX2) ? sgm::avx2Kernel() : sgm::baseKernel()).step;
+  const sgm::Step step = sgm::kernel().step;
   const int pitch = disparities_ + 2 * sgm::kPadding;
   // Of each column: the path from the row before straight down, and along both diagonals; two rows of them.
   std::vector<std::int16_t> rows[2], least[2];

@@ -65,7 +65,7 @@ class SubpixelStage {
         limits_{float(options.largest_sigma_px), float(options.least_correlation),
                 float(options.largest_slope), float(options.largest_lever_px),
                 float(options.least_centre_texture)},
-        kernel_(cv::checkHardwareSupport(CV_CPU_AVX2) ? subpixel::avx2Kernel() : subpixel::baseKernel()) {}
+        kernel_(subpixel::kernel()) {}
 
   DisparityMap fit(const cv::Mat& whole) const {
     DisparityMap map = emptyMap(whole.size());

@@ -1,7 +1,6 @@
 #include "resample.h"
 
 #include <cmath>
-#include <opencv2/core/utility.hpp>
 #include <vector>
 
 #include "facenav/core/parallel_for.h"
@@ -55,7 +54,7 @@ cv::Mat coefficientsOf(const cv::Mat& image, const Kernel& kernel) {
 }  // namespace
 
 cv::Mat resampled(const cv::Mat& image, const cv::Mat& places) {
-  const Kernel kernel = cv::checkHardwareSupport(CV_CPU_AVX2) ? avx2Kernel() : baseKernel();
+  const Kernel& kernel = resample::kernel();
   const cv::Mat coefficients = coefficientsOf(image, kernel);
   const float* first = coefficients.ptr<float>(kBorder) + kBorder;
   cv::Mat out(places.size(), CV_32F);
