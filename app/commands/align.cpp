@@ -14,7 +14,7 @@ struct AlignRequest {
   std::filesystem::path case_folder;
   std::optional<std::filesystem::path> recording, rig, output;
   std::vector<std::filesystem::path> left, right;  // with dots, without
-  std::string aligner;
+  std::string aligner, matcher = stereo::kDefaultMatcher;
 };
 
 cv::Mat readGrey(const std::filesystem::path& path) {
@@ -65,11 +65,12 @@ void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto [rig, pair] = request.recording ? fromRecording(*request.recording) : fromFiles(request);
-  const auto outcome =
-      workflow::alignCase(context.registrations, store, rig, pair, request.aligner, context.monitor);
+  const auto outcome = workflow::alignCase(context.registrations, store, rig, pair, request.aligner,
+                                           context.monitor, request.matcher);
   const auto stored = outcome.stored();
   if (request.output) casefile::writeAlignment(stored, *request.output);
   if (context.is_quiet) return;
+  if (stored.matcher) std::printf("face measured by the matcher %s\n", stored.matcher->c_str());
   std::printf("aligned: residual rms %.2f mm, max %.2f mm, %d points (%.0f %% of the face)\n", stored.rms_mm,
               stored.max_mm, stored.points, 100 * stored.inlier_fraction);
   for (const auto& [target, error_mm] : stored.predicted_tre_mm)
@@ -94,6 +95,8 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("-o,--output", request->output, "also write alignment.json here");
   verb->add_option("--aligner", request->aligner,
                    "method: " + workflow::namesOf(context.registrations.aligners))
+      ->capture_default_str();
+  verb->add_option("--matcher", request->matcher, "measures the face by: " + stereo::denseMatcherList())
       ->capture_default_str();
   verb->callback([&context, request] { runAlign(context, *request); });
 }

@@ -22,10 +22,10 @@ void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& 
 
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const std::string& aligner, TaskMonitor& monitor) {
+                           const std::string& aligner, TaskMonitor& monitor, const std::string& matcher) {
   const auto detector = methods.face_detector();
   auto outcome = alignFromCapture(rig, capture, store.scalp(), *methods.aligners.create(aligner), *detector,
-                                  store.targets().targets, monitor, store.scalpField());
+                                  store.targets().targets, monitor, store.scalpField(), matcher);
   storeAlignment(store, rig, capture, outcome);
   return outcome;
 }

@@ -25,8 +25,9 @@ std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig
   return inside;
 }
 
-stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras::StereoRig& rig) {
-  stereo::FaceCloudOptions options;
+stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras::StereoRig& rig,
+                                          const std::string& matcher) {
+  stereo::FaceCloudOptions options = stereo::dottedFaceOptions(matcher);
   options.left_roi = region(face, rig);
   if (face.centre) {
     options.nearest_mm = std::max(100.0, face.centre->mm.z() - 180.0);
@@ -96,16 +97,17 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
 /// The aligner and the measurement know only that nothing fits. This checks the cameras first, then the dots;
 /// if both are in order, it reports the original error.
 [[noreturn]] void refuse(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                         const Error& error) {
+                         const Error& error, const std::string& matcher) {
   const auto diagnosis = cameras::diagnosePair(rig, capture.plain);
   if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
   if (showsDots(capture)) throw error;
   std::string reason = error.what();
   const std::string prefix = "not aligned: ";
   if (reason.rfind(prefix, 0) == 0) reason.erase(0, prefix.size());
-  throw Error(
-      prefix +
-      "the capture's picture for the dots shows none (switch the projector on); without them: " + reason);
+  const bool is_default = matcher == stereo::kDefaultMatcher;
+  throw Error(prefix + "the capture's picture for the dots shows none (switch the projector on" +
+              (is_default ? "" : ": the matcher '" + matcher + "' needs them") +
+              "); without them: " + reason);
 }
 
 registration::AlignmentStart withSharedDepth(registration::AlignmentStart start,
@@ -166,6 +168,7 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.uncertainty = result.uncertainty();
   alignment.face_scale = result.face_scale;
   alignment.cautions = result.cautions;
+  if (matcher != stereo::kDefaultMatcher) alignment.matcher = matcher;
   return alignment;
 }
 
@@ -173,7 +176,8 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
                                   const face::FaceDetector& detector,
                                   const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
-                                  const std::filesystem::path& field_file) {
+                                  const std::filesystem::path& field_file, const std::string& matcher) {
+  stereo::makeDenseMatcher(matcher);  // refuses an unknown name before any work is done
   if (!scalp.has_face)
     throw Error("not aligned: this scan holds no face to align to", {},
                 scalp.findings.empty() ? "use a scan of the whole head" : scalp.findings.front());
@@ -182,10 +186,11 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   auto field = std::async(std::launch::async,
                           [&] { return registration::keptScalpField(skinModel(scalp), field_file); });
   AlignmentOutcome outcome;
+  outcome.matcher = matcher;
   outcome.landmarks = findFace(rig, capture.plain, detector);
   const auto measureAndFit = [&] {
     const auto cloud =
-        stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig), monitor);
+        stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig, matcher), monitor);
     outcome.face = cutFace(cloud, outcome.landmarks);
     requireUnmovedCameras(rig, capture.pattern, capture.plain, outcome.face);
     if (!outcome.scalp) outcome.scalp = field.get();
@@ -194,7 +199,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
                       withSharedDepth(outcome.landmarks.start, rig, outcome.face.cloud), monitor);
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
-    refuse(rig, capture, *error);
+    refuse(rig, capture, *error, matcher);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {

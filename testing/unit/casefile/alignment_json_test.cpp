@@ -38,6 +38,17 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   EXPECT_EQ(read.cautions, alignment.cautions);
 }
 
+TEST(AlignmentJson, TheMatcherIsWrittenOnlyWhereItIsNotTheDefault) {
+  const TemporaryFolder folder;
+  StoredAlignment alignment;
+  writeAlignment(alignment, folder.path() / "default.json");
+  EXPECT_EQ(readWholeFile(folder.path() / "default.json").find("matcher"), std::string::npos);
+  EXPECT_FALSE(readAlignment(folder.path() / "default.json").matcher);
+  alignment.matcher = "ssd";
+  writeAlignment(alignment, folder.path() / "ssd.json");
+  EXPECT_EQ(readAlignment(folder.path() / "ssd.json").matcher, "ssd");
+}
+
 /// Standard errors: a rotation of 2 mrad about Camera's x at the image of Mri's origin, and 0.3 mm along each
 /// axis.
 StoredAlignment withCovariance() {

@@ -15,6 +15,7 @@
 #include "matchers/disparity_field.h"
 #include "matchers/plane_field.h"
 #include "support/dotted_surface.h"
+#include "support/sgbm_matcher.h"
 
 using namespace facenav;
 using namespace facenav::stereo;
@@ -85,6 +86,23 @@ TEST(FieldMatcher, DotsAreMatchedToATwentyfifthOfAPixel) {
   EXPECT_EQ(converged.gross, 0);
   EXPECT_GT(converged.normalised, 0.6);  // the deviation stated is about true
   EXPECT_LT(converged.normalised, 1.6);
+}
+
+// OpenCV's matcher shares no code with ours: where the two agree, both are right.
+TEST(FieldMatcher, AgreesWithOpenCvsSemiGlobalMatcher) {
+  const auto surface = dotted();
+  const MatchOptions options;
+  const DisparityMap ours = match(surface, options),
+                     peer = support::SgbmMatcher().match(surface.rectification, surface.images, options);
+  int both = 0, differ = 0;
+  for (int i = 0; i < int(ours.disparity_px.total()); ++i) {
+    const float a = ours.disparity_px.ptr<float>()[i], b = peer.disparity_px.ptr<float>()[i];
+    if (std::isnan(a) || std::isnan(b)) continue;
+    ++both;
+    differ += std::abs(a - b) > 0.5f;
+  }
+  EXPECT_GT(both, 0.6 * ours.disparity_px.total());
+  EXPECT_LT(differ, both / 100);
 }
 
 TEST(FieldMatcher, TwoCamerasThatSeeDifferentlyBrightMatchAsWell) {

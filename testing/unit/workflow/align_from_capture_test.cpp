@@ -126,6 +126,21 @@ TEST(AlignFromCapture, RefusesAScanWithoutAFaceInWords) {
   }
 }
 
+TEST(AlignFromCapture, RefusesAnUnknownMatcherWithTheNamesKnown) {
+  const auto rig = vgaRig();
+  const auto aligner = registration::makeIcpAligner();
+  TaskMonitor monitor;
+  try {
+    alignFromCapture(rig, {taggedFrame(), taggedFrame()}, {}, *aligner, FakeDetector(rig, true), {}, monitor,
+                     {}, "guess");
+    FAIL();
+  } catch (const Error& error) {
+    const std::string words = error.what();
+    EXPECT_NE(words.find("unknown dense matcher 'guess'"), std::string::npos) << words;
+    EXPECT_NE(words.find("field, ssd, sgm"), std::string::npos) << words;
+  }
+}
+
 /// Accepts any cloud that is large enough, and records its size.
 class EasyAligner : public registration::Aligner {
  public:
@@ -150,11 +165,12 @@ class MisledAlignment : public ::testing::Test {
     scalp.mesh = testing::ballMesh(80);
   }
 
-  AlignmentOutcome align(const testing::Surface& surface) const {
+  AlignmentOutcome align(const testing::Surface& surface,
+                         const std::string& matcher = stereo::kDefaultMatcher) const {
     TaskMonitor monitor;
     const auto pattern = testing::Scene(surface, {}).render(rig);
     auto plain = taggedFrame();
-    return alignFromCapture(rig, {pattern, plain}, scalp, aligner, detector, {}, monitor);
+    return alignFromCapture(rig, {pattern, plain}, scalp, aligner, detector, {}, monitor, {}, matcher);
   }
 
   cameras::StereoRig rig;
@@ -168,6 +184,15 @@ TEST_F(MisledAlignment, IsTriedOnceMoreWithoutTheLandmarks) {
   EXPECT_GT(outcome.result.points, 5000);
   EXPECT_FALSE(aligner.was_guided);
   EXPECT_FALSE(outcome.landmarks.left) << "the landmarks were wrong and are not kept";
+}
+
+TEST_F(MisledAlignment, IsMeasuredByTheMatcherAskedFor) {
+  const auto surface = testing::sphere({60, 0, 680}, 85);
+  const auto by_field = align(surface), by_ssd = align(surface, "ssd");
+  EXPECT_FALSE(by_field.stored().matcher) << "the default is not written";
+  EXPECT_EQ(by_ssd.stored().matcher, "ssd");
+  EXPECT_GT(by_ssd.result.points, 5000);
+  EXPECT_NE(by_ssd.result.points, by_field.result.points);
 }
 
 TEST_F(MisledAlignment, GivesTheFirstReasonWhereNothingIsFoundEither) {

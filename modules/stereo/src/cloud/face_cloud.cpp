@@ -67,8 +67,8 @@ FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, c
   return face;
 }
 
-// Plain skin shows too little to be searched block by block: its surface is found over the whole picture, to
-// a pixel or so.
+// Plain skin shows too little for a search block by block. Its surface is found over the whole picture, to
+// about a pixel.
 PointCloud<Camera> roughSurface(const Rectification& rectification, const RectifiedPair& pair) {
   MatchOptions whole;
   whole.largest_sigma_px = 2.0;  // holes filled, too
@@ -84,6 +84,9 @@ PointCloud<Camera> roughSurface(const Rectification& rectification, const Rectif
 FaceCloud measureOnce(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                       const FaceCloudOptions& options, TaskMonitor& monitor) {
   const auto matcher = makeDenseMatcher(options.matcher);
+  if (!matcher->startsFromPrediction() && (options.expected || !options.has_dots))
+    throw Error("the matcher '" + options.matcher + "' needs projected dots", {},
+                std::string("use the matcher '") + kDefaultMatcher + "' for plain skin");
   monitor.report("rectify", 0.0);
   const Rectification rectification =
       rectify(rig, {options.nearest_mm, options.farthest_mm}, options.left_roi.value_or(cv::Rect()));
@@ -103,8 +106,8 @@ FaceCloud measureOnce(const cameras::StereoRig& rig, const cameras::StereoFrame&
   return face;
 }
 
-// Swapped images of a converging pair match in places, at depths that look likely, and turn a face inside
-// out. Rows then disagree a little; the images put right match far better.
+// Swapped images of a converging pair match in places, at plausible depths, and turn a face inside out. Their
+// rows disagree a little. Exchanged back, the images match far better.
 void refuseSwapped(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                    const FaceCloudOptions& options, const FaceCloud& face, TaskMonitor& monitor) {
   cameras::StereoFrame swapped = frame;
@@ -122,8 +125,7 @@ FaceCloud measureFace(const cameras::StereoRig& rig, const cameras::StereoFrame&
   requireUsable(rig, frame);
   FaceCloud face = measureOnce(rig, frame, options, monitor);
   const bool is_too_few = face.cloud.size() < kFewestPoints;
-  if (is_too_few || face.epipolar_median_px > kSuspicious_px)
-    refuseSwapped(rig, frame, options, face, monitor);
+  if (is_too_few || face.epipolar_median_px > kSuspicious_px) refuseSwapped(rig, frame, options, face, monitor);
   const double row_shift_px = is_too_few ? bestRowShift(rig, frame, options) : face.epipolar_median_px;
   if (std::abs(row_shift_px) > kMoved_px) {
     throw Error(formatted("the images disagree with the calibration by %.1f px across the rows",

@@ -6,20 +6,23 @@
 namespace facenav::stereo {
 
 std::vector<std::string> denseMatcherNames() {
-  std::vector<std::string> names{"field", "ssd", "sgm", "sgbm"};
+  std::vector<std::string> names{kDefaultMatcher, "ssd", "sgm"};
   if (hasCudaMatcher()) names.push_back("field_cuda");
   return names;
 }
 
+std::string denseMatcherList() {
+  std::string list;
+  for (const std::string& name : denseMatcherNames()) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 std::unique_ptr<DenseMatcher> makeDenseMatcher(const std::string& name) {
-  if (name == "field") return makeFieldMatcher();
+  if (name == kDefaultMatcher) return makeFieldMatcher();
   if (name == "field_cuda") return makeCudaFieldMatcher();
   if (name == "ssd") return makeSsdMatcher();
   if (name == "sgm") return makeSgmMatcher();
-  if (name == "sgbm") return makeSgbmMatcher();
-  std::string names;
-  for (const std::string& known : denseMatcherNames()) names += (names.empty() ? "" : ", ") + known;
-  throw Error("unknown dense matcher '" + name + "'", {}, "choose one of: " + names);
+  throw Error("unknown dense matcher '" + name + "'", {}, "choose one of: " + denseMatcherList());
 }
 
 }  // namespace facenav::stereo

@@ -36,6 +36,8 @@ class FieldMatcher : public DenseMatcher {
     return field.map(options);
   }
 
+  bool startsFromPrediction() const override { return true; }
+
  private:
   block::Kernel search_;
   planes::Kernel fit_;

@@ -13,6 +13,5 @@ std::unique_ptr<DenseMatcher> makeCudaFieldMatcher();
 bool hasCudaMatcher();
 std::unique_ptr<DenseMatcher> makeSsdMatcher();
 std::unique_ptr<DenseMatcher> makeSgmMatcher();
-std::unique_ptr<DenseMatcher> makeSgbmMatcher();
 
 }  // namespace facenav::stereo

@@ -33,6 +33,7 @@ struct StoredAlignment {
   std::optional<registration::PoseUncertainty> uncertainty;  // absent in older files and other tools' files
   std::optional<registration::FaceScale> face_scale;         // nothing: not estimated, or an older file
   std::vector<std::string> cautions;                         // in plain words
+  std::optional<std::string> matcher;  // that measured the face, if it was not the default one
 
   /// Predicted standard error at the target's current cortex point, mm; the target's name does not matter.
   /// Without the pose's covariance: the value stored under this name. Nothing if neither is known.

@@ -1,17 +1,16 @@
 #pragma once
 // DenseMatcher: rectified pair -> disparity of each left pixel.
-//   field       the default. Blocks of 4 x 4 pixels are searched at whole pixels over all disparities, then a
+//   field       the default. Blocks of 4 x 4 pixels are searched at whole pixels over all disparities. Then a
 //               grid of planes is fitted to the whole image at once by Gauss-Newton, with gain, offset and
-//               slopes. Slopes matter: without them a cheek seen at 45 degrees is off by tenths of a pixel;
-//               gain and offset absorb that the cameras see the skin from different sides. `details` sharpens
-//               creases.
+//               slopes. Without slopes a cheek seen at 45 degrees is off by tenths of a pixel. Gain and
+//               offset absorb that the cameras see the skin from different sides. `details` sharpens creases.
 //   field_cuda  the same on an NVIDIA GPU, where FaceNav was built with FACENAV_CUDA.
-//   ssd         the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel; kept to
-//               compare.
-//   sgm         semi-global matching of census costs, for surfaces without projected dots: finds weakly
-//               textured and half hidden places, but is an order less exact. Holes are filled from the
-//               background, with a stated deviation of 1 px: `largest_sigma_px` decides if they are kept.
-//   sgbm        OpenCV's semi-global matcher, a peer to measure against.
+//   ssd         the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel; to
+//               compare. Needs projected dots.
+//   sgm         semi-global matching of census costs. It finds weakly textured and half hidden places, but is
+//               an order less exact: the start of "field" on plain skin. Holes are filled from the
+//               background, with a stated deviation of 1 px; `largest_sigma_px` decides whether they are
+//               kept.
 
 #include <memory>
 #include <opencv2/core.hpp>
@@ -80,12 +79,17 @@ struct DisparityMap {
 class DenseMatcher {
  public:
   virtual ~DenseMatcher() = default;
+  /// Does it use MatchOptions::predicted_px? The others search, which plain skin shows too little for.
+  virtual bool startsFromPrediction() const { return false; }
   virtual DisparityMap match(const Rectification& rectification, const RectifiedPair& pair,
                              const MatchOptions& options) const = 0;
 };
 
+constexpr const char* kDefaultMatcher = "field";
+
 /// One of denseMatcherNames(). Throws Error for another name, listing these.
 std::unique_ptr<DenseMatcher> makeDenseMatcher(const std::string& name);
 std::vector<std::string> denseMatcherNames();
+std::string denseMatcherList();  // "field, ssd, sgm", for messages and help
 
 }  // namespace facenav::stereo

@@ -26,7 +26,7 @@ inline MatchOptions skinOptions() {
   return options;
 }
 
-/// For a look now and then that must cost little (drift watchdog): no detail.
+/// For a quick check now and then (drift watchdog): no detail.
 inline MatchOptions quickSkinOptions() {
   MatchOptions options;
   options.steps = 2;
@@ -34,8 +34,8 @@ inline MatchOptions quickSkinOptions() {
   return options;
 }
 
-/// For skin as it is, without dots: a wider window and less detail than with dots. Of the settings tried,
-/// those on which two pairs of cameras agree best about a real face.
+/// For plain skin: a wider window and less detail than with dots. Of the settings tried, those with which two
+/// camera pairs agree best about one real face.
 inline MatchOptions plainSkinOptions() {
   MatchOptions options;
   options.window_sigma_px = 4.0;
@@ -47,26 +47,34 @@ inline MatchOptions plainSkinOptions() {
   return options;
 }
 
-/// Of the disparity of plain skin, one standard deviation, beside what the match predicts: its texture is
-/// coarser than the window, so that neighbours, and frames of one face, share this error (a rendered face of
-/// known shape; a real one under two pairs).
+/// Error of plain skin's disparity, one standard deviation, beside what the match predicts. Skin texture is
+/// coarser than the window, so that neighbouring pixels, and frames of one face, share this error. Fitted on
+/// one rendered face of known shape and one real face seen by two camera pairs.
 constexpr double kPlainSkinError_px = 0.15;
 
 struct FaceCloudOptions {
   double nearest_mm = 300.0, farthest_mm = 1500.0;  // depth range searched
   std::optional<cv::Rect> left_roi;                 // in the left image as recorded; empty: the whole image
-  std::string matcher = "field";                    // see dense_matcher.h
-  /// A surface known beforehand, points of it as it lies now (say, the aligned skin at the tracked pose), no
-  /// farther apart than about 4 px in the image, true to within half a pixel of disparity: nothing is
-  /// searched, and what is measured costs a third. Where the face has moved by more, few points or none are
-  /// found.
+  std::string matcher = kDefaultMatcher;            // see dense_matcher.h
+  /// Points of a surface known beforehand, as it lies now: say, the aligned skin at the tracked pose. No
+  /// farther apart than about 4 px in the image, and right to half a pixel of disparity. Nothing is searched
+  /// then, which costs a third of the time. Where the face has moved by more, few points or none are found.
   std::shared_ptr<const PointCloud<Camera>> expected;
   MatchOptions match = skinOptions();  // limits of what is believed
-  /// False: plain skin. The surface is found by "sgm" first, and points are off by more than the match tells.
+  /// False: plain skin. "sgm" finds the surface first, and points are off by more than the match predicts.
+  /// "field" and "field_cuda" only.
   bool has_dots = true;
 };
 
-/// For pictures without dots: what was made for dots takes noise for detail there.
+/// For pictures with dots, matched by `matcher`. "ssd" and "sgm" take the limits of MatchOptions.
+inline FaceCloudOptions dottedFaceOptions(const std::string& matcher) {
+  FaceCloudOptions options;
+  options.matcher = matcher;
+  if (matcher.rfind("field", 0) != 0) options.match = MatchOptions();
+  return options;
+}
+
+/// For pictures without dots: settings made for dots take noise for detail there.
 inline FaceCloudOptions plainFaceOptions() {
   FaceCloudOptions options;
   options.match = plainSkinOptions();
@@ -83,7 +91,7 @@ struct FaceCloud {
 
 /// Measures the scene lit by the dot pattern, or plain skin (`has_dots`). Throws Error when the images are
 /// black, of the wrong size, or hold no texture that matches ("no dots found: ...", "too little texture:
-/// ...").
+/// ..."), and for a matcher that is unknown or needs dots where there are none.
 FaceCloud measureFace(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                       const FaceCloudOptions& options, TaskMonitor& monitor);
 

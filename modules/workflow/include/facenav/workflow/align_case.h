@@ -11,11 +11,12 @@
 
 namespace facenav::workflow {
 
-/// Aligns by the method registered as `aligner`. Writes alignment.json, the map of the skin's fit and the
-/// capture pair into the case. Throws Error ("not aligned: ..").
+/// Aligns by the method registered as `aligner`, on the face as `matcher` measures it. Writes alignment.json,
+/// the map of the skin's fit and the capture pair into the case. Throws Error ("not aligned: ..").
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const std::string& aligner, TaskMonitor& monitor);
+                           const std::string& aligner, TaskMonitor& monitor,
+                           const std::string& matcher = stereo::kDefaultMatcher);
 
 /// Writes an alignment and its files into the case: alignment.json, alignment_capture/ (photographs),
 /// skin_fit.vtp and skin_fit.png. All or none, private to the user from the first byte. Throws Error; the

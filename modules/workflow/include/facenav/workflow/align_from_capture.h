@@ -50,6 +50,7 @@ struct AlignmentOutcome {
   // Per target: standard error, and the 95th percentile of the error.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
+  std::string matcher = stereo::kDefaultMatcher;  // that measured the face
   // What the face was aligned to; also used by the drift watchdog.
   std::shared_ptr<const registration::ScalpField> scalp;
 
@@ -57,12 +58,13 @@ struct AlignmentOutcome {
 };
 
 /// `field_file`: where the scalp's distance field is kept (casefile::CaseStore::scalpField()); it is made
-/// there if missing. Throws Error: a scan without a face, no dots, or the aligner's own refusal ("not
-/// aligned: ..."), unchanged.
+/// there if missing. `matcher`: one of stereo::denseMatcherNames(). Throws Error: an unknown matcher, a scan
+/// without a face, no dots, or the aligner's own refusal ("not aligned: ..."), unchanged.
 AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
                                   const face::FaceDetector& detector,
                                   const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
-                                  const std::filesystem::path& field_file = {});
+                                  const std::filesystem::path& field_file = {},
+                                  const std::string& matcher = stereo::kDefaultMatcher);
 
 }  // namespace facenav::workflow

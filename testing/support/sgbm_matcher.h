@@ -1,17 +1,19 @@
+#pragma once
+// OpenCV's semi-global matcher as a DenseMatcher: a peer to hold our matchers against. Needs
+// modules/stereo/src on the include path.
+
 #include <limits>
 #include <opencv2/calib3d.hpp>
 
-#include "disparity_filter.h"
-#include "matchers.h"
+#include "matchers/disparity_filter.h"
 
-namespace facenav::stereo {
-namespace {
+namespace facenav::testing {
 
-// OpenCV's semi-global matcher (5 directions), with the parameters its documentation suggests, 5 x 5 windows.
-class SgbmMatcher : public DenseMatcher {
+/// StereoSGBM, 5 directions, 5 x 5 windows, with the parameters that its documentation suggests.
+class SgbmMatcher : public stereo::DenseMatcher {
  public:
-  DisparityMap match(const Rectification& rectification, const RectifiedPair& pair,
-                     const MatchOptions& options) const override {
+  stereo::DisparityMap match(const stereo::Rectification& rectification, const stereo::RectifiedPair& pair,
+                             const stereo::MatchOptions& options) const override {
     const int disparities = (rectification.disparities + 15) / 16 * 16, side = 5;
     cv::Mat left, right, sixteenths;
     // The right image is wider by `disparities`: widen the left one by as much, so that columns agree.
@@ -22,18 +24,14 @@ class SgbmMatcher : public DenseMatcher {
                                              5, 0, 0, cv::StereoSGBM::MODE_SGBM);
     sgbm->compute(left, right, sixteenths);
     sixteenths = sixteenths.colRange(rectification.disparities, sixteenths.cols);
-    DisparityMap map;
+    stereo::DisparityMap map;
     sixteenths.convertTo(map.disparity_px, CV_32F, 1.0 / 16);
     map.disparity_px.setTo(std::numeric_limits<float>::quiet_NaN(), sixteenths < 0);
     map.disparity_px.setTo(std::numeric_limits<float>::quiet_NaN(), rectification.left_mask == 0);
     constexpr double kMeasured_px = 0.155;  // rms on dots; SGBM itself predicts none
     map.sigma_px = cv::Mat(map.disparity_px.size(), CV_32F, cv::Scalar(kMeasured_px));
-    return withoutSpeckles(map, options.smallest_patch_px);
+    return stereo::withoutSpeckles(map, options.smallest_patch_px);
   }
 };
 
-}  // namespace
-
-std::unique_ptr<DenseMatcher> makeSgbmMatcher() { return std::make_unique<SgbmMatcher>(); }
-
-}  // namespace facenav::stereo
+}  // namespace facenav::testing
