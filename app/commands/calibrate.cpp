@@ -10,6 +10,7 @@
 #include "facenav/cameras/rig_file.h"
 #include "facenav/capture/calibration_images.h"
 #include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::app {
@@ -17,7 +18,8 @@ namespace {
 
 struct Arguments {
   std::string board;
-  double square_mm = 0, marker_mm = 0;
+  double square_mm = 0;
+  std::optional<double> marker_mm;
   std::string dictionary = cameras::Board{}.dictionary;
   std::vector<std::string> left, right;
   std::string output = "stereo.yml";
@@ -30,12 +32,14 @@ std::string utcNow() {
   return text;
 }
 
+std::string figure(const std::optional<double>& px) { return px ? formatted("%.3f", *px) : "-"; }
+
 void printViews(const cameras::Calibration& result) {
   std::printf("%-32s %8s %8s\n", "view", "left px", "right px");
   for (const auto& view : result.views) {
     const char* state = view.is_used ? "" : "not used: ";
-    std::printf("%-32s %8.3f %8.3f  %s%s\n", view.name.c_str(), view.left_rms_px, view.right_rms_px, state,
-                view.reason.c_str());
+    std::printf("%-32s %8s %8s  %s%s\n", view.name.c_str(), figure(view.left_rms_px).c_str(),
+                figure(view.right_rms_px).c_str(), state, view.reason.c_str());
   }
 }
 

@@ -59,7 +59,7 @@ TEST(Calibrate, NamesAndDropsAViewInWhichTheBoardMoved) {
   EXPECT_FALSE(result.views[4].is_used);
   EXPECT_THAT(result.views[4].reason, HasSubstr("disagrees"));
   EXPECT_THAT(result.views[4].reason, HasSubstr("not simultaneous"));
-  EXPECT_GT(result.views[4].right_rms_px, 0.5);
+  EXPECT_GT(result.views[4].right_rms_px.value(), 0.5);
   EXPECT_NEAR(result.rms_px, 0.1 * std::sqrt(2.0), 0.015);
 }
 

@@ -131,8 +131,10 @@ TEST(Charuco, TextOfABoard) {
   EXPECT_TRUE(kBoard.isCharuco());
   EXPECT_EQ(kBoard.columns, 7);
   EXPECT_EQ(kBoard.rows, 5);
-  EXPECT_DOUBLE_EQ(boardFromText("charuco:7x5", 30).marker_mm, 22.5);
+  EXPECT_DOUBLE_EQ(boardFromText("charuco:7x5", 30).marker_mm.value(), 22.5);
+  EXPECT_FALSE(boardFromText("9x6", 30).isCharuco());
   EXPECT_THROW(boardFromText("charuco:7x5", 30, 31), Error);
+  EXPECT_THROW(boardFromText("charuco:7x5", 30, 0), Error);
   EXPECT_THROW(boardFromText("charuco:3x3", 30), Error);
   Board unknown = kBoard;
   unknown.dictionary = "4x4_51";

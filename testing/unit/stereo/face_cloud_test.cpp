@@ -80,7 +80,7 @@ TEST(FaceCloud, DottedPlaneIsMeasuredToAFifthOfAMillimetre) {
   EXPECT_LT(a.mean_normal_deg, 2.5);
   EXPECT_GT(a.normalised, 0.5);  // the sigma stated is about true
   EXPECT_LT(a.normalised, 2.0);
-  EXPECT_LT(face.epipolar_median_px, 0.1);
+  EXPECT_LT(face.epipolar_median_px.value(), 0.1);
 }
 
 TEST(FaceCloud, VerticalAndRolledRigsMeasureAsWell) {
@@ -179,8 +179,8 @@ TEST(FaceCloud, CamerasThatHaveMovedShowInTheEpipolarError) {
         RigidTransform<RightCamera, Camera>::fromIsometry(tilt * rig.right_T_left.isometry());
     return moved;
   };
-  EXPECT_LT(measure(rig, frame).epipolar_median_px, 0.05);
-  EXPECT_NEAR(measure(tilted(0.3), frame).epipolar_median_px, 0.3, 0.1);
+  EXPECT_LT(measure(rig, frame).epipolar_median_px.value(), 0.05);
+  EXPECT_NEAR(measure(tilted(0.3), frame).epipolar_median_px.value(), 0.3, 0.1);
   EXPECT_THAT(messageOf(tilted(4.0), frame), HasSubstr("by 4.0 px across the rows"));
 }
 

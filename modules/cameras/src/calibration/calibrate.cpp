@@ -98,7 +98,8 @@ std::vector<ViewReport> withMissing(const std::vector<BoardView>& all, const std
     if (isFound(view))
       reports.push_back(found[next++]);
     else
-      reports.push_back({view.name, false, "board not found in the " + side + " image", 0, 0});
+      reports.push_back(
+          {view.name, false, "board not found in the " + side + " image", std::nullopt, std::nullopt});
   }
   return reports;
 }

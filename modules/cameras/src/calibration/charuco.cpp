@@ -21,7 +21,7 @@ cv::Ptr<cv::aruco::CharucoBoard> printOf(const Board& board) {
                     std::to_string(squares / 2),
                 "--dictionary", "choose a larger one, 5x5_100 say");
   return cv::aruco::CharucoBoard::create(board.columns + 1, board.rows + 1, float(board.square_mm),
-                                         float(board.marker_mm), dictionary);
+                                         float(board.marker_mm.value()), dictionary);
 }
 
 /// Again with a window that just keeps clear of the markers: OpenCV's own is smaller.
@@ -30,7 +30,8 @@ void refine(const cv::Mat& image, const Board& board, SeenCorners& seen) {
   for (std::size_t i = 0; i < seen.px.size(); ++i)
     for (std::size_t j = i + 1; j < seen.px.size(); ++j)
       spacing_px = std::min(spacing_px, float(cv::norm(seen.px[i] - seen.px[j])));
-  const double clear = 0.5 * (1.0 - board.marker_mm / board.square_mm);  // of a square, along each side
+  const double clear =
+      0.5 * (1.0 - board.marker_mm.value() / board.square_mm);  // of a square, along each side
   const int half = std::clamp(int(0.9 * clear * double(spacing_px)), 2, 25);
   cv::cornerSubPix(image, seen.px, {half, half}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4});

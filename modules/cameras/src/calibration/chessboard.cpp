@@ -91,7 +91,7 @@ void makeRightHanded(const Board& board, Corners& corners) {
 
 }  // namespace
 
-Board boardFromText(const std::string& whole, double square_mm, double marker_mm) {
+Board boardFromText(const std::string& whole, double square_mm, std::optional<double> marker_mm) {
   const std::string prefix = "charuco:";
   const bool is_charuco = whole.rfind(prefix, 0) == 0;
   const std::string text = is_charuco ? whole.substr(prefix.size()) : whole;
@@ -105,15 +105,15 @@ Board boardFromText(const std::string& whole, double square_mm, double marker_mm
   if (is_charuco) {  // squares -> inner corners
     --board.columns;
     --board.rows;
-    board.marker_mm = marker_mm > 0 ? marker_mm : 0.75 * square_mm;
+    board.marker_mm = marker_mm.value_or(0.75 * square_mm);
   }
   if (!has_cross || second.ec != std::errc() || second.ptr != end || board.columns < 3 || board.rows < 3 ||
       board.columns > 100 || board.rows > 100)
     throw Error("'" + whole + "' is no board size", "--board",
                 "give a chessboard's inner corners, 9x6 say, or a ChArUco board's squares, charuco:7x5");
   if (!(square_mm > 0 && square_mm < 10000)) throw Error("a square must be longer than 0 mm", "--square");
-  if (is_charuco && !(board.marker_mm < square_mm))
-    throw Error("the markers must be smaller than the squares", "--marker");
+  if (is_charuco && !(*board.marker_mm > 0 && *board.marker_mm < square_mm))
+    throw Error("the markers must be longer than 0 mm and smaller than the squares", "--marker");
   return board;
 }
 

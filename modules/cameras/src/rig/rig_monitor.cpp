@@ -266,7 +266,6 @@ RigVerdict RigMonitor::verdict() const {
   const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches are wrong under any motion
   verdict.epipolar_px =
       std::sqrt(weight.dot(model.seen.head(points).cwiseAbs2()) / std::max(1e-9, weight.sum()));
-  if (all > points) verdict.size_error = model.seen.tail(all - points).mean();
   const StereoRig moved_rig = turned(rig_, motion);
   double squares = 0;
   for (const Cell* cell : cells)

@@ -37,10 +37,6 @@ class RigReader {
     if (!found.isInt() && !found.isReal()) return std::nullopt;
     return double(found);
   }
-  std::string text(const std::string& key) const {
-    const cv::FileNode found = storage_[key];
-    return found.isString() ? std::string(found) : std::string();
-  }
   int size(const std::string& key) const {
     const cv::FileNode found = node(key);
     if (!found.isInt() && !found.isReal()) fail("key '" + key + "' is no number");
@@ -143,7 +139,7 @@ const std::pair<const char*, double HeadEffect::*> kEffectKeys[] = {
 
 void writeNotes(cv::FileStorage& storage, const CalibrationNotes& notes) {
   if (!notes.board.empty()) storage << "board" << notes.board;
-  if (notes.views > 0) storage << "views" << notes.views;
+  if (notes.views) storage << "views" << *notes.views;
   if (!notes.created.empty()) storage << "created" << notes.created;
   if (!notes.at_head) return;
   for (const auto& [key, figure] : kEffectKeys) storage << key << (*notes.at_head).*figure;
@@ -165,18 +161,6 @@ StereoRig readRig(const std::filesystem::path& path) {
       rig.covariance.rows != int(14 + rig.left.distortion.total() + rig.right.distortion.total()))
     rig.covariance.release();  // of another model: says nothing about this one
   return rig;
-}
-
-CalibrationNotes readCalibrationNotes(const std::filesystem::path& path) {
-  const RigReader reader(path);
-  CalibrationNotes notes{reader.text("board"), int(reader.number("views").value_or(0)),
-                         reader.text("created"), HeadEffect()};
-  for (const auto& [key, figure] : kEffectKeys) {
-    const auto value = reader.number(key);
-    if (value && notes.at_head) (*notes.at_head).*figure = *value;
-    if (!value) notes.at_head.reset();  // half of it says nothing
-  }
-  return notes;
 }
 
 void writeRig(const StereoRig& rig, const std::filesystem::path& path) {

@@ -12,14 +12,14 @@ namespace {
 constexpr double kLeastFacing = 0.25;  // cosine: steeper skin is not carried along its plane
 constexpr double kFarthest_mm = 2.0;   // that a point is moved along its plane to its pixel's ray
 constexpr double kGate = 3.0;          // standard deviations from the median
-constexpr double kOwnWorth = 2.0;      // frames that a point's own deviation counts for in the spread
+constexpr double kPriorFrames = 2.0;   // weight of the measured deviation as a prior of the spread
 
 struct Distance {
   double mm, sigma_mm;
   int frames;
 };
 
-// From sightings as pairs of distance and deviation; `shared_mm` is part of each deviation.
+// From observations as pairs of distance and deviation; `shared_mm` is part of each deviation.
 Distance meanOf(const std::vector<std::pair<double, double>>& seen, double shared_mm) {
   if (seen.size() == 1) return {seen[0].first, seen[0].second, 1};
   std::vector<double> distances, sigmas;
@@ -35,10 +35,10 @@ Distance meanOf(const std::vector<std::pair<double, double>>& seen, double share
     sum += distance_mm / (sigma_mm * sigma_mm), weights += 1 / (sigma_mm * sigma_mm), ++near;
   }
   const double mean_mm = sum / weights, shared_mm2 = shared_mm * shared_mm;
-  double squares_mm2 = kOwnWorth * std::max(0.0, own_mm * own_mm - shared_mm2);
+  double squares_mm2 = kPriorFrames * std::max(0.0, own_mm * own_mm - shared_mm2);
   for (const double d : distances)
     if (std::abs(d - middle_mm) <= gate_mm) squares_mm2 += (d - mean_mm) * (d - mean_mm);
-  const double variance_mm2 = squares_mm2 / (kOwnWorth + near - 1);
+  const double variance_mm2 = squares_mm2 / (kPriorFrames + near - 1);
   return {mean_mm, std::sqrt(variance_mm2 / near + shared_mm2), near};
 }
 
@@ -56,16 +56,16 @@ void CloudFusion::see(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal
   Cell& cell = cells_[std::size_t(middle.y()) * std::size_t(rig_.width_px) + std::size_t(middle.x())];
   const float off_px = float((px - middle).norm());
   const bool is_again = cell.last_cloud == clouds_;
-  if (is_again && cell.sightings.back().off_px <= off_px) return;
+  if (is_again && cell.observations.back().off_px <= off_px) return;
   const Eigen::Vector3d ray = undistort(rig_.left, middle).homogeneous().normalized();
   const double facing = -normal.dot(ray), own_mm = p_mm.norm();
   const double along_mm = facing > kLeastFacing ? -normal.dot(p_mm) / facing : own_mm;
   const double distance_mm = std::abs(along_mm - own_mm) < kFarthest_mm ? along_mm : own_mm;
-  const Sighting sighting{float(distance_mm), sigma_mm, off_px};
+  const Observation observation{float(distance_mm), sigma_mm, off_px};
   if (is_again)
-    cell.sightings.back() = sighting;
+    cell.observations.back() = observation;
   else
-    cell.sightings.push_back(sighting), cell.normals += normal.cast<float>();
+    cell.observations.push_back(observation), cell.normals += normal.cast<float>();
   cell.last_cloud = clouds_;
 }
 
@@ -83,9 +83,9 @@ FusedCloud CloudFusion::fused() const {
   FusedCloud result;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Cell& cell = cells_[i];
-    if (cell.sightings.empty()) continue;
+    if (cell.observations.empty()) continue;
     std::vector<std::pair<double, double>> seen;
-    for (const Sighting& s : cell.sightings) seen.emplace_back(s.distance_mm, s.sigma_mm);
+    for (const Observation& s : cell.observations) seen.emplace_back(s.distance_mm, s.sigma_mm);
     const double first_mm = seen.front().first;  // distance, and nearly depth
     const double shared_mm = shared_px_ * first_mm * first_mm / (rig_.left.k(0, 0) * rig_.baseline_mm());
     const Distance distance = meanOf(seen, shared_mm);

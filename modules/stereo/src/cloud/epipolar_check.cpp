@@ -57,8 +57,8 @@ std::optional<double> rowDifference(const RectifiedPair& pair, const Rectificati
 
 }  // namespace
 
-double epipolarMedian(const Rectification& rectification, const RectifiedPair& pair,
-                      const DisparityMap& map) {
+std::optional<double> epipolarMedian(const Rectification& rectification, const RectifiedPair& pair,
+                                     const DisparityMap& map) {
   std::vector<double> differences_px;
   const int margin = kHalf_px + 1;
   const int matched = cv::countNonZero(map.disparity_px == map.disparity_px);  // NaN differs from itself
@@ -73,7 +73,7 @@ double epipolarMedian(const Rectification& rectification, const RectifiedPair& p
                         has_slopes ? map.slope_y.at<float>(y, x) : 0);
       if (difference) differences_px.push_back(std::abs(*difference));
     }
-  if (differences_px.size() < kFewest) return 0;
+  if (differences_px.size() < kFewest) return std::nullopt;
   return upperMedian(std::move(differences_px));
 }
 

@@ -2,16 +2,18 @@
 // Does the calibration still hold? In a rectified pair matching points share a row; if the cameras have
 // moved, they do not.
 
+#include <optional>
+
 #include "facenav/stereo/face_cloud.h"
 
 namespace facenav::stereo {
 
-/// Median over the best-textured matches of |row difference|, px; 0 when there are fewer than 30 such
-/// matches.
-double epipolarMedian(const Rectification& rectification, const RectifiedPair& pair, const DisparityMap& map);
+/// Median over the best-textured matches of |row difference|, px; nothing with fewer than 30 such matches.
+std::optional<double> epipolarMedian(const Rectification& rectification, const RectifiedPair& pair,
+                                     const DisparityMap& map);
 
-/// For a pair in which next to nothing matches: the whole number of rows by which the right image must be
-/// moved for the most to match; 0 where no shift helps (no texture at all, or another scene).
+/// For a pair with almost no matches: the row shift of the right image, in whole rows, that gives the most
+/// matches. 0 where no shift helps (no texture at all, or another scene).
 double bestRowShift(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                     const FaceCloudOptions& options);
 

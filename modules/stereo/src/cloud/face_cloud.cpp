@@ -106,6 +106,9 @@ FaceCloud measureOnce(const cameras::StereoRig& rig, const cameras::StereoFrame&
   return face;
 }
 
+// Where too few matched to tell, no disagreement.
+double rowError_px(const FaceCloud& face) { return face.epipolar_median_px.value_or(0.0); }
+
 // Swapped images of a converging pair match in places, at plausible depths, and turn a face inside out. Their
 // rows disagree a little. Exchanged back, the images match far better.
 void refuseSwapped(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
@@ -114,7 +117,7 @@ void refuseSwapped(const cameras::StereoRig& rig, const cameras::StereoFrame& fr
   std::swap(swapped.left, swapped.right);
   const FaceCloud other = measureOnce(rig, swapped, options, monitor);
   if (other.cloud.size() > kFewestPoints && other.cloud.size() > face.cloud.size() &&
-      other.epipolar_median_px < 0.5 * std::max(face.epipolar_median_px, kSuspicious_px))
+      rowError_px(other) < 0.5 * std::max(rowError_px(face), kSuspicious_px))
     throw Error("left and right images look swapped", {}, "exchange the cameras or the files");
 }
 
@@ -125,8 +128,8 @@ FaceCloud measureFace(const cameras::StereoRig& rig, const cameras::StereoFrame&
   requireUsable(rig, frame);
   FaceCloud face = measureOnce(rig, frame, options, monitor);
   const bool is_too_few = face.cloud.size() < kFewestPoints;
-  if (is_too_few || face.epipolar_median_px > kSuspicious_px) refuseSwapped(rig, frame, options, face, monitor);
-  const double row_shift_px = is_too_few ? bestRowShift(rig, frame, options) : face.epipolar_median_px;
+  if (is_too_few || rowError_px(face) > kSuspicious_px) refuseSwapped(rig, frame, options, face, monitor);
+  const double row_shift_px = is_too_few ? bestRowShift(rig, frame, options) : rowError_px(face);
   if (std::abs(row_shift_px) > kMoved_px) {
     throw Error(formatted("the images disagree with the calibration by %.1f px across the rows",
                           std::abs(row_shift_px)),

@@ -70,7 +70,7 @@ inline int secondBest(const std::uint16_t* __restrict costs, const std::uint16_t
 }
 
 // The best disparity to a fraction; -1 where another one (not next to it) is about as good.
-inline float believedDisparity(const std::uint16_t* costs, const std::uint16_t* number, int count,
+inline float clearDisparity(const std::uint16_t* costs, const std::uint16_t* number, int count,
                                const Best& best, int uniqueness) {
   const int second = secondBest(costs, number, count, best.disparity);
   if ((second - best.cost) * 256 <= uniqueness * best.cost) return -1.0f;
@@ -99,7 +99,7 @@ inline void search(const Images& im, int first, int last, int uniqueness, std::u
     for (int i = 0; i < im.columns; ++i) {
       const int before = i > 0 ? i - 1 : 0, after = i + 1 < im.columns ? i + 1 : i;
       const Best best = windowSums(column + before * n, column + i * n, column + after * n, number, n, costs);
-      disparity[std::int64_t(row) * stride + i] = believedDisparity(costs, number, n, best, uniqueness);
+      disparity[std::int64_t(row) * stride + i] = clearDisparity(costs, number, n, best, uniqueness);
     }
   }
 }

@@ -78,7 +78,7 @@ inline void splineRow(const float* __restrict row, const float* __restrict weigh
              w5 * (row[x - 5] + row[x + 5]) + w6 * (row[x - 6] + row[x + 6]) - kMiddle_grey;
 }
 
-inline void mapRow(const Field& f, const float* __restrict believed, int y, int first, int end, int width,
+inline void mapRow(const Field& f, const float* __restrict accepted, int y, int first, int end, int width,
                    const float* __restrict disparity, const Output& out) {
   const int whole = width / kBlock;
   const std::int64_t at = std::int64_t(y / kBlock) * f.stride;
@@ -89,7 +89,7 @@ inline void mapRow(const Field& f, const float* __restrict believed, int y, int 
   spread(f.a + at, out.slope_x);
   spread(f.b + at, out.slope_y);
   spread(f.sigma + at, out.sigma);
-  spread(believed, out.disparity);
+  spread(accepted, out.disparity);
   float* __restrict d = out.disparity;
   for (int x = 0; x < width; ++x) {
     const bool is_in = (x >= first) & (x < end) & (disparity[x] >= 0.0f) & (d[x] == d[x]);

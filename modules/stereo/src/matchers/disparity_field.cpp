@@ -102,12 +102,12 @@ void DisparityField::addDetail(double window_sigma_px) {
 DisparityMap DisparityField::map(const MatchOptions& options) const {
   constexpr float kLargestStep_px = 1.5f;  // from node to node of one surface
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  cv::Mat believed = disparity_.clone();
-  for (int i = 0; i < int(believed.total()); ++i)
+  cv::Mat accepted = disparity_.clone();
+  for (int i = 0; i < int(accepted.total()); ++i)
     if (!(correlation_.ptr<float>()[i] >= float(options.least_correlation) &&
           sigma_.ptr<float>()[i] <= float(options.largest_sigma_px)))
-      believed.ptr<float>()[i] = nan;
-  removeSpeckles(believed, options.smallest_patch_px / 4, kLargestStep_px);
+      accepted.ptr<float>()[i] = nan;
+  removeSpeckles(accepted, options.smallest_patch_px / 4, kLargestStep_px);
   DisparityMap map;
   for (cv::Mat* image : {&map.disparity_px, &map.slope_x, &map.slope_y, &map.sigma_px})
     image->create(images_.height, images_.width, CV_32F);
@@ -120,7 +120,7 @@ DisparityMap DisparityField::map(const MatchOptions& options) const {
       const int row = y / 2, above = std::max(row - 1, 0), below = std::min(row + 1, nodes_.rows - 1);
       const float *here = disparity_.ptr<float>(row), *up = disparity_.ptr<float>(above),
                   *down = disparity_.ptr<float>(below), *s = sigma_.ptr<float>(row),
-                  *b = believed.ptr<float>(row);
+                  *b = accepted.ptr<float>(row);
       float *a_out = map.slope_x.ptr<float>(y), *b_out = map.slope_y.ptr<float>(y),
             *s_out = map.sigma_px.ptr<float>(y);
       const float across = 0.5f / float(std::max(below - above, 1));

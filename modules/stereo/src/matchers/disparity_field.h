@@ -1,6 +1,6 @@
 #pragma once
-// Stage 2 of the "field" matcher: a smooth disparity field that grows better by Gauss-Newton steps over the
-// whole image (field_kernel.h says how).
+// Stage 2 of the "field" matcher: a smooth disparity field, improved by Gauss-Newton steps over the whole
+// image (field_kernel.h says how).
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -20,10 +20,10 @@ class DisparityField {
   void start(const cv::Mat& nodes);
   /// One Gauss-Newton step with a Gaussian window.
   void step(double window_sigma_px);
-  /// A step with a smaller window of which only that part is kept, place by place, that exceeds its noise:
-  /// creases and edges get sharper, smooth skin does not get noisier.
+  /// A step with a smaller window. At each node only the part above its noise is kept: creases and edges get
+  /// sharper, smooth skin gets no noisier.
   void addDetail(double window_sigma_px);
-  /// The field at each pixel where it is believed.
+  /// The field at each pixel where it is accepted.
   DisparityMap map(const MatchOptions& options) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What is taken out of a disparity map after matching.
+// Speckle removal after matching.
 
 #include "facenav/stereo/dense_matcher.h"
 

@@ -108,22 +108,22 @@ void PlaneField::step(double window_sigma_px) {
   setPriors();
 }
 
-bool PlaneField::isBelieved(int x, int y, const MatchOptions& options) const {
+bool PlaneField::isAccepted(int x, int y, const MatchOptions& options) const {
   return now_.correlation.at<float>(y, x) >= float(options.least_correlation) &&
          std::abs(now_.a.at<float>(y, x)) <= float(options.largest_slope) &&
          std::abs(now_.b.at<float>(y, x)) <= float(options.largest_slope) &&
          now_.sigma.at<float>(y, x) <= float(options.largest_sigma_px);
 }
 
-// The mean of the believed neighbours' planes, where there are some and they agree.
-void PlaneField::carryOn(int x, int y, const cv::Mat& believed) {
+// The mean of the accepted neighbours' planes, where there are some and they agree.
+void PlaneField::carryOn(int x, int y, const cv::Mat& accepted) {
   constexpr int kFewest = 2;
   constexpr float kLargestSpread_px = 2.0f;
   float d = 0, a = 0, b = 0, offset = 0, gain = 0, least = 0, most = 0;
   int count = 0;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, believed.rows - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, believed.cols - 1); ++u) {
-      if (!believed.at<std::uint8_t>(v, u)) continue;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, accepted.rows - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, accepted.cols - 1); ++u) {
+      if (!accepted.at<std::uint8_t>(v, u)) continue;
       const float slope_x = now_.a.at<float>(v, u), slope_y = now_.b.at<float>(v, u);
       const float carried =
           now_.d.at<float>(v, u) + float(planes::kBlock) * (slope_x * float(x - u) + slope_y * float(y - v));
@@ -146,12 +146,12 @@ void PlaneField::carryOn(int x, int y, const cv::Mat& believed) {
 }
 
 void PlaneField::grow(double window_sigma_px, const MatchOptions& options) {
-  cv::Mat believed(now_.d.size(), CV_8U);
-  for (int y = 0; y < believed.rows; ++y)
-    for (int x = 0; x < believed.cols; ++x) believed.at<std::uint8_t>(y, x) = isBelieved(x, y, options);
-  for (int y = 0; y < believed.rows; ++y)
-    for (int x = 0; x < believed.cols; ++x)
-      if (!believed.at<std::uint8_t>(y, x)) carryOn(x, y, believed);
+  cv::Mat accepted(now_.d.size(), CV_8U);
+  for (int y = 0; y < accepted.rows; ++y)
+    for (int x = 0; x < accepted.cols; ++x) accepted.at<std::uint8_t>(y, x) = isAccepted(x, y, options);
+  for (int y = 0; y < accepted.rows; ++y)
+    for (int x = 0; x < accepted.cols; ++x)
+      if (!accepted.at<std::uint8_t>(y, x)) carryOn(x, y, accepted);
   setPriors();
   step(window_sigma_px);
 }
@@ -173,11 +173,11 @@ cv::Mat PlaneField::nodes() const {
 DisparityMap PlaneField::map(const MatchOptions& options) const {
   constexpr float kLargestStep_px = 2.5f;  // from block to block of one surface
   const int blocks = options.smallest_patch_px / (planes::kBlock * planes::kBlock);
-  cv::Mat believed = now_.d.clone();
-  for (int y = 0; y < believed.rows; ++y)
-    for (int x = 0; x < believed.cols; ++x)
-      if (!isBelieved(x, y, options)) believed.at<float>(y, x) = std::numeric_limits<float>::quiet_NaN();
-  removeSpeckles(believed, blocks, kLargestStep_px);
+  cv::Mat accepted = now_.d.clone();
+  for (int y = 0; y < accepted.rows; ++y)
+    for (int x = 0; x < accepted.cols; ++x)
+      if (!isAccepted(x, y, options)) accepted.at<float>(y, x) = std::numeric_limits<float>::quiet_NaN();
+  removeSpeckles(accepted, blocks, kLargestStep_px);
   DisparityMap map;
   for (cv::Mat* image : {&map.disparity_px, &map.slope_x, &map.slope_y, &map.sigma_px})
     image->create(images_.height, images_.width, CV_32F);
@@ -189,7 +189,7 @@ DisparityMap PlaneField::map(const MatchOptions& options) const {
       kernel_.pixel_row(view, y, scratch.data(), row.data());
       const planes::Output out{map.disparity_px.ptr<float>(y), map.slope_x.ptr<float>(y),
                                map.slope_y.ptr<float>(y), map.sigma_px.ptr<float>(y)};
-      kernel_.map_row(view, believed.ptr<float>(y / planes::kBlock), y, images_.left_first[y],
+      kernel_.map_row(view, accepted.ptr<float>(y / planes::kBlock), y, images_.left_first[y],
                       images_.left_end[y], images_.width, row.data(), out);
     }
   });

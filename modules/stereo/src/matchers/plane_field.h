@@ -1,6 +1,6 @@
 #pragma once
-// Stage 2 of the "field" matcher: the surface as a grid of planes that Gauss-Newton steps over the whole
-// image make better (plane_kernel.h says how).
+// Stage 2 of the "field" matcher: the surface as a grid of planes, improved by Gauss-Newton steps over the
+// whole image (plane_kernel.h says how).
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -20,13 +20,13 @@ class PlaneField {
   void start(const cv::Mat& blocks);
   /// One Gauss-Newton step with a window of about that standard deviation.
   void step(double window_sigma_px);
-  /// Carries believed planes one block on into their neighbours that are not, then a step. Windows of the
-  /// search fail on steep skin, where the disparity changes by pixels inside them; the surface is grown there
+  /// Extends accepted planes by one block into neighbours that are not accepted, then a step. Windows of the
+  /// search fail on steep skin, where the disparity changes by pixels inside them. There the surface grows
   /// from its sides.
   void grow(double window_sigma_px, const MatchOptions& options);
   /// The surface at each 2 x 2 pixels, everywhere.
   cv::Mat nodes() const;
-  /// The surface at each pixel where it is believed.
+  /// The surface at each pixel where it is accepted.
   DisparityMap map(const MatchOptions& options) const;
 
  private:
@@ -37,8 +37,8 @@ class PlaneField {
   };
   void run(double window_sigma_px, bool is_fit);
   void setPriors();
-  bool isBelieved(int x, int y, const MatchOptions& options) const;
-  void carryOn(int x, int y, const cv::Mat& believed);
+  bool isAccepted(int x, int y, const MatchOptions& options) const;
+  void carryOn(int x, int y, const cv::Mat& accepted);
 
   const ImageRows& images_;
   planes::Kernel kernel_;

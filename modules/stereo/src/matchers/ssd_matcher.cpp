@@ -14,10 +14,9 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr int kFineSteps = 4;  // samples per pixel along x; subpixel_kernel.inl counts on it
+constexpr int kFineSteps = 4;  // samples per pixel along x; subpixel_kernel.inl relies on it
 
-// Samples between the pixels, so that linear interpolation between them is as good as the cubic that made
-// them.
+// Samples between the pixels, by cubic interpolation; linear interpolation between these is then as good.
 cv::Mat fineAlongRows(const cv::Mat& image) {
   cv::Mat places(image.rows, image.cols * kFineSteps, CV_32FC2), fine;
   for (int y = 0; y < places.rows; ++y)

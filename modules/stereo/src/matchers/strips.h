@@ -1,6 +1,6 @@
 #pragma once
-// Into how many strips of rows work is cut: each strip repeats some rows of its neighbours, so no more than
-// threads can use. The results must not depend on it.
+// How many strips of rows the work is cut into. Each strip repeats some rows of its neighbours, so there are
+// no more strips than threads can use. The results must not depend on the number.
 
 #include <algorithm>
 

@@ -2,15 +2,18 @@
 // calibrate: pairs of chessboard or ChArUco images -> StereoRig. Zhang 2000 for each camera as start, then
 // all parameters of both cameras and all board poses together (cv::stereoCalibrate without fixed intrinsics).
 // Beyond that:
-// - views that disagree with the rest are left out and named, since one of them bends every parameter;
-// corners
-//   that one camera alone does not fit are told from boards that moved between both exposures;
-// - the distortion model is chosen by cross-validation: a fuller model always lowers the error on the views
-//   that it was fitted to, so it is taken only where views that it has not seen gain by it;
-// - principal point, tangential terms and aspect have a prior, for where the views leave them open;
+// - views that disagree with the rest are left out and named, since one of them bends every parameter. Wrong
+//   corners (one camera alone does not fit them) and boards that moved between the two exposures are named
+//   apart;
+// - the distortion model is chosen by cross-validation: a model with more terms always lowers the error on
+// the
+//   views it was fitted to, so it is taken only where it lowers the error on held-out views;
+// - principal point, tangential terms and aspect ratio have a prior, for where the views do not determine
+// them;
 // - standard errors come from how far the views contradict one another, so that two calibrations of one
 // camera
-//   differ by what they state. They do not cover what all views share: the size of the printed squares.
+//   differ by as much as the errors state. They do not cover what all views share: the size of the printed
+//   squares.
 
 #include <optional>
 #include <string>
@@ -38,9 +41,8 @@ struct BoardView {
 struct ViewReport {
   std::string name;
   bool is_used = false;
-  std::string reason;  // why it is not used
-  double left_rms_px = 0,
-         right_rms_px = 0;  // against the final rig, used or not (0 where no board was found)
+  std::string reason;                               // why it is not used
+  std::optional<double> left_rms_px, right_rms_px;  // against the final rig, where a board was found
 };
 
 struct ModelReport {

@@ -3,6 +3,7 @@
 // board (markers in the white squares) need not be seen whole: every corner knows its number.
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,17 +12,18 @@ namespace facenav::cameras {
 struct Board {
   int columns = 9, rows = 6;  // inner corners
   double square_mm = 25.0;
-  double marker_mm = 0.0;             // > 0: a ChArUco board with markers of this size
-  std::string dictionary = "4x4_50";  // of its markers
+  std::optional<double> marker_mm = {};  // side of the markers: a ChArUco board
+  std::string dictionary = "4x4_50";     // of its markers
 
-  bool isCharuco() const { return marker_mm > 0; }
+  bool isCharuco() const { return marker_mm.has_value(); }
   int corners() const { return columns * rows; }
 };
 
 /// "9x6": a chessboard of 9 x 6 inner corners. "charuco:7x5": a ChArUco board of 7 x 5 squares, as OpenCV
 /// counts them, with markers of 0.75 squares unless `marker_mm` says otherwise. Throws Error unless there are
 /// at least 3 x 3 inner corners.
-Board boardFromText(const std::string& text, double square_mm, double marker_mm = 0.0);
+Board boardFromText(const std::string& text, double square_mm,
+                    std::optional<double> marker_mm = std::nullopt);
 
 /// Corners of one image with their numbers on the board, row by row from 0.
 struct SeenCorners {

@@ -1,12 +1,11 @@
 #pragma once
-// PairDiagnosis: why a pair of pictures does not fit its calibration. Matches found without the rig
-// (pair_matches.h) are asked which explanation is the simplest that holds: the calibration; the calibration
-// with left and right exchanged; a right camera that was knocked; any other pose of it (another rig's
-// calibration); none (the pictures are not of one moment: face, hair and clothes moved, each by itself,
-// between the two exposures, and no pose of a camera brings them together).
+// PairDiagnosis: why a pair of pictures does not fit its calibration. Matches are found without the rig
+// (pair_matches.h). The diagnosis is the simplest explanation that fits them: the calibration; left and right
+// exchanged; a right camera that was knocked; any other pose of it (another rig's calibration); none (the two
+// exposures are of different moments: face, hair and clothes moved apart, and no camera pose fits all).
 //
-// A head that moved as one rigid piece before a plain wall looks like a moved camera in one frame: nothing in
-// it tells them apart, and the advice for a moved camera says so.
+// A head that moved as one rigid piece before a plain wall looks like a moved camera: one frame cannot tell
+// them apart, and the advice for a moved camera says so.
 
 #include <string>
 #include <vector>
@@ -28,7 +27,7 @@ enum class PairFault {
 struct PairDiagnosis {
   PairFault fault = PairFault::unknown;
   std::size_t matches = 0;
-  double agreement = 0;  // share of the matches that the best explanation holds for
+  double agreement = 0;  // share of the matches that fit the best explanation
   double calibrated_agreement = 0;
   double residual_px = 0;  // median, of the calibration as it is
   /// The best explanation's pose of the right camera (the baseline's length is the calibration's).

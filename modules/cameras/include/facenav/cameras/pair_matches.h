@@ -1,7 +1,7 @@
 #pragma once
-// Places of one scene in two pictures, found without a rig: what tells whether a rig fits, whether left and
-// right are exchanged, or whether both pictures are of one moment. SIFT features (Lowe 2004, IJCV 60:91) that
-// agree with their neighbours are the seeds; from them textured corners are matched anew to a fraction of a
+// Matches of one scene in two pictures, found without a rig. They tell whether a rig fits, whether left and
+// right are exchanged, and whether both pictures are of one moment. SIFT features (Lowe 2004, IJCV 60:91)
+// that agree with their neighbours are the seeds. From these, textured corners are matched to a fraction of a
 // pixel, each patch warped as its neighbourhood is.
 
 #include <opencv2/core.hpp>

@@ -13,15 +13,13 @@
 namespace facenav::cameras {
 
 struct CalibrationNotes {
-  std::string board;    // "9x6, 25 mm"
-  int views = 0;        // pairs used
-  std::string created;  // UTC, ISO 8601
+  std::string board;         // "9x6, 25 mm"
+  std::optional<int> views;  // pairs used
+  std::string created;       // UTC, ISO 8601
   std::optional<HeadEffect> at_head;
 };
 
 /// Writes stereo.yml whole, with E, F (of undistorted pixels) and the notes that are not empty.
 void writeRig(const StereoRig& rig, const std::filesystem::path& path, const CalibrationNotes& notes);
-/// The notes of a stereo.yml; what it does not say stays empty. Throws Error when it is no YAML file.
-CalibrationNotes readCalibrationNotes(const std::filesystem::path& path);
 
 }  // namespace facenav::cameras

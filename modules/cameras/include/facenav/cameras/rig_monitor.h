@@ -1,7 +1,7 @@
 #pragma once
-// RigMonitor: do the cameras still stand as they were calibrated? Needs no board: it gathers points that both
-// images show (skin, marker corners) and squares of known size, and asks whether a motion of the right camera
-// explains them so much better than the calibration's own uncertainty does that the cameras must have moved.
+// RigMonitor: do the cameras still stand as they were calibrated? It needs no board. It gathers points that
+// both images show (skin, marker corners) and squares of known size. The cameras have moved where a motion of
+// the right camera explains these much better than the calibration's own uncertainty does.
 //
 // Generalised likelihood ratio: under "holds", epipolar residuals and size errors come from noise, from what
 // the lens model leaves, and from the calibration's parameters, each as uncertain as it is known to be; under
@@ -37,7 +37,7 @@ struct SquareSighting {
   double sigma_mm = 0;        // of the size in the images
 };
 
-/// What a calibration leaves uncertain: rigs one standard deviation away along independent directions. The
+/// The calibration's uncertainty: rigs one standard deviation away along independent directions. The
 /// covariance of anything computed from the rig is the sum of the squares of its changes.
 struct RigUncertainty {
   std::vector<StereoRig> one_sigma;
@@ -52,7 +52,6 @@ struct RigVerdict {
   double statistic = 0;      // of the likelihood ratio; chi-square with 6 degrees of freedom if it holds
   double contradiction = 0;  // median over the points of |residual| in its own sigmas; 0.67 if it holds
   double epipolar_px = 0;    // rms over the cells, wrong matches left out
-  double size_error = 0;     // mean relative error of the squares' size, 0 without squares
   double displaced_mm = 0;   // rms error of points in space if the cameras moved as estimated
   Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();  // of the right camera, as estimated
 

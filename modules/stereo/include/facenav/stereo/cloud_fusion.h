@@ -1,10 +1,10 @@
 #pragma once
-// CloudFusion: several clouds of one rigid face, each carried back to where the face was at first, merged
-// over the left pixels of the first frame. What one frame gets wrong (noise, a glint, a lash) differs from
-// frame to frame and averages out; what the frames share (the calibration, the window's smoothing) does not,
-// and stays in the stated deviation.
+// CloudFusion: several clouds of one rigid face, each moved back to the face's first pose and merged over the
+// left pixels of the first frame. Errors of one frame (noise, a glint, a lash) average out. Errors that all
+// frames share (calibration, the window's smoothing) do not, and stay in the stated deviation.
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "facenav/cameras/stereo_rig.h"
@@ -19,26 +19,26 @@ struct FusedCloud {
 
 class CloudFusion {
  public:
-  /// `shared_px`: of the clouds' deviations, what does not differ from frame to frame, as an error of the
-  /// disparity (kPlainSkinError_px for plain skin).
+  /// `shared_px`: the part of the clouds' deviation that all frames share, as an error of the disparity
+  /// (kPlainSkinError_px for plain skin).
   CloudFusion(const cameras::StereoRig& rig, double shared_px);
 
-  /// `first_T_now`: carries Camera coordinates of this cloud back to the first frame; identity for the first
-  /// itself.
+  /// `first_T_now`: moves this cloud's Camera coordinates back to the first frame; identity for the first
+  /// frame.
   void add(const FaceCloud& cloud, const Eigen::Isometry3d& first_T_now);
 
-  /// Each pixel's distance: the mean of those near the median. Its deviation: from their spread, and never
-  /// below what all frames share. Seen once: as it was measured.
+  /// Each pixel's distance: the mean of those near the median. Its deviation: from their spread, never below
+  /// what all frames share. A pixel seen once keeps its measurement.
   FusedCloud fused() const;
 
  private:
-  struct Sighting {
+  struct Observation {
     float distance_mm, sigma_mm;  // along the pixel's ray
     float off_px;                 // from the pixel's centre
   };
   struct Cell {
-    std::vector<Sighting> sightings;
-    int last_cloud = -1;
+    std::vector<Observation> observations;
+    std::optional<int> last_cloud;
     Eigen::Vector3f normals = Eigen::Vector3f::Zero();  // sum
   };
   void see(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal, float sigma_mm);

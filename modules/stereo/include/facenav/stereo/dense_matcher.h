@@ -35,7 +35,7 @@ struct MatchOptions {
   /// leaves smooth skin alone.
   double largest_sigma_px = 0.4;
   double least_correlation = 0.75;  // of the fitted windows
-  double largest_slope = 1.0;       // |d(disparity)/dx| of a surface still believed
+  double largest_slope = 1.0;       // |d(disparity)/dx| of a surface still accepted
   /// Distance of the window's texture centre from its middle: beyond, the fit rests on what lies beside the
   /// pixel.
   double largest_lever_px = 4.0;
@@ -57,7 +57,7 @@ struct MatchOptions {
             self.largest_sigma_px);
     visitor(Field{"least_correlation", "least correlation of the fitted windows", 0, 1},
             self.least_correlation);
-    visitor(Field{"largest_slope", "steepest disparity slope believed", 0.1, 2}, self.largest_slope);
+    visitor(Field{"largest_slope", "steepest disparity slope accepted", 0.1, 2}, self.largest_slope);
     visitor(Field{"largest_lever_px", "farthest centre of texture from the window's middle", 0.5, 6},
             self.largest_lever_px);
     visitor(Field{"least_centre_texture", "texture of the window's middle by that of all of it", 0, 1},

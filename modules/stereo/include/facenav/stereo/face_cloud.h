@@ -60,7 +60,7 @@ struct FaceCloudOptions {
   /// farther apart than about 4 px in the image, and right to half a pixel of disparity. Nothing is searched
   /// then, which costs a third of the time. Where the face has moved by more, few points or none are found.
   std::shared_ptr<const PointCloud<Camera>> expected;
-  MatchOptions match = skinOptions();  // limits of what is believed
+  MatchOptions match = skinOptions();  // limits of what is accepted
   /// False: plain skin. "sgm" finds the surface first, and points are off by more than the match predicts.
   /// "field" and "field_cuda" only.
   bool has_dots = true;
@@ -86,7 +86,8 @@ struct FaceCloud {
   PointCloud<Camera> cloud;              // one point per matched left pixel; normals unit, towards the camera
   std::vector<Eigen::Vector2f> left_px;  // the pixel of each point in the left image as recorded
   std::vector<float> sigma_mm;           // predicted standard deviation along the ray, one per point
-  double epipolar_median_px = 0.0;  // agreement of matched corners with the calibration, before rectification
+  /// Row disagreement of the best matches with the calibration; nothing where too few matched.
+  std::optional<double> epipolar_median_px;
 };
 
 /// Measures the scene lit by the dot pattern, or plain skin (`has_dots`). Throws Error when the images are
