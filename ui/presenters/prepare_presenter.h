@@ -35,7 +35,8 @@ class PreparePresenter : public QObject {
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
-  /// The line to choose first; -1: none can be used, or which patient is meant must be said.
+  /// The line to choose first; -1: none can be used, or which patient, or which reading
+  /// of the same slices, is meant must be said.
   int recommendedLine() const;
   /// Names are hidden until somebody asks for them.
   void setPatientsShown(bool are_shown);
@@ -60,7 +61,7 @@ class PreparePresenter : public QObject {
   PrepareQueue& queue_;
   QString input_;
   std::vector<Listed> series_;
-  bool are_patients_shown_ = false, has_several_patients_ = false;
+  bool are_patients_shown_ = false, has_several_patients_ = false, has_several_readings_ = false;
   std::vector<SeriesLine> lines_;
 };
 

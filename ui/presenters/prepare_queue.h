@@ -27,6 +27,7 @@ struct PrepareJob {
   double fraction = 0.0;
   QString failure;
   int patients = 0;  // whose images were found, where a choice is needed
+  int readings = 0;  // ways to read the same slices, where a choice is needed
 };
 
 class PrepareQueue : public QObject {
@@ -68,7 +69,8 @@ class PrepareQueue : public QObject {
   /// Step, fraction or time of the running job.
   void progressed();
   void prepared(const QString& case_folder, const QString& case_id);
-  /// No series of this input is recommended, or it is of several patients: one must be chosen by hand.
+  /// No series of this input is recommended, or it is of several patients or readings: one must be chosen by
+  /// hand.
   void choiceNeeded(int id);
 
  private:
@@ -94,7 +96,8 @@ QString receivedFolder();
 bool isNifti(const QString& path);
 /// The folder of a DICOM file; a folder or a NIfTI file as it is, of a pair the .hdr.
 QString inputOf(const QString& dropped_path);
-/// Why somebody must choose: "images of 2 patients", "no series is recommended".
+/// Why somebody must choose: "images of 2 patients", "slices that can be read in several
+/// ways", "no series is recommended".
 QString choiceWords(const PrepareJob& job);
 /// The series that an unattended preparation takes, or null: one must be chosen.
 const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& series);
