@@ -32,6 +32,7 @@ std::string stateOf(const dicom::SeriesInfo& info) {
     return "not loadable: " + info.problem + file;
   }
   std::vector<std::string> words = info.notes;
+  if (info.joined) words.insert(words.begin(), dicom::inWords(*info.joined));
   words.insert(words.begin(), info.fitness);
   return (info.is_recommended ? "recommended, " : "") + joined(words, "; ");
 }
@@ -82,6 +83,23 @@ void printTable(const std::vector<Row>& rows) {
     line.erase(line.find_last_not_of(' ') + 1);
     std::printf("%s\n", line.c_str());
   }
+}
+
+nlohmann::json toJson(const dicom::JoinedSlices& joined) {
+  const auto names = [](const std::vector<dicom::SliceTrait>& traits) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const auto trait : traits) list.push_back(dicom::toString(trait));
+    return list;
+  };
+  return {{"finding", dicom::findingId(joined)},
+          {"in_words", dicom::inWords(joined)},
+          {"series_uids", joined.series_uids},
+          {"study_uids", joined.study_uids},
+          {"frame_of_reference_uids", joined.frame_of_reference_uids},
+          {"frame_of_reference_uid", joined.frame_of_reference_uid},
+          {"agreeing", names(joined.agreeing)},
+          {"unstated", names(joined.unstated)},
+          {"readings", joined.readings}};
 }
 
 nlohmann::json toJson(const dicom::SeriesInfo& info) {
@@ -166,6 +184,7 @@ void addSeries(CLI::App& app, Context& context) {
       nlohmann::json list = nlohmann::json::array();
       for (std::size_t s = 0; s < series.size(); ++s) {
         list.push_back(toJson(series[s]));
+        if (series[s].joined) list.back()["joined_slices"] = toJson(*series[s].joined);
         if (options->are_patients_named) list.back()["patient_in_words"] = patients[s];
         if (!pictures[s].empty()) list.back()["thumbnail"] = pictures[s];
       }

@@ -70,6 +70,49 @@ TEST_F(PreparePresenterTest, OfOnePatientNothingIsSaidUnlessAsked) {
   EXPECT_TRUE(presenter_.lines()[0].patient.startsWith("Doe, Jane"));
 }
 
+/// Slices with UIDs of their own, read whole or as two scans.
+std::vector<dicom::SeriesInfo> readings() {
+  std::vector<dicom::SeriesInfo> series{seriesOf(1), seriesOf(1), seriesOf(1)};
+  dicom::JoinedSlices joined;
+  joined.series_uid = "1.2.1";
+  joined.series_uids = joined.frame_of_reference_uids = 352;
+  joined.agreeing = {dicom::SliceTrait::patient, dicom::SliceTrait::series_number};
+  joined.readings = 2;
+  for (auto& info : series) info.joined = joined;
+  series[0].part = "acquisition number 1";
+  series[1].part = "acquisition number 2", series[1].id += "#2";
+  series[2].part = "all slices", series[2].id += "#3", series[2].slices = 352;
+  series[2].is_loadable = false;
+  series[2].problem = "holds 2 volumes of the same place (4-D)";
+  return series;
+}
+
+TEST_F(PreparePresenterTest, OfSeveralReadingsNoneIsChosen) {
+  series_ = readings();
+  SeriesPage page(presenter_);
+  page.resize(900, 400);
+  page.show();
+  ASSERT_TRUE(open());
+  EXPECT_EQ(presenter_.recommendedLine(), -1);
+  EXPECT_TRUE(presenter_.lines()[0].title.contains("acquisition number 1"));
+  EXPECT_TRUE(presenter_.lines()[0].detail.contains("one of 2 ways to read them: choose the right one"));
+  EXPECT_EQ(page.findChild<QListWidget*>()->currentRow(), -1);
+  if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+    page.grab().save(QString(pictures) + "/series_of_two_readings.png");
+  presenter_.prepare(1);
+  ASSERT_EQ(queue_.jobs().size(), 1u);
+  EXPECT_EQ(queue_.jobs()[0].series_uid, "1.2.1#2");
+}
+
+TEST_F(PreparePresenterTest, JoinedSlicesAreSaidAndMayBeRecommended) {
+  series_ = {readings()[0]};
+  series_[0].joined->readings = 1;
+  series_[0].is_recommended = true;
+  ASSERT_TRUE(open());
+  EXPECT_EQ(presenter_.recommendedLine(), 0);
+  EXPECT_TRUE(presenter_.lines()[0].detail.contains("slices with 352 different series UIDs were joined"));
+}
+
 TEST_F(PreparePresenterTest, ThePageAsksWhichPatientBeforeItPreparesAnyone) {
   SeriesPage page(presenter_);
   page.resize(900, 400);

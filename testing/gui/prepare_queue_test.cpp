@@ -129,6 +129,16 @@ TEST_F(PrepareQueueTest, OfSeveralPatientsItAsksWhose) {
   EXPECT_TRUE(chosen_.empty());
 }
 
+TEST_F(PrepareQueueTest, OfSeveralReadingsItAsksWhich) {
+  series_ = {series("one", false), series("one#2", false)};
+  for (auto& info : series_) info.joined.emplace().readings = 2;
+  const int id = add("a");
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_EQ(queue_->job(id)->state, JobState::needs_choice);
+  EXPECT_EQ(choiceWords(*queue_->job(id)), "slices that can be read in several ways");
+  EXPECT_TRUE(chosen_.empty());
+}
+
 TEST_F(PrepareQueueTest, CasesAreLabelledByPatientOnlyWhenAsked) {
   add("a");
   ASSERT_TRUE(waitUntilIdle());

@@ -19,7 +19,7 @@ void PreparePresenter::openInput(const QString& path) {
   if (isNifti(path)) {
     input_ = path;
     series_.clear();
-    has_several_patients_ = false;
+    has_several_patients_ = has_several_readings_ = false;
     lines_ = {{tr("NIfTI volume"),
                tr("as chosen; a file's own name may be a patient's and is not shown"),
                {},
@@ -57,6 +57,7 @@ void PreparePresenter::makeLines() {
   std::vector<dicom::SeriesInfo> infos;
   for (const auto& listed : series_) infos.push_back(listed.info);
   has_several_patients_ = dicom::patientCount(infos) > 1;
+  has_several_readings_ = dicom::readingCount(infos) > 0;
   lines_.clear();
   for (const auto& listed : series_) {
     const auto& s = listed.info;
@@ -76,6 +77,7 @@ void PreparePresenter::makeLines() {
                       .arg(QString::fromStdString(s.date));
     if (!s.part.empty()) line.title += "  " + QString::fromStdString(s.part);
     if (!s.fitness.empty()) line.detail += "\n" + QString::fromStdString(s.fitness);
+    if (s.joined) line.detail += "\n" + QString::fromStdString(dicom::inWords(*s.joined));
     for (const auto& note : s.notes) line.detail += "\n" + QString::fromStdString(note);
     if (!s.is_loadable) line.detail = tr("not usable: %1").arg(QString::fromStdString(s.problem));
     line.is_usable = s.is_loadable;
@@ -88,7 +90,8 @@ void PreparePresenter::makeLines() {
 int PreparePresenter::recommendedLine() const {
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_recommended) return int(i);
-  if (has_several_patients_) return -1;  // only a person can say which patient is meant
+  // Only a person can say which patient or which reading is meant.
+  if (has_several_patients_ || has_several_readings_) return -1;
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_usable) return int(i);
   return -1;

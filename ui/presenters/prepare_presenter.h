@@ -36,7 +36,8 @@ class PreparePresenter : public QObject {
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
-  /// The line to choose first; -1: none is usable, or a person must say which patient is meant.
+  /// The line to choose first; -1: none is usable, or a person must say which patient, or which reading of the
+  /// same slices, is meant.
   int recommendedLine() const;
   /// Names are hidden until the user asks for them.
   void setPatientsShown(bool are_shown);
@@ -61,7 +62,7 @@ class PreparePresenter : public QObject {
   PrepareQueue& queue_;
   QString input_;
   std::vector<Listed> series_;
-  bool are_patients_shown_ = false, has_several_patients_ = false;
+  bool are_patients_shown_ = false, has_several_patients_ = false, has_several_readings_ = false;
   std::vector<SeriesLine> lines_;
 };
 

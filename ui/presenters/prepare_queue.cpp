@@ -65,8 +65,9 @@ QString inputOf(const QString& dropped_path) {
 }
 
 QString choiceWords(const PrepareJob& job) {
-  return job.patients > 1 ? PrepareQueue::tr("images of %1 patients").arg(job.patients)
-                          : PrepareQueue::tr("no series is recommended");
+  if (job.patients > 1) return PrepareQueue::tr("images of %1 patients").arg(job.patients);
+  if (job.readings > 0) return PrepareQueue::tr("slices that can be read in several ways");
+  return PrepareQueue::tr("no series is recommended");
 }
 
 const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& series) {
@@ -193,8 +194,9 @@ void PrepareQueue::begin() {
                    const auto series = services_.listSeries(order.input, monitor);
                    const auto* recommended = recommendedOf(series);
                    if (!recommended)
-                     return [this, id, patients = dicom::patientCount(series)] {
-                       if (auto* job = find(id)) job->patients = patients;
+                     return [this, id, patients = dicom::patientCount(series),
+                             readings = dicom::readingCount(series)] {
+                       if (auto* job = find(id)) job->patients = patients, job->readings = readings;
                        end(JobState::needs_choice, {});
                      };
                    chosen.series_uid = recommended->id.empty() ? recommended->series_uid : recommended->id;

@@ -27,6 +27,7 @@ struct PrepareJob {
   double fraction = 0.0;
   QString failure;
   int patients = 0;  // number of patients found, if a choice is needed
+  int readings = 0;  // ways to read the same slices, if a choice is needed
 };
 
 class PrepareQueue : public QObject {
@@ -69,7 +70,7 @@ class PrepareQueue : public QObject {
   /// Step, fraction or time of the running job changed.
   void progressed();
   void prepared(const QString& case_folder, const QString& case_id);
-  /// The user must choose: no series of this input is recommended, or it has several patients.
+  /// The user must choose: no series of this input is recommended, or it has several patients or readings.
   void choiceNeeded(int id);
 
  private:
@@ -97,7 +98,8 @@ bool isNifti(const QString& path);
 /// The input for a dropped path: the folder of a DICOM file; a folder or NIfTI file itself; the .hdr of a
 /// pair.
 QString inputOf(const QString& dropped_path);
-/// Why the user must choose: "images of 2 patients", "no series is recommended".
+/// Why the user must choose: "images of 2 patients", "slices that can be read in several ways", "no series is
+/// recommended".
 QString choiceWords(const PrepareJob& job);
 /// The series to prepare without asking, or null if one must be chosen.
 const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& series);

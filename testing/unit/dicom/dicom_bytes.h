@@ -99,7 +99,10 @@ struct Slice {
   std::string series_uid = "1.2.3.4", sop_uid = "1.2.3.4.1", description = "t1_mprage", series_number = "3";
   std::string patient_name = "Secret^Name", patient_id = "id", character_set, contrast_agent;
   std::string sop_class = "1.2.840.10008.5.1.4.1.1.4";
-  int instance = 1;
+  std::string study_uid = "1.2.3", frame_uid, series_time,
+              acquisition_time;  // the last three: left out where empty
+  int instance = 1, acquisition = 0;
+  double gap = 0;  // Spacing Between Slices; left out where 0
   Eigen::Vector3d position{-100, -80, 0}, row{1, 0, 0}, column{0, 1, 0};
   double row_spacing = 1.0, column_spacing = 1.0, thickness = 1.5;
   std::vector<int> values;  // rows * columns
@@ -118,15 +121,23 @@ inline DataSetBytes headerOf(const Slice& s) {
   DataSetBytes d(s.syntax);
   if (!s.character_set.empty()) d.raw(0x00080005, "CS", s.character_set);
   d.raw(0x00080008, "CS", s.image_type).raw(0x00080016, "UI", s.sop_class).raw(0x00080018, "UI", s.sop_uid);
-  d.raw(0x00080020, "DA", "20200102").raw(0x00080060, "CS", s.modality).raw(0x0008103E, "LO", s.description);
+  d.raw(0x00080020, "DA", "20200102");
+  if (!s.series_time.empty()) d.raw(0x00080031, "TM", s.series_time);
+  if (!s.acquisition_time.empty()) d.raw(0x00080032, "TM", s.acquisition_time);
+  d.raw(0x00080060, "CS", s.modality).raw(0x0008103E, "LO", s.description);
   d.raw(0x00100010, "PN", s.patient_name).raw(0x00100020, "LO", s.patient_id);
   if (!s.contrast_agent.empty()) d.raw(0x00180010, "LO", s.contrast_agent);
   d.ds(0x00180050, {s.thickness}).ds(0x00180081, {s.echo_ms});
+  if (s.gap != 0) d.ds(0x00180088, {s.gap});
   if (s.tilt_deg != 0) d.ds(0x00181120, {s.tilt_deg});
-  d.raw(0x0020000D, "UI", "1.2.3").raw(0x0020000E, "UI", s.series_uid).raw(0x00200011, "IS", s.series_number);
+  d.raw(0x0020000D, "UI", s.study_uid)
+      .raw(0x0020000E, "UI", s.series_uid)
+      .raw(0x00200011, "IS", s.series_number);
+  if (s.acquisition != 0) d.raw(0x00200012, "IS", std::to_string(s.acquisition));
   d.raw(0x00200013, "IS", std::to_string(s.instance));
   d.ds(0x00200032, {s.position.x(), s.position.y(), s.position.z()});
   d.ds(0x00200037, {s.row.x(), s.row.y(), s.row.z(), s.column.x(), s.column.y(), s.column.z()});
+  if (!s.frame_uid.empty()) d.raw(0x00200052, "UI", s.frame_uid);
   d.us(0x00280002, 1).raw(0x00280004, "CS", s.photometric).us(0x00280010, s.rows).us(0x00280011, s.columns);
   d.ds(0x00280030, {s.row_spacing, s.column_spacing});
   d.us(0x00280100, s.bits_allocated).us(0x00280101, s.bits_stored).us(0x00280102, s.bits_stored - 1);

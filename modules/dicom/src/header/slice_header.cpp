@@ -97,6 +97,17 @@ void readDescription(const gdcm::DataSet& data, SliceHeader& header) {
   header.instance_number = integer(data, {0x0020, 0x0013}, 0);
 }
 
+void readTraits(const gdcm::DataSet& data, SliceHeader& header) {
+  header.frame_of_reference_uid = text(data, {0x0020, 0x0052});
+  header.protocol = text(data, {0x0018, 0x1030});
+  header.series_time = text(data, {0x0008, 0x0021}) + " " + text(data, {0x0008, 0x0031});
+  header.acquisition_time = text(data, {0x0008, 0x0022}) + " " + text(data, {0x0008, 0x0032});
+  header.age_and_weight = text(data, {0x0010, 0x1010}) + " " + text(data, {0x0010, 0x1030});
+  header.flip_angle_deg = number(data, {0x0018, 0x1314}).value_or(0);
+  header.slice_gap_mm = number(data, {0x0018, 0x0088}).value_or(0);
+  header.acquisition_number = integer(data, {0x0020, 0x0012}, 0);
+}
+
 ImagePlace classicPlace(const gdcm::DataSet& data, const SliceHeader& header) {
   ImagePlace place;
   readPosition(data, place);
@@ -149,6 +160,7 @@ std::optional<SliceHeader> readSliceHeader(FilePrefix& file) {
   header.layout = walkHeader(file);
   const gdcm::DataSet data = parse(file, header.layout);
   readDescription(data, header);
+  readTraits(data, header);
   header.patient = readPatient(data);
   if (header.sop_class.empty() && header.series_uid.empty() && header.modality.empty()) return std::nullopt;
   header.voxels = readFormat(data);

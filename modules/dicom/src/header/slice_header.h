@@ -48,6 +48,10 @@ struct SliceHeader {
       acquisition_kind;
   double slice_thickness_mm = 0, repetition_time_ms = 0, inversion_time_ms = 0, gantry_tilt_deg = 0;
   int series_number = 0, instance_number = 0;
+  // What may tell scans apart where the UIDs do not (joined_slices.h):
+  std::string frame_of_reference_uid, protocol, series_time, acquisition_time, age_and_weight;
+  double flip_angle_deg = 0, slice_gap_mm = 0;  // the gap: Spacing Between Slices, centre to centre
+  int acquisition_number = 0;
   Patient patient;
   std::optional<int> patient_number;  // among the files scanned together; patient_identity.h
   bool is_mosaic = false;

@@ -51,6 +51,18 @@ void requireOnePatient(const std::vector<SeriesInfo>& series, const fs::path& in
                 "choose one with --series ('facenav series --patients' shows whose they are)");
 }
 
+/// Nor which of several readings of the same slices.
+void requireOneReading(const std::vector<SeriesInfo>& series, const fs::path& input) {
+  const int count = readingCount(series);
+  if (count == 0) return;
+  std::string parts;
+  for (const SeriesInfo& info : series)
+    if (info.is_loadable && isOneOfSeveralReadings(info)) parts += (parts.empty() ? "" : "; ") + info.part;
+  throw Error("holds slices with series UIDs of their own that can be read in " + std::to_string(count) +
+                  (count == 1 ? " way (" : " ways (") + parts + ")",
+              input.string(), "choose one with --series ('facenav series' lists them)");
+}
+
 const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& input) {
   requireOnePatient(series, input);
   // A small readable series must not stand in silently for a larger one that is damaged.
@@ -63,6 +75,7 @@ const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& 
   if (loadable == 0) refuse(*largest, input);
   for (const auto& info : series)
     if (info.is_recommended) return info;
+  requireOneReading(series, input);
   if (loadable > 1)
     throw Error("holds " + std::to_string(loadable) + " series, none of them a 3-D T1 of a head",
                 input.string(), "choose one with --series ('facenav series' lists them)");
@@ -82,9 +95,12 @@ std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor)
   auto around = scanFiles(filesUnder(folder, false), folder.string(), monitor);
   // Of the file's own patient: another's images may carry the same UID.
   const Patient whose = patientOf(alone[0]);
-  const auto is_other = [&](const SeriesInfo& s) {
-    return s.series_uid != alone[0].series_uid || !isSamePatient(patientOf(s), whose);
+  const auto is_file = [&](const fs::path& other) { return other.filename() == file.filename(); };
+  const auto holds = [&](const SeriesInfo& s) {
+    return s.series_uid == alone[0].series_uid ||
+           (s.joined && std::any_of(s.files.begin(), s.files.end(), is_file));
   };
+  const auto is_other = [&](const SeriesInfo& s) { return !holds(s) || !isSamePatient(patientOf(s), whose); };
   around.erase(std::remove_if(around.begin(), around.end(), is_other), around.end());
   return around.empty() ? alone : around;
 }
@@ -100,6 +116,7 @@ void describe(ImportedVolume& imported, std::size_t series_count) {
                                    (info.is_recommended ? ", the best T1 for navigation" : ""));
   imported.description.push_back(
       "left and right rest on Image Position and Orientation (Patient), as the scanner wrote them");
+  if (info.joined) imported.warnings.push_back(inWords(*info.joined));
   imported.warnings.insert(imported.warnings.end(), info.notes.begin(), info.notes.end());
   if (!info.is_fit_for_navigation) imported.warnings.push_back(info.fitness);
 }

@@ -103,7 +103,8 @@ void recommend(std::vector<SeriesInfo>& series) {
     return a.series_number < b.series_number;
   });
   if (patientCount(series) > 1) return;  // whose head is meant only a person knows
-  if (!series.empty() && navigationScore(series.front()) > 0) series.front().is_recommended = true;
+  if (series.empty() || isOneOfSeveralReadings(series.front())) return;  // likewise
+  if (navigationScore(series.front()) > 0) series.front().is_recommended = true;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "pixels/isolated_codec.h"
 #include "pixels/pixel_decoder.h"
 #include "series_scan.h"
+#include "single_slices.h"
 #include "slice_stack.h"
 
 namespace facenav::dicom {
@@ -26,10 +27,14 @@ std::vector<SliceHeader> readHeaders(const SeriesInfo& series, TaskMonitor& moni
     if (!header) throw Error("is not DICOM", series.files[f].string(), "list the series again");
     const std::string problem = voxelProblem(*header);
     if (!problem.empty()) throw Error(problem, series.files[f].string(), "choose another series");
-    if (header->series_uid != series.series_uid)
+    if (!series.joined && header->series_uid != series.series_uid)
       throw Error("belongs to another series", series.files[f].string(), "list the series again");
     headers[f] = std::move(*header);
   });
+  if (series.joined)
+    for (const SliceHeader& header : headers)
+      if (!isOfOneScan(headers[0], header))
+        throw Error("belongs to another series", header.file.string(), "list the series again");
   return headers;
 }
 

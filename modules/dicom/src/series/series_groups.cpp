@@ -4,6 +4,10 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <tuple>
+
+#include "readings.h"
+#include "single_slices.h"
 
 namespace facenav::dicom {
 namespace {
@@ -135,14 +139,30 @@ class Grouper {
 }  // namespace
 
 std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers) {
-  std::map<std::pair<std::string, std::optional<int>>, std::vector<ImageRef>> by_uid;  // and by patient
-  for (std::size_t h = 0; h < headers.size(); ++h)
+  const std::vector<Join> joins = joinSingleSlices(headers);
+  std::vector<int> join_of(headers.size(), -1);
+  for (std::size_t j = 0; j < joins.size(); ++j)
+    for (const int h : joins[j].headers) join_of[std::size_t(h)] = int(j);
+  // By UID, patient and join.
+  std::map<std::tuple<std::string, std::optional<int>, int>, std::vector<ImageRef>> by_uid;
+  for (std::size_t h = 0; h < headers.size(); ++h) {
+    const int join = join_of[h];
+    const std::string& uid = join < 0 ? headers[h].series_uid : joins[std::size_t(join)].finding.series_uid;
     for (std::size_t f = 0; f < headers[h].images.size(); ++f)
-      by_uid[{headers[h].series_uid, headers[h].patient_number}].push_back({int(h), int(f)});
+      by_uid[{uid, headers[h].patient_number, join}].push_back({int(h), int(f)});
+  }
   std::vector<SeriesGroup> groups;
   const Grouper grouper(headers);
   for (const auto& [key, images] : by_uid)
-    for (auto& group : grouper.group(images)) groups.push_back(std::move(group));
+    for (auto& group : grouper.group(images)) {
+      const int join = std::get<2>(key);
+      if (join < 0) {
+        groups.push_back(std::move(group));
+        continue;
+      }
+      group.joined = joins[std::size_t(join)].finding;
+      for (auto& reading : readingsOf(headers, group)) groups.push_back(std::move(reading));
+    }
   return groups;
 }
 

@@ -198,6 +198,11 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   SeriesInfo info;
   info.series_uid = info.id = first.series_uid;
   info.study_uid = first.study_uid;
+  if (group.joined) {
+    info.joined = group.joined;
+    info.series_uid = info.id = group.joined->series_uid;
+    info.study_uid = group.joined->study_uid;
+  }
   info.patient = first.patient_number;
   info.description = first.description;
   info.modality = first.modality;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "facenav/core/task_monitor.h"
+#include "facenav/dicom/joined_slices.h"
 #include "facenav/volume/volume.h"
 
 namespace facenav::dicom {
@@ -32,8 +33,9 @@ struct SeriesInfo {
   std::string series_uid, study_uid;
   std::string id;                           // what --series takes: the UID, with "#2", "#3" for further parts
   std::string description, modality, date;  // date as YYYY-MM-DD or empty; never the patient's name
-  std::string part;                // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
-  bool is_magnitude_part = false;  // told from the UID's other parts as magnitude
+  std::string part;                    // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
+  std::optional<JoinedSlices> joined;  // the slices carry UIDs of their own and were put together
+  bool is_magnitude_part = false;      // told from the UID's other parts as magnitude
   bool has_contrast_agent = false;
   std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty where unknown
   int series_number = 0;
@@ -53,7 +55,8 @@ struct SeriesInfo {
   bool is_fit_for_navigation = false;    // a T1 of the whole head with voxels of at most 1.2 mm
   std::string fitness;                   // "fit for navigation", or what stands against it, in words
   bool is_recommended = false;           // the best T1 for navigation among those listed; none where
-                                         // these are of several patients
+                                         // these are of several patients or that one is one of several
+                                         // readings of the same slices
   std::filesystem::path thumbnail_file;  // its middle image, for thumbnail.h; empty where it holds none
   int thumbnail_frame = 0;
 };
