@@ -9,6 +9,7 @@
 #include "facenav/core/error.h"
 #include "facenav/monitoring/pair_fault.h"
 #include "facenav/monitoring/rig_check.h"
+#include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
 
 namespace facenav::workflow {
@@ -195,6 +196,7 @@ AlignmentOutcome alignFromCapture(const stereo::StereoRig& rig, const capture::C
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuse(rig, capture, *error);
+  if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {

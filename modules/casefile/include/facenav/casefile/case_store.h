@@ -12,6 +12,7 @@
 
 #include "facenav/atlas/atlas_map.h"
 #include "facenav/casefile/brain_quality.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/surface/brain_model.h"
@@ -33,7 +34,8 @@ struct StoredAlignment {
   std::optional<registration::PoseUncertainty> uncertainty;  // nothing: another tool's file, or an older one
   // Size of the live face over the scan's, and its standard error (0: not estimated, or an older file).
   double face_scale = 1.0, face_scale_sigma = 0.0;
-  std::vector<std::string> cautions;  // plain words
+  std::vector<std::string> cautions;           // plain words
+  SettingValues settings = changedSettings();  // that differed from their defaults
 
   /// Predicted standard error at the target's cortex point as it is now, whatever its name, mm. Without the
   /// pose's covariance: what was predicted under this name; nothing where that is not known either.
@@ -66,6 +68,7 @@ struct Provenance {
   std::string step, software_version;
   std::map<std::string, std::string> options;
   std::map<std::string, std::string> input_sha256;
+  SettingValues settings = changedSettings();  // that differed from their defaults
 };
 
 constexpr int kLongestLabel = 120;  // bytes
