@@ -1,6 +1,8 @@
 #include "facenav/workflow/settings.h"
 
 #include "facenav/core/settings_in_force.h"
+#include "facenav/registration/fit_limits.h"
+#include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
 
 namespace facenav::workflow {
@@ -12,7 +14,7 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth>;
+using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior>;
 
 }  // namespace
 
