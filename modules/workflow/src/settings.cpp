@@ -4,6 +4,10 @@
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/tracking/identity_model.h"
+#include "facenav/tracking/skin_detail_limits.h"
+#include "facenav/tracking/skin_field_model.h"
+#include "facenav/tracking/step_limits.h"
 
 namespace facenav::workflow {
 namespace {
@@ -14,7 +18,9 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior>;
+using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
+                   tracking::SkinDetailLimits, tracking::IdentityModel, tracking::SkinFieldModel,
+                   tracking::StepLimits>;
 
 }  // namespace
 
