@@ -11,12 +11,17 @@
 #include "commands/commands.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/workflow/software_version.h"
+#include "settings_flags.h"
 #include "terminal_progress.h"
 
 namespace {
 
 using namespace facenav;
+
+constexpr const char* kVerbsWithSettings[] = {"prepare",  "align", "track",   "cloud",
+                                              "evaluate", "demo",  "settings"};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 
@@ -36,6 +41,19 @@ int startWindow(const std::filesystem::path& program) {
       "facenav: the window is not installed beside this program (%s); 'facenav --help' lists the verbs\n",
       window.c_str());
   return 1;
+}
+
+/// To the verb and to those below it.
+void addSettingsFlags(CLI::App& verb, workflow::SettingsRequest& request) {
+  app::addSettingsFlags(verb, request);
+  for (CLI::App* below : verb.get_subcommands({})) app::addSettingsFlags(*below, request);
+}
+
+void useSettings(const app::Context& context) {
+  workflow::useSettings(context.settings);
+  if (context.is_quiet) return;
+  for (const std::string& setting : changedSettingsInWords())
+    std::fprintf(stderr, "changed setting: %s\n", setting.c_str());
 }
 
 int runCommandLine(int argc, char** argv) {
@@ -73,6 +91,9 @@ int runCommandLine(int argc, char** argv) {
   app::addMarker(cli, context);
   app::addEvaluate(cli, context);
   app::addDemo(cli, context);
+  app::addSettings(cli, context);
+  for (const char* verb : kVerbsWithSettings) addSettingsFlags(*cli.get_subcommand(verb), context.settings);
+  cli.parse_complete_callback([&context] { useSettings(context); });  // before the verb runs
   for (CLI::App* verb : cli.get_subcommands({})) verb->add_flag("-q,--quiet", "no progress, no notes");
   try {
     cli.parse(argc, argv);

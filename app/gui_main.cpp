@@ -12,10 +12,12 @@
 
 #include "appearance.h"
 #include "facenav/core/parallel_for.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/scene/display.h"
 #include "main_window.h"
 #include "presenters/worklist_presenter.h"
 #include "registrations.h"
+#include "settings_flags.h"
 #include "workspaces/prepare/prepare_workspace.h"
 
 namespace {
@@ -25,6 +27,7 @@ using namespace facenav;
 constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
 
 struct Arguments {
+  workflow::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
@@ -88,6 +91,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   // Start the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
   ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
+  if (!changedSettings().empty()) window.setWindowTitle(QObject::tr("FaceNav (changed settings)"));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
     window.restoreLast();
   window.setCasesFolder(arguments.cases_folder.empty() ? ui::WorklistPresenter::rememberedFolder()
@@ -127,12 +131,14 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.1, 600.0));
   cli.add_option("--text-scale", arguments.text_scale, "all text larger or smaller, 2: twice; remembered")
       ->check(CLI::Range(kLeastTextScale, kMostTextScale));
+  app::addSettingsFlags(cli, arguments.settings);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : 2;
   }
   try {
+    workflow::useSettings(arguments.settings);
     return runWindow(argc, argv, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "facenav-gui: %s\n", error.what());

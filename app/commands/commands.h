@@ -33,5 +33,6 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
+void addSettings(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

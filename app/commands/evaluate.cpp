@@ -12,6 +12,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/evaluation/evaluation_report.h"
 #include "facenav/guidance/hand_knob.h"
+#include "facenav/workflow/settings.h"
 #include "facenav/workflow/software_version.h"
 #include "result_folder.h"
 
@@ -104,6 +105,12 @@ std::vector<evaluation::RunRecord> playRecordings(Context& context, const Evalua
   return runs;
 }
 
+/// " Measured with changed settings: ..", where any differ.
+std::string measuredWith() {
+  const auto changed = workflow::changedSettingsFinding(" Measured");
+  return changed ? *changed + "." : "";
+}
+
 void runEvaluate(Context& context, const EvaluateRequest& request) {
   ResultFolder result(request.output, "evaluation.csv", "an evaluation");
   const bool is_recorded = !request.recordings.empty();
@@ -111,7 +118,8 @@ void runEvaluate(Context& context, const EvaluateRequest& request) {
   const std::string about =
       (is_recorded ? std::to_string(runs.size()) + " recordings with truth." : inWords(request.room)) +
       " Aligner " + request.methods.aligner + ", head tracker " + request.methods.head_tracker +
-      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + workflow::softwareVersion() + ".";
+      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + workflow::softwareVersion() + "." +
+      measuredWith();
   evaluation::writeEvaluation(runs, about, result.path());
   result.finish();
   if (context.is_quiet) return;

@@ -1,6 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
+#include "case_json.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
@@ -81,6 +82,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
   }
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
   if (alignment.matcher) json["matcher"] = *alignment.matcher;
+  if (!alignment.settings.empty()) json["settings"] = alignment.settings;
   writeWholeFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
                  FileAccess::owner_only);
 }
@@ -88,6 +90,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
 StoredAlignment readAlignment(const std::filesystem::path& path) {
   const JsonReader json = JsonReader::readFile(path);
   StoredAlignment alignment;
+  alignment.settings = json.has("settings") ? readSettings(json.at("settings")) : SettingValues{};
   alignment.camera_T_mri = readTransform<Camera, Mri>(json.at("camera_T_mri"));
   alignment.rms_mm = atLeastZero(json.at("rms_mm"));
   alignment.max_mm = atLeastZero(json.at("max_mm"));

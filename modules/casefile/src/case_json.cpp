@@ -25,9 +25,10 @@ std::map<std::string, std::string> readTextMap(const JsonReader& json) {
 }
 
 Provenance readProvenance(const JsonReader& json) {
-  Provenance step{json.at("step").text(), json.at("software_version").text(), {}, {}};
+  Provenance step{json.at("step").text(), json.at("software_version").text(), {}, {}, {}};
   if (json.has("options")) step.options = readTextMap(json.at("options"));
   if (json.has("input_sha256")) step.input_sha256 = readTextMap(json.at("input_sha256"));
+  if (json.has("settings")) step.settings = readSettings(json.at("settings"));
   return step;
 }
 
@@ -59,10 +60,12 @@ Json toJson(const BrainQuality& quality) {
 }
 
 Json toJson(const Provenance& step) {
-  return {{"step", step.step},
-          {"software_version", step.software_version},
-          {"options", step.options},
-          {"input_sha256", step.input_sha256}};
+  Json json{{"step", step.step},
+            {"software_version", step.software_version},
+            {"options", step.options},
+            {"input_sha256", step.input_sha256}};
+  if (!step.settings.empty()) json["settings"] = step.settings;
+  return json;
 }
 
 void requireVersion(const JsonReader& json) {
@@ -81,6 +84,12 @@ void requireInside(const JsonReader& file) {
 }
 
 }  // namespace
+
+SettingValues readSettings(const JsonReader& json) {
+  SettingValues settings;
+  for (const auto& [key, value] : json.members()) settings[key] = value.number();
+  return settings;
+}
 
 CaseJson readCaseJson(const std::filesystem::path& path) {
   const JsonReader json = JsonReader::readFile(path);

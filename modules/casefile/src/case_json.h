@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/json_reader.h"
 
 namespace facenav::casefile {
 
@@ -24,6 +25,8 @@ struct CaseJson {
 /// Throws Error naming file and key. Another schema version is refused, and the error says what to do.
 CaseJson readCaseJson(const std::filesystem::path& path);
 void writeCaseJson(const CaseJson& content, const std::filesystem::path& path);
+/// Of what differed from the defaults, by key; of settings that this version does not know, too.
+SettingValues readSettings(const JsonReader& json);
 /// 16 random hex digits.
 std::string makeCaseId();
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/core/error.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_folder.h"
 #include "utc_now.h"
 
@@ -76,7 +77,9 @@ struct SessionLog::Implementation {
 };
 
 SessionLog::SessionLog(const fs::path& case_folder)
-    : implementation_(std::make_unique<Implementation>(case_folder)) {}
+    : implementation_(std::make_unique<Implementation>(case_folder)) {
+  for (const std::string& setting : changedSettingsInWords()) addEvent("changed_setting", setting);
+}
 SessionLog::~SessionLog() = default;
 SessionLog::SessionLog(SessionLog&&) noexcept = default;
 SessionLog& SessionLog::operator=(SessionLog&&) noexcept = default;

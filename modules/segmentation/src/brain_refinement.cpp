@@ -26,20 +26,19 @@ Mask whiteMatter(const Volume& calm, const Mask& first, const TissueModel& tissu
 }  // namespace
 
 Refinement::Refinement(const Volume& flat, const Volume& calm, const Mask& first, const TissueModel& tissue,
-                       float open_fluid)
-    : flat_(flat), calm_(calm), tissue_(tissue), open_fluid_(open_fluid) {
-  const RefinementOptions reach;
+                       float open_fluid, const BrainGrowth& growth)
+    : flat_(flat), calm_(calm), tissue_(tissue), open_fluid_(open_fluid), growth_(growth) {
   const Mask white = whiteMatter(calm, first, tissue);
   // The connected body of white matter: what the neck's muscles, which look like grey matter, do not have.
-  region_ = intersection(dilate(first, reach.search_mm),
-                         dilate(largestPart(erode(white, reach.white_tear_mm)), reach.white_reach_mm));
+  region_ = intersection(dilate(first, growth.search_mm),
+                         dilate(largestPart(erode(white, growth.white_tear_mm)), growth.white_reach_mm));
   white_ = largestPart(white);
-  near_white_ = dilate(white_, reach.cortex_mm);
+  near_white_ = dilate(white_, growth.cortex_mm);
 }
 
 Mask Refinement::tissueAbove(double share) const {
   const float low = open_fluid_ + float(share) * (float(tissue_.grey.mean) - open_fluid_);
-  const float high = float(tissue_.white.mean * RefinementOptions().brightest);
+  const float high = float(tissue_.white.mean * growth_.brightest);
   Mask tissue = region_;
   for (std::size_t v = 0; v < tissue.voxels.size(); ++v)
     tissue.voxels[v] &= flat_.voxels[v] > low && flat_.voxels[v] < high;
@@ -47,17 +46,16 @@ Mask Refinement::tissueAbove(double share) const {
 }
 
 Mask Refinement::brain(double stricter, double rise) const {
-  const RefinementOptions options;
-  const Mask bright = tissueAbove(options.core_share + stricter);
+  const Mask bright = tissueAbove(growth_.core_share + stricter);
   // Through the smoothed image: in single voxels noise rises everywhere. Up to white matter: the skull's
   // marrow, where it touches a crown, is brighter than that crown's grey matter.
-  const Mask tissue = growDownhill(calm_, white_, tissueAbove(options.tissue_share + stricter),
+  const Mask tissue = growDownhill(calm_, white_, tissueAbove(growth_.tissue_share + stricter),
                                    {open_fluid_, float(tissue_.white.mean), rise});
-  const Mask torn = intersection(erode(intersection(tissue, bright), options.tear_mm), near_white_);
-  Mask brain = intersection(dilate(largestPart(torn), options.regrow_mm), tissue);
-  const Mask deep = erode(dilate(brain, options.hull_mm), options.hull_mm + options.deep_mm);
-  brain = unionOf(close(brain, options.sulcus_mm), deep);
-  return largestPart(open(fillHoles(close(brain, options.smooth_mm)), options.smooth_mm));
+  const Mask torn = intersection(erode(intersection(tissue, bright), growth_.tear_mm), near_white_);
+  Mask brain = intersection(dilate(largestPart(torn), growth_.regrow_mm), tissue);
+  const Mask deep = erode(dilate(brain, growth_.hull_mm), growth_.hull_mm + growth_.deep_mm);
+  brain = unionOf(close(brain, growth_.sulcus_mm), deep);
+  return largestPart(open(fillHoles(close(brain, growth_.smooth_mm)), growth_.smooth_mm));
 }
 
 }  // namespace facenav::segmentation

@@ -5,6 +5,7 @@
 #include "brain_refinement.h"
 #include "brain_start.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
@@ -20,8 +21,6 @@ using volume::VoxelGrid;
 
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
 constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
-
-constexpr double kSoftening_mm2 = 0.15;  // on a grid of 1 mm, beyond the common sharpness
 
 constexpr float kMostDoubt_mm = 30;  // where another limit finds no brain at all
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
@@ -83,7 +82,7 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
 /// What the surface is sought in: coarse voxels show crowns and thin films of fluid as little as this does.
 /// The classes are told apart better without: where sulci are few, theirs of fluid would be lost.
 Volume softened(const Volume& image) {
-  return volume::spread(image, Eigen::Vector3d::Constant(kSoftening_mm2));
+  return volume::spread(image, Eigen::Vector3d::Constant(settingsOf<BrainGrowth>().softening_mm2));
 }
 
 /// By the level of the smoothed mask: the steps of the working grid, which lies anyhow against the scan's,
@@ -96,18 +95,17 @@ Mask onGrid(const Mask& brain, const VoxelGrid& grid) {
   return out;
 }
 
-constexpr double kStrict = 0.125, kGenerous = 0.125;  // tissue shares about those that are taken
-constexpr double kGenerousRise = 0.15;
 constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
 
 /// Where a stricter and a more generous limit of tissue would put the surface: from the mean of the fluid in
 /// sulci to where grey matter's class begins; the generous one may also pass into sinuses and dura.
-std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement) {
+std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement,
+                                    const BrainGrowth& growth) {
   const auto awayOf = [&](double stricter, double rise) {
     return volume::distanceTo(volume::surfaceVoxels(refinement.brain(stricter, rise)));
   };
-  auto strict = std::async(std::launch::async, [&] { return awayOf(kStrict, RefinementOptions().rise); });
-  std::vector<float> furthest = awayOf(-kGenerous, kGenerousRise);
+  auto strict = std::async(std::launch::async, [&] { return awayOf(growth.strict_share, growth.rise); });
+  std::vector<float> furthest = awayOf(-growth.generous_share, growth.generous_rise);
   const std::vector<float> other = strict.get();
   for (std::size_t v = 0; v < furthest.size(); ++v) furthest[v] = std::max(furthest[v], other[v]);
   const Mask surface = volume::surfaceVoxels(brain);
@@ -153,12 +151,13 @@ class BrainSegmenter : public Segmenter {
     const float open_fluid = openFluid(calm_flat, core, tissue);
     const Volume flat =
         calmed(rough_flat, noiseOf(rough_flat, calm_flat, core, tissue), tissue.grey.mean - open_fluid);
-    const Refinement refinement(flat, calm_flat, first, tissue, open_fluid);
+    const BrainGrowth& growth = settingsOf<BrainGrowth>();
+    const Refinement refinement(flat, calm_flat, first, tissue, open_fluid, growth);
     const Mask brain = refinement.brain();
     monitor.report("asking how sure the brain's surface is", 0.85);
     SegmentationResult result;
     result.mask = onGrid(brain, volume.grid);
-    result.doubts = doubtsOf(brain, refinement);
+    result.doubts = doubtsOf(brain, refinement, growth);
     result.warnings = checkBrain(result.mask, by_head.sphere);
     return result;
   }

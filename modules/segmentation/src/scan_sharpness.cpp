@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
+#include "facenav/segmentation/brain_growth.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/smoothing.h"
 
@@ -16,11 +18,9 @@ using volume::Volume;
 
 constexpr double kSpread = 0.26;  // variance of MR's point spread (FWHM 1.21 voxels), per voxel edge squared
 constexpr double kCoarsest_mm = 1.5;  // whose point spread can be brought back
-constexpr double kCommon_mm2 = 0.40;  // of the point spread at which all scans are judged
 constexpr double kBrightest = 1.15;   // times white matter: vessels are brighter
 constexpr double kDeep_mm = 3.2;      // this deep in white matter there is nothing but noise
 constexpr double kPass_mm2 = 0.5;     // what one pass of `smoothed` adds on a grid of 1 mm
-constexpr double kQuiet = 0.09;       // noise per contrast: single voxels lie 5 deviations from the limit
 constexpr double kMostVariance = 0.5;
 
 float laplacian(const float* at, std::size_t row, std::size_t slab) {
@@ -69,13 +69,14 @@ double pointSpread_mm2(const Volume& image, const Mask& core, const TissueModel&
 Volume atCommonSharpness(const Volume& image, const volume::VoxelGrid& scan, const Mask& core,
                          const TissueModel& tissue) {
   const double own = pointSpread_mm2(image, core, tissue);
+  const double common_mm2 = settingsOf<BrainGrowth>().common_spread_mm2;
   if (own <= 0) return image;
   Eigen::Vector3d edge2_mm2;
   for (int a = 0; a < 3; ++a)
     edge2_mm2[a] = std::pow(std::clamp(scan.mri_from_voxel.linear().row(a).norm(), 1.0, kCoarsest_mm), 2);
   Eigen::Vector3d more;
   for (int a = 0; a < 3; ++a)
-    more[a] = std::clamp(kCommon_mm2 - own - kSpread * (edge2_mm2[a] - edge2_mm2.mean()), -kMostVariance,
+    more[a] = std::clamp(common_mm2 - own - kSpread * (edge2_mm2[a] - edge2_mm2.mean()), -kMostVariance,
                          kMostVariance);
   return volume::spread(image, more);
 }
@@ -96,7 +97,8 @@ double noiseOf(const Volume& flat, const Volume& calm, const Mask& core, const T
 }
 
 Volume calmed(const Volume& flat, double noise, double contrast) {
-  const double wanted = kQuiet * contrast / std::max(noise, 1e-9);  // of the noise that may be left
+  const double wanted = settingsOf<BrainGrowth>().calm_noise * contrast /
+                        std::max(noise, 1e-9);  // of the noise that may be left
   if (wanted >= 1) return flat;
   // The kernel (v/2, 1 - v, v/2) leaves (1 - v)^2 + v^2 / 2 of the variance along each axis.
   const double along = std::pow(wanted, 2.0 / 3);

@@ -9,6 +9,7 @@
 #include "facenav/core/error.h"
 #include "facenav/monitoring/pair_fault.h"
 #include "facenav/monitoring/rig_check.h"
+#include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
 
 namespace facenav::workflow {
@@ -200,6 +201,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuse(rig, capture, *error, matcher);
+  if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
   for (const auto& target : targets) {

@@ -10,6 +10,7 @@
 #include "facenav/pictures/face_measures_picture.h"
 #include "facenav/workflow/case_pictures.h"
 #include "facenav/workflow/preparation.h"
+#include "facenav/workflow/settings.h"
 #include "facenav/workflow/software_version.h"
 
 namespace facenav::workflow {
@@ -82,6 +83,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
   colin.wait();  // wait even if it was not used
   imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
   prepared.label = label;
+  if (const auto changed = changedSettingsFinding("made")) imported.warnings.push_back(*changed);
   prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
   monitor.report("writing the case", 0.0);
   casefile::Provenance step{"prepare",

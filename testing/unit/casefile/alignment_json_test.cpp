@@ -94,6 +94,17 @@ TEST(AlignmentJson, AnOlderFileSaysWhatItHasUnderTheOldNames) {
   EXPECT_FALSE(read.predictedError_mm(targetAt("renamed", {})));
 }
 
+TEST(AlignmentJson, KeepsTheSettingsThatDifferedAndNothingWhereNoneDid) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "alignment.json";
+  StoredAlignment alignment = withCovariance();
+  writeAlignment(alignment, path);
+  EXPECT_EQ(readWholeFile(path).find("settings"), std::string::npos);
+  alignment.settings = {{"registration.wrong_median_mm", 0.8}, {"of.another_version", 3}};
+  writeAlignment(alignment, path);
+  EXPECT_EQ(readAlignment(path).settings, alignment.settings);
+}
+
 TEST(AlignmentJson, RefusesACovarianceThatIsNone) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "alignment.json";

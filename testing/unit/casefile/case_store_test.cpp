@@ -59,6 +59,16 @@ TEST(CaseStore, GivesBackWhatWasPrepared) {
   EXPECT_FALSE(store.alignment());
 }
 
+TEST(CaseStore, KeepsTheSettingsThatDifferedAndNothingWhereNoneDid) {
+  const TemporaryFolder folder;
+  auto steps = provenance();
+  CaseStore::create(folder.path() / "plain", preparedCase(), steps, false);
+  EXPECT_EQ(readWholeFile(folder.path() / "plain/case.json").find("settings"), std::string::npos);
+  steps[0].settings = {{"segmentation.search_mm", 9.5}};
+  const CaseStore changed = CaseStore::create(folder.path() / "changed", preparedCase(), steps, false);
+  EXPECT_EQ(changed.provenance().at(0).settings, steps[0].settings);
+}
+
 TEST(CaseStore, KeepsWhatPrepareThinksOfItsBrain) {
   const TemporaryFolder folder;
   PreparedCase prepared = preparedCase();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/settings_in_force.h"
+#include "facenav/head_tracking/skin_detail_limits.h"
 #include "patch_filters.h"
 #include "search_kernel.h"
 
@@ -15,10 +17,6 @@ constexpr int kFirst = 20, kBand = 34;  // patterns of the detail; what is smoot
 // Variance of the sensor's noise in these, by that before the blur: sampled bicubically in the key frame,
 // bilinearly now, mean over all places between pixels (the patterns' own unit counts sampling as noise, too).
 constexpr float kNoiseThen = 0.29f, kNoiseNow = 0.22f;
-constexpr float kPlainlyElse = 0.5f;  // of the correlation expected: a hand, a mask, hair
-constexpr double kDecides = 0.62;     // of what both cameras agree on: halfway between own and others'
-constexpr double kLeastAgreed = 0.73, kMostAgreed = 1.25;  // beyond: the noise is not what was taken
-constexpr double kSure = 3.0;                              // standard errors
 
 using Patches = Eigen::Matrix<float, kSamples, Eigen::Dynamic>;
 // One column a patch; below the kBand patterns that count, rows of nothing.
@@ -85,6 +83,7 @@ double DetailAgreement::sigma() const { return 1.0 / std::sqrt(kBand * std::max(
 DetailAgreement detailAgreement(const cameras::StereoRig& rig, const PatchModel& model,
                                 const PatchLevel& finest, const std::array<ImagePyramid, 2>& now,
                                 const PoseFit& fit, const PatchShare& share) {
+  const auto plainly_else = float(settingsOf<SkinDetailLimits>().detail_plainly_else);
   const auto most = Eigen::Index(2 * (finest.patches.size() / share.every + 1));
   Patches then_grey(kSamples, most), now_grey(kSamples, most);
   Eigen::Index count = 0;
@@ -94,7 +93,7 @@ DetailAgreement detailAgreement(const cameras::StereoRig& rig, const PatchModel&
     const auto in_float = floatsOf(camera_T_head);
     for (const auto& at : place(finest, c == 0 ? rig.left : rig.right, c, camera_T_head, share).placements) {
       const PatchSight& sight = fit.sights[std::size_t(at.patch)][c];
-      if (!sight.is_visible || sight.ncc < kPlainlyElse * sight.expected_ncc) continue;
+      if (!sight.is_visible || sight.ncc < plainly_else * sight.expected_ncc) continue;
       if (!sample(now[c].level[0], finest, in_float, at, now_grey.col(count).data())) continue;
       then_grey.col(count++) = Eigen::Map<const Eigen::Matrix<float, kSamples, 1>>(
           &finest.looks[c].grey[std::size_t(at.patch) * kSamples]);
@@ -123,9 +122,12 @@ DetailAgreement detailOfBothCameras(const PatchModel& model) {
 }
 
 Whose whoseSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
-  const double decides = kDecides * std::clamp(of_both_cameras.value(), kLeastAgreed, kMostAgreed);
-  if (seen.value() - kSure * seen.sigma() > decides) return Whose::patients;
-  if (seen.value() + kSure * seen.sigma() < decides) return Whose::anothers;
+  const SkinDetailLimits& limits = settingsOf<SkinDetailLimits>();
+  const double agreed =
+      std::clamp(of_both_cameras.value(), limits.detail_least_agreed, limits.detail_most_agreed);
+  const double decides = limits.detail_decides * agreed, margin = limits.detail_sigmas * seen.sigma();
+  if (seen.value() - margin > decides) return Whose::patients;
+  if (seen.value() + margin < decides) return Whose::anothers;
   return Whose::undecided;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
+#include "facenav/head_tracking/skin_field_model.h"
 #include "skin_field.h"
 
 namespace facenav::head_tracking {
@@ -16,9 +18,6 @@ constexpr double kFreedom = 3.0;       // of Student's t
 constexpr int kRounds = 12;            // of reweighting
 constexpr double kUpperFace_mm = 1.3;  // mobility of skin that tells where the skull is
 constexpr double kLeastScale = 0.3;    // of the errors by those expected
-// By how much more than their covariances the poses of two pairs of cameras differ: rig and shape. Fitted on
-// one real person (60 comparisons of three pairs of cameras).
-constexpr double kUnseen = 0.5;
 constexpr double kRig_rad = 0.15 * M_PI / 180, kRig_mm = 0.3;  // of each camera's own pose, by rig and lens
 // Coarse to fine: each level is searched until it has settled.
 constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};
@@ -146,7 +145,8 @@ RecoveryPose fitRecoveryPose(const cameras::StereoRig& rig, const SkinPoints& po
     Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
     rotate.topLeftCorner<3, 3>() = rotate.bottomRightCorner<3, 3>() = pose.camera_T_head.linear();
     pose.covariance = rotate * field->covariance * rotate.transpose() + then.covariance;
-    pose.unseen_covariance = kUnseen * pose.covariance + then.between_sessions;
+    pose.unseen_covariance =
+        settingsOf<SkinFieldModel>().pose_unseen * pose.covariance + then.between_sessions;
     // Identity counts windows in their place by the pose that most windows agree on.
     pose.residual_px.clear();
     for (const auto& match : matches)

@@ -5,19 +5,13 @@
 #include <map>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
+#include "facenav/head_tracking/step_limits.h"
 
 namespace facenav::head_tracking {
 namespace {
 
 constexpr double kMedianNoise = 1.25;  // of a median, by that of a mean
-constexpr int kFewest = 40;
-// In step: 0.13 px at most (60 pairs of one real person, three rigs, five moments), 0.21 where both pictures
-// are shifted sideways by 13 px. Two moments 1 mm apart: 0.23 to 0.50 px. All other moments: 2 px and more.
-// Fitted on these.
-constexpr double kBias_px = 0.20, kSigmas = 1.5;
-constexpr double kSureAlone = 2.0;   // times the limit
-constexpr double kOneFault_s = 1.0;  // between two answers that are judged together
-constexpr double kClear_px = 1.0, kClearSigmas = 8.0, kClearSpread_px = 2.0;
 
 // Signed, px of the right camera: how far the right pixel lies off the left one's epipolar line.
 double offLine_px(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px,
@@ -33,22 +27,25 @@ double sigmaOf(const EpipolarOffset& offset) {
 }
 
 double limitOf(const EpipolarOffset& offset, double allowed_px) {
-  return kBias_px + allowed_px + kSigmas * sigmaOf(offset);
+  const StepLimits& limits = settingsOf<StepLimits>();
+  return limits.step_bias_px + allowed_px + limits.step_sigmas * sigmaOf(offset);
 }
 
 }  // namespace
 
 bool EpipolarOffset::isOutOfStep(double allowed_px) const {
-  return points >= kFewest && std::abs(median_px) > limitOf(*this, allowed_px);
+  return points >= settingsOf<StepLimits>().step_fewest && std::abs(median_px) > limitOf(*this, allowed_px);
 }
 
 bool EpipolarOffset::isClearlyOutOfStep() const {
-  return points >= kFewest && spread_px < kClearSpread_px &&
-         std::abs(median_px) > kClear_px + kClearSigmas * sigmaOf(*this);
+  const StepLimits& limits = settingsOf<StepLimits>();
+  return points >= limits.step_fewest && spread_px < limits.step_clear_spread_px &&
+         std::abs(median_px) > limits.step_clear_px + limits.step_clear_sigmas * sigmaOf(*this);
 }
 
 StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Timestamp captured) {
-  const bool has_before = before_ && std::abs(captured - captured_) < kOneFault_s;
+  const StepLimits& limits = settingsOf<StepLimits>();
+  const bool has_before = before_ && std::abs(captured - captured_) < limits.step_one_fault_s;
   const auto before = has_before ? before_ : std::nullopt;
   before_ = offset, captured_ = captured;
   EpipolarOffset both = offset;
@@ -57,7 +54,7 @@ StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Ti
     both.points = offset.points + before->points;
   }
   const bool is_out = offset.isOutOfStep(allowed_px);
-  if (is_out && std::abs(offset.median_px) > kSureAlone * limitOf(offset, allowed_px))
+  if (is_out && std::abs(offset.median_px) > limits.step_sure_alone * limitOf(offset, allowed_px))
     return StepVerdict::out_of_step;
   if (before && both.isOutOfStep(allowed_px)) return StepVerdict::out_of_step;
   return is_out ? StepVerdict::unsure : StepVerdict::in_step;

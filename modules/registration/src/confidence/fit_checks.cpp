@@ -11,35 +11,15 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
+#include "facenav/registration/fit_limits.h"
 #include "fit/part_fits.h"
 #include "fit/skin_likelihood.h"
 
 namespace facenav::registration {
 namespace {
 
-// Both must be exceeded: hair and a hand may cover more than half of what the cameras see, and then the third
-// that fits best still tells; swollen skin lifts the best third, but not the median as far. Measured: right
-// head 0.1-0.35 mm median and 0.6-0.9 close, wrong head 1.3-2.4 mm and 0.2-0.5 close.
-constexpr double kWrongMedian_mm = 0.9, kWrongThird_mm = 0.5, kLeastClose = 0.3;
-// A mask explains half of a face that does not fit, if what is left fits as closely as skin does: bare 0.3 to
-// 1 of the face at 0.05-0.25 mm with the right head, 0 to 0.65 at 0.45-1.1 mm or 0 to 0.25 at any with
-// others.
-constexpr double kLeastBare = 0.25, kMostlyBare = 0.7, kWrongBare_mm = 0.4;
-// Logarithms of odds.
-constexpr double kFarFromMirrored = 30.0;
-constexpr double kMirrored = -5.0, kLeastUnmirrored = 1.0, kRival = 3.0;
-// How much likelier (logarithm) a face must be at another size; the fit beside the pose sees 2 % at most,
-// since what is off by more than the misfit's limit does not count there.
-constexpr double kScaled = 10.0;
-// Sizes: a rim of 0.6 % is what scanners and calibrations are off by. One in twenty is said,
-// what chance hardly makes and matters at the cortex (2 % of 100 mm) is refused.
-constexpr double kScannerScale = 0.006;
-constexpr double kCautionScale = 0.01;  // a millimetre at the cortex
-constexpr double kCautionScale_z = 2.0, kRefusedScale_z = 4.0, kRefusedScale = 0.02;
-constexpr double kLoose_mm = 0.6, kSuspect_mm = 0.3;
-constexpr double kHairy = 0.35;           // where hair is this frequent, it says nothing about the head
-constexpr double kLeastExtent_mm = 45.0;  // a whole face has 120, forehead to mid-nose 80
-constexpr double kLargestError_mm = 2.0;
+constexpr double kFarFromMirrored = 30.0;  // logarithm of odds: then no closer look is needed
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
   constexpr float kSettled_mm = 0.02f;
@@ -60,13 +40,16 @@ double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
 }
 
 bool isNoFit(const Closeness& c) {
-  return (c.median_mm > kWrongMedian_mm && c.best_third_mm > kWrongThird_mm) ||
-         c.close_fraction < kLeastClose || c.bare_share < kLeastBare ||
-         (c.bare_share < kMostlyBare && c.bare_mm > kWrongBare_mm);
+  const FitLimits& limits = settingsOf<FitLimits>();
+  // A mask explains half of a face that does not fit, if what is left fits as closely as skin does.
+  return (c.median_mm > limits.wrong_median_mm && c.best_third_mm > limits.wrong_third_mm) ||
+         c.close_fraction < limits.least_close || c.bare_share < limits.least_bare ||
+         (c.bare_share < limits.mostly_bare && c.bare_mm > limits.wrong_bare_mm);
 }
 
 Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                       const Eigen::Isometry3d& mri_T_camera, const Covers& covers) {
+  const FitLimits& limits = settingsOf<FitLimits>();
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   Closeness out;
   std::vector<double> skin, core, bare;
@@ -77,7 +60,7 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
     const double off_mm = double(std::abs(m.residual_mm));
     if (!m.is_valid || off_mm > 15) continue;
     ++out.face_points;
-    if (regions.foreignShare(m.at_mri_mm.cast<double>()) > kHairy) continue;
+    if (regions.foreignShare(m.at_mri_mm.cast<double>()) > limits.hairy) continue;
     skin.push_back(off_mm);
     if (off_mm < 1.5) close_mm.push_back(m.at_mri_mm);
     if (off_mm < 6) core.push_back(off_mm);
@@ -174,7 +157,8 @@ std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud
 /// By how many standard errors the scale differs from one, what scanners are off by included.
 double scaleZ(const FitEvidence& evidence) {
   if (!(evidence.scale_sigma > 0)) return 0.0;
-  return std::abs(evidence.scale - 1.0) / std::hypot(evidence.scale_sigma, kScannerScale);
+  return std::abs(evidence.scale - 1.0) /
+         std::hypot(evidence.scale_sigma, settingsOf<FitLimits>().scanner_scale);
 }
 
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
@@ -202,7 +186,7 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
   compareMirrored(evidence, scalp, face, sparse, mri_T_camera);
-  if (isNoFit(evidence.closeness) || evidence.closeness.bare_mm > kSuspect_mm)
+  if (isNoFit(evidence.closeness) || evidence.closeness.bare_mm > settingsOf<FitLimits>().suspect_mm)
     std::tie(evidence.fitting_scale, evidence.scale_log_odds) =
         fittingScale(scalp, face, sparse, mri_T_camera);
   if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals);
@@ -210,11 +194,12 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
 }
 
 void requireLikeness(const FitEvidence& evidence) {
+  const FitLimits& limits = settingsOf<FitLimits>();
   const Closeness& closeness = evidence.closeness;
-  const bool is_resized = evidence.scale_log_odds > kScaled;  // then little of it lies close
-  if (closeness.face_points < 300 || (closeness.extent_mm < kLeastExtent_mm && !is_resized))
+  const bool is_resized = evidence.scale_log_odds > limits.resized;  // then little of it lies close
+  if (closeness.face_points < 300 || (closeness.extent_mm < limits.least_extent_mm && !is_resized))
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
-  if (evidence.mirror_log_odds < kMirrored && evidence.does_mirror_fit &&
+  if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit &&
       !(is_resized && evidence.scale_log_odds > -evidence.mirror_log_odds))
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
@@ -223,34 +208,39 @@ void requireLikeness(const FitEvidence& evidence) {
     refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
                " of it lies on the skin, median distance " + fixed(closeness.median_mm, 1) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
-  if (evidence.mirror_log_odds < kLeastUnmirrored)
+  if (evidence.mirror_log_odds < limits.least_unmirrored)
     refuse("the face cannot be told from its mirror image",
            "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
-  if (evidence.rival_log_odds < kRival)
+  if (evidence.rival_log_odds < limits.rival)
     refuse("the pose is ambiguous: the face fits in two places", "show more of the face to both cameras");
 }
 
 void requireTrust(const FitEvidence& evidence) {
+  const FitLimits& limits = settingsOf<FitLimits>();
   requireLikeness(evidence);
-  if (scaleZ(evidence) > kRefusedScale_z && std::abs(evidence.scale - 1) > kRefusedScale)
+  if (scaleZ(evidence) > limits.refused_scale_z && std::abs(evidence.scale - 1) > limits.refused_scale)
     refuseSize(evidence.scale);
-  if (!(evidence.predicted_error_mm < kLargestError_mm))
+  if (!(evidence.predicted_error_mm < limits.largest_error_mm))
     refuse("too little of the face was measured to fix the pose (predicted error " +
                fixed(evidence.predicted_error_mm, 1) + " mm)",
            "show more of the face to both cameras");
 }
 
-bool isPartlyCovered(const FitEvidence& evidence) { return evidence.closeness.bare_share < kMostlyBare; }
+bool isPartlyCovered(const FitEvidence& evidence) {
+  return evidence.closeness.bare_share < settingsOf<FitLimits>().mostly_bare;
+}
 
 std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
+  const FitLimits& limits = settingsOf<FitLimits>();
   std::vector<std::string> cautions;
   const double off = std::abs(evidence.scale - 1);
-  if (scaleZ(evidence) > kCautionScale_z || (off > kCautionScale && off > 3 * evidence.scale_sigma))
+  if (scaleZ(evidence) > limits.caution_scale_z ||
+      (off > limits.caution_scale && off > 3 * evidence.scale_sigma))
     cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
                        " of the MRI's size (+/- " + fixed(100 * evidence.scale_sigma, 1) +
                        "): check the square size that they were calibrated with, and the MRI's size");
   const double loose_mm = std::max(evidence.closeness.bare_mm, evidence.misfit_mm);
-  if (loose_mm > kLoose_mm)
+  if (loose_mm > limits.loose_mm)
     cautions.push_back("the skin fits loosely (by " + fixed(loose_mm, 1) +
                        " mm): check that this is the patient's own MRI, and a calm face");
   if (isPartlyCovered(evidence))

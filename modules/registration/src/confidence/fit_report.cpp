@@ -6,6 +6,7 @@
 
 #include "cloud/cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "facenav/core/settings_in_force.h"
 #include "fit/robust_fit.h"
 
 namespace facenav::registration {
@@ -77,7 +78,8 @@ FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const 
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
-  fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle, {});
+  fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle,
+                       settingsOf<MisfitPrior>());
   fit.mri_T_camera = increment(-fit.belief.error, middle, fit.mri_T_camera);
   return fit;
 }
@@ -86,7 +88,8 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
                const Eigen::Isometry3d& pose, double limit_mm) {
   const auto patches = coveredPatches(scalp, FieldFitter(scalp, face, points), pose, limit_mm);
   FinalFit fit{pose, limit_mm,
-               believe(patches, anatomy::FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(), {})};
+               believe(patches, anatomy::FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(),
+                       settingsOf<MisfitPrior>())};
   fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
   return fit;
 }

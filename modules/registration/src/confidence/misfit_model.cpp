@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/settings_in_force.h"
+
 namespace facenav::registration {
 namespace {
 
@@ -210,17 +212,20 @@ void letGoSurprising(LinearModel& model, const Plausible& likeliest) {
 /// The linear estimator of the pose, error = estimator * residual, by weights that trust no long reach: what
 /// varies within patches, a little that neighbours share, offset and scale of a good scan.
 MatrixXd workingEstimator(const LinearModel& model) {
-  constexpr double kField_mm = 0.05, kReach_mm = 12.0, kSoft = 2.5, kOffset_mm = 0.2, kScale = 0.001;
+  const MisfitPrior& prior = settingsOf<MisfitPrior>();
+  const double offset_mm = prior.working_offset_mm, scale = prior.working_scale;
   constexpr int kUnknowns = LinearModel::kResidual;  // pose, offset, scale
-  const Eigen::VectorXf field_mm = (kField_mm * (1.0 + (kSoft - 1.0) * model.softness.array())).cast<float>();
-  Eigen::MatrixXf k = field_mm.asDiagonal() * maternOf(model.distance_mm, kReach_mm) * field_mm.asDiagonal();
+  const Eigen::VectorXf field_mm =
+      (prior.working_field_mm * (1.0 + (prior.working_soft - 1.0) * model.softness.array())).cast<float>();
+  Eigen::MatrixXf k =
+      field_mm.asDiagonal() * maternOf(model.distance_mm, prior.working_reach_mm) * field_mm.asDiagonal();
   k.diagonal() += model.noise2.cast<float>();  // well conditioned: single precision does
   const MatrixXd design = model.columns.leftCols<kUnknowns>();
   const MatrixXd weighted = k.llt().solve(design.cast<float>()).cast<double>();
   MatrixXd information = design.transpose() * weighted;
-  information(LinearModel::kOffset, LinearModel::kOffset) += 1 / (kOffset_mm * kOffset_mm);
+  information(LinearModel::kOffset, LinearModel::kOffset) += 1 / (offset_mm * offset_mm);
   for (int axis = 0; axis < 3; ++axis)
-    information(LinearModel::kScale + axis, LinearModel::kScale + axis) += 1 / (kScale * kScale);
+    information(LinearModel::kScale + axis, LinearModel::kScale + axis) += 1 / (scale * scale);
   return information.llt().solve(weighted.transpose()).topRows<LinearModel::kPose>();
 }
 

@@ -15,21 +15,9 @@
 
 #include "cloud/skin_patches.h"
 #include "facenav/anatomy/face_regions.h"
+#include "facenav/registration/misfit_prior.h"
 
 namespace facenav::registration {
-
-/// What is believed about misfit before it is seen, mm (one sigma unless said).
-struct MisfitPrior {
-  using Sizes = std::array<std::pair<double, double>, 3>;  // sigma, how often
-  // Of the whole skin along its normals. Most scans show the skin's edge within a fraction of a voxel; where
-  // the dermis is dark it is the fat's.
-  Sizes offsets_mm{{{0.1, 0.4}, {0.3, 0.35}, {0.9, 0.25}}};
-  // Of the scan, along each axis. Scanners are within some tenths of a percent as a rule, without correction
-  // of the gradients off by one.
-  Sizes scales{{{0.001, 0.45}, {0.002, 0.35}, {0.005, 0.2}}};
-  double field_mm = 0.35;     // median size of the smooth field
-  double field_spread = 0.8;  // of the size's logarithm
-};
 
 struct PoseBelief {
   Vector6d error = Vector6d::Zero();  // (turn rad, shift mm) about the pivot in Mri: what the pose is off

@@ -12,6 +12,7 @@
 
 #include "facenav/atlas/atlas_map.h"
 #include "facenav/casefile/brain_quality.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/guidance/target.h"
 #include "facenav/registration/aligner.h"
 #include "facenav/surface/brain_model.h"
@@ -33,7 +34,8 @@ struct StoredAlignment {
   std::optional<registration::PoseUncertainty> uncertainty;  // absent in older files and other tools' files
   std::optional<registration::FaceScale> face_scale;         // nothing: not estimated, or an older file
   std::vector<std::string> cautions;                         // in plain words
-  std::optional<std::string> matcher;  // that measured the face, if it was not the default one
+  std::optional<std::string> matcher;          // that measured the face, if it was not the default one
+  SettingValues settings = changedSettings();  // those that differed from their defaults
 
   /// Predicted standard error at the target's current cortex point, mm; the target's name does not matter.
   /// Without the pose's covariance: the value stored under this name. Nothing if neither is known.
@@ -67,6 +69,7 @@ struct Provenance {
   std::string step, software_version;
   std::map<std::string, std::string> options;
   std::map<std::string, std::string> input_sha256;
+  SettingValues settings = changedSettings();  // that differed from their defaults
 };
 
 constexpr int kLongestLabel = 120;  // bytes

@@ -1,0 +1,77 @@
+// facenav settings [MODULE]: the numbers that were fitted or chosen, with unit, range and origin.
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "commands/commands.h"
+#include "facenav/core/error.h"
+
+namespace facenav::app {
+namespace {
+
+nlohmann::ordered_json toJson(const SettingEntry& entry) {
+  const Setting& setting = entry.setting;
+  return {{"name", entry.key()},         {"subject", entry.subject},
+          {"value", entry.value},        {"default", entry.default_value},
+          {"unit", setting.unit},        {"minimum", setting.minimum},
+          {"maximum", setting.maximum},  {"is_whole", entry.is_whole},
+          {"help", setting.help},        {"origin", toString(setting.origin)},
+          {"evidence", setting.evidence}};
+}
+
+void print(const SettingEntry& entry) {
+  const Setting& setting = entry.setting;
+  const std::string range = valueInWords(setting.minimum, "1") + " to " + valueInWords(setting.maximum, "1");
+  const std::string changed =
+      entry.isChanged() ? "changed, default " + valueInWords(entry.default_value, "1") + "; " : "";
+  std::printf("%s = %s  (%s%s)\n  %s\n  %s: %s\n", entry.key().c_str(),
+              valueInWords(entry.value, setting.unit).c_str(), changed.c_str(), range.c_str(),
+              setting.help.c_str(), toString(setting.origin).c_str(), setting.evidence.c_str());
+}
+
+/// Throws Error where the module has none, naming those that have.
+std::vector<SettingEntry> entriesOf(const SettingsTable& table, const std::string& module) {
+  std::vector<SettingEntry> entries;
+  std::set<std::string> modules;
+  for (const SettingEntry& entry : table.entries()) {
+    modules.insert(entry.module);
+    if (module.empty() || entry.module == module) entries.push_back(entry);
+  }
+  std::string names;
+  for (const std::string& name : modules) names += (names.empty() ? "" : ", ") + name;
+  if (entries.empty()) throw Error("no module '" + module + "' has settings", {}, "choose one of: " + names);
+  return entries;
+}
+
+}  // namespace
+
+void addSettings(CLI::App& app, Context& context) {
+  auto* verb =
+      app.add_subcommand("settings", "the numbers that were fitted or chosen, and where they come from");
+  struct Request {
+    std::string module;
+    bool is_json = false;
+  };
+  auto request = std::make_shared<Request>();
+  verb->add_option("MODULE", request->module, "only its settings");
+  verb->add_flag("--json", request->is_json, "as JSON");
+  verb->callback([&context, request] {
+    const auto entries = entriesOf(workflow::settingsFor(context.settings), request->module);
+    auto json = nlohmann::ordered_json::array();
+    std::string subject;
+    for (const SettingEntry& entry : entries) {
+      if (request->is_json) {
+        json.push_back(toJson(entry));
+        continue;
+      }
+      if (entry.subject != subject) std::printf("\n%s: %s\n\n", entry.module.c_str(), entry.subject.c_str());
+      subject = entry.subject;
+      print(entry);
+    }
+    if (request->is_json) std::printf("%s\n", json.dump(1).c_str());
+  });
+}
+
+}  // namespace facenav::app

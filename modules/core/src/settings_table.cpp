@@ -1,0 +1,124 @@
+#include "facenav/core/settings_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <numeric>
+#include <sstream>
+
+#include "facenav/core/error.h"
+#include "facenav/core/json_reader.h"
+#include "facenav/core/number_text.h"
+
+namespace facenav {
+inline namespace core {
+namespace {
+
+/// Letters to insert, remove or replace to make one of the other (Levenshtein 1966).
+std::size_t lettersApart(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t before = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = before + (a[i] != b[j]);
+      before = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, before + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+std::string afterPoint(const std::string& key) { return key.substr(key.find('.') + 1); }
+
+/// The whole text as a finite number with a decimal point, whatever the locale.
+bool isNumber(const std::string& text, double& value) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  return !text.empty() && stream >> value && stream.eof() && std::isfinite(value);
+}
+
+}  // namespace
+
+std::string toString(Origin origin) {
+  switch (origin) {
+    case Origin::physics:
+      return "physics";
+    case Origin::article:
+      return "article";
+    case Origin::fitted:
+      return "fitted";
+    case Origin::chosen:
+      break;
+  }
+  return "chosen";
+}
+
+std::string valueInWords(double value, const std::string& unit) {
+  return formatted("%.10g", value) + (unit == "1" ? "" : " " + unit);
+}
+
+void SettingsTable::add(SettingEntry entry) {
+  for (const SettingEntry& other : entries_)
+    FACENAV_EXPECT(other.key() != entry.key(), "two settings are called " + entry.key());
+  entries_.push_back(std::move(entry));
+}
+
+std::string SettingsTable::nearestKey(const std::string& wrong) const {
+  // Of the name alone, too: a forgotten or wrong module is no long way.
+  const auto apart = [&wrong](const SettingEntry& entry) {
+    return std::min(lettersApart(wrong, entry.key()),
+                    1 + lettersApart(afterPoint(wrong), entry.setting.name));
+  };
+  const auto nearest = std::min_element(entries_.begin(), entries_.end(),
+                                        [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+  return nearest == entries_.end() ? "" : nearest->key();
+}
+
+void SettingsTable::set(const std::string& key, double value, const std::string& where) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&key](const SettingEntry& entry) { return entry.key() == key; });
+  if (found == entries_.end())
+    throw Error("there is no setting '" + key + "', the nearest is '" + nearestKey(key) + "'", where,
+                "'facenav settings' lists them");
+  const Setting& setting = found->setting;
+  if (found->is_whole && value != std::floor(value))
+    throw Error(key + " takes a whole number, not " + valueInWords(value, "1"), where);
+  if (!(value >= setting.minimum && value <= setting.maximum))
+    throw Error(key + " is " + valueInWords(value, "1") + ", allowed are " +
+                    valueInWords(setting.minimum, "1") + " to " + valueInWords(setting.maximum, setting.unit),
+                where);
+  found->value = value;
+}
+
+void SettingsTable::setByText(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error("'" + assignment + "' is not written as module.name=value", "--set");
+  double value = 0;
+  if (!isNumber(assignment.substr(equals + 1), value))
+    throw Error("'" + assignment.substr(equals + 1) + "' is no number", "--set " + assignment,
+                "write it with a decimal point and without its unit");
+  set(assignment.substr(0, equals), value, "--set " + assignment);
+}
+
+void SettingsTable::readFile(const std::filesystem::path& json) {
+  for (const auto& [key, value] : JsonReader::readFile(json).members())
+    set(key, value.number(), json.string());
+}
+
+SettingValues SettingsTable::changed() const {
+  SettingValues values;
+  for (const SettingEntry& entry : entries_)
+    if (entry.isChanged()) values[entry.key()] = entry.value;
+  return values;
+}
+
+const SettingEntry& SettingsTable::entry(const std::string& key) const {
+  for (const SettingEntry& entry : entries_)
+    if (entry.key() == key) return entry;
+  expectationFailed("entry", __FILE__, __LINE__, "the table lacks " + key);
+}
+
+}  // namespace core
+}  // namespace facenav

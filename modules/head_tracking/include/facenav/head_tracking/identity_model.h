@@ -1,0 +1,81 @@
+#pragma once
+// IdentityModel: how probable what was seen is for the patient and for another person (module's identity.h).
+// One real person is little: a change is to be judged on persons who are not among those named here
+// (`facenav evaluate pairs`).
+
+#include "facenav/core/setting.h"
+
+namespace facenav::head_tracking {
+
+struct IdentityModel {
+  static constexpr const char* kModule = "head_tracking";
+  static constexpr const char* kSubject = "identity of a face found anew";
+
+  double identity_rigid_mm = 0.6;
+  double identity_in_place = 0.15;
+  double identity_least_in_place_px = 1.0;
+  int identity_fewest_windows = 60;
+  double identity_own_mean = 0.8;
+  double identity_own_sigma = 0.75;
+  double identity_other_mean = -2.7;
+  double identity_other_sigma = 0.6;
+  double identity_own_shape = -0.35;
+  double identity_own_shape_sigma = 0.35;
+  double identity_other_shape = 0.45;
+  double identity_other_shape_sigma = 0.45;
+  double identity_sure = 4.6;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(kNotRecorded("identity_rigid_mm", 0.1, 3, "mm", "mobility of the skin that is asked"),
+            self.identity_rigid_mm);
+    visitor(kNotRecorded("identity_in_place", 0.02, 1, "1",
+                         "residual of a window in its place, of half a window"),
+            self.identity_in_place);
+    visitor(kNotRecorded("identity_least_in_place_px", 0.2, 5, "px", "least such residual"),
+            self.identity_least_in_place_px);
+    visitor(kNotRecorded("identity_fewest_windows", 10, 1000, "1", "windows in view for an answer at all"),
+            self.identity_fewest_windows);
+    visitor(kOwn("identity_own_mean", -3, 5, "1", "logit of the patient's share of windows in place: mean"),
+            self.identity_own_mean);
+    visitor(kOwn("identity_own_sigma", 0.1, 3, "1",
+                 "logit of the patient's share of windows in place: standard deviation"),
+            self.identity_own_sigma);
+    visitor(kOther("identity_other_mean", -6, 2, "1", "logit of another person's share: mean"),
+            self.identity_other_mean);
+    visitor(
+        kOther("identity_other_sigma", 0.1, 3, "1", "logit of another person's share: standard deviation"),
+        self.identity_other_sigma);
+    visitor(kShape("identity_own_shape", -3, 2, "1",
+                   "logarithm of the upper face's rms in mm, the patient: mean (0.7 mm)"),
+            self.identity_own_shape);
+    visitor(kShape("identity_own_shape_sigma", 0.05, 2, "1",
+                   "logarithm of that rms, the patient: standard deviation"),
+            self.identity_own_shape_sigma);
+    visitor(
+        kShape("identity_other_shape", -2, 3, "1", "logarithm of that rms, another person: mean (1.6 mm)"),
+        self.identity_other_shape);
+    visitor(kShape("identity_other_shape_sigma", 0.05, 2, "1",
+                   "logarithm of that rms, another person: standard deviation"),
+            self.identity_other_shape_sigma);
+    visitor(kOdds("identity_sure", 1, 20, "1", "log likelihood ratio of a decision: 100 to 1"),
+            self.identity_sure);
+  }
+
+ private:
+  static constexpr Evidence kOwn{
+      Origin::fitted,
+      "on one real person, 60 attempts over five moments and three pairs of cameras (0.82, 0.65), widened "
+      "for people and cameras that were not seen; nobody held out"};
+  static constexpr Evidence kOther{Origin::fitted,
+                                   "on the same person mirrored, 25 attempts (-2.7, 0.33; the program is not "
+                                   "kept), widened; nobody held out"};
+  static constexpr Evidence kShape{Origin::chosen,
+                                   "0.7 mm is what two pairs of cameras leave on one real face without dots, "
+                                   "1.6 mm what adult faces differ by; not fitted"};
+  static constexpr Evidence kOdds{Origin::chosen, "odds of 100 to 1"};
+  static constexpr Evidence kNotRecorded{Origin::chosen,
+                                         "origin not recorded; in development on one real person"};
+};
+
+}  // namespace facenav::head_tracking

@@ -1,0 +1,45 @@
+#include "facenav/workflow/settings.h"
+
+#include "facenav/core/settings_in_force.h"
+#include "facenav/head_tracking/identity_model.h"
+#include "facenav/head_tracking/skin_detail_limits.h"
+#include "facenav/head_tracking/skin_field_model.h"
+#include "facenav/head_tracking/step_limits.h"
+#include "facenav/registration/fit_limits.h"
+#include "facenav/registration/misfit_prior.h"
+#include "facenav/segmentation/brain_growth.h"
+
+namespace facenav::workflow {
+namespace {
+
+template <class... Group>
+struct Groups {
+  static SettingsTable table() { return SettingsTable::of<Group...>(); }
+  static void use(const SettingsTable& table) { putInForce<Group...>(table); }
+};
+
+using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
+                   head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
+                   head_tracking::SkinFieldModel, head_tracking::StepLimits>;
+
+}  // namespace
+
+SettingsTable allSettings() { return All::table(); }
+
+SettingsTable settingsFor(const SettingsRequest& request) {
+  SettingsTable table = allSettings();
+  if (request.file) table.readFile(*request.file);
+  for (const std::string& assignment : request.assignments) table.setByText(assignment);
+  return table;
+}
+
+void useSettings(const SettingsRequest& request) { All::use(settingsFor(request)); }
+
+std::optional<std::string> changedSettingsFinding(const std::string& made) {
+  std::string words;
+  for (const std::string& setting : changedSettingsInWords()) words += (words.empty() ? "" : ", ") + setting;
+  if (words.empty()) return std::nullopt;
+  return made + " with changed settings: " + words;
+}
+
+}  // namespace facenav::workflow
