@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <functional>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -63,8 +65,8 @@ inline std::vector<cameras::StereoFrame> unusableFrames(const cameras::StereoFra
   return frames;
 }
 
-/// Plays the frames: the same frames give the same results, in a second tracker and after a second start; a frame
-/// that cannot be used is Lost{camera}, and the next good one is tracked.
+/// Plays the frames: the same frames give the same results, in a second tracker and after a second start; a
+/// frame that cannot be used is Lost{camera}, and the next good one is tracked.
 template <class Tracker, class Result>
 void expectTrackerContract(const TrackerContract<Tracker, Result>& contract) {
   const auto first = contract.make(), second = contract.make();

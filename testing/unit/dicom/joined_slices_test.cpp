@@ -10,7 +10,7 @@
 #include "apart_slices.h"
 #include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
-#include "single_slices.h"
+#include "series/single_slices.h"
 
 namespace facenav::testing {
 namespace {
