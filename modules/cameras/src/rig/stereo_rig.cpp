@@ -62,7 +62,7 @@ class RigReader {
     if (!cv::checkRange(values)) fail("key '" + key + "' holds a value that is not finite");
     return values;
   }
-  /// Empty where the key is missing or holds no square matrix of finite numbers.
+  /// Empty when the key is missing or does not hold a square matrix of finite numbers.
   cv::Mat optionalSquare(const std::string& key) const {
     cv::Mat read, values;
     const cv::FileNode found = storage_[key];
@@ -163,7 +163,7 @@ StereoRig readRig(const std::filesystem::path& path) {
   rig.covariance = reader.optionalSquare("covariance");
   if (!rig.covariance.empty() &&
       rig.covariance.rows != int(14 + rig.left.distortion.total() + rig.right.distortion.total()))
-    rig.covariance.release();  // of another model: says nothing about this one
+    rig.covariance.release();  // it belongs to another model
   return rig;
 }
 
@@ -174,7 +174,7 @@ CalibrationNotes readCalibrationNotes(const std::filesystem::path& path) {
   for (const auto& [key, figure] : kEffectKeys) {
     const auto value = reader.number(key);
     if (value && notes.at_head) (*notes.at_head).*figure = *value;
-    if (!value) notes.at_head.reset();  // half of it says nothing
+    if (!value) notes.at_head.reset();  // all figures or none
   }
   return notes;
 }
