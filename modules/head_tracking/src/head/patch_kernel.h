@@ -1,8 +1,8 @@
 #pragma once
-// The inner loop of the head track: patches of skin, placed in an image by pose and camera, and the sums over
-// their samples from which gain, likeness and displacement follow. Compiled twice (the platform's base and
-// AVX2) and chosen at run time; raw pointers only, so that no inline function of a library is emitted for
-// AVX2 and picked up by the linker for every machine.
+// The inner loop of head tracking: patches of skin, placed in an image by pose and camera, and the sums over
+// their samples that give gain, likeness and displacement. Compiled twice (the platform's base and AVX2) and
+// chosen at run time. Raw pointers only: an inline library function compiled for AVX2 could be linked into
+// code for all machines.
 
 #include <cstdint>
 
@@ -12,24 +12,23 @@ constexpr int kSide = 8, kSamples = kSide * kSide;  // a multiple of 8: whole SI
 
 struct Image {
   const std::uint16_t* pixels = nullptr;  // BlurredImage
-  int stride = 0;                         // pixels from row to row
+  int stride = 0;                         // in pixels
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// kSamples values a patch, one patch after the other.
+/// kSamples values per patch, one patch after the other.
 struct Samples {
   const float *x = nullptr, *y = nullptr, *z = nullptr;         // Head, mm
-  const float *grey = nullptr, *d_u = nullptr, *d_v = nullptr;  // what their products with the image sum to
+  const float *grey = nullptr, *d_u = nullptr, *d_v = nullptr;  // factors of the image in the sums
 };
 
-/// Where a patch lies in the image: pixel = d (x/z, y/z) + offset, the camera's model made linear there.
+/// Position of a patch in the image: pixel = d (x/z, y/z) + offset, the camera's model linearised there.
 struct Placement {
   std::int32_t patch = 0;
   float d[4] = {0, 0, 0, 0}, offset[2] = {0, 0};
 };
 
-/// Sums over the samples, image values in grey levels. `is_inside` is 0 where a sample falls out of the
-/// image.
+/// Sums over the samples, image values in grey levels. `is_inside` is 0 when a sample lies outside the image.
 struct Sums {
   float i = 0, ii = 0, ti = 0, ui = 0, vi = 0;
   std::int32_t is_inside = 0;
@@ -44,7 +43,7 @@ void sumPatchesBase(const Image& image, const Samples& samples, const float came
 void sumPatchesAvx2(const Image& image, const Samples& samples, const float camera_T_head[12],
                     const Placement* placements, int count, Sums* sums);
 
-/// The fastest that this processor runs.
+/// The fastest kernel that this processor supports.
 Kernel kernel();
 
 }  // namespace facenav::head_tracking::patch

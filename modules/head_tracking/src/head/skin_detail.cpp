@@ -11,17 +11,19 @@ namespace {
 
 using patch::kSamples;
 
-constexpr int kFirst = 20, kBand = 34;  // patterns of the detail; what is smoother is light's, and all faces'
-// Variance of the sensor's noise in these, by that before the blur: sampled bicubically in the key frame,
-// bilinearly now, mean over all places between pixels (the patterns' own unit counts sampling as noise, too).
+constexpr int kFirst = 20,
+              kBand = 34;  // patterns of the detail; smoother ones show light and what all faces share
+// Variance of the sensor's noise in these patterns, relative to that before the blur: bicubic sampling in the
+// key frame, bilinear now, mean over all sub-pixel places (the patterns' own unit includes sampling errors).
 constexpr float kNoiseThen = 0.29f, kNoiseNow = 0.22f;
-constexpr float kPlainlyElse = 0.5f;  // of the correlation expected: a hand, a mask, hair
-constexpr double kDecides = 0.62;     // of what both cameras agree on: halfway between own and others'
-constexpr double kLeastAgreed = 0.73, kMostAgreed = 1.25;  // beyond: the noise is not what was taken
+constexpr float kPlainlyElse = 0.5f;  // of the expected correlation; below it: a hand, a mask, hair
+constexpr double kDecides =
+    0.62;  // fraction of the agreement of both cameras: halfway between own and others' skin
+constexpr double kLeastAgreed = 0.73, kMostAgreed = 1.25;  // outside, the assumed noise is wrong
 constexpr double kSure = 3.0;                              // standard errors
 
 using Patches = Eigen::Matrix<float, kSamples, Eigen::Dynamic>;
-// One column a patch; below the kBand patterns that count, rows of nothing.
+// One column per patch. Below the kBand patterns that count, the rows are zero.
 using Coefficients = Eigen::Matrix<float, search::Expansion::kPatterns, Eigen::Dynamic>;
 static_assert(kBand <= search::Expansion::kPatterns);
 
@@ -45,7 +47,7 @@ Coefficients coefficientsOf(const Patches& patches, Eigen::Index count) {
   return coefficients;
 }
 
-// At a placed patch's samples; false where one lies outside.
+// Grey values at a placed patch's samples; false when one lies outside.
 bool sample(const BlurredImage& image, const PatchLevel& level, const std::array<float, 12>& pose,
             const patch::Placement& at, float* grey) {
   const std::size_t first = std::size_t(at.patch) * kSamples;
