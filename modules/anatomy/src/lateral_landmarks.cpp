@@ -50,7 +50,7 @@ MaybePoint lidCentre(const SkinRelief& front, const Vector3d& inner, int side) {
   return onFront(front, side * (std::abs(inner.x()) + at_mm), inner.z() - 2);
 }
 
-/// Morphological closing in one direction: fills hollows narrower than `radius_mm`.
+/// Morphological closing: fills hollows narrower than twice `radius_mm`.
 SkinRelief closed(const SkinRelief& relief, int radius_mm) {
   const auto pass = [&](const SkinRelief& in, int du, int dv, bool is_maximum) {
     SkinRelief out = in;
