@@ -3,7 +3,6 @@
 // view. Exposures not simultaneous: each camera alone fits the view, both together do not, because the board
 // moved between them.
 // together do not: the board moved in between).
-
 #include <functional>
 
 #include "facenav/cameras/calibrate.h"

@@ -13,8 +13,6 @@
 // What it detects: pitch and roll of one camera against the other, from epipolar residuals (some hundredths
 // of a degree). Yaw and a longer or shorter baseline move points along the epipolar lines: only the size of
 // squares shows them. A focal length that changed equally in both cameras shows in neither.
-// degree). Yaw and a longer or shorter baseline move points along the epipolar lines and show only in the
-// size of squares; a focal length that changed in both cameras alike shows in neither.
 
 #include <array>
 #include <map>
