@@ -2,7 +2,7 @@
 // Checks the views before and during the fit of the rig. Wrong corners: one camera alone does not fit the
 // view. Exposures not simultaneous: each camera alone fits the view, both together do not, because the board
 // moved between them.
-// together do not: the board moved in between).
+
 #include <functional>
 
 #include "facenav/cameras/calibrate.h"
