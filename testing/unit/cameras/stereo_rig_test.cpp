@@ -41,7 +41,7 @@ std::string goodRigText() {
   return readWholeFile(folder.path() / "stereo.yml");
 }
 
-// Without the key's whole entry (up to the next key at the start of a line).
+// The text without the key's whole entry (up to the next key at the start of a line).
 std::string without(const std::string& text, const std::string& key) {
   return std::regex_replace(text, std::regex("(^|\n)" + key + ":[^\n]*(\n [^\n]*)*"), "$1");
 }
@@ -150,7 +150,7 @@ TEST(StereoRig, DamagedFileIsAnErrorNotACrash) {
   EXPECT_NE(messageOfReading("%YAML:1.0\n---\n- 1\n- 2\n").find("stereo.yml"), std::string::npos);
   EXPECT_NE(messageOfReading(std::string("\x89PNG\r\n\x1a\n\0\0\0", 11)).find("stereo.yml"),
             std::string::npos);
-  // Ends before "E" lose a required key; later cuts only lose what is optional, and the rig must then be the
+  // A cut before "E" loses a required key. Later cuts lose optional keys only, and the rig must then be the
   // same.
   const std::size_t optional_from = text.find("\nE:");
   for (std::size_t length = 0; length < optional_from - 40; length += 37)
@@ -187,7 +187,7 @@ TEST(StereoRig, NotesAndTheEffectAtTheHeadSurviveWritingAndReading) {
   EXPECT_DOUBLE_EQ(notes.at_head->length_mm, 0.07);
   EXPECT_DOUBLE_EQ(notes.at_head->motion_mm, 0.05);
   EXPECT_DOUBLE_EQ(notes.at_head->motion_deg, 0.011);
-  EXPECT_EQ(readRig(file).width_px, 640);  // keys that it does not know are no error
+  EXPECT_EQ(readRig(file).width_px, 640);  // unknown keys are no error
 }
 
 TEST(StereoRig, AFileWithoutNotesIsReadAsBefore) {

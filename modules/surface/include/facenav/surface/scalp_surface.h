@@ -19,8 +19,8 @@ struct ScalpSurface {
   /// Planes that bound the scan (a point on each, normal out of the scan), Mri. Skin is cut where it meets
   /// them.
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
-  bool has_face = false;                 // nose, brow and eye sockets are there to align to
-  std::vector<std::string> findings;     // plain words: "nose tip cut by the scan's edge"
+  bool has_face = false;              // nose, brow and eye sockets are there to align to
+  std::vector<std::string> findings;  // plain words: "nose tip cut by the scan's edge"
 };
 
 ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor);
