@@ -20,7 +20,7 @@ struct CoilFit {
   std::vector<std::size_t> markers;  // fitted markers, the most certain first
 };
 
-/// Approximate upper limit of the work to fit one marker, in patch comparisons: found anew, and predicted.
+/// Approximate upper limit of the work to fit one marker, in patch comparisons: newly found, and predicted.
 constexpr int kNewFitLooks = 1400, kFitLooks = 800;
 
 /// Fits these markers near `start`, then adds the others that both images show where the fit predicts them.

@@ -1,4 +1,4 @@
-// A face that returns compressed, rotated and with its jaw down: it is found, told from another person's, and
+// A face that returns compressed, rotated and with its jaw down: it is found, kept apart from another's, and
 // not shown when the two images are out of step.
 
 #include "head_scene.h"

@@ -9,7 +9,7 @@
 namespace facenav::cameras {
 namespace {
 
-// With fewer views, a small delay common to all cannot be told from the cameras' real pose.
+// With fewer views, a small delay common to all cannot be separated from the cameras' real pose.
 constexpr std::size_t kFewestStill = 8;
 // When half the views moved, those that passed the test probably moved too, by a little less.
 constexpr double kLeastSimultaneous = 0.5;

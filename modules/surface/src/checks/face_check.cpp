@@ -89,7 +89,7 @@ int lowestRow(const Front& front) {
   return 0;
 }
 
-/// Holes of the mesh in front of the face (nose), at the sides (ears) and at the forehead.
+/// Parts of the face that the scan's edges cut.
 struct Cuts {
   bool has_nose = false, has_ear = false, has_forehead = false;
 };

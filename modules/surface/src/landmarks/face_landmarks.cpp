@@ -111,8 +111,8 @@ class LandmarkFinder {
     addWidest("euryon", right, left, {nasion.x() - 150, nasion.x() - 40}, {nasion.y() + 40, nasion.y() + 95});
   }
 
-  /// Both or none: only symmetry tells an ear from a headrest or a hair band. An ear cut by the scan's edge
-  /// shows false hollows.
+  /// Both or none: only symmetry distinguishes an ear from a headrest or a hair band. An ear cut by the
+  /// scan's edge shows false hollows.
   void addTragi(const MaybePoint& right, const MaybePoint& left) {
     constexpr double kSkew_mm = 12;
     if (!right || !left || (right->tail<2>() - left->tail<2>()).norm() > kSkew_mm) return;

@@ -3,7 +3,8 @@
 // 2000). Then all parameters of both cameras and all board poses are fitted together (as cv::stereoCalibrate
 // without fixed intrinsics). Beyond that:
 // - views that disagree with the rest are left out and named, because one of them bends every parameter.
-//   Wrong corners (one camera alone does not fit) are told from boards that moved between the two exposures;
+//   Wrong corners (one camera alone does not fit) are distinguished from boards that moved between the
+//   exposures;
 // - the distortion model is chosen by cross-validation. A fuller model always lowers the error on its own
 //   views, so it is used only when it also lowers the error on views left out;
 // - principal point, tangential terms and aspect have a prior, for views that do not determine them;

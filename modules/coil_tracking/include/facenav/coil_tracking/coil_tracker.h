@@ -27,8 +27,8 @@ struct MarkerModel {
   std::optional<std::filesystem::path> pattern;  // ARToolKit .patt
   double size_mm = 60.0;                         // edge of the black square
   // Standard error of size_mm (measured, or the page's ruler checked). With it, a print of another size is
-  // told from a camera that turned along the epipolar lines. Larger: a wrong print size is accepted, and so
-  // is a wrong depth.
+  // distinguished from a camera that turned along the epipolar lines. Larger: a wrong print size is accepted,
+  // and so is a wrong depth.
   double size_sigma_mm = 0.1;
   RigidTransform<Coil, Marker> coil_T_marker;
 };
