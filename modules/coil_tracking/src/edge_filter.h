@@ -2,11 +2,11 @@
 // EdgeFilter: where a black/white edge crosses a row (or column) of pixels, near the Cramer-Rao bound. It
 // uses the row's own pixels: bilinear interpolation would shift an edge along the rows by up to 0.02 px,
 // everywhere alike. Least squares of
-//   grey(x) = white + contrast * S + a * S' + b * dS/dsigma,   S: blurred step at the predicted place
-// gives the edge's offset -a / contrast. The last term accounts for a blur other than the table's (three taps
-// a side or more). The weights depend only on the place within the pixel and are tabulated.
-// Bound of one row: noise / contrast * sqrt(2 sqrt(pi) sigma), 0.014 px for 175 grey levels, noise 1.5, sigma
-// 0.8 px.
+//   grey(x) = white + contrast * S + a * S' + b * dS/dsigma
+// (S: step at the predicted place, blurred by sigma) gives the edge's offset -a / contrast. The last term
+// accounts for a blur other than the table's (three taps a side or more). The weights depend only on the
+// place within the pixel and are tabulated. Bound of one row: noise / contrast * sqrt(2 sqrt(pi) sigma),
+// 0.014 px for 175 grey levels, noise 1.5, sigma 0.8 px.
 
 #include <array>
 #include <cstddef>

@@ -27,7 +27,7 @@ struct KeyFrame {
   Matrix6d covariance = Matrix6d::Zero();                    // of that pose, as HeadPose's
   Matrix6d unseen_covariance = Matrix6d::Zero();             // additional error that no image shows
   int generation = 0;                                        // 0: the reference
-  bool is_of_moment = false;  // learnt when the face was found again, with its appearance now
+  bool is_of_moment = false;  // learnt when the face was found again, with its appearance then
   KeyMotion moving;           // zero for the reference
   PatchLevels level;          // coarser levels serve to find the head again on this side
 };
