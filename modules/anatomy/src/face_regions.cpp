@@ -26,7 +26,7 @@ double FaceRegions::softness(const Eigen::Vector3d& p_mri_mm) const {
 }
 
 double FaceRegions::foreignShare(const Eigen::Vector3d& p_mri_mm) const {
-  // The hairline lies 75 to 110 mm above the tip of the nose, and falls to the ears on both sides.
+  // The hairline lies 75 to 110 mm above the tip of the nose, and gets lower towards the ears.
   constexpr double kOnSkin = 0.05, kAboveHairline = 0.7, kLowest_mm = 60.0, kHighest_mm = 100.0;
   const Eigen::Vector3d d = p_mri_mm - nose_;
   const double above =

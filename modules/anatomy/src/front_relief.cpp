@@ -8,7 +8,7 @@
 namespace facenav::anatomy {
 namespace {
 
-/// Median difference between both sides of `column`, the head's turn (a constant per distance) taken out.
+/// Median difference between both sides of `column`, without the head's rotation (a constant per distance).
 double asymmetry(const FrontRelief& relief, int column) {
   double sum = 0;
   int n = 0;
@@ -21,7 +21,7 @@ double asymmetry(const FrontRelief& relief, int column) {
     if (differences.size() < 10) return std::numeric_limits<double>::max();
     const double turn = upperMedian(differences);
     for (double& d : differences) d = std::abs(d - turn);
-    // The turn itself counts a little: the midline is also where both sides are equally far forward.
+    // The rotation itself has a small weight: at the midline both sides are also equally far forward.
     sum += upperMedian(differences) + 0.3 * std::abs(turn);
     ++n;
   }

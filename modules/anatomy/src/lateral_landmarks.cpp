@@ -12,7 +12,7 @@ Vector3d onFront(const SkinRelief& front, double x_mm, double z_mm) {
   return {x_mm, front.at(x_mm, z_mm).value_or(0), z_mm};
 }
 
-/// The hollow between the nose's bridge and the eyeball: of all rows, where it is deepest against both.
+/// The hollow between the nose's bridge and the eyeball, in the row where it is deepest relative to both.
 MaybePoint innerCorner(const SkinRelief& front, const Vector3d& nasion, int side) {
   constexpr double kNearest_mm = 9, kFurthest_mm = 26, kLid_mm = 36;
   MaybePoint best;
@@ -35,8 +35,8 @@ MaybePoint innerCorner(const SkinRelief& front, const Vector3d& nasion, int side
   return best;
 }
 
-/// The place beside the inner corner where the closed lid lies furthest to the front. Nothing where that is
-/// an end of the search: then brow or cheek hide it.
+/// The place beside the inner corner where the closed lid lies furthest to the front. Nothing when that is an
+/// end of the search: then brow or cheek hide it.
 MaybePoint lidCentre(const SkinRelief& front, const Vector3d& inner, int side) {
   constexpr double kNearest_mm = 7, kFurthest_mm = 26;
   double most_mm = -1e6, at_mm = 0;
@@ -50,8 +50,7 @@ MaybePoint lidCentre(const SkinRelief& front, const Vector3d& inner, int side) {
   return onFront(front, side * (std::abs(inner.x()) + at_mm), inner.z() - 2);
 }
 
-/// Highest of the cells within `radius_mm` in one direction, then lowest of these: hollows narrower than that
-/// are filled.
+/// Morphological closing: fills hollows narrower than twice `radius_mm`.
 SkinRelief closed(const SkinRelief& relief, int radius_mm) {
   const auto pass = [&](const SkinRelief& in, int du, int dv, bool is_maximum) {
     SkinRelief out = in;
@@ -80,7 +79,7 @@ EyeLandmarks findEye(const SkinRelief& front, const Vector3d& nasion, int side) 
 }
 
 MaybePoint findAla(const SkinRelief& front, const Vector3d& subnasale, int side) {
-  constexpr double kSteep = 1.0;  // mm of depth a mm aside: a wall, which cheek and lip are not
+  constexpr double kSteep = 1.0;  // mm of depth per mm sideways: a steep wall, unlike cheek and lip
   MaybePoint best;
   double widest_mm = 0;
   for (double z = subnasale.z() + 3; z <= subnasale.z() + 14; z += 0.5) {

@@ -28,8 +28,8 @@ std::vector<Vector2d> cutPoints(const std::vector<Vector3d>& head_mm,
   return points;
 }
 
-/// The outermost point per direction from `centre`, going from straight up by `direction` (+1 to the front).
-/// Stops at a gap of more than 20 degrees: the end of the scan.
+/// The outermost point in each direction from `centre`, starting straight up, towards the front (`direction`
+/// +1) or back (-1). Stops at a gap of more than 20 degrees: the end of the scan.
 Outline outermost(const std::vector<Vector2d>& points, const Vector2d& centre, int direction) {
   std::vector<std::optional<Vector2d>> best(kBins / 2);
   for (const Vector2d& p : points) {
@@ -67,14 +67,14 @@ Outline evenly(const Outline& line, double step_mm) {
 constexpr double kStep_mm = 0.7;
 int steps(double mm) { return int(std::lround(mm / kStep_mm)); }
 
-/// Distance of `p` from the line a-b to its outer side, for a line that runs down the face.
+/// Distance of `p` from the line a-b towards its outer side, for a line that runs down the face.
 double outwards(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const Vector2d along = (b - a).normalized();
   return Vector2d(-along.y(), along.x()).dot(p - a);
 }
 
-/// The point of [from, to) furthest from the line a-b: outwards (sign 1) or inwards (-1). Nothing
-/// below `least_mm`.
+/// The point of [from, to) furthest from the line a-b: outwards (sign 1) or inwards (-1). Nothing below
+/// `least_mm`.
 std::optional<int> furthest(const Outline& line, int from, int to, const Vector2d& a, const Vector2d& b,
                             double sign, double least_mm) {
   std::optional<int> best;
@@ -84,7 +84,7 @@ std::optional<int> furthest(const Outline& line, int from, int to, const Vector2
   return best;
 }
 
-/// How far each point stands out over a chord of a nose's length; the chord is shorter at the outline's ends.
+/// How far each point stands out from a chord of a nose's length; the chord is shorter at the outline's ends.
 std::vector<double> prominences(const Outline& line) {
   constexpr double kReach_mm = 28;
   std::vector<double> out(line.size(), 0.0);
@@ -96,9 +96,9 @@ std::vector<double> prominences(const Outline& line) {
   return out;
 }
 
-/// The nose tip: from above, the first that stands out so much below a hollow (the nose's root); forehead and
-/// brow have none above them, mouth and chin lie below. Nothing where there is none, or where the
-/// scan ends above it.
+/// The nose tip: from above, the first point that stands out enough and has a hollow above it (the nose's
+/// root). Forehead and brow have no such hollow; mouth and chin lie below. Nothing when no point qualifies,
+/// or the scan ends above it.
 std::optional<int> noseTip(const Outline& line) {
   constexpr double kLength_mm = 60, kLeast_mm = 7, kHollow_mm = 2.5, kNext_mm = 25;
   const std::vector<double> out_mm = prominences(line);
@@ -113,7 +113,7 @@ std::optional<int> noseTip(const Outline& line) {
   return best;
 }
 
-/// Where the nose meets the lip: the deepest corner within a nose's depth below the tip.
+/// Where the nose meets the lip: the deepest corner below the tip, within the depth of a nose.
 std::optional<int> noseBase(const Outline& line, int tip) {
   constexpr double kReach_mm = 12, kLeast_mm = 2;
   std::optional<int> best;
@@ -126,7 +126,7 @@ std::optional<int> noseBase(const Outline& line, int tip) {
   return best;
 }
 
-/// The point of [from, to), above `anchor`, at which a line from there touches the outline from outside.
+/// The point of [from, to), above `anchor`, where a line from the anchor touches the outline from outside.
 std::optional<int> tangentPoint(const Outline& line, int anchor, int from, int to) {
   std::optional<int> best;
   for (int i = std::max(0, from); i < std::min(to, int(line.size())); ++i) {
@@ -136,8 +136,8 @@ std::optional<int> tangentPoint(const Outline& line, int anchor, int from, int t
   return best;
 }
 
-/// The furthest from `front` of what lies opposite to it over the top of the head: neck and shoulders, which
-/// lie further still, do not, however the head nods.
+/// The point furthest from `front` on the opposite side of the top of the head. Neck and shoulders lie
+/// further away, but not on that side, at any pitch of the head.
 std::optional<Vector2d> backOfHead(const MidlineProfile& profile, const Vector2d& front) {
   constexpr double kFirst_rad = 140 * M_PI / 180, kLast_rad = 198 * M_PI / 180;
   const auto angle = [&](const Vector2d& p) {

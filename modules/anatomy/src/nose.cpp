@@ -5,7 +5,7 @@
 namespace facenav::anatomy {
 namespace {
 
-/// How far the cell stands out from the skin beside it, both sides asked for; kNone where there is none.
+/// How far the cell stands out from the skin beside it; both sides are needed. kNone where one is missing.
 double protrusion_mm(const FrontRelief& relief, int row, int column) {
   const double here = relief.at(row, column);
   if (here == FrontRelief::kNone) return FrontRelief::kNone;
@@ -41,7 +41,7 @@ double prominence_mm(const FrontRelief& relief, int midline, int row) {
 }
 
 std::optional<NoseRise> findNoseRise(const FrontRelief& relief, int midline) {
-  // A nose is 8 to 45 mm long from where it begins to rise, and ends before mouth and chin, which stand out,
+  // A nose is 8 to 45 mm long from where it begins to rise. It ends before mouth and chin, which stand out
   // too.
   constexpr double kForehead_mm = 50, kShortest_mm = 8, kLongest_mm = 45, kStep_mm = 0.5, kSurely_mm = 12;
   std::optional<NoseRise> best;
@@ -66,13 +66,13 @@ Eigen::Vector3d findNoseTip(const std::vector<Eigen::Vector3d>& skin_mm) {
   for (int row = 0; row < relief.rows(); ++row)
     for (int column = 0; column < relief.columns(); ++column)
       best = std::max(best, protrusion_mm(relief, row, column));
-  // The bridge stands out from the eyes as far as the tip from the cheeks; the tip lies foremost of these.
+  // The bridge stands out from the eyes as far as the tip from the cheeks; the tip lies foremost.
   const auto isNose = [&](int row, int column) { return protrusion_mm(relief, row, column) >= 0.6 * best; };
   double foremost = FrontRelief::kNone;
   for (int row = 0; row < relief.rows(); ++row)
     for (int column = 0; column < relief.columns(); ++column)
       if (isNose(row, column)) foremost = std::max(foremost, relief.at(row, column));
-  // Where the scan's edge cuts the nose off flat, the rim stands for the tip.
+  // Where the scan's edge cuts the nose off, the middle of the flat rim is used.
   constexpr double kTip_mm = 1.5;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int count = 0;

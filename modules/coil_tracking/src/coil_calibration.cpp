@@ -14,10 +14,10 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr int kFewestFrames = 5, kFewestPoses = 10;
-constexpr double kOutlier = 3.5;          // times the median distance (of a Gaussian: one in some thousands)
-constexpr double kLeastOutlier_mm = 0.5;  // nearer than this nothing is an outlier
+constexpr double kOutlier = 3.5;          // times the median distance (of a Gaussian: 1 in some thousands)
+constexpr double kLeastOutlier_mm = 0.5;  // nothing nearer than this is an outlier
 constexpr double kLeastTurn_rad = 20 * M_PI / 180, kShortestArm_mm = 20.0;
-constexpr double kSharedFrames = 4;  // neighbouring frames share their errors: every fourth counts
+constexpr double kSharedFrames = 4;  // neighbouring frames share their errors, so one in four counts
 
 Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -35,7 +35,7 @@ Eigen::Isometry3d meanPose(const std::vector<Eigen::Isometry3d>& poses) {
   return mean;
 }
 
-/// Marks those near the middle; distances are measured from `middle`.
+/// Leaves out what lies far from the median; `distance` measures from there.
 template <class T, class Distance>
 std::vector<T> withoutOutliers(const std::vector<T>& all, Distance distance) {
   std::vector<double> distances;
@@ -71,7 +71,7 @@ Pivot solvePivot(const std::vector<RigidTransform<Camera, Marker>>& poses, Eigen
   return pivot;
 }
 
-/// How far the poses turn about their second-best axis.
+/// Angle by which the poses turn about their second-best axis.
 double secondTurn_rad(const std::vector<RigidTransform<Camera, Marker>>& poses) {
   std::vector<Eigen::Isometry3d> all;
   for (const auto& pose : poses) all.push_back(pose.isometry());
@@ -99,7 +99,7 @@ CoilCalibration calibrateWithJig(const std::vector<JigSighting>& sightings,
         "show both to both cameras, from several directions");
   };
   if (int(poses.size()) < kFewestFrames) refuse(poses.size());
-  // Outliers by their distance at the origin and at 100 mm along an axis, so that rotation counts, too.
+  // Distances at the origin and at 100 mm along an axis, so that rotation outliers count too.
   std::vector<double> x, y, z;
   for (const auto& pose : poses) {
     x.push_back(pose.translation().x());

@@ -6,19 +6,19 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// When a fit counts as the coil.
+// Limits within which a fit is accepted as the coil.
 constexpr double kMostRms_px = 0.6, kLeastInlierFraction = 0.6;
 constexpr double kMostShrink_px = 1.5;
 constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
 constexpr double kMostDepth_mm = 5000.0;
-constexpr double kMostSizeSigma = 2.5e-3;  // a size less well seen says nothing of the depth
-constexpr int kReadLooks = 40;             // the pattern, in both images
-// Of two starts: the other one is worth a fit, or has led to the same place.
+constexpr double kMostSizeSigma = 2.5e-3;  // with a larger error, the size does not constrain the depth
+constexpr int kReadLooks = 40;             // work to read the pattern in both images
+// One image allows two starting poses: is the second worth a fit, and did it lead to the same pose?
 constexpr double kOutOfQuestion = 2.0;  // times the spread
 constexpr double kSame_mm = 1.0, kSame_rad = 0.02;
 
 bool isPlausible(const CoilSetup& setup, const MarkerFit& fit, const std::vector<std::size_t>& markers) {
-  // Of an ARToolKit picture only the outline is known: blur and size look alike, yaw stays invisible.
+  // An ARToolKit picture has a known outline only: blur and size look alike there, so yaw cannot be seen.
   const bool has_inner_edges = std::any_of(
       markers.begin(), markers.end(), [&](std::size_t marker) { return setup.patterns[marker].isBinary(); });
   if (has_inner_edges && fit.size_sigma > kMostSizeSigma) return false;
@@ -56,7 +56,7 @@ std::optional<CoilFit> fitFrom(const CoilSetup& setup, const cameras::StereoFram
   return rough ? finish(setup, frame, markers, rough->state, work) : std::nullopt;
 }
 
-/// With the other markers that both images show where the fit puts them.
+/// Fits again with all other markers that both images show where the fit predicts them.
 CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& frame, CoilFit found,
                          FrameWork& work) {
   std::vector<std::size_t> all = found.markers;
@@ -92,7 +92,8 @@ std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::
                                          std::size_t marker, const std::vector<CoilToCamera>& starts,
                                          FrameWork& work) {
   std::vector<OutlineFit> rough;
-  // Its size alone places the marker to 2 %: some pixels along the other image's epipolar line.
+  // A marker's size alone gives its depth to 2 %: an error of some pixels along the other image's epipolar
+  // line.
   for (const CoilToCamera& start : starts)
     if (const auto fit = fitOutlines(setup.rig, frame, seenOf(setup, {marker}),
                                      {start, searchReach_px(setup, {marker}, start)}, work))

@@ -1,7 +1,7 @@
 #pragma once
-// CoilFit: from where the coil may be to a fit that passes as its marker. All printed edges in both images
-// (marker_fit.h), and the pattern read in both where the fit puts it. Whether the cameras still stand as
-// calibrated is asked apart.
+// CoilFit: from an approximate pose to a fit that is accepted as the coil. All printed edges in both images
+// are fitted (marker_fit.h), and the pattern must be read in both images at the fitted pose. Whether the
+// calibration of the cameras still holds is checked separately.
 
 #include <optional>
 #include <vector>
@@ -12,21 +12,22 @@
 
 namespace facenav::coil_tracking {
 
-constexpr double kMostBias_px = 0.35;  // misfit of an edge's mean: a wrong pair, another object make more
+constexpr double kMostBias_px =
+    0.35;  // rms of edges' mean residuals; a wrong pairing or another object gives more
 
 struct CoilFit {
   MarkerFit fit;
-  std::vector<std::size_t> markers;  // that were fitted, the most certain first
+  std::vector<std::size_t> markers;  // fitted markers, the most certain first
 };
 
-/// What the fit of one marker takes at most, about: found anew from one image, and from a prediction.
+/// Approximate upper limit of the work to fit one marker, in patch comparisons: newly found, and predicted.
 constexpr int kNewFitLooks = 1400, kFitLooks = 800;
 
-/// These markers from about here, then with the others that both images show where the fit puts them.
+/// Fits these markers near `start`, then adds the others that both images show where the fit predicts them.
 std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                const std::vector<std::size_t>& markers, const CoilToCamera& start,
                                FrameWork& work);
-/// One marker from either of the poses that one image allows.
+/// Fits one marker from either of the two poses that one image allows.
 std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                          std::size_t marker, const std::vector<CoilToCamera>& starts,
                                          FrameWork& work);

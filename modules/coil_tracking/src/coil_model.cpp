@@ -20,7 +20,7 @@ double readSize_mm(const JsonReader& json) {
   return size_mm;
 }
 
-/// Loads the pattern once, so that an unknown dictionary, id or a broken .patt is named here, with file and
+/// Loads the pattern once, so that an unknown dictionary or id, or a broken .patt, is reported with file and
 /// key.
 void requireLoadable(const MarkerModel& marker, const JsonReader& json) {
   try {

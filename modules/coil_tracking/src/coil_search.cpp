@@ -7,10 +7,10 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr double kSamePlace_mm = 5.0, kSamePlace_px = 4.0;
-constexpr int kOneLightLooks = 600;  // of an image, about
-constexpr int kMostPutOff = 3000;    // so that a tracked head has its fit
+constexpr int kOneLightLooks = 600;  // approximate work to search one image in one light
+constexpr int kMostPutOff = 3000;    // leaves room for the fit of a tracked head
 
-/// Whether the fit has already told where this marker is.
+/// Whether this detection is the marker that `good` already fits.
 bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection& seen, bool is_left) {
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, good.fit.free_state, good.fit.centre_mm);
   const auto corners =
@@ -21,7 +21,7 @@ bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection
   return true;
 }
 
-/// The same coil as one found before, or another.
+/// Adds the fit; of two fits of one coil, keeps the one with the smaller bias.
 void note(const CoilSetup& setup, const CoilFit& fit, std::size_t marker, std::vector<CoilFit>& good) {
   const auto same = std::find_if(good.begin(), good.end(), [&](const CoilFit& other) {
     return (other.fit.camera_T_coil.translation_mm() - fit.fit.camera_T_coil.translation_mm()).norm() <
@@ -81,7 +81,7 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
     });
     if (is_explained) continue;
     if (work.left() < kNewFitLooks) {
-      // Which of them is the coil is known when all are fitted.
+      // With a rest unfitted, it is not known which of them is the coil.
       deferred_looks_ = std::min(int(candidates.size()) * kNewFitLooks, kMostPutOff);
       deferred_ = std::move(candidates);
       found.good.clear();

@@ -1,8 +1,9 @@
 #pragma once
-// CoilSearch: the coil anywhere in the frame, a bounded part of the work a frame. A coil that stays lost is
-// looked for in one image at a time, by turns, and in the other only when that one shows a marker: half the
-// time, and found one frame later at most. Every third of these frames is for dim light, so that each image
-// has had its turn within six. What a frame has no room for is done in the next, in its pictures.
+// CoilSearch: finds a lost coil anywhere in the frame, with limited work in each frame. While the coil stays
+// lost, a frame searches one image, left and right in turn, and the other image only when the first shows a
+// marker. That halves the work and finds the coil at most one frame later. Every third such frame searches
+// for dim light, so six frames cover each image in both. Work beyond the budget is deferred to the next frame
+// and its images.
 
 #include <vector>
 
@@ -19,31 +20,31 @@ class CoilSearch {
     bool isSeen() const { return (is_seen_in_left && is_seen_in_right) || !good.empty(); }
   };
 
-  /// In a frame in which the coil is not where it was expected. Adds to `work`.
+  /// Call in a frame where the coil was not found at its predicted pose. Adds to `work`.
   Found seek(const CoilSetup& setup, const cameras::StereoFrame& frame, FrameWork& work);
-  /// The frame has shown the coil, or cannot be looked at.
+  /// Resets the search: the coil was found, or the frame is unusable.
   void end() { *this = {}; }
-  /// What it takes to go on from the last frame, where that had no room for it.
+  /// Work needed to continue in the next frame.
   FrameWork deferred() const { return {deferred_looks_}; }
 
  private:
-  /// A marker seen in one image, and the poses that this allows.
+  /// A marker detected in one image, and the poses that this allows.
   struct Candidate {
     MarkerDetection seen;
     bool is_left;
     std::vector<CoilToCamera> poses;
   };
 
-  /// Whether the image shows any.
+  /// Searches one image. True when it shows a marker.
   bool look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left, MarkerLight light,
             Found& found, FrameWork& work);
-  /// All, or none and they are put off.
+  /// Fits all candidates, or none: then they are deferred.
   void fit(const CoilSetup& setup, const cameras::StereoFrame& frame, std::vector<Candidate> candidates,
            Found& found, FrameWork& work);
 
-  int turn_ = 0;  // of the frames since the coil was lost, those that were looked at
+  int turn_ = 0;  // frames searched since the coil was lost
   int deferred_looks_ = 0;
-  std::vector<Candidate> deferred_;  // seen in the last frame, not fitted yet
+  std::vector<Candidate> deferred_;  // detected in the last frame, not fitted yet
 };
 
 }  // namespace facenav::coil_tracking

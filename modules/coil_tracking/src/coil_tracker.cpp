@@ -13,24 +13,25 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// When the cameras still stand as calibrated: pitch moves the image across the epipolar lines, roll turns it;
-// calibrations leave 0.1-0.3 px and 0.02 deg. Yaw shows in nothing but the print's size: a size that is off
-// means a depth that is off.
+// Limits within which the calibration still holds. Pitch moves the image across the epipolar lines, roll
+// turns it; calibrations leave 0.1-0.3 px and 0.02 deg. Yaw changes only the apparent size of the print: a
+// wrong size means a wrong depth.
 constexpr double kMostPitch_px = 0.6, kMostRoll_rad = 2.6e-3;
-constexpr double kScaleSigma = 1e-3;        // of lengths, left by a good calibration
-constexpr double kMostDepthError_mm = 2.5;  // half of what would be harmful is seen in the size for certain
+constexpr double kScaleSigma = 1e-3;        // relative error of lengths after a good calibration
+constexpr double kMostDepthError_mm = 2.5;  // half of a harmful error; the size shows this one with certainty
 constexpr double kCertain = 2.0;            // standard deviations
 constexpr double kLongestPrediction_s = 0.5;
-constexpr double kNoDifference_mm = 0.03;  // of motion between two exposures: not worth another fit
-constexpr double kSteady_s = 0.03;         // over which turning and receding are taken
-// A coil that moves faster says nothing of how the cameras stand: they may expose some milliseconds apart.
+constexpr double kNoDifference_mm =
+    0.03;                           // motion between the two exposures; below it a second fit changes nothing
+constexpr double kSteady_s = 0.03;  // time constant that smooths rotation and receding speed
+// At most this speed, a marker is used to check the cameras: the two may expose some milliseconds apart.
 constexpr double kResting_mm_s = 15.0;
 
 bool isUsable(const cv::Mat& grey, const cameras::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
 }
 
-/// All of one grey: covered, unplugged or black.
+/// Uniform grey: lens covered, camera unplugged, or black.
 bool isBlank(const cv::Mat& grey) {
   double low = 0, high = 0;
   cv::minMaxLoc(grey, &low, &high);
@@ -45,30 +46,31 @@ class MarkerCoilTracker final : public CoilTracker {
  private:
   Tracked<CoilPose> poseIn(const cameras::StereoFrame& frame);
   std::optional<CoilFit> fitPredicted(const cameras::StereoFrame& frame, const CoilToCamera& prediction);
-  /// Well enough, of a coil that moves before cameras that expose apart; a coil just found has no velocity.
+  /// Whether the velocity is known well enough for the exposure offset. A coil just found has no velocity.
   bool isMotionKnown() const;
   bool holdsCalibration(const CoilFit& solution) const;
   Eigen::Isometry3d rightFromLeftAsSeen(const MarkerFit& fit) const {
     return rightFromLeft(setup_.rig, fit.free_state, fit.centre_mm);
   }
   std::optional<CoilToCamera> predicted(double t_s) const;
-  /// The right camera as it sees the moving coil: where that is when this camera exposes.
+  /// The right camera's pose as if the coil had stood still: moved by the coil's motion between the
+  /// exposures.
   RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
   void remember(const CoilFit& solution, double t_s);
-  /// With what this frame says of the velocity, where that is more than was `allowed` for.
+  /// Fits again if this frame changed the velocity, so that the correction for motion differs from `allowed`.
   CoilFit asItMoves(const cameras::StereoFrame& frame, const CoilFit& found, const Vector6d& allowed);
   void forgetMotion() { velocity_.setZero(), turning_.setZero(), receding_mm_s_ = 0.0, across_.reset(); }
   Tracked<CoilPose> accept(const CoilFit& solution);
   MarkerSighting sightingOf(const CoilFit& solution) const;
-  /// What the calibration's own uncertainty does to a pose seen at these corners.
+  /// Covariance of a pose at these corners due to the calibration's uncertainty.
   Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
 
-  CoilSetup setup_;  // its rig as the frame sees the coil
+  CoilSetup setup_;  // its rig includes the coil's motion between the exposures
   RigidTransform<RightCamera, Camera> right_T_left_;
   double right_late_s_ = 0.0, right_late_sigma_s_ = 0.0;
   Vector6d velocity_ = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin
-  // Its parts: what is told by the left image alone is taken as it comes; what an error of the allowance
-  // itself would change is smoothed, or the two would feed each other.
+  // Parts of the velocity. `across_` needs the left image only and is used as measured. The others depend on
+  // the correction for motion itself: they are smoothed, because errors would feed back.
   std::optional<Eigen::Vector3d> across_;  // mm/s, of the left camera's ray, between the last two frames
   Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();  // rad/s
   double receding_mm_s_ = 0.0;                         // along that ray's z
@@ -93,7 +95,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   right_late_s_ = right_late_sigma_s_ = 0.0, forgetMotion();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = cameras::uncertaintyOf(rig);
-  edgeWeights(kMostTaps, 0.8);  // the table is made now, not in a frame
+  edgeWeights(kMostTaps, 0.8);  // builds the table now, not during a frame
   calibration_at_.reset();
   last_.reset();
   before_.reset();
@@ -144,7 +146,7 @@ Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
   last_.reset();
   before_.reset();
   forgetMotion();
-  if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is there twice
+  if (is_seen) return Lost{LostReason::high_residual};  // nothing fits, or the marker is visible twice
   return Lost{isBlank(frame.left) || isBlank(frame.right) ? LostReason::camera : LostReason::no_marker};
 }
 
@@ -159,7 +161,7 @@ RigidTransform<RightCamera, Camera> MarkerCoilTracker::rightAsSeen(
   return RigidTransform<RightCamera, Camera>::fromIsometry(right_T_left_.isometry() * moved);
 }
 
-/// Also of a fit that is not shown: the motion between the exposures may be why.
+/// Also used for a rejected fit: motion between the exposures may be the reason.
 void MarkerCoilTracker::remember(const CoilFit& solution, double t_s) {
   before_ = last_;
   last_ = Past{solution.fit.camera_T_coil, t_s};
@@ -176,7 +178,7 @@ void MarkerCoilTracker::remember(const CoilFit& solution, double t_s) {
   const Eigen::Vector3d ray = now.translation() / now.translation().z();
   const Eigen::Vector3d across =
       now.translation().z() * (ray - then.translation() / then.translation().z()) / since_s;
-  // Between the two frames; a coil that slows down is at another by the next.
+  // `across` is the mean between two frames; half of its change extrapolates it to the present.
   const Eigen::Vector3d present = across_ ? Eigen::Vector3d(across + 0.5 * (across - *across_)) : across;
   across_ = across;
   velocity_ << turning_, present + receding_mm_s_ * ray;
@@ -211,7 +213,7 @@ std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const cameras::StereoFram
                                                        const CoilToCamera& prediction) {
   const auto in_view = markersInView(setup_, prediction);
   if (in_view.empty()) return std::nullopt;
-  std::vector<std::size_t> expected;  // those of the last frame, else any
+  std::vector<std::size_t> expected;  // markers of the last frame
   for (const std::size_t marker : in_view)
     if (std::find(last_markers_.begin(), last_markers_.end(), marker) != last_markers_.end())
       expected.push_back(marker);
@@ -225,7 +227,7 @@ std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const cameras::StereoFram
   return std::nullopt;
 }
 
-/// Motion along the baseline between the exposures passes for depth.
+/// Motion along the baseline between the two exposures looks like depth.
 bool MarkerCoilTracker::isMotionKnown() const {
   if (right_late_s_ == 0.0) return true;
   if (!before_) return false;
@@ -241,7 +243,7 @@ bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {
   const double pitch_px = std::abs(fit.pitch_rad) * setup_.rig.right.k(1, 1);
   if (pitch_px > kMostPitch_px || std::abs(fit.roll_rad) > kMostRoll_rad + 3 * fit.roll_sigma_rad)
     return false;
-  double print_sigma = 1.0;  // the best known of the prints
+  double print_sigma = 1.0;  // the smallest of the prints
   for (const std::size_t marker : solution.markers)
     print_sigma = std::min(print_sigma,
                            setup_.coil.markers[marker].size_sigma_mm / setup_.coil.markers[marker].size_mm);
@@ -256,7 +258,7 @@ MarkerSighting MarkerCoilTracker::sightingOf(const CoilFit& solution) const {
   const std::size_t marker = solution.markers.front();
   CoilSetup sized = setup_;
   sized.coil.markers[marker].size_mm *= fit.free_state.size_factor;
-  sized.rig.right_T_left = right_T_left_;  // as if both cameras had exposed together
+  sized.rig.right_T_left = right_T_left_;  // as if both cameras had exposed at once
   const Eigen::Isometry3d right_T_left = rightFromLeft(sized.rig, fit.free_state, fit.centre_mm);
   MarkerSighting sighting;
   const auto left = cornersInImage(sized, marker, fit.free_state.camera_T_coil, true, right_T_left);
@@ -271,7 +273,7 @@ MarkerSighting MarkerCoilTracker::sightingOf(const CoilFit& solution) const {
 }
 
 Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_coil) {
-  constexpr double kNear_mm = 20.0, kNear_rad = 0.2;  // it changes slowly
+  constexpr double kNear_mm = 20.0, kNear_rad = 0.2;  // it changes slowly with the pose
   if (calibration_at_ &&
       (calibration_at_->translation_mm() - camera_T_coil.translation_mm()).norm() < kNear_mm &&
       rotationAngle(calibration_at_->rotation().transpose() * camera_T_coil.rotation()) < kNear_rad)

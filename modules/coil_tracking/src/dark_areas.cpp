@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kTile_px = 2;
 
-/// Darkest and brightest grey of each tile of 2 x 2 pixels and its neighbours: larger surroundings would let
-/// a bright thing beside the marker's white rim make the rim count as dark.
+/// Darkest and brightest grey of each tile of 2 x 2 pixels and its neighbours. In a larger neighbourhood, a
+/// bright object next to the marker's white margin would make the margin count as dark.
 struct TileRange {
   TileRange(int rows, int columns) : low(rows, columns, CV_8U), high(rows, columns, CV_8U) {}
   cv::Mat low, high;
@@ -34,7 +34,8 @@ TileRange tilesOf(const cv::Mat& grey) {
   return tiles;
 }
 
-/// `choose` of three rows and then of three columns, `columns` values; `between` as long as a row and 2 more.
+/// Combines three rows with `choose`, then three columns; gives `columns` values. `between`: buffer of a row
+/// + 2.
 template <class Choose>
 void overNeighbours(const std::array<const uchar*, 3>& rows, int columns, uchar* between, uchar* out,
                     Choose choose) {
@@ -65,14 +66,14 @@ constexpr std::array<int, 8> kStepX = {1, 1, 0, -1, -1, -1, 0, 1}, kStepY = {0, 
 constexpr int kLeft = 4;
 constexpr uchar kDark = 1, kFollowed = 2;
 
-/// Follows one border from a dark pixel whose left neighbour is light, marking it.
+/// Follows one border from a dark pixel whose left neighbour is light, and marks it.
 class BorderWalk {
  public:
   explicit BorderWalk(cv::Mat& areas) : areas_(areas) {
     for (int i = 0; i < 8; ++i) offsets_[i] = kStepY[i] * std::ptrdiff_t(areas.step[0]) + kStepX[i];
   }
 
-  /// Twice the area inside, < 0 for a hole's border.
+  /// Returns twice the enclosed area, < 0 for the border of a hole.
   long follow(cv::Point start, Outline& border) const {
     border.clear();
     uchar* at = areas_.ptr<uchar>(start.y) + start.x;
@@ -91,7 +92,7 @@ class BorderWalk {
       area2 += long(p.x) * next.y - long(next.x) * p.y;
       p = next, at += offsets_[step];
       *at = kFollowed;
-      // The light pixel looked at last, as seen from here, comes first.
+      // Begins with the light pixel examined last, seen from the new position.
       step = nextStep(at, (step + (step % 2 == 0 ? 6 : 5)) % 8);
       if (at == first && step == first_step) return area2;
     }
@@ -117,7 +118,7 @@ int find(const uchar* row, int x, int columns, uchar value) {
   return place == nullptr ? columns : int(static_cast<const uchar*>(place) - row);
 }
 
-/// The next dark pixel from the light pixel `x` on that is not followed yet and comes after a light one;
+/// From the light pixel `x` on: the next dark pixel that is not followed yet and comes after a light one;
 /// `columns`: none.
 int nextStart(const uchar* row, int x, int columns) {
   for (;;) {
@@ -163,7 +164,7 @@ Outlines outlinesOf(cv::Mat areas, std::size_t least_points) {
       const long area2 = walk.follow({x, y}, border);
       outlines.points += int(border.size());
       if (area2 <= 0 || border.size() < least_points) continue;
-      for (cv::Point& p : border) p -= cv::Point(1, 1);  // without the rim
+      for (cv::Point& p : border) p -= cv::Point(1, 1);  // removes the added rim
       outlines.areas.push_back(border);
     }
   }

@@ -9,7 +9,7 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// The work, in the time of so many looks at a patch (frame_work.h).
+// Work, in patch comparisons that take the same time (frame_work.h).
 constexpr int kShrunkPixelsPerLook = 4000, kPixelsPerLook = 900, kOutlinePointsPerLook = 8, kMatchLooks = 20;
 
 Quad inOrderOfPrint(const Quad& quad, int turns) {
@@ -22,7 +22,7 @@ bool isSamePlace(const MarkerDetection& a, const MarkerDetection& b) {
   return a.marker == b.marker && apart_px < 4.0;
 }
 
-/// The image made smaller by a whole factor, to about 320 columns.
+/// The image reduced by an integer factor to about 360 columns.
 struct SmallImage {
   explicit SmallImage(const cv::Mat& grey) : factor(std::clamp(int(std::lround(grey.cols / 360.0)), 1, 8)) {
     if (factor == 1)
@@ -68,7 +68,7 @@ DetectedMarkers detectMarkers(const cv::Mat& grey, const std::vector<MarkerPatte
   const Darkness bright;
   Darkness dim;
   dim.least_contrast_grey = 10;
-  dim.share = 0.33;  // paper darker than the bright wall behind it must still count as light
+  dim.share = 0.33;  // white paper darker than a bright wall behind it must still count as light
   DetectedMarkers found;
   found.looks = int(grey.total()) / kShrunkPixelsPerLook;
   if (light != MarkerLight::dim) detect(grey, small, patterns, bright, found);

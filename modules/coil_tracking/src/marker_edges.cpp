@@ -9,19 +9,19 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr double kCornerGap_px =
-    1.5;  // blur reaches this far round a corner, besides the taps of a slanted row
+    1.5;  // blur extends this far round a corner, besides the taps of a slanted row
 constexpr double kLeastLength_px = 3.0;
 constexpr double kLeastContrast_grey = 8.0;
-constexpr double kNoise_grey = 2.0;     // of a common camera: relative weight of dim edges only
-constexpr double kFloor_px = 0.02;      // lens and print leave this, whatever the noise
-constexpr double kFirstSigma_px = 0.4;  // of a searched edge
+constexpr double kNoise_grey = 2.0;  // of a common camera; only reduces the weight of edges with low contrast
+constexpr double kFloor_px = 0.02;   // left by lens and print, at any noise
+constexpr double kFirstSigma_px = 0.4;  // of an edge found by search
 
-/// One camera at the state's pose.
+/// One image with its camera, at the state's pose.
 struct Sight {
   const cv::Mat& grey;
   const cameras::CameraModel& camera;
   Eigen::Isometry3d view_T_camera;
-  Eigen::Vector3d pitch_axis;  // of the view; zero for the left image
+  Eigen::Vector3d pitch_axis;  // of the right camera; zero for the left image
   int image;
 };
 
@@ -66,7 +66,8 @@ class LineSampler {
     return cameras::project(sight_.camera, sight_.view_T_camera * p_mm);
   }
 
-  /// As many taps as the print and the edge's length allow: a slanted row's window runs along the edge, too.
+  /// As many taps as the print and the edge's length allow: the window of a slanted row also runs along the
+  /// edge.
   static std::optional<int> tapsFor(const Eigen::Vector2d& normal, double reach_px, double length_px) {
     const double across = normal.cwiseAbs().maxCoeff(), along = normal.cwiseAbs().minCoeff();
     int taps = std::min(kMostTaps, int(reach_px / across));
@@ -109,7 +110,7 @@ class LineSampler {
     edges_.lines.push_back(line);
   }
 
-  /// Every stride-th row (or column) that the edge crosses.
+  /// Visits every stride-th row (or column) that the edge crosses.
   void walk(int taps) {
     const bool is_by_row = std::abs(knots_[1].normal.x()) >= std::abs(knots_[1].normal.y());
     const int along = is_by_row ? 1 : 0, across = 1 - along;
@@ -176,8 +177,8 @@ Eigen::Vector3d centreOf(const std::vector<SeenMarker>& markers, const Eigen::Is
 }
 
 Eigen::Vector3d pitchAxis(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
-  // Turning about an axis perpendicular to the viewing ray and lying in the epipolar plane moves the image of
-  // the centre straight across the epipolar line.
+  // A rotation about the axis that is perpendicular to the viewing ray and lies in the epipolar plane moves
+  // the image of the centre straight across the epipolar line.
   const Eigen::Vector3d ray = (rig.right_T_left.isometry() * centre_mm).normalized();
   const Eigen::Vector3d across = ray.cross(rig.right_T_left.translation_mm()).normalized();
   return across.cross(ray);

@@ -1,11 +1,12 @@
 #pragma once
-// MarkerEdges: the printed edges of a marker as both images show them, measured row by row against a
-// predicted pose, and the least-squares equations for the pose and what disturbs it.
+// MarkerEdges: the printed edges of a marker in both images, measured row by row near a predicted pose, and
+// the least-squares equations for the pose and the disturbances.
 //
 // Parameters, in this order: rotation (rad) and translation (mm) of the markers, increments in Camera about
-// their centre; the print's size factor; per image, how far blur and gamma move an edge into the black (px);
-// pitch and roll of the right camera since its calibration (rad, about the axis across the epipolar lines'
-// own direction and about its optical axis). Yaw is left out: it cannot be told from the size of the print.
+// their centre; the size factor of the print; per image, how far blur and gamma move an edge into the black
+// (px); pitch and roll of the right camera since its calibration (rad; pitch about the axis that moves the
+// image across the epipolar lines, roll about the optical axis). Yaw is left out: it cannot be separated from
+// the size of the print.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -39,21 +40,21 @@ struct FitState {
 
 /// How edges are measured in one round.
 struct EdgeSampling {
-  int stride_px = 2;                        // every n-th row or column that an edge crosses
-  bool is_outline_only = false;             // the square's four sides
-  int search_px = 0;                        // > 0: the strongest step within it, instead of the exact place
+  int stride_px = 2;             // every n-th row or column that an edge crosses
+  bool is_outline_only = false;  // the square's four sides
+  int search_px = 0;  // > 0: finds the strongest step within this distance; 0: measures the exact place
   std::array<double, 2> blur_px{0.8, 0.8};  // of the edges, per image
 };
 
 /// One row's (or column's) crossing of one edge.
 struct EdgeSample {
-  int line;            // index of the edge and image it belongs to
+  int line;            // index into MarkerEdges::lines
   double t;            // 0..1 along the measured part of the edge
   double residual_px;  // along the normal into the black: measured - shrink - predicted
-  double sigma_px;     // what noise and pixels leave
+  double sigma_px;     // from noise and pixel size
 };
 
-/// An edge in one image: derivative of its position along the normal, as a square function of t.
+/// An edge in one image. The derivative of its position along the normal is a quadratic function of t.
 struct EdgeLine {
   int image;
   Eigen::Matrix<double, kFitParameters, 3> derivative;  // coefficients of 1, t, t^2
@@ -66,7 +67,7 @@ struct MarkerEdges {
   std::array<int, 2> tried{0, 0}, found{0, 0};
 };
 
-/// The pair that is looked at. `right_T_left` and cameras as calibrated.
+/// The stereo frame that is measured. `right_T_left` and cameras as calibrated.
 struct EdgeView {
   const cameras::StereoRig& rig;
   const cameras::StereoFrame& frame;
@@ -74,14 +75,14 @@ struct EdgeView {
 
 /// Mean of the markers' centres, Camera.
 Eigen::Vector3d centreOf(const std::vector<SeenMarker>& markers, const Eigen::Isometry3d& camera_T_coil);
-/// The axis (RightCamera, unit) whose rotation moves the right image straight across the epipolar lines at
-/// `centre_mm` (Camera).
+/// Axis (RightCamera, unit vector) whose rotation moves the right image of `centre_mm` (Camera) straight
+/// across the epipolar lines.
 Eigen::Vector3d pitchAxis(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm);
 /// right_T_left with the state's pitch and roll.
 Eigen::Isometry3d rightFromLeft(const cameras::StereoRig& rig, const FitState& state,
                                 const Eigen::Vector3d& centre_mm);
 
-/// Measures all edges. `edges` is overwritten (its memory is used again).
+/// Measures all edges. Overwrites `edges`, whose memory is reused.
 void measureEdges(const EdgeView& view, const std::vector<SeenMarker>& markers, const FitState& state,
                   const EdgeSampling& sampling, MarkerEdges& edges);
 

@@ -9,12 +9,12 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// What is believed before looking. Pitch and roll are loose here (they are measured) ...
+// Priors of the fit. Those of pitch and roll are wide, because both are measured here ...
 constexpr double kSizeSigma = 0.01, kShrinkSigma_px = 0.5, kTurnSigma_rad = 0.02;
-// ... and this is what a good calibration leaves of them: pitch is so well seen that its prior does not
+// ... and this is their error after a good calibration. Pitch is measured so well that its prior does not
 // matter.
 constexpr double kCalibratedPitch_rad = 5e-4, kCalibratedRoll_rad = 3.5e-4;
-constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in units of an edge point's sigma
+constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in sigmas of an edge point
 constexpr int kFewestPoints = 12, kFewestSearched = 8;
 constexpr double kTukey = 4.685;
 constexpr int kFirstStride_px = 4, kFinestStride_px = 2, kMostPoints = 2400;
@@ -22,7 +22,7 @@ constexpr int kPointsPerLook = 6, kLinesPerLook = 2;
 
 double tukey(double u) { return std::abs(u) < 1 ? (1 - u * u) * (1 - u * u) : 0.0; }
 
-/// Robust spread of the residuals in units of their sigma: 1.48 median |residual|.
+/// Robust spread of the residuals in their sigmas: 1.48 median |residual|.
 double spread(const std::vector<EdgeSample>& samples) {
   std::vector<float> absolute;
   absolute.reserve(samples.size());
@@ -54,7 +54,7 @@ void addPriors(const FitState& state, double scale, Normal& normal) {
   believe(kRoll, state.roll_rad, kTurnSigma_rad);
 }
 
-/// Weighted equations; `scale`: of the residuals, in units of their sigmas.
+/// Weighted normal equations; `scale`: spread of the residuals in their sigmas.
 Normal normalEquations(const MarkerEdges& edges, const FitState& state, double scale) {
   std::vector<Moments> moments(edges.lines.size());
   for (const EdgeSample& s : edges.samples) {
@@ -101,8 +101,8 @@ struct EdgeMean {
   int count = 0;
 };
 
-/// Rms over edges and images of the mean residual of an edge with at least 3 points within `limit` sigmas,
-/// corrected for the parameters that were fitted; and the mean number of points of such an edge.
+/// Rms, over edges and images, of the mean residual of an edge with at least 3 points within `limit` sigmas,
+/// corrected for the number of fitted parameters; and the mean number of points of such an edge.
 std::pair<double, double> biasOfEdges(const MarkerEdges& edges, double limit) {
   std::vector<EdgeMean> means(edges.lines.size());
   for (const auto& s : edges.samples)
@@ -123,8 +123,8 @@ std::pair<double, double> biasOfEdges(const MarkerEdges& edges, double limit) {
   return {std::sqrt(squares / count / freedom), points / count};
 }
 
-/// The pose given that pitch and roll are, within its own error, those of the calibration: the linear update
-/// of a Gaussian by the observation "pitch = roll = 0 +- calibrated".
+/// Conditions the state on the calibration: the linear Gaussian update by the observation "pitch = roll = 0
+/// +- error of a good calibration".
 void believeCalibration(const Eigen::Vector3d& centre_mm, FitMatrix& covariance, FitState& state) {
   Eigen::Matrix2d innovation = covariance.block<2, 2>(kPitch, kPitch);
   innovation(0, 0) += kCalibratedPitch_rad * kCalibratedPitch_rad;
@@ -162,8 +162,8 @@ MarkerFit summarise(const MarkerEdges& edges, const FitState& state, const std::
   fit.bias_px = biasOfEdges(edges, 1e9).first;
   const auto [bias_px, points_of_edge] = biasOfEdges(edges, kTukey * scale);
   const Normal normal = normalEquations(edges, state, scale);
-  // Neighbouring points share what lens, print and light do to their edge: the spread of whole edges' means
-  // says how much.
+  // Neighbouring points share the errors of lens, print and light at their edge. The spread of the edges'
+  // means measures them.
   const double mean_sigma_px = std::max(0.02, fit.rms_px);
   const double variance =
       std::max(scale * scale, points_of_edge * std::pow(scale * bias_px / mean_sigma_px, 2));
@@ -185,7 +185,8 @@ MarkerFit summarise(const MarkerEdges& edges, const FitState& state, const std::
   return fit;
 }
 
-/// One Gauss-Newton step from `edges`, measured at `state`; nothing where it cannot be made.
+/// One Gauss-Newton step from `edges`, measured at `state`; nothing when there are too few points or no
+/// solution.
 std::optional<FitVector> improve(const std::vector<SeenMarker>& markers, const MarkerEdges& edges,
                                  int fewest_points, double least_scale, FitState& state) {
   if (!isEnough(edges, fewest_points)) return std::nullopt;
@@ -196,12 +197,12 @@ std::optional<FitVector> improve(const std::vector<SeenMarker>& markers, const M
   return step;
 }
 
-/// In the time of so many looks at a patch (frame_work.h).
+/// Work in patch comparisons that take the same time (frame_work.h).
 int looksOf(const MarkerEdges& edges) {
   return (edges.tried[0] + edges.tried[1]) / kPointsPerLook + int(edges.lines.size()) / kLinesPerLook;
 }
 
-/// Large or many prints: more points would make the pose no better that a frame has time for.
+/// Limits the points of large or many prints: more would cost time without improving the pose.
 int strideFor(const MarkerEdges& edges_of_first) {
   const int points_at_1_px = kFirstStride_px * (edges_of_first.tried[0] + edges_of_first.tried[1]);
   return std::max(kFinestStride_px, (points_at_1_px + kMostPoints - 1) / kMostPoints);

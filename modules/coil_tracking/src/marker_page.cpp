@@ -36,8 +36,8 @@ std::string nameOf(const MarkerModel& marker) {
   return what + ", black square " + size + " mm";
 }
 
-/// A black square with its light cells on top; equal cells of a row are joined, so that no hairlines show
-/// between.
+/// A black square with its light cells on top. Equal neighbours in a row are joined, so that no hairline
+/// shows between them.
 std::string square(const MarkerPattern& pattern, double x_mm, double y_mm, double size_mm) {
   std::string svg = rectangle(x_mm, y_mm, size_mm, size_mm, 0);
   const cv::Mat_<float>& cells = pattern.cells();

@@ -15,9 +15,9 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr int kPattSamples = 16;              // ARToolKit's AR_PATT_SIZE
-constexpr double kLeastContrast_grey = 12.0;  // below, noise makes patterns
+constexpr double kLeastContrast_grey = 12.0;  // below it, noise looks like a pattern
 constexpr double kLeastLikenessBinary = 0.75, kLeastLikenessGrey = 0.6;
-constexpr double kLeastTurnMargin = 0.08;  // a grey pattern must beat itself turned
+constexpr double kLeastTurnMargin = 0.08;  // a grey pattern must match better than its own rotations by this
 
 cv::Mat_<float> dictionaryCells(const std::string& name, int id) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cameras::predefinedDictionary(name));
@@ -33,8 +33,8 @@ cv::Mat_<float> dictionaryCells(const std::string& name, int id) {
   return cells;
 }
 
-/// 4 blocks (the pattern turned four ways) of 3 colour planes (B, G, R) of 16 x 16 numbers; the first block
-/// suffices.
+/// 4 blocks (the pattern in four rotations) of 3 colour planes (B, G, R) of 16 x 16 numbers. Only the first
+/// block is used.
 cv::Mat_<float> pattCells(const std::filesystem::path& path) {
   std::istringstream stream(readWholeFile(path));
   std::vector<double> values;
@@ -57,8 +57,8 @@ cv::Mat_<float> pattCells(const std::filesystem::path& path) {
   return cells;
 }
 
-/// Cell (row, column) of the pattern that lies under cell (y, x) of the quadrangle when its corner `turns` is
-/// the print's top left.
+/// The pattern's cell (row, column) under cell (y, x) of the quadrangle when its corner `turns` is the
+/// print's top left.
 float turned(const cv::Mat_<float>& cells, int y, int x, int turns) {
   const int last = cells.rows - 1;
   switch (turns & 3) {
@@ -78,7 +78,7 @@ struct Cell {
   int row, column;
 };
 
-/// Mean grey of the middle of every cell; empty where the quadrangle leaves the image.
+/// Mean grey of the middle of each cell; empty when the quadrangle leaves the image.
 std::vector<Cell> sampleCells(const cv::Mat& grey, const Quad& quad, int count) {
   for (const auto& corner : quad)
     if (!isInside(grey, corner.x(), corner.y())) return {};
@@ -144,7 +144,7 @@ bool hasContrastEverywhere(const LightFit& fit) {
   return fit.contrast(0, 0) >= kLeastContrast_grey;
 }
 
-/// True when every cell lies on its own side of the middle between black and white.
+/// True when every cell lies on its own side of the threshold between black and white.
 bool everyCellFits(const std::vector<Cell>& samples, const cv::Mat_<float>& cells, int turns,
                    const LightFit& fit) {
   return std::all_of(samples.begin(), samples.end(), [&](const Cell& cell) {
@@ -153,13 +153,13 @@ bool everyCellFits(const std::vector<Cell>& samples, const cv::Mat_<float>& cell
   });
 }
 
-/// Cell with white around the square.
+/// Whether the cell is white; outside the square is white.
 bool isWhite(const cv::Mat_<float>& cells, int row, int column) {
   if (row < 0 || column < 0 || row >= cells.rows || column >= cells.cols) return true;
   return cells(row, column) > 0.5f;
 }
 
-/// How many cells of one colour follow from (row, column) in direction (dy, dx); white outside counts as one.
+/// Number of equal cells from (row, column) in direction (dy, dx); white outside counts as one.
 int reach(const cv::Mat_<float>& cells, int row, int column, int dy, int dx) {
   const bool white = isWhite(cells, row, column);
   int count = 0;
@@ -170,7 +170,7 @@ int reach(const cv::Mat_<float>& cells, int row, int column, int dy, int dx) {
   return std::max(count, 1);
 }
 
-/// All boundaries between black and white along one direction, runs of equal polarity joined.
+/// All boundaries between black and white along one direction; runs of equal polarity are joined.
 void addEdges(const cv::Mat_<float>& cells, bool is_horizontal, std::vector<PrintedEdge>& edges) {
   const int n = cells.rows;
   const auto white = [&](int across, int along) {
@@ -191,7 +191,8 @@ void addEdges(const cv::Mat_<float>& cells, bool is_horizontal, std::vector<Prin
       if (first != second) {
         const double at = double(line) / n - 0.5, low = double(start) / n - 0.5, high = double(end) / n - 0.5;
         Eigen::Vector2d a(low, at),
-            b(high, at);  // horizontal: black below (second) lies right of left-to-right
+            b(high,
+              at);  // horizontal: the second side is black, and it lies right of an edge from left to right
         if (!is_horizontal) a = {at, low}, b = {at, high};
         const bool is_forward = is_horizontal ? first : second;
         if (!is_forward) std::swap(a, b);
@@ -208,7 +209,7 @@ MarkerPattern::MarkerPattern(cv::Mat_<float> cells, bool is_binary)
     : cells_(std::move(cells)), is_binary_(is_binary) {
   cv::Mat_<float> printed = cells_;
   if (!is_binary_)
-    printed = cv::Mat_<float>::zeros(4, 4);  // only the outline has known edges, the border is a quarter
+    printed = cv::Mat_<float>::zeros(4, 4);  // only the outline has known edges; the border is a quarter
   addEdges(printed, true, edges_);
   addEdges(printed, false, edges_);
   if (!is_binary_)

@@ -4,9 +4,9 @@
 // ARToolKit .patt: 16 x 16 grey values of the middle half of the square (the file's first block, three colour
 // planes B, G, R), border a quarter.
 //
-// Matching is linear in the light: grey = field of black + field of contrast * pattern, both fields planes
-// over the marker, so that a shadow or a lamp from the side changes nothing. Every cell must then lie on its
-// own side.
+// The match is linear in the light: grey = field of black + field of contrast * pattern. Both fields are
+// planes over the marker, so that a shadow or a lamp from the side has no effect. Each cell must also lie on
+// its own side of the threshold.
 
 #include <Eigen/Core>
 #include <array>
@@ -21,16 +21,16 @@ namespace facenav::coil_tracking {
 /// Corners in the image in the order of the print: top left, top right, bottom right, bottom left.
 using Quad = std::array<Eigen::Vector2d, 4>;
 
-/// An edge between black and white on the print, in units of the square's side, origin its centre, x right, y
-/// down. Black lies to the right of a -> b as seen on the print (y down), that is on the side of (-d.y, d.x).
+/// An edge between black and white on the print, in sides of the square; origin its centre, x right, y down.
+/// Black lies to the right of a -> b on the print, that is on the side of (-d.y, d.x).
 struct PrintedEdge {
   Eigen::Vector2d a, b;
-  double black_depth, white_depth;  // how far black and white reach across the edge
+  double black_depth, white_depth;  // extent of black and white across the edge
 };
 
 struct PatternMatch {
-  int turns = 0;        // corner `turns` of the quadrangle offered is the print's top left
-  double likeness = 0;  // share of the grey values' variance that the pattern explains, 0..1
+  int turns = 0;        // corner `turns` of the given quadrangle is the print's top left
+  double likeness = 0;  // fraction of the grey values' variance that the pattern explains, 0..1
   double contrast = 0;  // grey levels between black and white
 };
 
@@ -39,12 +39,11 @@ class MarkerPattern {
   /// Throws Error: unknown dictionary or id, .patt missing or not 4 x 3 x 16 x 16 numbers in 0..255.
   static MarkerPattern load(const MarkerModel& model);
 
-  /// The best of the four rotations, or nothing where the quadrangle does not show this pattern. `quad`:
+  /// The best of the four rotations, or nothing when the quadrangle does not show this pattern. `quad`:
   /// clockwise in the image.
   std::optional<PatternMatch> match(const cv::Mat& grey, const Quad& quad) const;
   const std::vector<PrintedEdge>& edges() const { return edges_; }
-  /// Cells along the whole side, border included (8 for a .patt: its 16 samples cover the middle half... of
-  /// 32).
+  /// Cells along the whole side, border included; 32 for a .patt, whose 16 samples cover the middle half.
   int cellsPerSide() const { return cells_.rows; }
   /// Grey pattern of the whole square, 0 black to 1 white, cellsPerSide x cellsPerSide.
   const cv::Mat_<float>& cells() const { return cells_; }

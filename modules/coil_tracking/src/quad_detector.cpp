@@ -15,7 +15,7 @@ struct Line {
   Eigen::Vector2d point, direction;
 };
 
-/// Least-squares line through contour[begin..end) (indices wrap), its ends left out, where corners are
+/// Least-squares line through contour[begin..end) (indices wrap). Both ends are left out, because corners are
 /// rounded.
 std::optional<Line> fitSide(const Outline& contour, int begin, int end) {
   const int size = int(contour.size()), length = (end - begin + size) % size;
@@ -61,7 +61,7 @@ bool isPlausible(const Quad& quad, double least_side_px) {
   return shortest >= least_side_px && longest <= 6.0 * shortest;
 }
 
-/// Indices in the contour of its four corners, clockwise; nothing where it has no four.
+/// Indices of the contour's four corners, clockwise; nothing when it does not have four.
 std::optional<std::array<int, 4>> fourCorners(const Outline& contour, double least_side_px) {
   Outline corners;
   cv::approxPolyDP(contour, corners, std::max(1.5, 0.025 * double(contour.size())), true);
@@ -84,7 +84,7 @@ std::optional<Quad> toQuad(const Outline& contour, double least_side_px) {
     const auto side = fitSide(contour, (*corners)[i], (*corners)[(i + 1) % 4]);
     if (!side) return std::nullopt;
     sides[i] = *side;
-    // The contour runs through centres of dark pixels, half a pixel inside the edge; outside is to the left.
+    // The contour runs through centres of dark pixels, half a pixel inside the edge. Outside is to the left.
     sides[i].point += 0.5 * Eigen::Vector2d(side->direction.y(), -side->direction.x());
   }
   Quad quad;

@@ -1,5 +1,5 @@
 #pragma once
-// Dark quadrangles on light ground (paper, section 5, step 3): those dark areas (dark_areas.h) that have four
+// Dark quadrangles on a light background (paper, section 5, step 3): dark areas (dark_areas.h) with four
 // corners.
 
 #include <opencv2/core.hpp>
@@ -12,7 +12,7 @@ namespace facenav::coil_tracking {
 
 struct FoundQuads {
   std::vector<Quad> quads;  // clockwise in the image, corners to about 0.3 px
-  int points = 0;           // of the outlines that were followed: the work
+  int points = 0;           // of the followed outlines: the measure of work
 };
 
 FoundQuads findDarkQuads(const cv::Mat& grey, const Darkness& darkness = {}, double least_side_px = 6.0);

@@ -13,12 +13,12 @@ namespace facenav::face {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-// Rolls tried, nearest to upright first; the last three are cameras mounted on their side or upside down.
+// Rolls in the order tried, upright first; the last three: cameras on their side or upside down.
 constexpr double kRolls_deg[] = {0, 20, -20, 40, -40, 60, -60, 90, -90, 180};
 constexpr int kDetectionEdge_px = 400;  // the cascade runs on an image reduced to about this
 constexpr int kSmallestFace_px = 44;    // in the reduced image
-constexpr int kLeastSupport = 4;  // overlapping windows that agree on a face; real faces collect 10 and more
-constexpr int kSureSupport = 12;  // no other roll need be tried
+constexpr int kLeastSupport = 4;  // overlapping windows that agree on a face; real faces have 10 and more
+constexpr int kSureSupport = 12;  // enough to skip the other rolls
 
 std::string cascadePath() {
   for (const char* folder : {"/usr/share/opencv4/haarcascades", "/usr/share/opencv/haarcascades",
@@ -30,7 +30,7 @@ std::string cascadePath() {
               "install the package opencv-data");
 }
 
-// Maps pixels of the image to pixels of a copy in which a face rolled by `roll_rad` stands upright.
+// Maps image pixels to pixels of a copy in which a face with roll `roll_rad` is upright.
 cv::Matx23d uprightFromImage(const cv::Size& size, double roll_rad, double scale) {
   const double c = scale * std::cos(roll_rad), s = scale * std::sin(roll_rad);
   const double half = 0.5 * scale * std::hypot(size.width, size.height);
@@ -137,7 +137,7 @@ class HaarFaceDetector : public FaceDetector {
     return found;
   }
 
-  // The largest of the well supported faces.
+  // The largest of the faces with enough support.
   std::optional<Candidate> bestFace(const cv::Mat& image, double smallest_px, double largest_px) const {
     std::vector<cv::Rect> faces;
     std::vector<int> support;
@@ -164,8 +164,8 @@ class HaarFaceDetector : public FaceDetector {
     return found;
   }
 
-  // The landmarks of the upright copy at full resolution, predicted twice: the second time from the box that
-  // the first ones span, which makes them steadier against the cascade's coarse steps of position and scale.
+  // Landmarks in the upright copy, predicted twice. The second time starts from the box of the first
+  // landmarks: it is steadier than the cascade's box, which has coarse steps of position and scale.
   void addLandmarks(const cv::Mat& grey, FaceLandmarks& found) const {
     const double scale = std::min(1.0, 240.0 / found.face.width);
     const Upright upright = makeUpright(grey, found.roll_rad, scale);
@@ -179,7 +179,7 @@ class HaarFaceDetector : public FaceDetector {
     for (const auto& p : points) found.points68.push_back(apply(upright.image_from_upright, p));
   }
 
-  // The box of dlib's own face detector for a face with these landmarks: brows to chin, squared.
+  // The box that dlib's own detector would give for these landmarks: brows to chin, square.
   static cv::Rect boxOf(const std::vector<Eigen::Vector2d>& points) {
     Eigen::Vector2d low = points.front(), high = points.front();
     for (const auto& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);

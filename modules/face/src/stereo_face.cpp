@@ -9,8 +9,8 @@ namespace facenav::face {
 namespace {
 
 constexpr double kLandmarkEpipolarShare =
-    0.05;                                // of the face's width: landmarks are good to a few per cent of it
-constexpr double kLandmarkFit_mm = 9.0;  // depth of a landmark is good to several mm only
+    0.05;  // of the face's width: landmarks have an error of a few per cent of it
+constexpr double kLandmarkFit_mm = 9.0;  // a landmark's depth has an error of several mm
 
 bool agree(const cameras::StereoRig& rig, const StereoFace& face) {
   std::vector<double> epipolar_px;

@@ -1,5 +1,5 @@
-// Real data: the 13 chessboard pairs of Debian's opencv-doc; boards before three real cameras, of which one
-// lags.
+// Real data: the 13 chessboard pairs of Debian's opencv-doc, and boards before three real cameras, one of
+// which exposes late.
 
 #include <gmock/gmock.h>
 
@@ -28,13 +28,13 @@ std::filesystem::path boards(const std::string& set) {
 const Board kBoard{9, 6, 10.0};
 const cv::Size kImage(1024, 1024);
 
-/// Pictures that show a part of the board only: to look for it in vain takes a second or two each.
+/// Images that show only a part of the board: a useless search takes a second or two each.
 const std::set<std::string> kCutOff = {
     "boards_1/l_2177", "boards_1/r_0545", "boards_1/r_0681", "boards_1/r_0817", "boards_1/r_1905",
     "boards_1/r_2585", "boards_2/r_1331", "boards_2/r_1464", "boards_2/r_1597", "boards_2/r_1730"};
 
-/// Corners of each picture of one camera of a set, by what follows the camera's letter ("_0001.jpg"): found
-/// once for all tests.
+/// Corners in each image of one camera of a set, found once for all tests. Key: the name after the camera's
+/// letter ("_0001.jpg").
 const std::map<std::string, SeenCorners>& cornersOf(const std::string& set, char camera) {
   static std::map<std::pair<std::string, char>, std::map<std::string, SeenCorners>> known;
   auto& corners = known[{set, camera}];
@@ -54,7 +54,7 @@ const std::map<std::string, SeenCorners>& cornersOf(const std::string& set, char
   return corners;
 }
 
-/// Pairs of the cameras `left` and `right` ('l', 'm', 'r').
+/// Calibrates from pairs of the cameras `left` and `right` ('l', 'm', 'r').
 Calibration calibratedFrom(const std::string& set, char left, char right) {
   std::vector<BoardView> views;
   const auto& others = cornersOf(set, right);

@@ -36,13 +36,14 @@ std::string messageOf(const std::vector<CalibrationPair>& pairs) {
 TEST(Calibrate, RecoversTheRigFromCorners) {
   const StereoRig rig = support::convergingRig();
   const Calibration result = calibrated(syntheticViews(rig, 14, 0.1, 3));
-  EXPECT_NEAR(result.rms_px, 0.1 * std::sqrt(2.0), 0.012);  // 2-D distance of noise of 0.1 px along each axis
+  EXPECT_NEAR(result.rms_px, 0.1 * std::sqrt(2.0),
+              0.012);  // 2-D distance for noise of 0.1 px along each axis
   EXPECT_EQ(result.usedViews(), 14);
   EXPECT_NEAR(result.rig.left.k(0, 0), rig.left.k(0, 0), 2.0);
   EXPECT_NEAR(result.rig.baseline_mm(), rig.baseline_mm(), 0.15);
   EXPECT_THAT(result.rig.right_T_left, support::PoseNear(rig.right_T_left, 0.1, 0.8));
   EXPECT_GT(result.held_out_rms_px, result.rms_px * 0.95);
-  // What counts in the end: the depth of a point 600 mm away, seen by the true rig, measured with the
+  // What counts in the end: the depth of a point 600 mm away, projected by the true rig and measured with the
   // calibrated one.
   const Eigen::Vector3d p(20, -30, 600);
   const Eigen::Vector3d measured =
@@ -150,7 +151,7 @@ TEST(Calibrate, StandardErrorsCoverTheTruth) {
     EXPECT_GT(result.at_head.length_mm, 0.0);
   }
   EXPECT_LT(std::sqrt(squares / count), 1.3);
-  EXPECT_GT(std::sqrt(squares / count), 0.4);  // and they are not stated many times too large
+  EXPECT_GT(std::sqrt(squares / count), 0.4);  // the stated errors are not many times too large either
   EXPECT_LT(double(beyond_two) / count, 0.1);
 }
 
@@ -200,7 +201,7 @@ TEST(Chessboard, TextOfABoard) {
 }
 
 TEST(Chessboard, CornersOfADrawnBoardAreFoundInOneOrder) {
-  const Board board{7, 4, 10};  // 8 x 5 squares of 40 px, one of the first corner's squares black
+  const Board board{7, 4, 10};  // 8 x 5 squares of 40 px; the first one is black
   cv::Mat image(400, 560, CV_8U, cv::Scalar(230));
   for (int r = 0; r < 5; ++r)
     for (int c = 0; c < 8; ++c)

@@ -33,8 +33,8 @@ const cv::Mat& print() {
   return image;
 }
 
-/// Photograph of the print at `view_T_print` (origin the print's top left corner, x right, y down): the print
-/// is blurred to the view's resolution, then sampled at every pixel's centre.
+/// Photograph of the print at `view_T_print` (origin: the print's top left corner, x right, y down). The
+/// print is blurred to the view's resolution, then sampled at every pixel's centre.
 cv::Mat photograph(const CameraModel& camera, const Eigen::Isometry3d& view_T_print, unsigned seed) {
   constexpr int kStep = 8;  // the map is smooth: every eighth pixel is computed
   const Eigen::Isometry3d print_T_view = view_T_print.inverse();
@@ -67,7 +67,7 @@ cv::Mat photograph(const CameraModel& camera, const Eigen::Isometry3d& view_T_pr
   return noisy;
 }
 
-/// Boards before the rig; every third is so near or so far aside that it is cut off.
+/// Boards before the rig. Every third is so near, or so far to the side, that it is cut off.
 std::vector<CalibrationPair> photographs(const StereoRig& rig, int count) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -92,7 +92,7 @@ TEST(Charuco, CornersOfAWholeBoardFitItsPose) {
   pose.translation() = Eigen::Vector3d(10, 0, 560) - pose.linear() * Eigen::Vector3d(112, 84, 0);
   const SeenCorners seen = findBoard(photograph(rig.left, pose, 1), kBoard);
   ASSERT_EQ(int(seen.px.size()), kBoard.corners());
-  // Against the pose that fits best: OpenCV draws its print about a pixel aside.
+  // Relative to the best-fitting pose, because OpenCV draws its print about a pixel off.
   cv::Vec3d rotation, translation;
   const auto points = boardPoints(kBoard, seen.ids);
   cv::solvePnP(points, seen.px, rig.left.k, rig.left.distortion, rotation, translation);
@@ -118,7 +118,7 @@ TEST(Charuco, PartlySeenBoardsCalibrateBackToTheRig) {
   const Eigen::Vector3d measured =
       triangulate(result.rig, project(rig.left, p), project(rig.right, rig.right_T_left.isometry() * p)).mm;
   EXPECT_NEAR(measured.norm(), p.norm(), 1.5);
-  // The standard errors are those of the fit: the truth lies within four of them.
+  // The standard errors are correct: the truth lies within four of them.
   for (const auto& parameter : result.parameters) {
     EXPECT_GT(parameter.sigma, 0) << parameter.name;
     if (parameter.name == "left fx px") {

@@ -22,7 +22,7 @@ StereoRig moved(const StereoRig& rig, const Eigen::Vector3d& turn_deg, const Eig
   return other;
 }
 
-/// Skin and a coil's marker as the true rig shows them, with 0.15 px and 0.03 px of noise, over some frames.
+/// Skin and a coil's marker in the true rig, with 0.15 px and 0.03 px of noise, over some frames.
 class Scene {
  public:
   Scene(const StereoRig& truth, unsigned seed) : truth_(truth), random_(seed) {}
@@ -37,7 +37,7 @@ class Scene {
     }
     return points;
   }
-  /// As a real pair gives them: every tenth match wrong by pixels, and all in one corner of the face, where a
+  /// As in a real pair: every tenth match is wrong by pixels, all in one corner of the face where a
   /// silhouette passes.
   std::vector<Correspondence> faceWithWrongMatches(int count) {
     std::vector<Correspondence> points = face(count);
@@ -113,7 +113,7 @@ TEST(RigMonitor, IsSilentOnRigsThatAreAsWellCalibratedAsRealOnes) {
   }
 }
 
-/// Rigs such as clinics build: f 600-1000 px, baseline 60-200 mm, toed in.
+/// Rigs as clinics build them: f 600-1000 px, baseline 60-200 mm, converging.
 StereoRig someRig(std::mt19937& random) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -151,11 +151,11 @@ TEST(RigMonitor, SeesCamerasThatMovedDespiteWrongMatches) {
   int seen = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const StereoRig rig = someRig(random);
-    // Pitch and roll: yaw shows in squares only.
+    // Pitch and roll; only squares show yaw.
     const Eigen::Vector3d axis = Eigen::Vector3d(normal(random), 0, normal(random)).normalized();
     seen += judgeFace(rig, moved(rig, angle_deg(random) * axis, {0, 0, 0}), seed).hasMoved();
   }
-  // Of 0.1 degrees of roll in a short lens little is left on a face: less than a calibration is off by.
+  // With a short lens, 0.1 degrees of roll have less effect on a face than a calibration's error.
   EXPECT_GE(seen, 55) << "of 60";
   RecordProperty("seen_of_60", seen);
 }
@@ -176,7 +176,7 @@ TEST(RigMonitor, SaysHowFarPointsAreOffAsFarAsTheImagesTell) {
                    .squaredNorm();
   const double truth_mm = std::sqrt(squares / double(points.size()));
   EXPECT_NEAR(verdict.displaced_mm, truth_mm,
-              0.5 * truth_mm);  // the yaw, which nothing tells, is not guessed
+              0.5 * truth_mm);  // yaw, which nothing determines, is not guessed
 }
 
 TEST(RigMonitor, MatchesWrongInAllDirectionsSayThatTheRowsAreOff) {

@@ -42,7 +42,7 @@ std::string goodRigText() {
   return readWholeFile(folder.path() / "stereo.yml");
 }
 
-// Without the key's whole entry (up to the next key at the start of a line).
+// The text without the key's whole entry (up to the next key at the start of a line).
 std::string without(const std::string& text, const std::string& key) {
   return std::regex_replace(text, std::regex("(^|\n)" + key + ":[^\n]*(\n [^\n]*)*"), "$1");
 }
@@ -151,7 +151,7 @@ TEST(StereoRig, DamagedFileIsAnErrorNotACrash) {
   EXPECT_NE(messageOfReading("%YAML:1.0\n---\n- 1\n- 2\n").find("stereo.yml"), std::string::npos);
   EXPECT_NE(messageOfReading(std::string("\x89PNG\r\n\x1a\n\0\0\0", 11)).find("stereo.yml"),
             std::string::npos);
-  // Ends before "E" lose a required key; later cuts only lose what is optional, and the rig must then be the
+  // A cut before "E" loses a required key. Later cuts lose optional keys only, and the rig must then be the
   // same.
   const std::size_t optional_from = text.find("\nE:");
   for (std::size_t length = 0; length < optional_from - 40; length += 37)

@@ -1,5 +1,5 @@
 #pragma once
-// Corners of a board held at random before a rig: what the calibration's tests start from.
+// Corners of boards at random poses before a rig: input of the calibration's tests.
 
 #include <opencv2/calib3d.hpp>
 #include <random>
@@ -11,7 +11,7 @@ namespace facenav::cameras {
 
 inline const Board kBoard{9, 6, 20.0};
 
-// Corners of boards held at random before the rig, with Gaussian noise.
+// Views of boards at random poses before the rig, with Gaussian noise.
 inline std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, double noise_px, unsigned seed,
                                              double most_turned_rad = 0.6) {
   std::mt19937 random(seed);
@@ -40,7 +40,7 @@ inline std::vector<BoardView> syntheticViews(const StereoRig& rig, int count, do
   return views;
 }
 
-// Pictures whose boards moved by `moved_mm` (and a little turned) before the right camera exposed.
+// Views whose boards moved by `moved_mm` (and turned a little) before the right camera exposed.
 inline std::vector<BoardView> laggingViews(const StereoRig& rig, int count, const std::vector<int>& lagging,
                                            double moved_mm, unsigned seed) {
   auto views = syntheticViews(rig, count, 0.1, seed);

@@ -36,7 +36,7 @@ class Hand {
   RigidTransform<Camera, Coil> somewhere() {
     return {Eigen::Quaterniond(expRotation(noise(0.4))), Eigen::Vector3d(0, 0, 600) + noise(40)};
   }
-  /// The coil's point (Coil, mm) stands on the tip (Camera) while the coil is turned by some 25 degrees.
+  /// Poses of a coil whose point (Coil, mm) stands on the tip (Camera) while it is turned by some 25 degrees.
   std::vector<RigidTransform<Camera, Marker>> pivoting(const Eigen::Vector3d& point_mm, int frames,
                                                        double turn_rad) {
     const Eigen::Vector3d tip_mm(20, 30, 580);
@@ -62,7 +62,7 @@ TEST(CoilCalibration, AJigGivesTheMount) {
     sightings.push_back(
         {hand.measured(camera_T_coil * mount().inverse()), hand.measured(camera_T_coil * coil_T_jig)});
   }
-  sightings[7].camera_T_jig = hand.somewhere() * coil_T_jig;  // one frame that is plainly wrong
+  sightings[7].camera_T_jig = hand.somewhere() * coil_T_jig;  // one frame with a gross error
   const auto result = calibrateWithJig(sightings, coil_T_jig);
   EXPECT_EQ(result.used, 79);
   EXPECT_THAT(result.marker_T_coil, PoseNear(mount(), 0.06, 0.12));

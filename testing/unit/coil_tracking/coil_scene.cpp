@@ -15,7 +15,7 @@ struct CameraView {
   Eigen::Isometry3d view_T_camera;
 };
 
-/// The outline of the print's paper in the image, with a rim.
+/// The outline of the print's paper in the image, with a margin.
 cv::Rect region(const CameraView& view, const PlacedPrint& placed, cv::Size size) {
   const double half_mm = (0.5 + placed.margin_cells / placed.print.rows) * placed.size_mm;
   cv::Rect2d box;
@@ -32,7 +32,7 @@ cv::Rect region(const CameraView& view, const PlacedPrint& placed, cv::Size size
          cv::Rect(cv::Point(), size);
 }
 
-/// Light on the print's paper at (x, y) mm, or a negative number beyond the paper.
+/// Light on the print's paper at (x, y) mm; negative outside the paper.
 double lightAt(const PlacedPrint& placed, double x_mm, double y_mm) {
   const int n = placed.print.rows;
   const double column = (x_mm / placed.size_mm + 0.5) * n, row = (y_mm / placed.size_mm + 0.5) * n;
@@ -50,7 +50,8 @@ void drawPrint(const CameraView& view, const PlacedPrint& placed, const SceneOpt
   if (eye_mm.z() > 0) return;  // seen from behind
   for (int v = box.y; v < box.br().y; ++v)
     for (int u = box.x; u < box.br().x; ++u) {
-      // Undistorted coordinates are smooth: linear within the pixel from its centre and two neighbours.
+      // Undistorted coordinates are smooth: interpolated linearly within the pixel from its centre and two
+      // neighbours.
       const Eigen::Vector2d n = cameras::undistort(view.camera, {double(u), double(v)});
       const Eigen::Vector2d by_u = cameras::undistort(view.camera, {u + 0.5, double(v)}) - n;
       const Eigen::Vector2d by_v = cameras::undistort(view.camera, {double(u), v + 0.5}) - n;
@@ -118,7 +119,7 @@ Print arucoPrint(int predefined_dictionary, int id) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(predefined_dictionary);
   const int cells = dictionary->markerSize + 2;
   cv::Mat image;
-  cv::aruco::drawMarker(dictionary, id, cells * 10, image, 1);  // OpenCV's own print is the reference
+  cv::aruco::drawMarker(dictionary, id, cells * 10, image, 1);  // the reference is OpenCV's own print
   Print print(cells, cells);
   for (int y = 0; y < cells; ++y)
     for (int x = 0; x < cells; ++x) print(y, x) = image.at<uchar>(y * 10 + 5, x * 10 + 5) > 127 ? 1.f : 0.f;
@@ -173,7 +174,8 @@ RigidTransform<Camera, Marker> markerPose(double distance_mm, double tilt_deg, d
                                           double turn_deg, const Eigen::Vector2d& side_mm) {
   const double degree = M_PI / 180, axis_rad = axis_deg * degree;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const Eigen::Vector3d towards(50 + side_mm.x(), side_mm.y(), distance_mm);  // between the cameras, and off
+  const Eigen::Vector3d towards(50 + side_mm.x(), side_mm.y(),
+                                distance_mm);  // between the cameras, shifted by side_mm
   pose.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), towards).matrix() *
       Eigen::AngleAxisd(tilt_deg * degree, Eigen::Vector3d(std::cos(axis_rad), std::sin(axis_rad), 0)) *

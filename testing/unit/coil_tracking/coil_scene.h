@@ -1,6 +1,6 @@
 #pragma once
-// A stereo pair of a printed marker with exact truth: every pixel is the mean of 25 rays to the plane of
-// the print, then blur, camera gamma and noise. No code is shared with the tracker but the camera model's
+// A stereo pair of a printed marker with exact truth: every pixel is the mean of 25 rays to the plane of the
+// print, then blur, camera gamma and noise. The only code in common with the tracker is the camera model's
 // undistort().
 
 #include <opencv2/core.hpp>
@@ -11,13 +11,12 @@
 
 namespace facenav::coil_tracking::testing {
 
-/// What is printed: light 0..1 at a point of the print, in units of the black square's side (-.5..+.5
-/// inside).
+/// The print as cells with light 0..1, in the black square (-.5..+.5 of its side).
 using Print = cv::Mat_<float>;  // cells of the square, border included; white around it
 
 /// The print of an ArUco marker.
 Print arucoPrint(int predefined_dictionary, int id);
-/// Left and right exchanged, as a mirror shows it.
+/// Left and right exchanged, as in a mirror.
 Print mirrored(const Print& print);
 
 struct PlacedPrint {
@@ -30,9 +29,9 @@ struct PlacedPrint {
 struct SceneOptions {
   double white_grey = 200, black_grey = 25, ground_grey = 90;
   double blur_sigma_px = 0.7, gamma = 1.0, noise_grey = 1.5;
-  double side_light = 0.0;  // grey changes by this share from left to right of the image
+  double side_light = 0.0;  // relative change of grey from the left to the right edge of the image
   double shadow_from_x = 1e9,
-         shadow_factor = 1;  // pixels right of this column receive this share of the light
+         shadow_factor = 1;  // pixels right of this column receive this fraction of the light
   bool has_clutter = true;   // random dark shapes on the ground
   unsigned seed = 1;
 };
@@ -43,12 +42,11 @@ cameras::StereoFrame renderMarkers(const cameras::StereoRig& rig, const std::vec
 /// Two cameras as in the room: f 800 px at 640 x 480, baseline 120 mm, converging by 10 degrees, with
 /// distortion.
 cameras::StereoRig roomRig();
-/// Another: 1000 x 750, f 1150, baseline 180 mm along a direction rolled by 80 degrees (nearly vertical),
-/// rational model.
+/// Another rig: 1000 x 750, f 1150, baseline 180 mm rolled by 80 degrees (nearly vertical), rational model.
 cameras::StereoRig steepRig();
 
-/// A marker facing the rig at `distance_mm`: tilted about an axis in its plane at `axis_deg`, turned in its
-/// plane by `turn_deg`, `side_mm` off the axis.
+/// A marker facing the rig at `distance_mm`: tilted about an axis in its plane at `axis_deg`, rotated in its
+/// plane by `turn_deg`, shifted sideways by `side_mm`.
 RigidTransform<Camera, Marker> markerPose(double distance_mm, double tilt_deg, double axis_deg,
                                           double turn_deg, const Eigen::Vector2d& side_mm = {0, 0});
 

@@ -48,7 +48,7 @@ std::ostream& operator<<(std::ostream& out, const Errors& e) {
              << e.lost;
 }
 
-/// Poses over distance, tilt, its direction, the turn in the plane and the place in the image.
+/// Poses over distance, tilt and its direction, rotation in the plane and position in the image.
 Errors sweep(const cameras::StereoRig& rig, const std::vector<double>& distances_mm,
              const std::vector<double>& tilts_deg, SceneOptions options = {}) {
   Errors errors;
@@ -88,7 +88,8 @@ TEST(CoilTracker, DoesNotCareWhichWayTheBaselineRuns) {
   EXPECT_LE(errors.rotation_deg(), 0.15) << errors;
 }
 
-// Gamma and blur move every edge into the black; trusting the print's size then moves it by a millimetre.
+// Gamma and blur move every edge into the black. A fixed print size would turn that into a millimetre of
+// depth.
 TEST(CoilTracker, GammaAndBlurDoNotMoveTheDepth) {
   SceneOptions options;
   options.gamma = 0.45;
@@ -106,10 +107,10 @@ TEST(CoilTracker, StereoSetsTheDepthOfAPrintOfTheWrongSize) {
   unmeasured.markers[0].size_sigma_mm = 0.6;
   const auto pose = trackOnce(roomRig(), frame, unmeasured);
   ASSERT_TRUE(pose);
-  EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.4));  // its size alone would put it 6 mm off
+  EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.4));  // a fixed size would give 6 mm of error
 }
 
-// A print that is known to be 60 mm and looks like 59.4 stands 6 mm too near: a camera has turned.
+// A print known to have 60 mm that appears as 59.4 mm would be 6 mm too near: a camera has turned.
 TEST(CoilTracker, AMeasuredPrintOfTheWrongSizeMeansThatACameraMoved) {
   const auto lost =
       trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 59.4, markerPose(600, 20, 30, 10)}}));
@@ -153,7 +154,7 @@ TEST(CoilTracker, AxesAreThoseOfTheFormat) {
   const auto quarter =
       trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 0, 0, 90)}}));
   ASSERT_TRUE(quarter);
-  EXPECT_GT(quarter->camera_T_marker.rotation()(1, 0), 0.99);  // turned clockwise: its x points down
+  EXPECT_GT(quarter->camera_T_marker.rotation()(1, 0), 0.99);  // rotated clockwise: its x points down
 }
 
 TEST(CoilTracker, AnotherIdIsNotTaken) {
@@ -261,13 +262,13 @@ TEST(CoilTracker, FollowsMotionAndComesBackAfterALoss) {
   }
 }
 
-/// Comes in at 300 mm/s and stops, as a coil does that is brought to the head.
+/// Comes in at 300 mm/s and stops, like a coil that is moved to the head.
 RigidTransform<Camera, Marker> broughtIn(double t_s) {
   const double left_s = std::max(0.0, 0.4 - t_s), away_mm = 300 * left_s * left_s / 0.8;
   return markerPose(600 + 0.3 * away_mm, 20, 70, 10, {0.8 * away_mm, -0.6 * away_mm});
 }
 
-// Unallowed for, 12 ms at 300 mm/s put it 15 mm off in depth; a velocity that lags a frame behind, 2 mm.
+// Without correction, 12 ms at 300 mm/s give 15 mm of error in depth; with a velocity one frame late, 2 mm.
 TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExposesLater) {
   const auto rig = roomRig();
   constexpr double kLate_s = 0.012;
@@ -283,9 +284,9 @@ TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExpos
     frame.right = renderMarkers(rig, {{id7(), 60, broughtIn(t_s + kLate_s)}}, options).right;
     frame.captured.s = t_s;
     const auto pose = tracker->track(frame, late);
-    ASSERT_EQ(pose.isTracked(), i > 0) << i;  // one frame tells no velocity
+    ASSERT_EQ(pose.isTracked(), i > 0) << i;  // one frame gives no velocity
     if (pose) {
-      const bool has_stopped = i > 26;  // at 0.4 s; the velocity is taken over three frames
+      const bool has_stopped = i > 26;  // at 0.4 s; the velocity is smoothed over three frames
       EXPECT_THAT(pose->camera_T_marker, PoseNear(broughtIn(t_s), 0.8, has_stopped ? 0.3 : 0.6)) << i;
     }
   }
@@ -297,10 +298,11 @@ cameras::StereoFrame movedFrame(const cameras::StereoRig& rig, int i) {
   return frame;
 }
 
-// The head has had the frame: the coil is found in the next, where it is then.
+// The head has used up the budget: the coil is found in the next frame, where it is then.
 TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
   const auto rig = roomRig();
-  for (const int before : {FrameWork::kMost - 100, FrameWork::kMost - 1500}) {  // to look, or only to fit
+  for (const int before :
+       {FrameWork::kMost - 100, FrameWork::kMost - 1500}) {  // no budget to search, or only none to fit
     const auto tracker = makeMarkerCoilTracker();
     tracker->start(rig, defaultCoil());
     const auto first = tracker->track(movedFrame(rig, 0), {{}, {before}});
@@ -353,7 +355,8 @@ CoilModel twoMarkers() {
 TEST(CoilTracker, AnyOfSeveralMarkersGivesTheFirstOnesPose) {
   const auto rig = roomRig();
   const CoilModel coil = twoMarkers();
-  const auto camera_T_coil = markerPose(600, 15, 70, 10).reframe<Camera, Coil>();  // the scene's own choice
+  const auto camera_T_coil =
+      markerPose(600, 15, 70, 10).reframe<Camera, Coil>();  // the pose that the scene uses
   const auto first = camera_T_coil * coil.markers[0].coil_T_marker,
              second = camera_T_coil * coil.markers[1].coil_T_marker;
   const PlacedPrint print_a{id7(), 60, first}, print_b{arucoPrint(cv::aruco::DICT_5X5_100, 31), 45, second};

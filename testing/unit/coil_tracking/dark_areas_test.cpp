@@ -20,7 +20,7 @@ cv::Mat speckled(unsigned seed, double share) {
 
 bool isBefore(const cv::Point& a, const cv::Point& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-/// As a set of pixels: where a border begins is a matter of taste.
+/// Compares outlines as sets of pixels: the first pixel of a border is arbitrary.
 std::vector<Outline> sorted(std::vector<Outline> outlines) {
   for (Outline& outline : outlines) {
     std::sort(outline.begin(), outline.end(), isBefore);
@@ -55,10 +55,10 @@ TEST(DarkAreas, OutlinesRunClockwiseAndShortOnesAreLeftOut) {
   }
 }
 
-/// The same step by step, in OpenCV's words.
+/// The same, step by step, with OpenCV's functions.
 cv::Mat darkByOpenCv(const cv::Mat& grey, const Darkness& darkness) {
   cv::Mat low, high, tiles_low, tiles_high, dark(grey.size(), CV_8U);
-  cv::erode(grey, low, cv::Mat::ones(2, 2, CV_8U), {0, 0});  // of a pixel, those right of and below it
+  cv::erode(grey, low, cv::Mat::ones(2, 2, CV_8U), {0, 0});  // of a pixel and those right of and below it
   cv::dilate(grey, high, cv::Mat::ones(2, 2, CV_8U), {0, 0});
   cv::resize(low, tiles_low, {}, 0.5, 0.5, cv::INTER_NEAREST);
   cv::resize(high, tiles_high, {}, 0.5, 0.5, cv::INTER_NEAREST);

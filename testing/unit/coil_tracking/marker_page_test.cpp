@@ -25,7 +25,7 @@ cv::Mat painted(const std::string& svg) {
   return page;
 }
 
-// OpenCV's own detector reads the page: right id, upright, at true size.
+// OpenCV's own detector reads the page: correct id, upright, at true size.
 TEST(MarkerPage, IsReadByAnotherDetectorAtTrueSize) {
   CoilModel coil = defaultCoil();
   coil.markers.push_back({"4x4_50", 31, {}, 45.0, 0.1, {}});

@@ -38,7 +38,7 @@ TEST(FaceDetector, FindsThePortraitAndItsEyesUprightAndLeaning) {
       EXPECT_LT((face->points68[landmark] - Eigen::Vector2d(p[0], p[1])).norm(), 6.0)
           << degrees << " landmark " << landmark;
     };
-    expect(36, 195, 100);  // outer corner of the eye on the left of the picture
+    expect(36, 195, 100);  // outer corner of the eye on the left of the image
     expect(45, 259, 104);  // and on the right
     const auto again = detector->detectNear(turned, *face);
     ASSERT_TRUE(again) << degrees;

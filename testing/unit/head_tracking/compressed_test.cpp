@@ -1,5 +1,5 @@
-// A face that comes back compressed, turned and with its jaw down: found, known from another, and never shown
-// where the two pictures are of two moments.
+// A face that returns compressed, rotated and with its jaw down: it is found, kept apart from another's, and
+// not shown when the two images are out of step.
 
 #include "head_scene.h"
 
@@ -49,7 +49,7 @@ TEST_F(CompressedFace, IsFoundAgainTurnedAndWithItsJawDown) {
   }
 }
 
-/// On a slow machine an answer comes late; it is a start all the same.
+/// On a slow machine the answer comes late, but it still gives a start.
 TEST_F(CompressedFace, IsFoundAgainByAnAnswerThatComesLate) {
   const auto tracker = started(head_tracking::Pace::as_live);
   std::string word = "never asked";
@@ -61,7 +61,7 @@ TEST_F(CompressedFace, IsFoundAgainByAnAnswerThatComesLate) {
   EXPECT_EQ(word, "");
 }
 
-/// What the face looked like in one session is known in the next.
+/// Appearance learnt in one session is known in the next.
 TEST_F(CompressedFace, IsLearntAndKnownInTheNextSession) {
   const auto first = started();
   SyntheticView smiling = later(0, 14.0);
@@ -83,11 +83,11 @@ TEST_F(CompressedFace, IsLearntAndKnownInTheNextSession) {
   EXPECT_FALSE(second->track(compressed(other.render(rig_, later(2, 4.0)))).isTracked());
 }
 
-/// A question whose answer was thrown away must not be the last one.
+/// A question whose answer was discarded must not be the last one.
 TEST_F(CompressedFace, IsAskedAboutAgainAfterWhatWasLearntWasForgotten) {
   const auto tracker = started(head_tracking::Pace::as_live);
   int questions = 0;
-  for (int i = 3; i < 55; ++i) {  // the first question has been asked, its answer not yet taken
+  for (int i = 3; i < 55; ++i) {  // the first question was asked; its answer has not been read yet
     const auto pose = tracker->track(compressed(face_->render(rig_, stillView(i))), {{}, i == 3});
     EXPECT_TRUE(pose.isTracked()) << i;
     questions += pose.beside_ms > 0;
@@ -115,7 +115,7 @@ TEST_F(CompressedFace, OnSidesOfTwoMomentsIsNeverShown) {
   }
 }
 
-/// Untriggered cameras see a moving head at two places: that is no fault that ends a track for good.
+/// Cameras without a trigger see a moving head at two places: that must not end the track permanently.
 TEST_F(CompressedFace, WhoComesBackMovingBeforeUntriggeredCamerasIsFound) {
   const auto tracker = started();
   std::string word = "never asked";
@@ -130,8 +130,8 @@ TEST_F(CompressedFace, WhoComesBackMovingBeforeUntriggeredCamerasIsFound) {
   EXPECT_EQ(word, "");
 }
 
-/// A real person under three real cameras (../shared/data/real_faces): 40 of 40 returns are found by
-/// `facenav evaluate pairs`; here two, by two pairs of cameras.
+/// A real person before three real cameras (../shared/data/real_faces). `facenav evaluate pairs` finds 40 of
+/// 40 returns; here two, by two pairs of cameras.
 class RealFace : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -42,7 +42,7 @@ TEST(FeatureFit, ExactMatchesGiveTheExactMotion) {
   EXPECT_EQ(fit->inliers.size(), 7u);
 }
 
-// The figures for 7 features at 0.25 px: 0.85 deg triangulated, 0.24 deg jointly in the images.
+// Expected for 7 features at 0.25 px: 0.85 deg triangulated, 0.24 deg by the joint fit in the images.
 TEST(FeatureFit, QuarterPixelNoiseGivesAQuarterDegreeFittedInTheImages) {
   const auto rig = testing::convergingRig();
   double squares = 0, claimed = 0;
@@ -55,7 +55,7 @@ TEST(FeatureFit, QuarterPixelNoiseGivesAQuarterDegreeFittedInTheImages) {
     claimed += fit->covariance.topLeftCorner<3, 3>().trace() * std::pow(180 / M_PI, 2);
   }
   EXPECT_LT(std::sqrt(squares / (3 * trials)), 0.25) << "about each axis";
-  const double claim = std::sqrt(claimed / squares);  // the claim supposes 0.35 px at least
+  const double claim = std::sqrt(claimed / squares);  // the predicted error assumes at least 0.35 px
   EXPECT_GT(claim, 0.95) << "the covariance is honest";
   EXPECT_LT(claim, 1.9);
 }

@@ -9,7 +9,7 @@ namespace {
 
 const cv::Rect kFace(60, 40, 80, 90);
 
-// A picture with a face-like patch that moves by `shift_px`; noise where sigma > 0.
+// An image with a face-like patch that moves by `shift_px`; with noise when sigma > 0.
 cameras::StereoFrame frameAt(double time_s, int shift_px, double sigma, int seed) {
   cameras::StereoFrame frame;
   cv::RNG random(static_cast<std::uint64_t>(seed + 1));

@@ -1,5 +1,5 @@
 #pragma once
-// Both head trackers on a synthetic face whose motion is known: what their tests share.
+// Common to the tests of both head trackers: a synthetic face with known motion.
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ using facenav::testing::SyntheticView;
 constexpr double kDegree = M_PI / 180;
 inline const Point<Head> kCortex(0, -60, 690);  // some 90 mm behind the face
 
-/// The detector that the trackers use; asked again about the same picture (every test starts from the same
-/// reference), it remembers its answer.
+/// The detector that the trackers use. It remembers its result for an image, because every test starts from
+/// the same reference.
 class RememberingDetector : public face::FaceDetector {
  public:
   std::optional<face::FaceLandmarks> detect(const cv::Mat& grey) const override {
@@ -71,7 +71,7 @@ inline SyntheticView viewAt(int frame, double yaw_deg) {
   return view;
 }
 
-/// Turned by `yaw_deg` about the neck.
+/// The view with the head rotated by `yaw_deg` about the neck.
 inline SyntheticView turnedView(int frame, double yaw_deg) {
   SyntheticView view;
   view.motion = Eigen::Translation3d(0, 0, 700) *
@@ -98,7 +98,7 @@ inline PoseError errorOf(const head_tracking::HeadPose& pose, const SyntheticVie
   return poseError(pose.camera_T_head, RigidTransform<Camera, Head>::fromIsometry(view.motion), kCortex);
 }
 
-/// What a loss is said to look like; empty where the head is tracked.
+/// Words for the reason of a loss; empty while the head is tracked.
 inline std::string wordOf(const head_tracking::HeadResult& result) {
   if (result) return {};
   const std::string word = head_tracking::toString(result.loss_detail);
@@ -111,7 +111,7 @@ class HeadTrackers : public ::testing::Test {
     if (!std::filesystem::exists(SyntheticFace::portraitPath()))
       GTEST_SKIP() << "no portrait (python3-skimage)";
     rig_ = facenav::testing::convergingRig();
-    static const SyntheticFace shared = SyntheticFace::astronaut();  // its rays are made once
+    static const SyntheticFace shared = SyntheticFace::astronaut();  // its rays are computed once
     face_ = &shared;
   }
   void start(head_tracking::HeadTracker& tracker, bool with_surface) const {

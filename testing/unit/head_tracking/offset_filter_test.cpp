@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
 
-/// Patches about a face of 120 mm at 600 mm, in two cameras of 800 px, 120 mm apart.
+/// Patches on a face of 120 mm at 600 mm, in two cameras of 800 px, 120 mm apart.
 class MovingFace {
  public:
   MovingFace() {
@@ -27,8 +27,8 @@ class MovingFace {
     }
   }
 
-  /// What is left to explain in a frame of a head that moves at `velocity`, its left pose known to some
-  /// error, while `allowed` was allowed for.
+  /// Residual displacements of a head that moves at `velocity`, its left pose known with some error, when the
+  /// fit corrected for the motion `allowed`.
   PoseFit fit(const Vector6d& velocity, double late_s, const Vector6d& allowed, double shared_px = 0.0) {
     PoseFit fit;
     Vector6d off;
@@ -84,7 +84,7 @@ TEST(OffsetFilter, LearnsWhenTheRightCameraExposesFromTheMovingHead) {
 TEST(OffsetFilter, SynchronousCamerasAreLeftAlone) { EXPECT_EQ(after(240, 0.0).late_s(), 0.0); }
 
 TEST(OffsetFilter, AHeadThatHardlyMovesSaysNothingWhateverTheDisparitiesErr) {
-  // 0.05 px of disparity in all patches, at 2 mm/s: the same as 19 ms.
+  // 0.05 px of disparity in all patches at 2 mm/s look like 19 ms.
   const auto filter = after(240, 0.0, 0.05, 0.04);
   EXPECT_EQ(filter.late_s(), 0.0);
   EXPECT_GT(1e3 * filter.sigma_s(), 4.0) << "and what is not known is said";

@@ -1,4 +1,4 @@
-// The head track's inner loop: both kernels give the same sums, and the blur is the binomial one, unrounded.
+// Head tracking's inner loop: both kernels give the same sums, and the blur is binomial without rounding.
 
 #include "head/patch_kernel.h"
 

@@ -1,5 +1,5 @@
-// What patches tell about the pose: mean and difference against the whole covariance, and filters against
-// shading.
+// Information in the patches about the pose: mean and difference against the whole covariance, and filters
+// against shading.
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ namespace {
 using patch::kSamples;
 using patch::kSide;
 
-constexpr double kCommon_px = 0.15;  // patch_worth.cpp's, where nothing else is common
+constexpr double kCommon_px = 0.15;  // as in patch_worth.cpp, where no other error is common
 
-/// A patch of smooth skin, seen askew by the right camera.
+/// A patch of smooth skin, seen obliquely by the right camera.
 Patch skewPatch() {
   Patch patch;
   patch.right_mm = {0.75, 0.05, 0.2}, patch.down_mm = {-0.03, 0.8, 0.1};
@@ -47,7 +47,7 @@ TEST(PatchWorth, MeanAndDifferenceTellAllThatTheWholeCovarianceTells) {
   Matrix6d told = Matrix6d::Zero();
   for (const auto& part : toldByBoth(patch, unchanged()))
     told += part.jacobian.transpose() * part.covariance.inverse() * part.jacobian;
-  // The same with all four errors at once: own ones, and one along the skin that both cameras see.
+  // The same with all four errors at once: each camera's own, and one along the skin common to both.
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << patch.right_mm, patch.down_mm;
   Eigen::Matrix<double, 4, 2> seen;
@@ -106,7 +106,7 @@ float dot(const std::vector<float>& a, const std::vector<float>& b) {
   return sum;
 }
 
-/// Displacement that the filters make of a difference from the marks, px.
+/// Displacement in px that the filters compute from a difference to the marks.
 Eigen::Vector2f displacement(const std::array<std::vector<float>, 2>& filters, const Marks& marks,
                              const std::vector<float>& difference) {
   Eigen::Matrix2f structure;
@@ -133,7 +133,7 @@ TEST(PatchFilters, ShadingMovesThePatchLessAndAShiftAsMuch) {
   std::vector<float> shading, moved;
   for (int i = 0; i < kSamples; ++i) {
     const float x = float(i % kSide) - 3.5f, y = float(i / kSide) - 3.5f;
-    shading.push_back(0.8f * x + 0.5f * y + 0.15f * x * x - 0.1f * x * y);  // a highlight's flank
+    shading.push_back(0.8f * x + 0.5f * y + 0.15f * x * x - 0.1f * x * y);  // the slope of a highlight
     moved.push_back(shifted.grey[i] - marks.grey[i]);
   }
   EXPECT_LT(displacement(wary, marks, shading).norm(), 0.4f * displacement(plain, marks, shading).norm());

@@ -1,4 +1,4 @@
-// A face lost is found again, wherever it is and within what a frame may cost.
+// A lost face is found again, wherever it is, within the work budget of a frame.
 
 #include "head_scene.h"
 
@@ -25,12 +25,12 @@ TEST_F(HeadTrackers, AFaceLostIsFoundAgainElsewhereAtOnce) {
 TEST_F(HeadTrackers, AFaceLostAtTheSideIsFoundAgainThere) {
   const auto tracker = head_tracking::makeModelHeadTracker(detector());
   start(*tracker, true);
-  for (int i = 0; i <= 7; ++i)  // turning to 28 degrees
+  for (int i = 0; i <= 7; ++i)  // turns to 28 degrees
     ASSERT_TRUE(tracker->track(face_->render(rig_, turnedView(i, 4.0 * i))).isTracked()) << i;
   SyntheticView hidden = turnedView(8, 28);
   hidden.cover_mm = cv::Rect2d(-200, -200, 400, 400);
   EXPECT_FALSE(tracker->track(face_->render(rig_, hidden)).isTracked());
-  SyntheticView back = turnedView(30, 26);  // longer ago than a prediction holds
+  SyntheticView back = turnedView(30, 26);  // later than a prediction is valid
   back.motion.pretranslate(Eigen::Vector3d(-25, 15, 20));
   int frames = 0;
   for (bool is_found = false; !is_found && frames < 6; ++frames) {
@@ -44,8 +44,8 @@ TEST_F(HeadTrackers, AFaceLostAtTheSideIsFoundAgainThere) {
   EXPECT_LT(frames, 6) << "0.2 s";
 }
 
-/// As between two axes of the paper's protractor, or with few frames a second. What a frame may cost is
-/// bounded, so the fit may have to wait for the next one.
+/// A large step, as between two axes of the paper's protractor or with few frames per second. The work of a
+/// frame is limited, so the fit may be deferred to the next one.
 TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheSameFrameOrTheNext) {
   const auto tracker = head_tracking::makeModelHeadTracker(detector());
   start(*tracker, true);
@@ -64,7 +64,8 @@ TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheSameFrameOrTheNext) {
   }
 }
 
-/// The coil has waited: the head has the frame's first part only, but not in two frames running.
+/// The coil has waited: the head gets only the first part of the frame's budget, but not in two frames
+/// running.
 TEST_F(HeadTrackers, ALostFaceLeavesRoomForTheCoilAndIsFoundAllTheSame) {
   const auto tracker = head_tracking::makeModelHeadTracker(detector());
   start(*tracker, true);

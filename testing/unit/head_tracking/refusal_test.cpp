@@ -1,4 +1,4 @@
-// Frames and faces that no head tracker may take for the patient's, and what is said of them.
+// Frames and faces that a head tracker must not accept as the patient's, and the reason that it gives.
 
 #include "head_scene.h"
 
@@ -9,7 +9,7 @@ using namespace head_tracking::testing;
 using testing::SyntheticFace;
 using testing::SyntheticView;
 
-// What either tracker must refuse, after some good frames. Each case damages a good frame.
+// A damage to a good frame. Either tracker must refuse the result, after some good frames.
 struct Damage {
   const char* name;
   std::function<void(cameras::StereoFrame&)> apply;
@@ -80,7 +80,7 @@ TEST_F(HeadTrackers, AnotherPersonIsNotTracked) {
   }
 }
 
-/// The portrait's coarse features, with pores and freckles of their own for each `seed`.
+/// The portrait's coarse features, with individual pores and freckles for each `seed`.
 SyntheticFace withSkin(std::uint64_t seed) {
   cv::Mat1f portrait, pores;
   cv::imread(SyntheticFace::portraitPath(), cv::IMREAD_GRAYSCALE).convertTo(portrait, CV_32F);
@@ -178,8 +178,8 @@ TEST_F(HeadTrackers, ALossOfAFaceThatIsBlurredOrTooFarSaysSo) {
   EXPECT_EQ(word, "too_far");
 }
 
-/// Whoever sat near is not far off a tenth of a second later, whatever looks like it: as where a hand over
-/// the face leads fits astray.
+/// A head that was near is not far away a tenth of a second later, whatever the fit says: a hand over the
+/// face can mislead a fit.
 TEST_F(HeadTrackers, NobodyIsTooFarAMomentAfterBeingNear) {
   const auto tracker = head_tracking::makeModelHeadTracker(detector());
   start(*tracker, true);

@@ -1,4 +1,4 @@
-// The search's inner loops against the same in plain arithmetic, for each instruction set.
+// The search's inner loops against plain arithmetic, for each instruction set.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST(SearchKernel, CorrelationSumsTheStencilAtEveryPlace) {
   }
 }
 
-// Two points before a camera that looks along z, on an image whose grey is a plane.
+// Two points before a camera along z, on an image whose grey values form a plane.
 TEST(SearchKernel, TemplateSumsAreThoseOfItsPoints) {
   using F = search::TemplateField;
   constexpr float kFocal = 100.f, kSlope_u = 0.01f, kSlope_v = -0.02f;

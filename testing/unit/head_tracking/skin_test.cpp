@@ -1,4 +1,4 @@
-// Windows of skin (skin_points.h), the pose they tell (skin_field.h) and what they tell about the two sides
+// Windows of skin (skin_points.h), the pose fitted to them (skin_field.h) and the comparison of the two sides
 // (sides.h).
 
 #include <algorithm>
@@ -28,13 +28,13 @@ class Skin : public ::testing::Test {
   }
   static void TearDownTestSuite() { points_.reset(), rig_.reset(); }
 
-  // The reference's own pictures, searched round where `predicted` puts the face.
+  // Windows found in the reference's own images, searched near the face at `predicted`.
   static std::vector<SkinMatch> foundFrom(const Isometry3d& predicted) {
     const SkinView& reference = points_->reference();
     return points_->find(reference, *rig_, reference.pictures, predicted, {0, 6, 1});
   }
 
-  // Each point's own place in the picture of a camera.
+  // The point's own place in a camera's image.
   static Eigen::Vector2d placeOf(const SkinMatch& match) {
     const Eigen::Vector3d& p_mm = (*points_)[std::size_t(match.point)].mm;
     return match.camera == 0 ? cameras::project(rig_->left, p_mm)
@@ -48,8 +48,8 @@ class Skin : public ::testing::Test {
 std::unique_ptr<cameras::StereoRig> Skin::rig_;
 std::unique_ptr<SkinPoints> Skin::points_;
 
-// Of the distances to each point's own place; the parabola through the best correlation errs by some
-// hundredths of a pixel, a place rounded to whole pixels by some tenths.
+// Median distance to each point's own place. The parabola through the best correlation has an error of some
+// hundredths of a pixel; a place rounded to whole pixels, of some tenths.
 double medianError_px(const std::vector<SkinMatch>& matches,
                       const std::function<Eigen::Vector2d(const SkinMatch&)>& place) {
   std::vector<double> errors_px;
@@ -75,7 +75,7 @@ TEST_F(Skin, IsFoundInItsPlaceFromAPredictionThatIsOff) {
   }
 }
 
-// Cheeks and hair go up by 3 mm as one piece while the head moves: a quarter of all windows.
+// Cheeks and hair, a quarter of all windows, move up by 3 mm as one piece while the head moves.
 TEST_F(Skin, ThatMovesAsOnePieceDoesNotTakeThePoseAlong) {
   auto matches = foundFrom(Isometry3d::Identity());
   Vector6d truth;

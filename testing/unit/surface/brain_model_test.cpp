@@ -20,7 +20,7 @@
 #include "support/matchers.h"
 #include "support/test_data.h"
 
-// The phi-theta brain on an ellipsoid with bright marks, whose surface and texture are known in closed form.
+// The phi-theta brain on an ellipsoid with bright marks, with surface and texture known in closed form.
 
 namespace facenav {
 namespace {
@@ -36,7 +36,7 @@ struct Ellipsoid {
   volume::Mask brain;
 };
 
-/// Value 100 within, 10 outside, 250 in balls of 9 mm around the marks.
+/// Value 100 inside, 10 outside, 250 in balls of 9 mm around the marks.
 Ellipsoid makeEllipsoid(const std::vector<Vector3d>& marks_mm, double oblique_rad = 0.3) {
   Ellipsoid e;
   e.volume.grid.size = {120, 140, 110};
@@ -72,7 +72,7 @@ const BrainModel& plainModel() {
 
 double ellipsoidRadius(const Vector3d& direction) { return 1 / direction.cwiseQuotient(kRadii_mm).norm(); }
 
-/// Vertices at the very same place count as one.
+/// Counts vertices at identical positions as one.
 std::vector<int> welded(const surface::TriangleMesh& mesh) {
   std::map<std::array<double, 3>, int> seen;
   std::vector<int> index;
@@ -128,7 +128,8 @@ TEST(BrainModel, IsClosedOutwardAndWithoutDegenerateTriangles) {
     }
     for (const auto& [edge, count] : directed) {
       ASSERT_EQ(count, 1);
-      ASSERT_TRUE(directed.count({edge.second, edge.first}));  // its neighbour runs along it the other way
+      ASSERT_TRUE(
+          directed.count({edge.second, edge.first}));  // its neighbour runs along it in the other direction
     }
     const std::set<int> vertices(index.begin(), index.end());
     EXPECT_EQ(int(vertices.size()) - int(directed.size()) / 2 + int(model.mesh.triangles.size()),
@@ -137,7 +138,7 @@ TEST(BrainModel, IsClosedOutwardAndWithoutDegenerateTriangles) {
   }
 }
 
-/// A crumpled brain: gyri, deep folds, a cut at the base; radii jump from bin to bin.
+/// A crumpled brain: gyri, deep folds, a cut at the base. Radii change abruptly from bin to bin.
 surface::SphericalMap crumpled(int rows, int columns) {
   surface::SphericalMap map;
   map.rows = rows, map.columns = columns;
@@ -154,16 +155,16 @@ surface::SphericalMap crumpled(int rows, int columns) {
   return map;
 }
 
-/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), > 0 counter-clockwise
-/// from outside.
+/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), > 0 when
+/// counter-clockwise from outside.
 double solidAngle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double x = a.norm(), y = b.norm(), z = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
 }
 
 TEST(BrainModel, DoesNotCutItselfOnAnyGridHoweverCrumpled) {
-  // Every triangle faces away from the centre and all of them together cover the sphere of directions once:
-  // then no direction meets two triangles, so that no two of them can cut each other.
+  // Every triangle faces away from the centre, and together they cover the sphere of directions once. So no
+  // direction meets two triangles, and no two of them can intersect.
   for (const int size : {180, 360, 720}) {
     const auto model = surface::meshOf(crumpled(size, size));
     double covered = 0, least = 1;
@@ -181,7 +182,7 @@ TEST(BrainModel, DoesNotCutItselfOnAnyGridHoweverCrumpled) {
 }
 
 TEST(BrainModel, ShowsMarksAboveAndBelowAtTheirOwnPlaces) {
-  // Equation 8 of the paper, as printed, would fold +z and -z onto one place: a mark at each must not show at
+  // Equation 8 of the paper, as printed, would map +z and -z to one place: a mark at one must not appear at
   // the other.
   const Vector3d up = kCentre_mm + Vector3d(0, 0, 55), down = kCentre_mm - Vector3d(0, 0, 55);
   const auto above = modelOf(makeEllipsoid({up})), below = modelOf(makeEllipsoid({down}));

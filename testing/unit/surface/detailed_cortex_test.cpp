@@ -9,7 +9,7 @@
 #include "facenav/surface/closest_point.h"
 #include "support/test_data.h"
 
-// A ball of 40 mm with a ring-shaped sulcus of known depth, and values that tell the depth.
+// A ball of 40 mm with a ring-shaped sulcus of known depth, and grey values that encode the depth.
 
 namespace facenav {
 namespace {
@@ -26,7 +26,7 @@ volume::VoxelGrid grid() {
   return grid;
 }
 
-/// `value` of every voxel's place.
+/// A volume with `value` of each voxel's position.
 template <class Value>
 volume::Volume made(Value&& value) {
   volume::Volume out{grid(), {}, {}, {}};
@@ -36,7 +36,7 @@ volume::Volume made(Value&& value) {
   return out;
 }
 
-/// 1 in the ball but for a cut around its equator; slopes of one voxel at the edges.
+/// 1 in the ball except for a cut around its equator; slopes of one voxel at the edges.
 volume::Volume tissue() {
   return made([](const Vector3d& p) {
     const double to_surface = kRadius_mm - p.norm();

@@ -33,7 +33,7 @@ const ScalpSurface& virtualPatientsScalp() {
   return scalp;
 }
 
-/// Sets to 0 what `is_removed` says of a point in Mri.
+/// Sets voxels to 0 where `is_removed` is true for their position in Mri.
 Volume without(Volume volume, const std::function<bool(const Eigen::Vector3d&)>& is_removed) {
   for (int k = 0; k < volume.grid.size[2]; ++k)
     for (int j = 0; j < volume.grid.size[1]; ++j)
@@ -58,7 +58,7 @@ TEST(FaceCheck, AcceptsAScanThatEndsAtMidNoseWithCaution) {
   EXPECT_THAT(scalp.findings, Contains(HasSubstr("scan ends at mid-nose")));
 }
 
-/// The scan without all that lies below `z_mm`.
+/// The scan without everything below `z_mm`.
 Volume endingAt(const Volume& scan, double z_mm) {
   const Volume whole = volume::toRasOrder(scan);
   Volume cut = whole;

@@ -1,5 +1,5 @@
-// The measures of a real head do not depend on how it lies in the scanner, on its mirror image, and follow
-// its scale; no face, no measures.
+// The measures of a real head do not depend on its pose in the scanner or on mirroring, and they follow its
+// scale. Without a face there are no measures.
 
 #include "facenav/surface/face_measures.h"
 
@@ -52,7 +52,7 @@ std::string sidesSwapped(std::string name) {
   return name;
 }
 
-/// Every measure of `expected` is found again, times `scale`, within its stated uncertainty.
+/// Expects every measure of `expected` times `scale`, within its stated uncertainty.
 void expectSame(
     const std::vector<FaceMeasure>& actual, const std::vector<FaceMeasure>& expected, double scale,
     const std::function<std::string(std::string)>& renamed = [](std::string name) { return name; }) {
@@ -64,13 +64,13 @@ void expectSame(
   }
 }
 
-// One test: ctest makes the scalp anew for each.
+// One test, because ctest would extract the scalp again for each.
 TEST(FaceMeasures, OfAnAdultAreUsualAndFollowPoseScaleAndMirror) {
   FACENAV_NEEDS(facenav::testing::virtualPatientMri());
   const ScalpSurface& scalp = virtualPatientsScalp();
   const auto straight = measuresOf(scalp);
   EXPECT_GE(straight.size(), 10u);
-  // Resampled, the nose that the scan's edge cut is a short nose, which nothing marks as cut any more.
+  // After resampling, the nose cut by the scan's edge is just a short nose: nothing marks it as cut.
   for (const auto& measure : straight) {
     if (measure.to == "pronasale") continue;
     EXPECT_TRUE(measure.isUsual()) << measure.name << " " << measure.value_mm;

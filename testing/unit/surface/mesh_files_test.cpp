@@ -1,4 +1,4 @@
-// What we write, another program reads back: VTK's own readers, and nibabel for GIFTI.
+// Other programs read the files back: VTK's own readers, and nibabel for GIFTI.
 
 #include "facenav/surface/mesh_files.h"
 
@@ -22,7 +22,7 @@
 namespace facenav::surface {
 namespace {
 
-/// No symmetry: a swapped axis or a sign would show.
+/// No symmetry, so that an exchanged axis or sign is noticed.
 TriangleMesh tetrahedron() {
   TriangleMesh mesh;
   mesh.vertices_mm = {{-61.25, 12.5, 3.125}, {70.5, 11.75, -2.0}, {5.0, 95.5, 1.25}, {4.5, 20.25, 81.0}};

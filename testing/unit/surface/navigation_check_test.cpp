@@ -1,4 +1,4 @@
-// The import check on balls of known noise, ghosts, cuts and wrap-around.
+// The import check on balls with known noise, ghosts, cuts and wrap-around.
 
 #include "facenav/surface/navigation_check.h"
 
@@ -34,7 +34,8 @@ Ball makeBall(double noise, const Eigen::Vector3d& centre = {48, 48, 48}) {
     for (int j = 0; j < kSize; ++j)
       for (int i = 0; i < kSize; ++i) {
         const double r = (Eigen::Vector3d(i, j, k) - centre).norm();
-        const double signal = kSignal / (1 + std::exp((r - kRadius_mm) / 0.5));  // steepest: kSignal / 2 a mm
+        const double signal =
+            kSignal / (1 + std::exp((r - kRadius_mm) / 0.5));  // steepest: kSignal / 2 per mm
         const double value = noise > 0 ? std::hypot(signal + normal(random), normal(random)) : signal;
         ball.mri.voxels.push_back(float(value));
         ball.mask.voxels.push_back(r < kRadius_mm);
@@ -62,7 +63,7 @@ TEST(ScanQuality, NoiseAndWhatItDoesToTheSkin) {
     const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
     EXPECT_NEAR(scan.noise, noise, 0.03 * noise);
     EXPECT_NEAR(scan.skin_step, kSignal, 0.15 * kSignal);
-    // Slope kSignal / (4 * 0.5 mm) = 200 a mm; trilinear values over 0.5 mm see a little less of it, and the
+    // Slope kSignal / (4 * 0.5 mm) = 200 per mm. Trilinear values over 0.5 mm give a little less, and the
     // steepest of several noisy ones a little more.
     EXPECT_NEAR(scan.skin_jitter_mm, noise / 200, 0.35 * noise / 200);
     EXPECT_LT(scan.ghost_share, 0.005);
@@ -73,7 +74,7 @@ TEST(ScanQuality, GhostsAndTheirDirection) {
   Ball ball = makeBall(4);
   const Ball clean = ball;
   for (int k = 0; k < kSize;
-       ++k)  // 5 % of the ball, half the field of view away along y, as a moving head gives
+       ++k)  // 5 % of the ball, half the field of view away along y, as with a moving head
     for (int j = 0; j < kSize; ++j)
       for (int i = 0; i < kSize; ++i)
         ball.mri.voxels[ball.mri.grid.index(i, j, k)] += 0.05f * clean.mri.at(i, (j + kSize / 2) % kSize, k);
@@ -95,7 +96,7 @@ TEST(ScanQuality, ErasedAirIsSaid) {
 
 TEST(ScanQuality, PartlyErasedAirCountsNeitherAsNoiseNorAsGhosts) {
   Ball ball = makeBall(10);
-  for (int k = 0; k < kSize; ++k)  // two corners filled with 0, as resampling a turned scan leaves them
+  for (int k = 0; k < kSize; ++k)  // two corners filled with 0, as after resampling a rotated scan
     for (int j = 0; j < kSize; ++j)
       for (int i = 0; i < kSize; ++i)
         if (i + j < 30 || i + j > 2 * kSize - 30) ball.mri.voxels[ball.mri.grid.index(i, j, k)] = 0;
@@ -123,7 +124,7 @@ TEST(ScanQuality, WrapAroundOnTheOppositeSide) {
   Ball ball = makeBall(4, {48, kSize - 20, 48});
   EXPECT_EQ(findingOf(ball, "wrap-around").verdict, Verdict::fine);
   for (int k = 0; k < kSize; ++k)
-    for (int j = 0; j < 11; ++j)  // what lies beyond the front's end comes back at the back
+    for (int j = 0; j < 11; ++j)  // tissue beyond the front end reappears at the back
       for (int i = 0; i < kSize; ++i)
         if ((Eigen::Vector3d(i, kSize + j, k) - Eigen::Vector3d(48, kSize - 20, 48)).norm() < kRadius_mm)
           ball.mri.voxels[ball.mri.grid.index(i, j, k)] = float(kSignal);

@@ -18,7 +18,7 @@ using facenav::testing::TemporaryFolder;
 const Eigen::Vector3d kFrontLow(-90, 0, -75),
     kFrontHigh(90, 118, 15);  // a slab with the nose: quick, and cut on four sides
 
-/// The head mask as truth has it, a voxel generous, as masks are.
+/// The true head mask, a voxel too large, as masks usually are.
 volume::Mask maskOf(const SkinPhantom& phantom, const volume::VoxelGrid& grid) {
   volume::Mask mask{grid, std::vector<std::uint8_t>(grid.count())};
   for (int k = 0; k < grid.size[2]; ++k)
@@ -54,7 +54,7 @@ Placement placed(const SkinPhantom& phantom, const Eigen::Vector3d& spacing_mm) 
   return placement(phantom, extractScalp(scan, maskOf(phantom, scan.grid), monitor), scan.grid);
 }
 
-/// `rounds` of (1 2 1) / 4 along each axis; the outermost voxels stay.
+/// `rounds` of (1 2 1) / 4 along each axis; the outermost voxels keep their values.
 volume::Volume blurred(volume::Volume scan, int rounds) {
   const std::size_t strides[3] = {1, std::size_t(scan.grid.size[0]),
                                   std::size_t(scan.grid.size[0]) * std::size_t(scan.grid.size[1])};
@@ -105,7 +105,7 @@ TEST(ScalpSurface, AirSetToZeroBelowAThresholdDoesNotMoveItOutwards) {
   phantom.dermis_mm = 0;
   TaskMonitor monitor;
   auto scan = phantom.scan({1, 1, 1}, kFrontLow, kFrontHigh);
-  // Blurred as a mean of many scans is, then cut at a tenth of the skin's level: Colin27's way.
+  // Blurred like a mean of many scans, then cut at a tenth of the skin's level: as in Colin27.
   scan = blurred(scan, 3);
   const float level = volume::percentile(scan, 0.99), cut = 0.1f * level;
   const auto whole = placement(phantom, extractScalp(scan, maskOf(phantom, scan.grid), monitor), scan.grid);
@@ -164,7 +164,7 @@ TEST(ScalpSurface, IsKnownBitForBitAsItsFileGivesItBack) {
   auto scan = phantom.scan({2, 2, 2}, kFrontLow, kFrontHigh);
   auto head = maskOf(phantom, scan.grid);
   scan.grid.mri_from_voxel.prerotate(
-      Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 0.7).normalized()));  // planes of odd normals
+      Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 0.7).normalized()));  // planes with oblique normals
   head.grid = scan.grid;
   const auto scalp = extractScalp(scan, head, monitor);
   TemporaryFolder folder;

@@ -14,7 +14,7 @@ struct Equations {
   double squares_px2 = 0;
 };
 
-// Adds one image's corners. `camera_T_left` is identity for the left one.
+// Adds the corners of one image. `camera_T_left` is identity for the left one.
 void addImage(const CameraModel& camera, const Eigen::Isometry3d& camera_T_left,
               const Eigen::Isometry3d& left_T_board, const std::vector<cv::Point3f>& points,
               const std::vector<cv::Point2f>& corners, Equations& sum) {

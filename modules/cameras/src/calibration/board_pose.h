@@ -1,5 +1,5 @@
 #pragma once
-// The pose of a board that fits both images best: what tells the error of a rig on a view, seen or held out.
+// The pose of a board that fits both images best. It gives the error of a rig on a view, used or held out.
 
 #include "facenav/cameras/calibrate.h"
 
@@ -12,7 +12,7 @@ struct ViewFit {
   double rms_px() const { return std::sqrt(0.5 * (left_rms_px * left_rms_px + right_rms_px * right_rms_px)); }
 };
 
-/// One image's board pose by cv::solvePnP: a start.
+/// Start value: the board's pose in one image, by cv::solvePnP.
 Eigen::Isometry3d solveBoardPose(const CameraModel& camera, const std::vector<cv::Point3f>& points,
                                  const std::vector<cv::Point2f>& corners);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The views of one calibration, and how well a rig fits some of them.
+// The views of one calibration, and the fit of a rig to some of them.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct BoardViews {
 
 std::vector<ViewFit> fitViews(const BoardViews& task, const StereoRig& rig, const ViewIndices& indices);
 
-/// Over all of them, px.
+/// Rms over all fits, px.
 double rmsOf(const std::vector<ViewFit>& fits);
 
 }  // namespace facenav::cameras

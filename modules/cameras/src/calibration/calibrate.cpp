@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kFewestViews = 5;
 
-// Both shots of a view must name the corners in one order; boards whose colours do not tell it are turned
-// here.
+// Both images of a view must have their corners in one order. Boards whose colours do not define it are
+// turned here.
 std::vector<BoardView> withOneOrder(std::vector<BoardView> views) {
   for (auto& view : views) {
     if (!view.left_ids.empty()) continue;
@@ -68,14 +68,14 @@ void requireOneSize(const std::vector<CalibrationPair>& pairs) {
 BoardView foundIn(const CalibrationPair& pair, const Board& board) {
   SeenCorners left = findBoard(pair.left, board);
   SeenCorners right = left.px.empty() ? SeenCorners() : findBoard(pair.right, board);
-  // A chessboard's corners come without numbers, so that boards of one colour order can be turned.
+  // A chessboard's corners have no numbers here, so that withOneOrder() can turn them.
   if (!board.isCharuco()) left.ids.clear(), right.ids.clear();
   return {pair.name, left.px, right.px, left.ids, right.ids};
 }
 
 bool isFound(const BoardView& view) { return !view.left.empty() && !view.right.empty(); }
 
-// Some pairs at a time on all cores, so that progress is told, and a cancel heard, on the caller's thread.
+// A few pairs at a time on all cores, so that the caller's thread can report progress and see a cancel.
 std::vector<BoardView> findBoards(const std::vector<CalibrationPair>& pairs, const Board& board,
                                   TaskMonitor& monitor) {
   constexpr int kAtATime = 8;
@@ -89,7 +89,7 @@ std::vector<BoardView> findBoards(const std::vector<CalibrationPair>& pairs, con
   return views;
 }
 
-// Pairs without a board have their place among the views as well, in the order given.
+// Adds reports of pairs without a board, so that all pairs appear in the order given.
 std::vector<ViewReport> withMissing(const std::vector<BoardView>& all, const std::vector<ViewReport>& found) {
   std::vector<ViewReport> reports;
   std::size_t next = 0;

@@ -15,7 +15,7 @@ constexpr double kUsefulCoverage = 0.5;
 constexpr double kUsefulTilt_deg = 10.0;  // below it errors grow steeply (Zhang 2000, section 5.1)
 constexpr std::size_t kEnoughViews = 8;
 
-// Share of a 4 x 4 grid over the image in which corners were seen.
+// Fraction of the cells of a 4 x 4 grid over the image in which corners were seen.
 double coverage(const BoardViews& task, const ViewIndices& used,
                 const std::vector<cv::Point2f> BoardView::*side) {
   bool is_seen[16] = {};
@@ -28,7 +28,7 @@ double coverage(const BoardViews& task, const ViewIndices& used,
   return double(std::count(is_seen, is_seen + 16, true)) / 16;
 }
 
-// How far the board's normal strays from its mean, rms.
+// Rms angle between the board's normals and their mean.
 double tilt_deg(const std::vector<ViewFit>& fits) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& fit : fits) mean += fit.camera_T_board.linear().col(2);
@@ -97,7 +97,7 @@ std::vector<ViewReport> reportViews(const BoardViews& task, const StereoRig& rig
   return reports;
 }
 
-// The boards' mean place is where the head will be.
+// The head is expected at the mean position of the boards.
 HeadEffect effectOf(const BoardViews& task, const StereoRig& rig, const std::vector<ViewFit>& fits) {
   const Eigen::Vector3d middle(0.5 * (task.board.columns - 1) * task.board.square_mm,
                                0.5 * (task.board.rows - 1) * task.board.square_mm, 0);

@@ -24,7 +24,7 @@ cv::Ptr<cv::aruco::CharucoBoard> printOf(const Board& board) {
                                          float(board.marker_mm.value()), dictionary);
 }
 
-/// Again with a window that just keeps clear of the markers: OpenCV's own is smaller.
+/// Refines again with the largest window that does not touch the markers: OpenCV's is smaller.
 void refine(const cv::Mat& image, const Board& board, SeenCorners& seen) {
   float spacing_px = 1e9f;
   for (std::size_t i = 0; i < seen.px.size(); ++i)

@@ -14,14 +14,14 @@ namespace {
 using Corners = std::vector<cv::Point2f> BoardView::*;
 using Numbers = std::vector<int> BoardView::*;
 
-constexpr double kWorstByMedian = 2.5;  // a view this many times worse than the median view disagrees
-constexpr double kNeverBad_px = 0.15;   // below this no view is called bad, however good the others are
+constexpr double kWorstByMedian = 2.5;  // a view with this many times the median view's error disagrees
+constexpr double kNeverBad_px = 0.15;   // below this no view disagrees, however good the others are
 
 std::size_t worstOf(const std::vector<double>& values) {
   return std::size_t(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
-// Each view's rms where this camera is calibrated from these views alone.
+// Calibrates this camera alone from these views and gives each view's rms.
 std::vector<double> rmsAlone(const std::vector<BoardView>& views, const ViewIndices& used, Corners corners,
                              Numbers numbers, const cv::Size& size, const Board& board) {
   std::vector<std::vector<cv::Point3f>> points;
@@ -92,14 +92,14 @@ TrustedViews trustedViews(const std::vector<BoardView>& views, const cv::Size& s
     if (rms[worst] < limit_px) break;
     trusted.used.erase(trusted.used.begin() + std::ptrdiff_t(worst));
   }
-  // A rig bent by moved views may have cost a still one its place.
+  // The views that moved have bent the rig: give views that were left out because of it a second chance.
   if (trusted.used.size() < good.size()) {
     const auto rms = rmsTogether(views, good, solve(trusted.used), board);
     for (std::size_t i = 0; i < good.size(); ++i)
       if (rms[i] < limit_px && !isIn(trusted.used, good[i])) trusted.used.push_back(good[i]);
     std::sort(trusted.used.begin(), trusted.used.end());
   }
-  // At the fewest views the worst may still be among them.
+  // The loop stops at `fewest` views, so the worst may still be among them.
   if (trusted.used.size() <= fewest && good.size() > 0) {
     ViewIndices agreeing;
     const auto rms = rmsTogether(views, trusted.used, solve(trusted.used), board);

@@ -1,7 +1,7 @@
 #pragma once
-// Which views can be believed, before and beside the rig: a view may have wrong corners (one camera alone
-// does not fit it), or its two exposures were not taken at the same time (each camera alone fits it, both
-// together do not: the board moved in between).
+// Checks the views before and during the fit of the rig. Wrong corners: one camera alone does not fit the
+// view. Exposures not simultaneous: each camera alone fits the view, both together do not, because the board
+// moved between them.
 
 #include <functional>
 
@@ -15,18 +15,19 @@ struct TrustedViews {
   ViewIndices used;
   ViewIndices bad_left, bad_right;  // corners that one camera alone does not fit
   ViewIndices moved;                // not simultaneous
-  double alone_px = 0;              // median rms of the good views where each camera is fitted alone
+  double alone_px = 0;              // median rms of the good views when each camera is fitted alone
 };
 
-/// `solve`: the rig of these views. Never leaves fewer than `fewest` views: the last ones are kept even where
-/// they disagree.
+/// `solve`: gives the rig of these views. Views are left out while more than `fewest` are used; of the last
+/// ones, those that still disagree are marked as moved.
 TrustedViews trustedViews(const std::vector<BoardView>& views, const cv::Size& image_size, const Board& board,
                           std::size_t fewest, const std::function<StereoRig(const ViewIndices&)>& solve);
 
 /// How far the board moved between both exposures of a view: rms over its corners, mm.
 double movedBetween_mm(const StereoRig& rig, const BoardView& view, const Board& board);
 
-/// Both sides of a view together, px, above which it disagrees with cameras that fit it to `alone_px` each.
+/// Largest rms (px) of both images of a view together that agrees with cameras that fit it to `alone_px`
+/// each.
 double largestAgreeing_px(double alone_px);
 
 }  // namespace facenav::cameras

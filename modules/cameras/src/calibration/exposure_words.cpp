@@ -9,12 +9,12 @@
 namespace facenav::cameras {
 namespace {
 
-// With fewer, nothing tells a lag that all views share a little from the cameras' real pose.
+// With fewer views, a small delay common to all cannot be separated from the cameras' real pose.
 constexpr std::size_t kFewestStill = 8;
-// Where half the views moved, those that pass the test moved as well, by a little less.
+// When half the views moved, those that passed the test probably moved too, by a little less.
 constexpr double kLeastSimultaneous = 0.5;
-constexpr double kNotedShare = 0.1;  // of moved views: more than a slip of the hand
-// Both cameras together against each alone. Lens models leave some 0.05 px more together.
+constexpr double kNotedShare = 0.1;  // of views that moved: more than a slip of the hand
+// Error of both cameras together against each alone. Lens models make it some 0.05 px larger.
 constexpr double kNotedByAlone = 1.6, kNotedDisagreement_px = 0.15;
 const char* const kRemedy = "trigger both cameras together, or hold the board still for each pair";
 
@@ -39,7 +39,7 @@ void requireSimultaneous(const BoardViews& task, const TrustedViews& trusted) {
   const std::size_t needed =
       std::max(kFewestStill, std::size_t(std::ceil(kLeastSimultaneous * double(good))));
   if (trusted.moved.empty() || trusted.used.size() >= needed) return;
-  ViewIndices enough = trusted.used;  // a rig to measure by how far the board moved
+  ViewIndices enough = trusted.used;  // for a rig that measures how far the board moved
   for (const std::size_t i : trusted.moved)
     if (enough.size() < kFewestStill) enough.push_back(i);
   throw Error(notTogether(task, solve(task, enough, usualLens()).rig, trusted.moved) + ", " +

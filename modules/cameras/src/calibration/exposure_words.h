@@ -1,5 +1,6 @@
 #pragma once
-// What is said, and refused, where the two exposures of a view were not simultaneous.
+// Messages about views whose two exposures were not simultaneous, and the refusal when too few others are
+// left.
 
 #include <string>
 
@@ -8,11 +9,10 @@
 
 namespace facenav::cameras {
 
-/// Throws Error where so few views are left without those in which the board moved that no rig should rest on
-/// them.
+/// Throws Error when too few views are left without those in which the board moved.
 void requireSimultaneous(const BoardViews& task, const TrustedViews& trusted);
 
-/// For a rig that was made all the same; empty where nothing was seen of it.
+/// Warnings about a rig made in spite of such views; empty when there are none.
 std::vector<std::string> simultaneityWarnings(const BoardViews& task, const TrustedViews& trusted,
                                               const Calibration& result);
 

@@ -7,8 +7,9 @@ namespace {
 
 constexpr std::size_t kFolds = 5;
 
-// The usual model comes first. Another one is taken where its error on views left out is below `needed` times
-// that of the best so far: a fuller model must gain, a simpler one must not lose.
+// The usual model comes first. Another model is chosen when its error on views left out is below `needed`
+// times that of the best so far: a fuller model must reduce the error, a simpler one must not increase it
+// much.
 struct Candidate {
   LensModel model;
   double needed;

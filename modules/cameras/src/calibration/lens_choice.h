@@ -1,6 +1,6 @@
 #pragma once
-// Which lens model the views support, by cross-validation: a fuller model always lowers the error of the
-// views that it was fitted to, so that only views left out tell if it is better.
+// Chooses the lens model by cross-validation. A fuller model always lowers the error of the views that it was
+// fitted to; only views left out show whether it is better.
 
 #include "board_views.h"
 #include "facenav/core/task_monitor.h"
@@ -19,12 +19,12 @@ struct LensChoice {
   std::vector<ModelReport> tried;
 };
 
-/// Two radial and two tangential terms: fits most lenses, and is the start of the choice.
+/// Two radial and two tangential terms: fits most lenses; the first model tried.
 const LensModel& usualLens();
 
 RigFit solve(const BoardViews& task, const ViewIndices& used, const LensModel& model);
 
-/// Throws Error or cv::Exception where the views do not determine the cameras.
+/// Throws Error or cv::Exception when the views do not determine the cameras.
 LensChoice chooseLens(const BoardViews& task, const ViewIndices& used, TaskMonitor& monitor);
 
 }  // namespace facenav::cameras

@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kMostIterations = 60;
-constexpr double kConverged = 1e-7;      // relative fall of the cost
-constexpr int kWeighings = 2;            // of the corners by what the solution before it left
-constexpr double kLeastSigma_px = 0.01;  // no corner is known better: keeps noiseless views solvable
+constexpr double kConverged = 1e-7;  // relative decrease of the cost
+constexpr int kWeighings = 2;        // rounds that weight the corners by the residuals of the solution before
+constexpr double kLeastSigma_px = 0.01;  // no corner is more exact: keeps noiseless views solvable
 
 State minimise(const Problem& problem, State state) {
   double now = cost(problem, state), damping = 1e-3;
@@ -43,7 +43,7 @@ State minimise(const Problem& problem, State state) {
   return state;
 }
 
-// Of one coordinate of a corner, as the solution leaves it.
+// Variance of one coordinate of a corner, from the residuals.
 double varianceOf(const Problem& problem, const State& state) {
   const Normal normal = linearise(problem, state);
   const double variance = normal.squares_px2 / std::max(1, normal.residuals - int(normal.g.size()));
@@ -55,7 +55,7 @@ bool isSolved(const State& state, const MatrixXd& covariance) {
          state.right.k(0, 0) > 0 && state.right.k(1, 1) > 0;
 }
 
-// All that is asked of the solution: rig, covariance, and the errors that a person looks at first.
+// The result: rig, covariance, and the errors that a user looks at first.
 RigFit fitOf(const Problem& problem, const State& state, const MatrixXd& covariance) {
   RigFit fit;
   fit.rig.width_px = problem.size.width;

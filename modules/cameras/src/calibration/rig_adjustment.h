@@ -1,8 +1,8 @@
 #pragma once
 // Bundle adjustment of a rig: both cameras' parameters, their relative pose and all board poses together, by
-// Levenberg-Marquardt on the reprojection error in both images (Zhang 2000; Triggs et al. 2000) and a prior
-// on what views often leave open (rig_prior.h); errors by rig_covariance.h. Written out because
-// cv::stereoCalibrate takes a second for what 10 ms suffice, gives no parameter covariance, and
+// Levenberg-Marquardt on the reprojection error in both images (Zhang 2000; Triggs et al. 2000). A prior
+// covers what views often do not determine (rig_prior.h); errors come from rig_covariance.h. Own code,
+// because cv::stereoCalibrate takes a second where 10 ms suffice and gives no parameter covariance, and
 // cross-validation solves dozens of times.
 
 #include "facenav/cameras/calibrate.h"
@@ -17,7 +17,8 @@ struct LensTerms {
 
 struct RigFit {
   StereoRig rig;
-  double focal_sigma_px = 0;  // standard deviations by rig_covariance.h: the larger of fx, fy, both cameras
+  double focal_sigma_px =
+      0;  // standard errors by rig_covariance.h; focal: the largest of fx and fy of both cameras
   double baseline_sigma_mm = 0;
 };
 

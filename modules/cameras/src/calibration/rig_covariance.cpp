@@ -10,14 +10,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MatrixXd inverse(const MatrixXd& symmetric) {
-  // Focal lengths in px beside k3: solved in units that make the diagonal 1.
+  // Parameters have very different units (focal lengths in px, k3): solved with a diagonal of 1.
   const VectorXd scale = symmetric.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
   return scale.asDiagonal() * scaled.ldlt().solve(MatrixXd::Identity(scaled.rows(), scaled.cols())) *
          scale.asDiagonal();
 }
 
-// Sum of squares of what each view's absence changes.
+// Sum of squares of the changes when each view in turn is left out.
 MatrixXd jackknife(const std::vector<ViewInformation>& views, double weight, const MatrixXd& information) {
   MatrixXd sum = MatrixXd::Zero(information.rows(), information.cols());
   for (const ViewInformation& view : views) {
@@ -40,8 +40,8 @@ RobustCovariance robustCovariance(const std::vector<ViewInformation>& views, dou
   RobustCovariance result;
   result.design_effect =
       std::max(1.0, (information * measured).trace() / std::max(1e-9, (information * independent).trace()));
-  // n views span n directions at most, and say little of each. The measured covariance is therefore shrunk to
-  // the shape that independent corners give, as if that had been seen in one view per parameter.
+  // n views span at most n directions and constrain each weakly. So the measured covariance is shrunk towards
+  // the shape for independent corners, weighted as one view per parameter.
   const double share = double(views.size()) / double(views.size() + std::size_t(prior.rows()));
   result.covariance =
       share * measured + (1 - share) * result.design_effect * independent + bread * prior * bread;

@@ -8,13 +8,13 @@
 namespace facenav::cameras {
 namespace {
 
-constexpr double kFace_mm = 60.0;       // half the width and height of what is seen of a face
+constexpr double kFace_mm = 60.0;       // half the width and height of the visible part of a face
 constexpr double kFaceDepth_mm = 40.0;  // from the cheeks to the tip of the nose
 constexpr double kLength_mm = 100.0, kMotion_mm = 20.0, kTurn_rad = 5 * M_PI / 180;
 
 using Points = Eigen::Matrix3Xd;
 
-// Rig plus a step of its parameters, in the covariance's order.
+// The rig after a step of its parameters, in the order of the covariance.
 StereoRig stepped(const StereoRig& rig, const Eigen::VectorXd& step) {
   StereoRig other = rig;
   int at = 0;
@@ -31,7 +31,7 @@ StereoRig stepped(const StereoRig& rig, const Eigen::VectorXd& step) {
   return other;
 }
 
-// One standard deviation along each principal axis, parameters scaled to like size first.
+// One standard deviation along each principal axis; parameters are scaled to similar size first.
 Eigen::MatrixXd principalSteps(const cv::Mat& matrix) {
   Eigen::MatrixXd covariance(matrix.rows, matrix.rows);
   for (int i = 0; i < matrix.rows; ++i)
@@ -42,7 +42,7 @@ Eigen::MatrixXd principalSteps(const cv::Mat& matrix) {
   return scale.asDiagonal() * axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 
-// Points as the rig `other` reports them where `rig` is the truth.
+// The points that the rig `other` measures when `rig` is the truth.
 Points reported(const StereoRig& rig, const StereoRig& other, const Points& points_mm) {
   Points out(3, points_mm.cols());
   for (int i = 0; i < points_mm.cols(); ++i) {
@@ -67,7 +67,7 @@ Eigen::Isometry3d motionBetween(const Points& before, const Points& after) {
   return Eigen::Isometry3d(Eigen::umeyama(before, after, false));
 }
 
-// Twice along and about each axis: mean of the squared errors of the three.
+// Motions along and about each axis: adds the mean of the squared errors of the three.
 void addMotion(const StereoRig& rig, const StereoRig& other, const Points& face, HeadEffect& squares) {
   const Eigen::Vector3d middle = face.rowwise().mean();
   const Points seen = reported(rig, other, face);

@@ -20,8 +20,7 @@ using Block = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 12>;  // at most 4 
 
 Vector3d toEigen(const cv::Point3f& p) { return {p.x, p.y, p.z}; }
 
-// The camera with each distortion coefficient a little larger and smaller: their difference is the
-// derivative.
+// The camera with each distortion coefficient slightly larger and smaller: differences give the derivatives.
 struct Neighbours {
   explicit Neighbours(const CameraModel& camera) : middle(camera) {
     for (int i = 0; i < int(camera.distortion.total()); ++i)
@@ -64,7 +63,7 @@ void addBlocks(Normal& normal, std::initializer_list<std::pair<int, Block>> bloc
   normal.residuals += 2;
 }
 
-// One view's corners; `pose` is the column of its board's pose.
+// Adds one view's corners; `pose`: the column of its board's pose.
 void addView(const Problem& problem, const State& state, std::size_t v,
              const std::pair<Neighbours, Neighbours>& cameras, int pose, Normal& normal) {
   const Layout& layout = problem.layout;

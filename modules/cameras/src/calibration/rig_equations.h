@@ -1,6 +1,6 @@
 #pragma once
-// The least squares problem of rig_adjustment.h: its unknowns, their order, and the normal equations of all
-// corners and of the prior. Where it starts from: rig_start.cpp.
+// The least-squares problem of rig_adjustment.h: its unknowns, their order, and the normal equations of all
+// corners and the prior. rig_start.cpp gives the start.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -12,8 +12,8 @@
 
 namespace facenav::cameras::adjustment {
 
-/// Variance of a coordinate that weighs the corners against the prior before the residuals tell it: 0.2 px,
-/// twice what corners of sharp images show.
+/// First variance of a coordinate, which weights corners against the prior before residuals exist: 0.2 px
+/// squared, twice the error of corners in sharp images.
 constexpr double kFirstVariance_px2 = 0.04;
 
 struct State {
@@ -43,7 +43,7 @@ struct Problem {
   LensTerms lens;
   Layout layout;
   cv::Size size;
-  double variance_px2 = kFirstVariance_px2;  // of a coordinate: how much a px^2 weighs against the prior
+  double variance_px2 = kFirstVariance_px2;  // of a coordinate: the weight of corners against the prior
 
   Problem(const std::vector<const BoardView*>& views, const cv::Size& image_size, const Board& board,
           const LensTerms& lens);
@@ -56,9 +56,9 @@ Normal linearise(const Problem& problem, const State& state);
 double cost(const Problem& problem, const State& state);
 State moved(const Layout& layout, const State& state, const Eigen::VectorXd& step);
 
-/// Each view's part with its board's pose eliminated (Schur complement).
+/// Information of each view, its board's pose eliminated (Schur complement).
 std::vector<ViewInformation> informationOfViews(const Problem& problem, const State& state);
-/// In the layout of the parameters that all views share.
+/// Size and order: the parameters shared by all views.
 Eigen::MatrixXd priorPrecision(const Problem& problem, const State& state);
 
 }  // namespace facenav::cameras::adjustment

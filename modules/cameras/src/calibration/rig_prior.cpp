@@ -5,13 +5,13 @@ namespace {
 
 // Lens and sensor of a C or S mount camera are centred to 0.1 - 0.3 mm, on sensors 6 - 11 mm wide.
 constexpr double kCentreShare = 0.03;
-// Decentring of assembled lenses: tangential terms beyond some 1e-3 are hardly ever reported for them.
+// Decentring of assembled lenses: tangential terms above some 1e-3 are hardly ever reported.
 constexpr double kTangential = 1e-3;
-// A millionth of a pixel or so: holds a term at 0.
+// In effect a millionth of a pixel: holds a term at 0.
 constexpr double kHeld = 1e-8;
 // Pixels are square to some 0.1 %; the rest allows for a board printed longer one way than the other.
 constexpr double kAspect = 0.01;
-// No lens needs more. Only keeps terms that no view determines (of the rational model) within bounds.
+// No lens needs more. Only limits terms that no view determines (rational model).
 constexpr double kRadial = 10.0;
 
 constexpr int kFocal = 0, kCentre = 2, kDistortion = 4;

@@ -1,7 +1,7 @@
 #pragma once
-// What is known of a machine vision camera before a board is seen, as a Gaussian prior. A board that is seen
-// at one distance hardly tells the principal point from the tangential distortion and from the camera's turn:
-// without a prior the three run away together. Views that determine them override it.
+// What is known about a machine vision camera before calibration, as a Gaussian prior. A board at one
+// distance hardly separates principal point, tangential distortion and camera rotation: without a prior the
+// three grow together. Views that determine them override it.
 
 #include <Eigen/Core>
 

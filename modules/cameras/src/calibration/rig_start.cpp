@@ -1,4 +1,4 @@
-// Where the adjustment of a rig starts from: OpenCV's closed forms, each camera by itself.
+// Start of the adjustment of a rig: OpenCV's closed forms, each camera alone.
 
 #include <cmath>
 #include <limits>
@@ -21,13 +21,13 @@ CameraModel startCamera(const Problem& problem, const std::vector<std::vector<cv
   camera.k = cv::Matx33d(cv::initCameraMatrix2D(points, corners, problem.size, 1.0));
   camera.distortion = cv::Mat::zeros(1, problem.layout.coefficients, CV_64F);
   const double longest = std::max(problem.size.width, problem.size.height);
-  // Boards all held parallel to the image do not tell the focal length: begin with a common lens instead.
+  // Boards all parallel to the image do not determine the focal length: start with a common lens instead.
   if (!(camera.k(0, 0) > 0.2 * longest && camera.k(0, 0) < 20 * longest))
     camera.k(0, 0) = camera.k(1, 1) = longest;
   return camera;
 }
 
-// The relative pose of the view whose relative pose is nearest to all others'.
+// The relative pose nearest to those of all other views.
 Isometry3d middlePose(const std::vector<Isometry3d>& poses) {
   double least = std::numeric_limits<double>::infinity();
   Isometry3d middle = poses.front();

@@ -99,7 +99,8 @@ Eigen::Vector2d undistort(const CameraModel& camera, const Eigen::Vector2d& pixe
     if (miss.norm() < 1e-13) break;
     Vector2d step = now.derivative.inverse() * miss;
     if (!step.allFinite()) break;
-    // Halved until it helps: far off axis the polynomial bends and a full Newton step may leap over the fold.
+    // Halve the step until the error falls: far off axis the polynomial bends, and a full Newton step may
+    // jump across the fold.
     Distorted next = distort(d, n + step);
     for (int half = 0; half < 20 && !((wanted - next.at).norm() < miss.norm()); ++half)
       next = distort(d, n + (step *= 0.5));

@@ -11,12 +11,11 @@ namespace {
 constexpr int kHalf = 7, kSide = 2 * kHalf + 1, kPixels = kSide * kSide;
 constexpr double kFarthest_px = 8.0, kLeastCorrelation = 0.85;
 constexpr double kLeastTexture = 2.5;  // grey^2 per pixel^2, mean over the patch, in the weaker direction
-constexpr double kFloor_px = 0.05;     // skin is no plane, and its shine moves
+constexpr double kFloor_px = 0.05;     // skin is not flat, and its shine moves
 
 using Patch = Eigen::Matrix<double, kPixels, 1>;
 
-/// Bilinear samples about `at`, `step` px apart (2: of means over 2 x 2, the coarse level); false beyond the
-/// image.
+/// Bilinear samples about `at`, `step` px apart (2: coarse level, means over 2 x 2); false outside the image.
 bool sample(const cv::Mat& image, const Eigen::Vector2d& at, int step, Patch& out) {
   const double left = at.x() - step * kHalf, top = at.y() - step * kHalf;
   const int x0 = int(std::floor(left)), y0 = int(std::floor(top));
@@ -54,7 +53,7 @@ std::optional<Template> makeTemplate(const cv::Mat& left, const Eigen::Vector2d&
     made.gradient.col(axis) = (plus - minus) / (2.0 * step);
   }
   made.grey.array() -= made.grey.mean();
-  for (int axis = 0; axis < 2; ++axis) {  // gain and offset are free: their part is taken out
+  for (int axis = 0; axis < 2; ++axis) {  // gain and offset are free: removes their part of the gradient
     made.gradient.col(axis).array() -= made.gradient.col(axis).mean();
     made.gradient.col(axis) -= made.grey * (made.grey.dot(made.gradient.col(axis)) / made.grey.squaredNorm());
   }
@@ -62,7 +61,7 @@ std::optional<Template> makeTemplate(const cv::Mat& left, const Eigen::Vector2d&
   return made;
 }
 
-/// Inverse compositional steps; the correlation at the end, and the place in `at`.
+/// Inverse compositional iterations. Returns the final correlation; `at` receives the position.
 std::optional<double> refine(const Template& wanted, const cv::Mat& right, int step, int rounds,
                              Eigen::Vector2d& at) {
   Patch seen;

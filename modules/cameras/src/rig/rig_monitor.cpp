@@ -13,28 +13,28 @@ namespace facenav::cameras {
 namespace {
 
 constexpr double kColumns = 6, kRows = 4, kDepthBand_mm = 100;
-constexpr std::size_t kMemory = 60;  // samples of a cell; then the oldest are forgotten
-constexpr double kFewest = 12;       // samples before anything is said
+constexpr std::size_t kMemory = 60;  // samples of a cell; the oldest are overwritten
+constexpr double kFewest = 12;       // samples before a verdict is given
 constexpr double kGross_px = 20;     // a wrong match, not a moved camera
-// Of 6000 drawn rigs as well calibrated as they say, every second with a tenth of wrong matches, none
-// passed 18.3 (99 % stayed below 12); of such that rolled by 0.25 degrees half reach 32 with 600 points of a
+// Of 6000 simulated rigs with correct calibrations, every second with a tenth of wrong matches, none exceeded
+// 18.3 (99 % stayed below 12). Of rigs that rolled by 0.25 degrees, half reached 32 with 600 points of a
 // face.
 constexpr double kMovedStatistic = 20;
-// Half of the points beyond so many sigmas: 0.67 in a rig that holds. Of cameras that have moved by several
-// rows most matches are wrong, and wrong in all directions: no motion explains them, but nothing else does.
+// Median of the normalised residuals; 0.67 for a rig that holds. When cameras moved by several rows, most
+// matches are wrong, in all directions: no motion explains them, but nothing else does either.
 constexpr double kContradicted = 2.0;
-constexpr double kHarmful_mm = 0.5;  // less is no reason to stop
+constexpr double kHarmful_mm = 0.5;  // smaller errors are no reason to stop
 constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
-constexpr double kTellsScatter = 4;  // matches of a cell
-// Patches of 15 px that lie side by side on a glint, a fold, a strand of hair or a block of the compression
-// err alike: this share of their scatter does not average out in a cell.
+constexpr double kTellsScatter = 4;  // matches of a cell that are enough to measure their scatter
+// Patches of 15 px side by side on a glint, a fold, a strand of hair or a compression block share their
+// errors: this fraction of their scatter does not average out in a cell.
 constexpr double kSharedShare = 0.3;
-// A camera that moved moves all points, a pattern that repeats (knitwear) those in one place: what the motion
-// takes off the mean over the points of their squared sigmas, of each at most four.
+// A moved camera moves all points; a repeating pattern (knitwear) only those in one place. Least decrease by
+// the motion of the points' mean squared residual, in sigmas, each at most four.
 constexpr double kComesNearer = 0.3;
-constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // how cameras move when they are knocked
+constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // size of motion when a camera is knocked
 
-/// Relative error of the square's size as this rig sees it.
+/// Relative error of the square's size measured with this rig.
 double sizeError(const StereoRig& rig, const SquareSighting& square) {
   std::array<Eigen::Vector3d, 4> corners_mm;
   for (int i = 0; i < 4; ++i) corners_mm[i] = triangulate(rig, square.left_px[i], square.right_px[i]).mm;
@@ -43,7 +43,7 @@ double sizeError(const StereoRig& rig, const SquareSighting& square) {
   return side_mm / square.size_mm - 1.0;
 }
 
-/// Mean with a memory: `count` grows to kMemory, then older samples fade.
+/// Running mean: `count` grows to kMemory, then older samples fade.
 template <class T>
 void average(T& mean, const T& sample, double count) {
   mean += (sample - mean) / count;
@@ -60,7 +60,8 @@ double epipolarResidual_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
                            const Eigen::Vector2d& right_px) {
   const Eigen::Vector3d point_mm = triangulate(rig, left_px, right_px).mm;
   if (!point_mm.allFinite() || point_mm.z() <= 0) return std::nan("");
-  // The epipolar line near the right pixel: the left pixel's ray at the point's depth, and its direction.
+  // The epipolar line near the right pixel: position and direction of the left pixel's ray at the point's
+  // depth.
   const Eigen::Vector3d ray = undistort(rig.left, left_px).homogeneous();
   Eigen::Matrix<double, 2, 3> by_point;
   const Eigen::Vector3d in_right_mm = rig.right_T_left.isometry() * (ray * point_mm.z());
@@ -110,8 +111,8 @@ double scatterOf(const std::vector<double>& residuals_px, double middle) {
   return kSigmaPerMad * medianAbsoluteDeviation(residuals_px, middle);
 }
 
-/// A median and its standard error: of the matches' own sigma, or of how they scatter where that is more. Of
-/// a few matches nothing is known of how they scatter: as those of the other cells do (`typical_px`).
+/// A median and its standard error. Each match counts with its own sigma or with the scatter in the cell,
+/// whichever is larger. Few matches do not show their scatter: then `typical_px` of the other cells is used.
 std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
                                    const std::vector<double>& sigmas_px, double typical_px) {
   const double middle = upperMedian(residuals_px), count = double(residuals_px.size());
@@ -120,21 +121,21 @@ std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
   return {middle, std::hypot(each * std::sqrt(M_PI / 2 / count), kSharedShare * each)};
 }
 
-/// What was measured, each value with its own deviation, as a linear model of what may explain it: the
-/// calibration's errors and the prints' (unit variance), then the six of a motion (scaled to unit variance).
+/// The measured values with their sigmas, and a linear model of possible causes: errors of calibration and
+/// prints (unit variance), and the six parameters of a motion (scaled to unit variance).
 struct Explanation {
   Eigen::VectorXd seen, sigma;
   Eigen::MatrixXd by_calibration, by_motion;
 };
 
 struct Explained {
-  double cost = 0;                   // -2 log of the likelihood and the prior, up to a constant
-  Eigen::VectorXd unknowns, weight;  // weight: 1 of a measurement that fits, towards 0 of a wrong match
+  double cost = 0;                   // -2 log posterior, up to a constant
+  Eigen::VectorXd unknowns, weight;  // weight: of a measurement; near 0 for a wrong match
   Eigen::MatrixXd precision;         // of the unknowns
 };
 
-/// The most likely unknowns under Student's t of the measurements, by reweighting (Lange, Little, Taylor
-/// 1989): a cell on a glint or a silhouette is off by pixels, and must not pass for a moved camera.
+/// Maximum posterior under Student's t residuals, by reweighting (Lange, Little, Taylor 1989): a cell on a
+/// glint or a silhouette is wrong by pixels and must not look like a moved camera.
 Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
   constexpr double kFreedom = 4.0;
   constexpr int kRounds = 30;
@@ -164,8 +165,8 @@ double sizeCost(const Explanation& model, const Eigen::VectorXd& explained, int 
   return 5.0 * (1 + z2 / 4.0).log().sum();  // Student's t, as in explain()
 }
 
-/// The motion as far as the measurements tell it: without squares they hardly tell the yaw, and what is
-/// guessed of it would pass for centimetres of depth.
+/// The part of the motion that the measurements determine. Without squares they hardly determine yaw, and a
+/// guess of it would appear as centimetres of depth.
 Vector6d toldMotion(const Explained& moved) {
   const Eigen::MatrixXd covariance =
       moved.precision.ldlt().solve(Eigen::MatrixXd::Identity(moved.precision.rows(), moved.precision.cols()));
@@ -173,7 +174,7 @@ Vector6d toldMotion(const Explained& moved) {
   Vector6d along = axes.eigenvectors().transpose() * moved.unknowns.tail<6>();
   for (int i = 0; i < 6; ++i)
     if (along[i] * along[i] < 4 * axes.eigenvalues()[i])
-      along[i] = 0;  // within two standard deviations of none
+      along[i] = 0;  // within two standard deviations of zero
   return axes.eigenvectors() * along;
 }
 
@@ -197,7 +198,7 @@ RigVerdict RigMonitor::verdict() const {
     return upperMedian(off);
   };
   const auto contradiction = [&](const Explanation& model) {
-    std::vector<double> z;  // of single points, with what the calibration leaves open there
+    std::vector<double> z;  // normalised residuals of single points, calibration error included
     for (int i = 0; i < points; ++i)
       for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n)
         z.push_back(std::abs(cells[i]->residuals_px[n]) /
@@ -213,7 +214,7 @@ RigVerdict RigMonitor::verdict() const {
                                  (std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2)));
     return sum / count;
   };
-  const auto predict = [&](const StereoRig& rig) {  // what the cells would show if this were the true rig
+  const auto predict = [&](const StereoRig& rig) {  // residuals in the cells if this were the true rig
     Eigen::VectorXd values(all);
     for (int i = 0; i < points; ++i)
       values[i] = epipolarResidual_px(rig, cells[i]->left_px, cells[i]->right_px);
@@ -234,10 +235,11 @@ RigVerdict RigMonitor::verdict() const {
     const SizeCell& cell = *sizes[i - points];
     model.seen[i] = cell.error;
     model.sigma[i] = std::hypot(5e-4, std::sqrt(cell.variance));
-    model.by_calibration(i, axes) = cell.square.print_sigma_mm / cell.square.size_mm;  // one print, one error
+    model.by_calibration(i, axes) =
+        cell.square.print_sigma_mm / cell.square.size_mm;  // all sizes share the one error of the print
   }
   for (int k = 0; k < axes; ++k) model.by_calibration.col(k) = nominal - predict(uncertainty_.one_sigma[k]);
-  // If the right camera moved by xi, its own rig would show nothing: seen = -d predict / d xi * xi.
+  // If the right camera moved by xi, its true rig would give zero residuals: seen = -d predict / d xi * xi.
   for (int k = 0; k < 6; ++k) {
     Vector6d step = Vector6d::Zero();
     step[k] = k < 3 ? 1e-4 : 0.05;
@@ -257,13 +259,13 @@ RigVerdict RigMonitor::verdict() const {
   verdict.contradiction = contradiction(model);
   const Eigen::VectorXd by_rest = model.by_calibration * holds.unknowns, by_all = either * moved.unknowns;
   const double come_nearer = clipped(by_rest) - clipped(by_all);
-  // A size that does not fit is paid for by an unlikely calibration as much as by its own residual.
+  // A wrong size costs through its own residual and through an unlikely calibration; both count.
   const double sizes_tell = sizes.empty()
                                 ? 0.0
                                 : sizeCost(model, by_rest, points) - sizeCost(model, by_all, points) +
                                       holds.unknowns.squaredNorm() - moved.unknowns.squaredNorm();
   verdict.turn_rad = motion.head<3>();
-  const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches are wrong under any motion
+  const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches stay wrong under any motion
   verdict.epipolar_px =
       std::sqrt(weight.dot(model.seen.head(points).cwiseAbs2()) / std::max(1e-9, weight.sum()));
   const StereoRig moved_rig = turned(rig_, motion);

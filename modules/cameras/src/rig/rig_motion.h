@@ -1,5 +1,5 @@
 #pragma once
-// The rig whose right camera has moved.
+// The rig after a motion of its right camera.
 
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/geometry/rotation.h"

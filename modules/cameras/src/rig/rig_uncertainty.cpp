@@ -7,10 +7,10 @@
 namespace facenav::cameras {
 namespace {
 
-// A calibration's errors are not all noise (the board is not flat, the lens is no polynomial).
+// Not all errors of a calibration are noise: the board is not flat, the lens is not a polynomial.
 constexpr double kInflation = 1.5;
-// Of the reprojection's rms, what the lens model leaves in one place of the image: 0.22 on OpenCV's 13
-// chessboard pairs, each held out in turn (0.044 px beyond a plane over the board, noise taken off, at 0.196
+// Misfit of the lens model in one place of the image, as a fraction of the reprojection rms: 0.22 on OpenCV's
+// 13 chessboard pairs, each held out in turn (0.044 px beyond a plane over the board, noise removed, at 0.196
 // px rms).
 constexpr double kLensShare = 0.25;
 
@@ -54,7 +54,7 @@ RigUncertainty fromCovariance(const StereoRig& rig) {
 
 RigUncertainty uncertaintyOf(const StereoRig& rig) {
   if (!rig.covariance.empty()) return fromCovariance(rig);
-  // What some twelve views of a board leave, as seen in the images: 0.7 rms across the epipolar lines, 0.02
+  // Typical errors after some twelve views of a board, in the images: 0.7 rms across the epipolar lines, 0.02
   // deg of roll, 0.1 % of scale from focal lengths and yaw, and lens errors that grow towards the corners.
   const double scale = rig.rms_px.value_or(0.2) / 0.2, f = rig.right.k(0, 0);
   RigUncertainty uncertainty;

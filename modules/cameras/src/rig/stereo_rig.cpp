@@ -58,7 +58,7 @@ class RigReader {
     if (!cv::checkRange(values)) fail("key '" + key + "' holds a value that is not finite");
     return values;
   }
-  /// Empty where the key is missing or holds no square matrix of finite numbers.
+  /// Empty when the key is missing or does not hold a square matrix of finite numbers.
   cv::Mat optionalSquare(const std::string& key) const {
     cv::Mat read, values;
     const cv::FileNode found = storage_[key];
@@ -159,7 +159,7 @@ StereoRig readRig(const std::filesystem::path& path) {
   rig.covariance = reader.optionalSquare("covariance");
   if (!rig.covariance.empty() &&
       rig.covariance.rows != int(14 + rig.left.distortion.total() + rig.right.distortion.total()))
-    rig.covariance.release();  // of another model: says nothing about this one
+    rig.covariance.release();  // it belongs to another model
   return rig;
 }
 

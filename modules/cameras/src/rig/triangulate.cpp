@@ -8,8 +8,8 @@ namespace {
 
 using Vector3d = Eigen::Vector3d;
 
-// The mid-point of the shortest line between both rays. Rays that do not meet in front (parallel or diverging
-// by noise) give a point far along the left ray: its depth is then meaningless, but finite.
+// The mid-point of the shortest line between both rays. When the rays do not meet in front (parallel, or
+// diverging by noise), the point lies far along the left ray: its depth is then meaningless, but finite.
 Vector3d midPoint(const StereoRig& rig, const Vector3d& left_ray, const Vector3d& right_ray) {
   const auto left_T_right = rig.right_T_left.inverse();
   const Vector3d origin = left_T_right.translation_mm(), right = left_T_right.rotation() * right_ray;

@@ -12,8 +12,8 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr std::size_t kLeastFeatures = 5;
-constexpr double kEpipolar_px = 2.0;     // a match farther off its epipolar line is none
-constexpr double kMatchSigma_px = 0.35;  // of one coordinate of an NCC peak on a turning face
+constexpr double kEpipolar_px = 2.0;     // largest epipolar error of a match
+constexpr double kMatchSigma_px = 0.35;  // of one coordinate of an NCC peak on a rotating face
 constexpr double kFarthest_sigma = 4.0;
 constexpr double kHighestRms_px = 1.2;
 constexpr double kLeastAgreeing = 4.0;  // sum of the weights after the fit
@@ -60,7 +60,7 @@ Eigen::Isometry3d fit(const std::vector<Eigen::Vector3d>& reference_mm,
   return fitRigidPoints(from, to, weights).to_T_from;
 }
 
-// The largest set of points that one motion explains, over the motions of all triples.
+// The largest set of points that one motion explains; each triple of points proposes a motion.
 std::vector<Triangulated> consensus(const cameras::StereoRig& rig,
                                     const std::vector<Eigen::Vector3d>& reference_mm,
                                     const std::vector<Triangulated>& points) {
@@ -109,8 +109,7 @@ void accumulate(const cameras::CameraModel& camera, const Eigen::Matrix3d& rotat
   normal.weight += 2 * weight;
 }
 
-// Sum over both images of the weighted squared reprojection errors, linearised at `fit.motion` about its
-// centre.
+// Weighted squared reprojection errors in both images, linearised at `fit.motion` about its centre.
 Normal linearise(const cameras::StereoRig& rig, const std::vector<Eigen::Vector3d>& reference_mm,
                  const FeatureFit& fit) {
   Normal normal;
@@ -131,8 +130,8 @@ double square_px(const cameras::StereoRig& rig, const Eigen::Vector3d& p_mm, con
                 (match.right_px - cameras::project(rig.right, p_right_mm)).squaredNorm());
 }
 
-// Cauchy weights on whole features: what a feature stands off as one (the nose tip's template slides over the
-// round nose as the head turns; a lid; a lip) must not bend the pose of the others.
+// Cauchy weights on whole features. The error of one feature (the nose tip's template slides over the round
+// nose as the head turns; a lid; a lip) must not bend the pose of the others.
 void reweigh(const cameras::StereoRig& rig, const std::vector<Eigen::Vector3d>& reference_mm,
              const std::vector<double>& ncc, FeatureFit& fit) {
   std::vector<double> lengths;
@@ -143,7 +142,7 @@ void reweigh(const cameras::StereoRig& rig, const std::vector<Eigen::Vector3d>& 
     fit.inliers[i].weight = ncc[i] / (1.0 + std::pow(lengths[i] / scale, 4));
 }
 
-// Gauss-Newton from the closed form, reweighted as it goes.
+// Gauss-Newton from the closed-form pose, reweighted in each round.
 void refineInImages(const cameras::StereoRig& rig, const std::vector<Eigen::Vector3d>& reference_mm,
                     FeatureFit& fit) {
   const Eigen::Vector3d reference_centre_mm = fit.motion.inverse() * fit.centre_mm;
@@ -161,7 +160,7 @@ void refineInImages(const cameras::StereoRig& rig, const std::vector<Eigen::Vect
   }
   const Normal normal = linearise(rig, reference_mm, fit);
   fit.rms_px = std::sqrt(normal.squares / normal.weight);
-  // Features that were weighed down count as lost freedom; peaks are never better than kMatchSigma_px.
+  // Low weights reduce the degrees of freedom. A peak is never better than kMatchSigma_px.
   double features = 0;
   for (std::size_t i = 0; i < ncc.size(); ++i) features += fit.inliers[i].weight / ncc[i];
   const double spare = std::max(4.0 * features - 6.0, 2.0);
@@ -188,7 +187,7 @@ Tracked<FeatureFit> fitFeatures(const cameras::StereoRig& rig,
     result.centre_mm += result.motion * reference_mm[point.match.feature] / double(agreeing.size());
   }
   refineInImages(rig, reference_mm, result);
-  double agreeing_features = 0;  // what the reweighting left of them
+  double agreeing_features = 0;  // sum of their weights after the fit
   for (const auto& match : result.inliers) agreeing_features += match.weight;
   const double sigma_rad = std::sqrt(result.covariance.topLeftCorner<3, 3>().trace());
   if (!(result.rms_px < kHighestRms_px) || agreeing_features < kLeastAgreeing ||

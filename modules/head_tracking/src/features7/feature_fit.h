@@ -1,11 +1,11 @@
 #pragma once
-// One pose from the paper's features (section 4, equation 2), and whether it can be believed.
+// One pose from the paper's features (section 4, equation 2), and the check whether to accept it.
 //
-// NCC is no guard: two swapped eye corners still score 0.95-0.98. So the features must keep their mutual
-// distances (every triple proposes a motion, the one most features agree with is kept), and the pose of
-// equation 2 must reproject onto both images. That pose is then refined in the images: triangulation turns a
-// quarter of a pixel into a millimetre of depth, the joint fit does not (a third of the error; a deviation
-// from the paper).
+// NCC is no protection: two exchanged eye corners still score 0.95-0.98. So the features must keep their
+// mutual distances: every triple proposes a motion, and the one with the most inliers is kept. The pose of
+// equation 2 must also reproject onto both images. It is then refined in the images, a deviation from the
+// paper: triangulation turns a quarter of a pixel into a millimetre of depth; the joint fit has a third of
+// that error.
 
 #include <vector>
 
@@ -30,8 +30,8 @@ struct FeatureFit {
   std::vector<FeatureMatch> inliers;
 };
 
-/// The motion of `reference_mm` (Camera at the reference) that explains the matches; Lost{few_features} or
-/// Lost{high_residual} where none does.
+/// The motion of `reference_mm` (Camera at the reference) that explains the matches. Else Lost{few_features}
+/// or Lost{high_residual}.
 Tracked<FeatureFit> fitFeatures(const cameras::StereoRig& rig,
                                 const std::vector<Eigen::Vector3d>& reference_mm,
                                 const std::vector<FeatureMatch>& matches);

@@ -1,7 +1,7 @@
 // "features7": the paper's head tracker (section 4). Seven features, templates of the reference frame, NCC in
 // both images (equations 3-5), closed-form pose with NCC weights (equation 2). Beyond the paper: templates
-// are warped to the predicted pose (a plane through the feature), geometry is checked and the pose refined in
-// the images (feature_fit.h), and face detection runs only where prediction fails.
+// are warped to the predicted pose (a plane through the feature), the geometry is checked and the pose
+// refined in the images (feature_fit.h), and face detection runs only when prediction fails.
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::array<int, 7> kLandmarks = {36, 39, 42, 45,
                                            30, 48, 54};  // iBUG: eye corners, nose tip, mouth corners
-constexpr double kTemplateShare = 0.19;  // template's edge over the distance of the outer eye corners
+constexpr double kTemplateShare = 0.19;  // edge of the template over the distance of the outer eye corners
 constexpr double kLeastNcc = 0.6;
 constexpr double kReferenceNcc = 0.5;
-constexpr double kLongestGap_s = 0.25;  // beyond it a prediction is worth nothing
+constexpr double kLongestGap_s = 0.25;  // no prediction across a longer gap
 
 struct Feature {
   Eigen::Vector3d p_mm;
@@ -123,7 +123,7 @@ class FeatureHeadTracker : public HeadTracker {
            last_->motion;
   }
 
-  // Searches wide at the predicted pose, then again near what was found, with templates warped to it.
+  // Searches in a wide area at the predicted pose, then again near the result with templates warped to it.
   Tracked<FeatureFit> attempt(const cameras::StereoFrame& frame, const Eigen::Isometry3d& predicted,
                               int radius_px) const {
     Tracked<FeatureFit> found = fitFeatures(rig_, points_mm_, search(frame, predicted, radius_px));

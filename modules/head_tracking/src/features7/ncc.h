@@ -8,7 +8,7 @@
 
 namespace facenav::head_tracking {
 
-/// Equation 3 with the means of equations 4 and 5 taken off: -1..1 for two 8-bit patches of one size; 0 where
+/// Equation 3 with the means of equations 4 and 5 subtracted: -1..1 for two 8-bit patches of one size; 0 when
 /// one of them is flat.
 double ncc(const cv::Mat& image, const cv::Mat& templ);
 
@@ -17,9 +17,9 @@ struct NccPeak {
   double ncc = 0.0;
 };
 
-/// The best place of `templ` (odd width and height) with its centre within `radius_px` of `guess_px`, to
-/// sub-pixels by a paraboloid through the 3 x 3 scores round the peak. Nothing where the peak lies on the
-/// border of what was searched (it may be higher outside) or too near the image's edge.
+/// The best position of `templ` (odd width and height) with its centre within `radius_px` of `guess_px`,
+/// sub-pixel by a paraboloid through the 3 x 3 scores round the peak. Nothing when the peak lies on the
+/// border of the searched area (it may be higher outside) or too near the image's edge.
 std::optional<NccPeak> findPeak(const cv::Mat& image, const cv::Mat& templ, const Eigen::Vector2d& guess_px,
                                 int radius_px);
 

@@ -1,6 +1,6 @@
 #pragma once
-// How a small plane patch of skin changes its looks between the reference frame and another pose: the affine
-// map of its pixels, from pose and surface normal.
+// How the image of a small plane patch of skin changes between the reference frame and another pose: an
+// affine map of its pixels, from pose and surface normal.
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
@@ -16,8 +16,8 @@ struct PlaneWarp {
   bool is_visible = false;                                           // in front of the camera and facing it
 };
 
-/// The patch at `p_mm` with outward `normal` (both Camera at the reference), seen by the camera at
-/// `camera_T_left`, after the head's `motion`.
+/// The patch at `p_mm` with outward `normal` (both Camera at the reference), after the head's `motion`, seen
+/// by the camera at `camera_T_left`.
 PlaneWarp warpOfPlane(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_left,
                       const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal,
                       const Eigen::Isometry3d& motion);

@@ -13,14 +13,14 @@ constexpr int kLevel = kLevels - 1;
 constexpr double kShrink = 1 << kLevel;
 constexpr double kDegree = M_PI / 180;
 constexpr double kYaws_deg[] = {0, 14, -14, 28, -28}, kNods_deg[] = {0, 13, -13}, kLeans_deg[] = {0, 17, -17};
-constexpr double kScales[] = {1.0, 0.82, 1.22};    // of the face in the image, by turns
-constexpr double kNearest = 0.6, kFarthest = 1.7;  // by the view's distance
-constexpr std::size_t kAtOnce = 20;                // views a frame
+constexpr double kScales[] = {1.0, 0.82, 1.22};    // scales of the face in the image, tried in turn
+constexpr double kNearest = 0.6, kFarthest = 1.7;  // distance of the face, relative to that in the view
+constexpr std::size_t kAtOnce = 20;                // views per frame
 constexpr std::size_t kMostPoints = 160;           // of a view
 constexpr std::size_t kFewestPoints = 30;
-constexpr std::size_t kMostFitted = 2;  // places a frame
+constexpr std::size_t kMostFitted = 2;  // places per frame
 constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
-constexpr int kViewLooks = 30, kTemplateLooks = 180;  // the time of a view, of a template's fit
+constexpr int kViewLooks = 30, kTemplateLooks = 180;  // work for one view, for one fit of the template
 
 Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
@@ -30,13 +30,13 @@ double turnOf(const Eigen::Matrix3d& rotation) { return Eigen::AngleAxisd(rotati
 
 }  // namespace
 
-// An evened image with a rim of nothing, and again as four images of every second pixel along both axes:
-// whole rows of places, two pixels apart, are then compared at once.
+// An evened image with a border of zeros, and the same split into four images of every second pixel along
+// both axes. So places two pixels apart are compared row by row at once.
 class CoarseSearch::SearchImage {
  public:
   explicit SearchImage(const cv::Mat1f& image)
       : size_(image.size()), rim_(2 * (std::max(image.cols, image.rows) / 4)) {
-    // To the right also what the kernel's last block of columns looks at in vain.
+    // The right border also covers the kernel's last block of columns, whose surplus results are unused.
     cv::copyMakeBorder(image, padded_, rim_, rim_ + 1, rim_, rim_ + 2 * search::kLanes, cv::BORDER_CONSTANT,
                        0.0);
     for (int p = 0; p < 4; ++p) {
@@ -48,10 +48,10 @@ class CoarseSearch::SearchImage {
     }
   }
 
-  /// A view's points in whole pixels of this image; those too far out to be in the rim are left out.
+  /// The points of a view in whole pixels of this image, without those too far out for the border.
   struct Stencil {
     std::vector<cv::Point> at;
-    std::vector<int> offset;  // of the same in the padded image
+    std::vector<int> offset;  // of the same points in the padded image
     std::vector<float> value;
     double squares = 0.0;
   };
@@ -76,7 +76,7 @@ class CoarseSearch::SearchImage {
     }
   };
 
-  /// No match where the centre lies outside.
+  /// No match when the centre lies outside.
   Match matchAt(const Stencil& stencil, const Eigen::Vector2d& centre_px) const {
     const int x = int(std::lround(centre_px.x())), y = int(std::lround(centre_px.y()));
     if (x < 0 || y < 0 || x >= size_.width || y >= size_.height) return {};
@@ -89,7 +89,7 @@ class CoarseSearch::SearchImage {
     return {product, stencil.squares, squares};
   }
 
-  /// Where the points fit best, to two pixels, the centre inside the image.
+  /// The place, to two pixels and with the centre inside the image, where the points fit best.
   Eigen::Vector2d bestPlace(const Stencil& stencil) const {
     constexpr int kLanes = search::kLanes;
     const int columns = size_.width / 2, rows = size_.height / 2;
@@ -186,7 +186,7 @@ std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const cameras::Stere
   const Eigen::Vector3d then_mm = view.motion * face_.centre_mm();
   const Eigen::Vector3d ray = cameras::undistort(rig.left, kShrink * left_px).homogeneous().normalized();
   Candidate best;
-  // Steps of distance that move the face by about a pixel of the level in the right image.
+  // Steps of distance that move the face by about a pixel of this level in the right image.
   const double step =
       kShrink * then_mm.norm() / (rig.right.k(0, 0) * rig.right_T_left.translation_mm().norm());
   for (double distance = kNearest; distance < kFarthest; distance *= 1.0 + step * distance) {

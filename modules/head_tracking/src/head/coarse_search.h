@@ -1,9 +1,9 @@
 #pragma once
-// CoarseSearch: where the face has gone, from its looks alone. The face's template (face_template.h), turned
-// as a head turns (yaw, nod, lean, and the sides learnt since), is laid over every place of the left image at
-// an eighth of the size, then at every depth over the right one; the likeliest places are fitted. Needs no
-// face detector (a covered or cut face has none to offer, and a cascade takes tens of milliseconds); some of
-// the views a frame keep each frame short.
+// CoarseSearch: finds a lost face by its appearance alone. The face's template (face_template.h) is rotated
+// as a head can turn (yaw, nod, lean, and the sides learnt since the start). It is compared at every place of
+// the left image at an eighth of the size, then at every depth in the right one. The likeliest places are
+// fitted. It needs no face detector, which fails on an occluded or cut face and takes tens of milliseconds.
+// Each frame tests some of the views, so that its work stays small.
 
 #include <array>
 #include <optional>
@@ -20,19 +20,19 @@ class CoarseSearch {
 
   struct Places {
     std::vector<Eigen::Isometry3d> starts;  // motions since the reference, the likeliest first
-    int looks = 0;  // what it took, in the time of so many looks at a patch (face_search.h)
+    int looks = 0;  // work, in patch comparisons that take the same time (frame_work.h)
   };
-  /// Where the head may be, to some degrees: from where it was `expected`, and from where it looks like.
-  /// `turn` counts up from 0 while the face is lost: each takes the next views (the first only what is
-  /// expected, if anything is). Empty where nothing in both images looks like the face.
+  /// Approximate motions of the head, to some degrees: from where it was `expected`, and from a search of the
+  /// images. `turn` counts up from 0 while the face is lost; each turn searches the next views (turn 0: only
+  /// the expected motion, if given). Empty when nothing in both images resembles the face.
   Places find(const cameras::StereoRig& rig, const EvenedPair& now,
               const std::optional<Eigen::Isometry3d>& expected, int turn) const;
-  /// The face as it is seen at `motion` (a key frame), to be looked for, too.
+  /// Adds the face as seen at `motion` (a key frame) to the search.
   void add(const cameras::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
            const Eigen::Isometry3d& motion);
 
  private:
-  /// The face turned: some of its points about the place of its centre, pixels of the coarsest level.
+  /// The rotated face: some of its points relative to its centre, in pixels of the coarsest level.
   struct View {
     struct Point {
       Eigen::Vector2f from_centre;
@@ -53,15 +53,15 @@ class CoarseSearch {
   std::optional<Candidate> locate(const cameras::StereoRig& rig, const std::array<SearchImage, 2>& images,
                                   const View& view, double scale) const;
 
-  /// The likeliest over these views, each as large as `scale` says.
+  /// The likeliest places over these views, each scaled by `scale`.
   std::vector<Candidate> likelyPlaces(const cameras::StereoRig& rig, const EvenedPair& now, std::size_t first,
                                       std::size_t end, double scale) const;
-  /// The looks of the view most like `motion`.
+  /// Index in looks_ of the view nearest to `motion`.
   std::size_t likeliest(const Eigen::Isometry3d& motion) const;
 
   FaceTemplate face_;
-  std::vector<FaceTemplate::Looks> looks_;  // the reference's, then those learnt
-  std::vector<View> views_;                 // the learnt ones first, then by their turn from the reference
+  std::vector<FaceTemplate::Looks> looks_;  // appearance in the reference, then as learnt
+  std::vector<View> views_;                 // learnt ones first, then by angle from the reference
 };
 
 }  // namespace facenav::head_tracking

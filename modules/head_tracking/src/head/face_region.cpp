@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kForeheadShare =
     0.7;  // height of usable forehead over the distance from brow to base of the nose
-constexpr int kSkull = 100, kJaw = 60, kMoving = 30;  // per cent of trust
+constexpr int kSkull = 100, kJaw = 60, kMoving = 30;  // rigidity in per cent
 
 cv::Point toPoint(const Eigen::Vector2d& p) { return {int(std::lround(p.x())), int(std::lround(p.y()))}; }
 
@@ -43,7 +43,7 @@ FaceRegion::FaceRegion(const face::FaceLandmarks& face, cv::Size size) : rigidit
     const auto& p = face.points68;
     const Eigen::Vector2d brow = 0.5 * (p[21] + p[22]), down = p[33] - brow;
     cv::fillConvexPoly(rigidity_percent_, outline(p, -kForeheadShare * down), kSkull);
-    cv::Mat1b lower(size, uchar(0));  // all that lies below the base of the nose
+    cv::Mat1b lower(size, uchar(0));  // everything below the base of the nose
     const Eigen::Vector2d across = 5.0 * Eigen::Vector2d(-down.y(), down.x()), base = p[33] + 0.05 * down;
     cv::fillConvexPoly(
         lower,
@@ -69,7 +69,8 @@ FaceRegion::FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size si
     return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
   };
   cv::morphologyEx(rigidity_percent_, rigidity_percent_, cv::MORPH_CLOSE, disc(4));
-  cv::erode(rigidity_percent_, rigidity_percent_, disc(8));  // the outline moves over the background
+  cv::erode(rigidity_percent_, rigidity_percent_,
+            disc(8));  // at the outline the background shows when the head moves
   std::vector<cv::Point> inside;
   cv::findNonZero(rigidity_percent_, inside);
   box_ = inside.empty() ? cv::Rect() : cv::boundingRect(inside);

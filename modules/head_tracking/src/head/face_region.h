@@ -1,6 +1,6 @@
 #pragma once
-// FaceRegion: which pixels of the left reference image are face skin, and how far each part of it can be
-// trusted to follow the skull: eyelids, pupils, lips and jaw move by themselves.
+// FaceRegion: which pixels of the left reference image are face skin, and how far each part follows the
+// skull. Eyelids, pupils, lips and jaw move by themselves.
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -11,14 +11,13 @@ namespace facenav::head_tracking {
 
 class FaceRegion {
  public:
-  /// From the landmarks; from the cascade's box alone (an ellipse, all parts alike) where there are none.
+  /// From the landmarks. Without landmarks: an ellipse in the cascade's box, all parts alike.
   FaceRegion(const face::FaceLandmarks& face, cv::Size size);
-  /// From the pixels at which the dense cloud was measured, all parts alike: for a face that no detector
-  /// finds.
+  /// From the pixels of the dense cloud, all parts alike: for a face that no detector finds.
   FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size size);
 
   bool contains(const Eigen::Vector2d& px) const;
-  /// 0..1, prior trust in the skin at `px`.
+  /// Prior weight of the skin at `px`, 0..1: how rigidly it follows the skull.
   double rigidity(const Eigen::Vector2d& px) const;
   cv::Rect box() const { return box_; }
 

@@ -5,13 +5,13 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLeastLikeness = 0.15;                         // of a coarse fit: less is no face
-constexpr double kLikely = 0.8;                                 // the head is there, about
-constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // by exchanging the images
-// What else a frame does, in the time of so many looks at a patch.
+constexpr double kLeastLikeness = 0.15;                         // of a coarse fit; below it there is no face
+constexpr double kLikely = 0.8;                                 // the head is probably there
+constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // likeness with the images exchanged
+// Other work of a frame, in patch comparisons that take the same time.
 constexpr int kPyramidLooks = 450, kEvenedLooks = 250;
 constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kWhoseLooks = 500;
-constexpr int kInAll = FrameWork::kMost - 700;  // a tracked coil has its turn, too
+constexpr int kInAll = FrameWork::kMost - 700;  // leaves work for a tracked coil
 constexpr int kFewestSteps = 4, kMostSteps = 8;
 
 }  // namespace
@@ -76,7 +76,7 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
     work.looks += kEvenedLooks;
     lookFrom(keys, now, evened, last, found, work);
     if (last && is_first && found.best.likeness < kLikely)
-      lookFrom(keys, now, evened, std::nullopt, found, work);  // a leap, of a few frames a second
+      lookFrom(keys, now, evened, std::nullopt, found, work);  // a fast motion, at a few frames per second
     ++turn_;
     found.is_swapped = last && found.best.likeness < kLikely &&
                        roughly(keys, {now[1], now[0]}, *last, work).likeness >

@@ -1,9 +1,9 @@
 #pragma once
-// FaceSearch: from where a fit is worth while after the prediction has failed. A coarse fit from what is
-// expected; where that leads nowhere, from wherever the face seems to be (coarse_search.h), some of the views
-// a frame. What a frame may spend is bounded: counted in looks at a patch, not timed, so that the same frames
-// give the same poses. A start that is found when too much is spent is tried in the next frame, in its
-// pictures.
+// FaceSearch: finds start poses for a fit after the prediction has failed. First a coarse fit from the
+// expected pose. If that fails, a search of the images (coarse_search.h), some of the views per frame. The
+// work of a frame is limited, and counted in patch comparisons instead of timed, so that the same frames give
+// the same poses. A start that is found when the budget is used up is tried in the next frame, in that
+// frame's images.
 
 #include <optional>
 #include <vector>
@@ -15,21 +15,22 @@
 
 namespace facenav::head_tracking {
 
-/// The head's part of a frame's work; `left_out`: looks that are kept for another tracker.
+/// The head's part of a frame's work. `left_out`: patch comparisons reserved for another tracker.
 struct HeadWork : FrameWork {
   int left_out = 0;
   bool leavesTimeToSearch() const;
   bool leavesTimeToFit() const;
-  /// Of a fit's last level, so that the frame's limit is kept.
+  /// Steps on the fit's last level that still fit into the frame's budget.
   int stepsLeft(const PatchModel& model) const;
 };
 
 class FaceSearch {
  public:
   struct Found {
-    PoseFit best;  // to a coarse level
+    PoseFit best;  // fit down to a coarse level
     bool is_anything_alike = false, is_swapped = false;
-    bool is_to_be_tried = false;  // now; else nothing is likely enough, or it waits for the next frame
+    bool is_to_be_tried =
+        false;  // in this frame; false: nothing is likely enough, or deferred to the next frame
     bool is_put_off = false;
   };
 
@@ -37,19 +38,19 @@ class FaceSearch {
   FaceSearch(const cameras::StereoRig& rig, const PatchModel& model, const std::array<ImagePyramid, 2>& key,
              FaceTemplate face);
 
-  /// `last`: where the head was seen last, `expected`: where it should be by now, if either is known.
-  /// `is_first`: of the frames since it was seen. Adds to `work`.
+  /// `last`: the head's last pose; `expected`: its predicted pose; both if known. `is_first`: first frame
+  /// since the loss. Adds to `work`.
   Found seek(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
              const std::optional<Eigen::Isometry3d>& last, const std::optional<Eigen::Isometry3d>& expected,
              bool is_first, HeadWork& work);
-  /// Where the next frame's search begins: a fit that was getting there.
+  /// Sets the start for the next frame: a fit that was converging.
   void goOnFrom(const Eigen::Isometry3d& motion) { put_off_ = motion; }
-  /// The head was found.
+  /// Call when the head was found.
   void end() { turn_ = 0, put_off_.reset(); }
-  /// The face as it is seen at `motion`, to be looked for, too.
+  /// Adds the face as seen at `motion` to the search.
   void add(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& motion);
   void forgetLearnt();
-  /// The level at which fits end that only choose a start.
+  /// Pyramid level at which fits end that only choose a start.
   int roughLevel() const { return rough_level_; }
 
  private:
@@ -59,8 +60,8 @@ class FaceSearch {
                 const std::optional<Eigen::Isometry3d>& from, Found& found, HeadWork& work) const;
 
   cameras::StereoRig rig_;
-  const PatchModel* model_ = nullptr;  // the tracker's
-  CoarseSearch coarse_, reference_;    // the second: without what was learnt since the start
+  const PatchModel* model_ = nullptr;  // owned by the tracker
+  CoarseSearch coarse_, reference_;    // reference_: without what was learnt since the start
   int rough_level_ = 2, turn_ = 0;
   std::optional<Eigen::Isometry3d> put_off_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// FaceSurface: the skin's depth over the left reference image, from the dense cloud, or from passive stereo
-// of the reference pair itself. Inverse depth is used throughout: it is affine in the pixel for a plane.
+// FaceSurface: the skin's depth over the left reference image, from the dense cloud or from passive stereo of
+// the reference pair. It uses inverse depth, which is an affine function of the pixel for a plane.
 
 #include <Eigen/Core>
 #include <optional>
@@ -12,25 +12,25 @@
 
 namespace facenav::head_tracking {
 
-/// A quadric in inverse depth round one pixel.
+/// A quadric in inverse depth near one pixel.
 struct LocalSurface {
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();
   Eigen::Matrix<double, 6, 1> c =
       Eigen::Matrix<double, 6, 1>::Zero();  // 1, u, v, u^2, u v, v^2 (px from the centre)
-  double rms_mm = 0.0;                      // of most points about it
-  double roughness_mm = 0.0;  // of all points about it: larger at a step (hairline, nostril, lid)
+  double rms_mm = 0.0;                      // robust spread of the points about it
+  double roughness_mm = 0.0;  // rms of all points about it: larger at a step (hairline, nostril, lid)
 
   double inverseDepth(const Eigen::Vector2d& px) const;
 };
 
 class FaceSurface {
  public:
-  /// `least_radius_px`: no quadric is fitted to a smaller neighbourhood (noisy depths want a larger one).
+  /// `least_radius_px`: smallest neighbourhood that a quadric is fitted to; larger for noisy depths.
   FaceSurface(const std::vector<Eigen::Vector2f>& left_px, const std::vector<float>& depth_mm, cv::Size size,
               double least_radius_px = 0.0);
 
-  /// The quadric through the points within `radius_px`, outliers left out; nothing where too few lie there,
-  /// on one side only, or too rough.
+  /// The quadric through the points within `radius_px`, without outliers. Nothing when they are too few, on
+  /// one side only, or too rough.
   std::optional<LocalSurface> around(const Eigen::Vector2d& px, double radius_px) const;
 
  private:
@@ -44,7 +44,7 @@ class FaceSurface {
   std::vector<float> inverse_depth_;
 };
 
-/// From the reference's cloud where it has one, else by passiveSurface().
+/// From the reference's cloud if it has one, else by passiveSurface().
 FaceSurface measureSurface(const cameras::StereoRig& rig, const HeadReference& reference,
                            const FaceRegion& region, double start_depth_mm);
 

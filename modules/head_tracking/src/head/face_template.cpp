@@ -13,19 +13,19 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr float kLeastContrast = 0.03f;  // of the mean grey: flatter skin is not made to look rough
+constexpr float kLeastContrast = 0.03f;  // of the mean grey; keeps noise on flatter skin small
 constexpr double kWanted = 350;          // points over the region's box
 constexpr int kLeastSpacing_px = 6;      // of the points, in the left reference image
 constexpr double kSurfaceRadius_px = 9.0;
 constexpr double kLeastFacing = 0.2;       // cosine of view against normal
-constexpr double kHiddenBehind_mm = 12.0;  // the nearest skin seen within one pixel of the coarsest level
+constexpr double kHiddenBehind_mm = 12.0;  // behind the nearest skin within one pixel of the coarsest level
 constexpr int kSteps[2] = {5, 4};          // by level
-constexpr double kSettled_mm = 0.5;        // what follows finds the rest
+constexpr double kSettled_mm = 0.5;        // the following fit finds the rest
 constexpr std::size_t kEvery[2] = {2, 1};  // of the points, by level
-constexpr float kReach = 1.5f;             // of a residual's robust weight, local standard deviations
+constexpr float kReach = 1.5f;             // of a residual's robust weight, in local standard deviations
 constexpr double kFewest = 40;             // points in both images together
 
-// Bilinear; nothing outside.
+// Bilinear; nothing outside the image.
 std::optional<float> sampled(const cv::Mat1f& image, double x, double y) {
   if (!(x >= 0 && y >= 0 && x < image.cols - 1 && y < image.rows - 1)) return std::nullopt;
   const int ix = int(x), iy = int(y);
@@ -111,7 +111,7 @@ std::vector<bool> FaceTemplate::seenBy(const cameras::CameraModel& camera,
       float& nearest = nearest_mm(cell[i] - all.tl());
       nearest = std::min(nearest, depth_mm(i));
     }
-  cv::erode(nearest_mm, nearest_mm, {});  // the least of each cell and its neighbours
+  cv::erode(nearest_mm, nearest_mm, {});  // minimum of each cell and its neighbours
   for (std::size_t i = 0; i < points_.size(); ++i)
     is_seen[i] = is_seen[i] && depth_mm(i) < nearest_mm(cell[i] - all.tl()) + kHiddenBehind_mm;
   return is_seen;

@@ -1,9 +1,9 @@
 #pragma once
-// FaceTemplate: the whole face at once, as some hundred points of skin with their looks in both cameras at a
-// quarter and an eighth of the size. From a start some ten degrees and centimetres off, where single patches
-// (pose_fit.h) already lie beside their place and catch on the next best thing, it finds the pose to a few
-// degrees: all points together have one best place only. Lucas-Kanade over the shape in space (6 degrees of
-// freedom, both images), on images evened against light: local mean taken off, divided by local contrast.
+// FaceTemplate: the whole face at once, as some hundred points of skin with their grey values in both cameras
+// at a quarter and an eighth of the size. It finds the pose to a few degrees from a start some ten degrees
+// and centimetres away. Single patches (pose_fit.h) would then match wrong places; all points together have
+// only one best place. Lucas-Kanade over the shape in space (6 degrees of freedom, both images), on images
+// evened against light: local mean subtracted, divided by local contrast.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace facenav::head_tracking {
 
-/// A level without its light: deviation from the local mean in local standard deviations.
+/// A level without the effect of light: deviation from the local mean in local standard deviations.
 cv::Mat1f evened(const BlurredImage& level);
 
 /// Both images (left, right) at the two coarsest levels.
@@ -35,7 +35,7 @@ class FaceTemplate {
   struct Point {
     Eigen::Vector3d mm, normal;  // Head; towards the cameras
   };
-  /// The points as one pair of images showed them; a camera that does not see one has no weight for it.
+  /// Grey values of the points in one pair of images. Weight 0: the camera does not see the point.
   struct Looks {
     struct Grey {
       float value = 0.f, weight = 0.f;
@@ -48,13 +48,13 @@ class FaceTemplate {
   };
 
   FaceTemplate() = default;
-  /// From the reference; `centre_mm`: that increments turn about, Head.
+  /// Made from the reference. `centre_mm`: centre of rotation of the increments, Head.
   FaceTemplate(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
                const Eigen::Vector3d& centre_mm);
 
   const std::vector<Point>& points() const { return points_; }
   const Eigen::Vector3d& centre_mm() const { return centre_mm_; }
-  /// Which points a camera sees at `camera_T_head`: turned towards it, and not behind others.
+  /// Which points a camera sees at `camera_T_head`: those that face it and are not hidden by others.
   std::vector<bool> seenBy(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head) const;
   Looks looksAt(const cameras::StereoRig& rig, const EvenedPair& images,
                 const Eigen::Isometry3d& motion) const;
@@ -62,14 +62,14 @@ class FaceTemplate {
           const Eigen::Isometry3d& start) const;
 
  private:
-  /// Of one step of the fit, over points and cameras.
+  /// Sums of one step of the fit, over points and cameras.
   struct Sums {
     Matrix6d normal = Matrix6d::Zero();
     Vector6d pull = Vector6d::Zero();
     double product = 0.0, now_squares = 0.0, then_squares = 0.0, seen = 0.0;
     Sums& operator+=(const Sums& other);
   };
-  /// The points that one camera looks for, placed by its model made linear near where they are expected.
+  /// The points that one camera should see, with its model linearised near their expected places.
   class Looked {
    public:
     void add(const Point& point, const Looks::Grey& then, const Eigen::Matrix2d& d,
@@ -78,7 +78,7 @@ class FaceTemplate {
                 const Eigen::Vector3d& centre_mm) const;
 
    private:
-    std::vector<float> blocks_;  // search::TemplateLook's
+    std::vector<float> blocks_;  // of search::TemplateLook
     int count_ = 0;
   };
   Looked lookedFor(const cameras::StereoRig& rig, const Looks& looks, std::size_t l, int c,

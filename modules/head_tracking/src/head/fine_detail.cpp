@@ -7,8 +7,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kNoiseInDetail = 0.041;  // variance of level 1 less its 3 x 3 mean, by that of the sensor
-constexpr int kLeastArea_px2 = 100;       // of the level
+constexpr double kNoiseInDetail =
+    0.041;                           // variance of level 1 minus its 3 x 3 mean, relative to the sensor's
+constexpr int kLeastArea_px2 = 100;  // of the level
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-// How sharp the picture of the face is: what defocus and motion take away.
+// Sharpness of the face's image; defocus and motion reduce it.
 
 #include <optional>
 
@@ -7,9 +7,9 @@
 
 namespace facenav::head_tracking {
 
-/// How much of the contrast in `box` (full resolution) is fine detail: that between level 1 and its 3 x 3
-/// mean, by that between 3 x 3 and 9 x 9 means, the sensor's noise (`noise_grey`) taken off. Nothing where
-/// the box is too small.
+/// Fine detail of the contrast in `box` (full resolution): rms of level 1 minus its 3 x 3 mean, relative to
+/// the rms of 3 x 3 minus 9 x 9 means; the sensor's noise (`noise_grey`) is subtracted. Nothing when the box
+/// is too small.
 std::optional<double> fineDetail(const ImagePyramid& image, const cv::Rect& box, double noise_grey);
 
 }  // namespace facenav::head_tracking

@@ -6,8 +6,8 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLongestGap_s = 0.3;  // beyond it a prediction is worth nothing
-constexpr double kSteady_s = 0.03;     // over which the velocity between two exposures is taken
+constexpr double kLongestGap_s = 0.3;  // no prediction across a longer gap
+constexpr double kSteady_s = 0.03;     // time constant of the steady velocity
 constexpr double kSameFrame_s = 1e-4;
 
 }  // namespace

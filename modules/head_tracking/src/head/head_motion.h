@@ -1,6 +1,6 @@
 #pragma once
-// HeadMotion: the last pose of the tracked head with its velocity: a constant-velocity model that predicts
-// the next frame's pose. Velocities are (w rad/s, v mm/s), Head's axes, about the model's centre.
+// HeadMotion: last pose and velocity of the tracked head. A constant-velocity model predicts the pose in the
+// next frame. Velocities are (w rad/s, v mm/s), Head's axes, about the model's centre.
 
 #include <Eigen/Geometry>
 
@@ -9,7 +9,7 @@
 
 namespace facenav::head_tracking {
 
-/// A person walks no faster.
+/// Upper bound of a person's walking speed.
 inline constexpr double kWalk_mm_s = 1500.0;
 
 class HeadMotion {
@@ -19,25 +19,25 @@ class HeadMotion {
 
   bool isKnown() const { return is_known_; }
   void forget() { *this = HeadMotion(centre_mm_); }
-  /// camera_T_head where the head was seen last.
+  /// Last camera_T_head.
   const Eigen::Isometry3d& pose() const { return pose_; }
   Timestamp captured() const { return captured_; }
-  /// From one frame to the next.
+  /// Velocity from one frame to the next.
   const Vector6d& velocity() const { return velocity_; }
-  /// The same over some frames: the velocity of one frame carries the errors of two poses.
+  /// The same, smoothed over some frames: the velocity of one frame has the errors of two poses.
   const Vector6d& steady() const { return steady_; }
-  /// Of a point `depth_mm` behind the face, an upper bound, by the steady velocity.
+  /// Upper bound of the speed of a point `depth_mm` behind the face, from the steady velocity.
   double speedBehind_mm_s(double depth_mm) const {
     return steady_.tail<3>().norm() + depth_mm * steady_.head<3>().norm();
   }
 
   bool isRecent(Timestamp now) const;
   Eigen::Isometry3d predicted(Timestamp now) const;
-  /// The steady velocity as a pose in the present frame makes it.
+  /// The steady velocity if the head is at `pose` in the present frame.
   Vector6d steadyWith(const Eigen::Isometry3d& pose, Timestamp captured) const;
-  /// The head is tracked there.
+  /// Adds a tracked pose.
   void add(const Eigen::Isometry3d& pose, Timestamp captured);
-  /// The head is lost: it is expected where it was.
+  /// The head is lost: predict no motion.
   void stop() { velocity_.setZero(), steady_.setZero(); }
   void stopSteady() { steady_.setZero(); }
 

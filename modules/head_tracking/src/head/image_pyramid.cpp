@@ -8,13 +8,13 @@
 namespace facenav::head_tracking {
 namespace {
 
-// The kernel along y, over five rows.
+// The kernel along y, for five rows.
 void blurColumns(const std::uint8_t* const rows[5], std::uint16_t* __restrict to, int count) {
   const std::uint8_t *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3], *e = rows[4];
   for (int x = 0; x < count; ++x) to[x] = std::uint16_t(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x]);
 }
 
-// And along x over the above, at every `step`-th pixel: reads from[0] .. from[step * (count - 1) + 4].
+// The kernel along x over these, at every `step`-th pixel: reads from[0] .. from[step * (count - 1) + 4].
 template <int step>
 void blurRow(const std::uint16_t* __restrict from, std::uint16_t* __restrict to, int count) {
   for (int i = 0; i < count; ++i) {
@@ -23,7 +23,7 @@ void blurRow(const std::uint16_t* __restrict from, std::uint16_t* __restrict to,
   }
 }
 
-// Every `step`-th pixel of `part` (inside the image) along both axes, blurred; beyond the image its edge is
+// Every `step`-th pixel of `part` (inside the image) along both axes, blurred. Outside the image its edge is
 // repeated.
 template <int step>
 cv::Mat1w blurred(const cv::Mat& grey, const cv::Rect& part) {

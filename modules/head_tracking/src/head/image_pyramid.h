@@ -1,8 +1,8 @@
 #pragma once
-// ImagePyramid: one image, blurred by the binomial kernel 1 4 6 4 1 (sigma 1 px: less noise, and bilinear
-// sampling biased less), and its halves. 16 bits hold the kernel's sums without rounding: 256 per grey level.
-// Pixel x of level l lies at 2^l x of the image. While a head is tracked only its box is blurred, and no
-// coarser level is made; while it is looked for, the coarser levels, and of the finest only a box.
+// ImagePyramid: one image blurred by the binomial kernel 1 4 6 4 1 (sigma 1 px: less noise, and less bias of
+// bilinear sampling), and its halves. 16 bits hold the kernel's sums without rounding: 256 per grey level.
+// Pixel x of level l lies at 2^l x of the image. For a tracked head only its box of level 0 is made. For a
+// search, all coarser levels are made, and only a box of level 0.
 
 #include <array>
 #include <opencv2/core.hpp>
@@ -10,9 +10,9 @@
 namespace facenav::head_tracking {
 
 constexpr int kLevels = 4;
-constexpr int kCoarsestStep = 1 << (kLevels - 1);  // pixels of the image between two of the coarsest level
-constexpr float kGreyScale = 256.f;                // of the blurred images
-constexpr int kBlurMargin_px = 2;                  // pixels at the image's edge that have no blurred value
+constexpr int kCoarsestStep = 1 << (kLevels - 1);  // pixels of the image per pixel of the coarsest level
+constexpr float kGreyScale = 256.f;                // units of the blurred images per grey level
+constexpr int kBlurMargin_px = 2;                  // pixels at the image's edge without a blurred value
 
 /// Part of a level: pixels(0, 0) is the level's pixel `origin`.
 struct BlurredImage {
@@ -20,15 +20,15 @@ struct BlurredImage {
   cv::Point origin;
 };
 
-/// Level 0 inside `box`, cut to where the kernel fits; empty where nothing is left. `grey`: 8-bit, 1 channel.
+/// Level 0 inside `box`, cut to where the kernel fits; may be empty. `grey`: 8-bit, 1 channel.
 BlurredImage blurredPart(const cv::Mat& grey, const cv::Rect& box);
 
 struct ImagePyramid {
   std::array<BlurredImage, kLevels> level;
 
   ImagePyramid() = default;
-  /// All levels of the whole image; the outermost pixels repeat their neighbours. `origin`: where that image
-  /// lies in a larger one, multiples of kCoarsestStep.
+  /// All levels of the whole image; the outermost pixels repeat their neighbours. `origin`: position of this
+  /// image in a larger one, multiples of kCoarsestStep.
   explicit ImagePyramid(const cv::Mat& grey, cv::Point origin = {});
   /// The same without level 0: a third of the time.
   static ImagePyramid coarse(const cv::Mat& grey, cv::Point origin = {});

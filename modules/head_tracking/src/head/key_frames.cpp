@@ -10,13 +10,14 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kNewSide_rad = 11 * kDegree;        // from every other key frame
-constexpr double kAlike_rad = 2 * kDegree;           // no change of key frame for less
-constexpr double kGenerationCost_rad = 4 * kDegree;  // of a key frame made from a key frame
-constexpr double kMomentGain_rad = 25 * kDegree;     // of a key frame of the present moment
+constexpr double kNewSide_rad = 11 * kDegree;        // angle from every other key frame
+constexpr double kAlike_rad = 2 * kDegree;           // a smaller gain does not change the key frame
+constexpr double kGenerationCost_rad = 4 * kDegree;  // cost of a key frame made from another key frame
+constexpr double kMomentGain_rad = 25 * kDegree;     // advantage of a key frame of the moment
 constexpr int kOldestGeneration = 3;
 constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
-constexpr double kLeastQuality = 0.8, kWorstScale = 3.0, kWorstSigma_mm = 0.25;  // worth learning from
+constexpr double kLeastQuality = 0.8, kWorstScale = 3.0,
+                 kWorstSigma_mm = 0.25;  // limits of a fit to learn from
 constexpr int kLeastUsable = 60;
 constexpr int kMargin_px = 48;  // about the patches' centres: half of the coarsest patch, and its blur
 
@@ -35,7 +36,7 @@ PatchPoints pointsOfPatch(const PatchLevel& level, std::size_t i) {
   return points;
 }
 
-// The skin's directions that move by one pixel in the new key frame.
+// Rescales the tangents to one pixel in the new key frame.
 void turnTangents(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion, int level, Patch& patch) {
   Eigen::Matrix<double, 2, 3> d_p;
   cameras::project(rig.left, motion * patch.centre_mm, d_p);
@@ -65,7 +66,7 @@ KeyFrames::KeyFrames(const PatchModel& model) {
   keys_.push_back(std::move(reference));
 }
 
-// A moment's key frames come before all others that do not show the head from much nearer its side.
+// Key frames of the moment come first, unless another shows the head from a much nearer side.
 double KeyFrames::cost(std::size_t key, const Eigen::Isometry3d& motion) const {
   return (keys_[key].is_of_moment && prefers_moment_ ? -kMomentGain_rad : 0.0) +
          angleBetween(keys_[key].motion, motion) + kGenerationCost_rad * keys_[key].generation;
@@ -96,7 +97,7 @@ bool KeyFrames::isNewSide(const PoseFit& fit, const Verdict& verdict) const {
   });
 }
 
-// A new side does not wait for the coarse looks of the one before: a head that turns on would be past it.
+// A new side comes before unfinished coarse levels of the last one: a turning head would be past it.
 bool KeyFrames::learn(const cameras::StereoRig& rig, const PatchModel& model,
                       const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict,
                       const KeyMotion& moving) {
@@ -165,7 +166,7 @@ void KeyFrames::startMoment(KeyFrame key) {
 }
 
 void KeyFrames::endMoment() {
-  unfinished_.clear();  // their places among the key frames change
+  unfinished_.clear();  // indices of the key frames change
   keys_.erase(
       std::remove_if(keys_.begin(), keys_.end(), [](const KeyFrame& key) { return key.is_of_moment; }),
       keys_.end());
@@ -219,7 +220,7 @@ void KeyFrames::goOn(const cameras::StereoRig& rig, const PatchModel& model) {
   while (fresh.next < end) learnPatch(rig, model, fresh.next++);
   if (end < all) return;
   if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.pop_front();
-  if (fresh.level == 0) {  // enough to track by; the coarser levels are the reference's until they are learnt
+  if (fresh.level == 0) {  // enough to track; the reference's coarser levels serve until they are learnt
     fresh.index = keys_.size();
     keys_.push_back(fresh.key);
   } else {

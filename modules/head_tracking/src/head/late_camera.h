@@ -1,7 +1,7 @@
 #pragma once
-// LateCamera: the rig as it sees a moving head whose right picture is exposed later than the left one. The
-// right camera sees the head where it is when that camera exposes: as if the camera stood elsewhere. The
-// delay is learnt from the moving head (offset_filter.h).
+// LateCamera: the rig for a moving head when the right camera exposes later than the left one. The right
+// camera sees the head at its own exposure, which is equivalent to another pose of that camera. The delay is
+// learnt from the moving head (offset_filter.h).
 
 #include <cmath>
 
@@ -18,24 +18,24 @@ class LateCamera {
   LateCamera(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm)
       : rig_(rig), now_(rig), centre_mm_(centre_mm) {}
 
-  /// The rig that sees a head at rest.
+  /// The rig for a head at rest.
   const cameras::StereoRig& rig() const { return rig_; }
-  /// The rig for the fit that follows, as allowFor() set it.
+  /// The rig for the next fit, set by allowFor().
   const cameras::StereoRig& now() const { return now_; }
   double late_s() const { return offset_.late_s(); }
   double sigma_s() const { return offset_.sigma_s(); }
-  /// What the delay is hardly more than.
+  /// Upper bound of the delay (two sigmas).
   double mostLate_s() const { return std::abs(late_s()) + 2.0 * sigma_s(); }
 
-  /// Before a fit by `key` near `pose`, of a head that moves with `steady` (HeadMotion): what the head does
-  /// beyond what it did when the key frame's pictures were taken.
+  /// Call before a fit with `key` near `pose` of a head with velocity `steady` (HeadMotion). Corrects for the
+  /// head's motion relative to that in the key frame's images.
   void allowFor(const KeyFrame& key, const Eigen::Isometry3d& pose, const Vector6d& steady);
-  /// After a tracked frame: learns the delay; what is left uncertain is added to the verdict's covariance.
+  /// Call after a tracked frame: learns the delay and adds its uncertainty to the verdict's covariance.
   Verdict learn(const KeyFrame& key, const PoseFit& fit, const HeadMotion& before, Timestamp captured,
                 Verdict verdict);
-  /// How a head with this velocity moves from one exposure to the other.
+  /// Motion of a head with this velocity from one exposure to the other.
   KeyMotion motionOf(const Vector6d& velocity) const { return {velocity, late_s() * velocity}; }
-  /// The rig as it sees a head at `pose` that moves so.
+  /// The rig for a head at `pose` with this motion.
   cameras::StereoRig rigFor(const Eigen::Isometry3d& pose, const KeyMotion& moving) const;
 
  private:
@@ -45,7 +45,8 @@ class LateCamera {
   cameras::StereoRig rig_, now_;
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
   OffsetFilter offset_;
-  Vector6d allowed_ = Vector6d::Zero();  // of the head's motion between the exposures, beyond the key frame's
+  Vector6d allowed_ =
+      Vector6d::Zero();  // correction for the motion between the exposures, beyond the key frame's
 };
 
 }  // namespace facenav::head_tracking

@@ -10,9 +10,9 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
-constexpr float kAlikeShare = 0.6f;  // of the correlation expected
-constexpr int kFewestAlike = 10;     // patches in view, of both cameras, to say anything
-constexpr int kLightSteps = 2;       // of a fit, in which the light is looked at anew
+constexpr float kAlikeShare = 0.6f;  // of the expected correlation
+constexpr int kFewestAlike = 10;     // patches in view of both cameras; with fewer, no result
+constexpr int kLightSteps = 2;       // steps of a fit in which the light is measured
 
 patch::Image imageOf(const BlurredImage& image) {
   return {image.pixels.ptr<std::uint16_t>(0),

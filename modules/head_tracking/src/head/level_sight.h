@@ -1,7 +1,7 @@
 #pragma once
-// LevelSight: the patches of one level as both cameras see them at a pose: where they lie, whether they look
-// as they should, and the displacement each still shows. Light that changes over the face is taken off each
-// patch as its neighbours show it (light_field.h).
+// LevelSight: the patches of one level in both cameras' images at a pose: where they lie, whether they look
+// as expected, and the displacement that is left. The change of light over the face, measured by a patch's
+// neighbours, is subtracted (light_field.h).
 
 #include <array>
 #include <vector>
@@ -13,22 +13,22 @@ namespace facenav::head_tracking {
 
 class LevelSight {
  public:
-  /// All must outlive it. `now`: the pictures, of this level at least.
+  /// All arguments must outlive it. `now`: pyramids with at least this level.
   LevelSight(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
              const std::array<ImagePyramid, 2>& now);
 
-  /// The cameras made linear at each patch, for poses near this one.
+  /// Linearises the cameras at each patch, for poses near this one.
   void placeAt(const Eigen::Isometry3d& motion);
   const std::array<Placed, 2>& placed() const { return placed_; }
   void look(const Eigen::Isometry3d& motion);
-  /// Where the patches' centres lie at the fit's end.
+  /// Computes where the patches' centres lie at the end of the fit.
   void markCentres(const Eigen::Isometry3d& motion);
 
   PatchSights& sights() { return sights_; }
   const PatchSights& sights() const { return sights_; }
-  /// Share of the patches in view that look as they should.
+  /// Fraction of the patches in view that look as expected.
   double likeness() const;
-  /// How unevenly the face's brightness has changed since the key frame: half the middle 68 %.
+  /// Unevenness of the change of brightness over the face since the key frame: half the middle 68 %.
   double lightChange() const;
 
  private:

@@ -5,8 +5,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr float kMostChange = 0.35f;  // of a neighbour's ratio against the patch's own: an edge of a shadow
-constexpr float kRidge_px2 = 150.f;   // few neighbours to one side: rather no slope
+constexpr float kMostChange =
+    0.35f;                           // of a neighbour's ratio against the patch's own; more: edge of a shadow
+constexpr float kRidge_px2 = 150.f;  // with few neighbours on one side, prefers no slope
 constexpr float kLeastWeight = 4.f;
 
 }  // namespace

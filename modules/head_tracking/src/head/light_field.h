@@ -1,16 +1,16 @@
 #pragma once
-// The light on the face now against that of the key frame: each patch's mean brightness over its own then,
-// and how that ratio changes across the patch, from a plane through its neighbours' ratios. A lamp that
-// moves, a head that turns under it, a highlight that wanders: all change slowly over the skin, and a ratio
-// of means shows it to a few parts in a thousand. Needs no normals and no knowledge of the lamps.
+// The light on the face relative to that of the key frame. Each patch gives the ratio of its mean brightness
+// to that in the key frame; a plane through the neighbours' ratios gives the change of that ratio across the
+// patch. Moving lamps, a turning head and moving highlights all change slowly over the skin, and the ratio
+// shows them to a few parts in a thousand. Needs no normals and no knowledge of the lamps.
 
 #include "patch_model.h"
 #include "pose_fit.h"
 
 namespace facenav::head_tracking {
 
-/// Relative slope of the light per pixel of the left key image, (right, down), at one patch in one camera;
-/// zero where too few neighbours are seen.
+/// Relative slope of the light per pixel of the left key image, (right, down), at one patch in one camera.
+/// Zero when too few neighbours are visible.
 Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const PatchSights& sights,
                            std::size_t patch, int camera);
 

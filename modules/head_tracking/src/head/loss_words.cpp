@@ -7,7 +7,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kFar = 1.6, kBlurred = 0.6;  // by the reference's distance, by its fine detail
+constexpr double kFar = 1.6, kBlurred = 0.6;  // relative to the reference's distance and fine detail
 constexpr double kNearlyFar = 1.25;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// LossWords: what a loss of the head looks like, in words for people (loss_detail.h). Decides nothing.
+// LossWords: the probable cause of a loss, for messages (loss_detail.h). It decides nothing.
 
 #include <optional>
 
@@ -13,18 +13,19 @@ namespace facenav::head_tracking {
 class LossWords {
  public:
   LossWords() = default;
-  /// `face`: its box in the left reference picture; `noise_grey`: of the pictures.
+  /// `face`: its box in the left reference image; `noise_grey`: of the images.
   LossWords(const Eigen::Vector3d& centre_mm, double noise_grey, const ImagePyramid& reference,
             const cv::Rect& face);
 
-  /// Where patches look as they should, but too few, the rest is covered.
+  /// The detail for a reason. Some patches look as expected but too few do: occluded.
   static LossDetail of(LostReason reason);
-  /// What makes any face hard to see, wherever it is: distance and blur. `left`: the left picture, `face`:
-  /// where the face was in it.
+  /// Conditions that make any face hard to see: distance and blur. `left`: the left image; `face`: the face's
+  /// box in it.
   std::optional<LossDetail> circumstance(const Eigen::Isometry3d& pose, const ImagePyramid& left,
                                          const cv::Rect& face, const HeadMotion& last,
                                          Timestamp captured) const;
-  /// Nobody is far off who was near a moment ago: a fit that says so has caught on something else, a hand.
+  /// Whether the head may be too far away. A head that was near a moment ago is not: such a fit has matched
+  /// another object, a hand.
   bool isFar(const Eigen::Isometry3d& pose, const HeadMotion& last, Timestamp captured) const;
 
  private:

@@ -7,20 +7,20 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kSharedError_px = 0.03;  // of the disparities: shape, glints
-constexpr double kSharedFor_s = 0.1;      // frames closer together share it
+constexpr double kSharedError_px = 0.03;  // error common to the disparities: shape, glints
+constexpr double kSharedFor_s = 0.1;      // frames closer together have it in common
 constexpr double kDrift_s2_per_s = 4e-8;  // two free clocks: 0.2 ms in a second
 constexpr double kContradiction = 4.0;    // standard deviations
-constexpr int kBelieved = 20;             // so many contradictions in a row: the offset has jumped
+constexpr int kBelieved = 20;             // contradictions in a row that mean: the offset has jumped
 constexpr int kFewestPatches = 30;
 constexpr double kCertain = 2.0;  // standard deviations
 
 struct Measurement {
   double offset_s = 0.0, variance_s2 = 0.0;
-  Vector6d by_offset;  // how the pose goes with it
+  Vector6d by_offset;  // change of the pose with the offset
 };
 
-// Least squares for pose and offset together, all patches at the spread that the fit leaves.
+// Least squares for pose and offset together. All patches have the spread of the fit's residuals.
 std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity,
                                    const Vector6d& allowed) {
   Matrix6d h = Matrix6d::Zero();

@@ -7,11 +7,11 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kNearer = 0.88, kFarther = 1.15;  // of the start depth
+constexpr double kNearer = 0.88, kFarther = 1.15;  // relative to the start depth
 constexpr double kDisparityStep_px = 0.5;
 constexpr int kNodeStep_px = 3;
 constexpr float kStepPenalty = 0.025f,
-                kJumpPenalty = 0.30f;   // per depth step between neighbours, and at most
+                kJumpPenalty = 0.30f;   // per depth step between neighbours, and its maximum
 constexpr double kSmoothing_px = 14.0;  // radius of the quadrics fitted to the result
 
 // 1 - NCC of every node with every depth: costs[(row * columns + column) * depths + depth].
@@ -34,7 +34,7 @@ std::vector<float> inverseDepths(const cameras::StereoRig& rig, double start_dep
   return list;
 }
 
-// Right-image pixels of the left pixels of `box`, were the scene a plane at this depth. Smooth: made on every
+// Right-image pixels of the left pixels of `box` if the scene were a plane at this depth. Computed at every
 // eighth pixel and interpolated.
 cv::Mat2f planeMap(const cameras::StereoRig& rig, const cv::Rect& box, double inverse_depth) {
   constexpr int kStep = 8;
@@ -84,7 +84,7 @@ CostVolume makeCosts(const cameras::StereoRig& rig, const cameras::StereoFrame& 
     for (int y = 0; y < volume.rows; ++y)
       for (int x = 0; x < volume.columns; ++x) {
         const int u = x * kNodeStep_px, v = y * kNodeStep_px;
-        // Noise is added to the variances, so that flat skin has a shallow cost and follows its neighbours.
+        // Noise is added to the variances: flat skin then has a shallow cost and follows its neighbours.
         const float scale =
             std::sqrt((std::max(0.f, left_variance(v, u)) + 4.f) * (std::max(0.f, variance(v, u)) + 4.f));
         volume.at(volume.cost, x, y)[d] = 1.f - std::clamp(both(v, u) / scale, 0.f, 1.f);
@@ -93,7 +93,8 @@ CostVolume makeCosts(const cameras::StereoRig& rig, const cameras::StereoFrame& 
   return volume;
 }
 
-// from[d] plus the cheapest way to a neighbour's depth, truncated linear in the difference (two passes).
+// from[d] plus the cheapest transition to a neighbour's depth, truncated linear in the difference (two
+// passes).
 void pass(const float* from, std::vector<float>& way, int depths) {
   float least = from[0];
   for (int d = 0; d < depths; ++d) way[d] = from[d], least = std::min(least, from[d]);

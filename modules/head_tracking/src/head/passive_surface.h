@@ -1,7 +1,7 @@
 #pragma once
-// The face's depth without projected dots: plane-sweep NCC of the plain reference pair, made whole across
-// smooth skin by semi-global smoothing (Hirschmueller 2008), sub-pixel. Good to a millimetre or so, where
-// dense dots give 0.2 mm.
+// The face's depth without projected dots: plane-sweep NCC of the plain reference pair, completed over smooth
+// skin by semi-global smoothing (Hirschmueller 2008), sub-pixel. Error about a millimetre; dense dots give
+// 0.2 mm.
 
 #include "face_surface.h"
 #include "facenav/cameras/stereo_frame.h"

@@ -1,7 +1,7 @@
 #pragma once
-// PatchDoubt: whether a pose that the patches find may be shown. After another person's face, pictures of two
-// moments, or a return that looks different, it may not, until an answer of recovery (lost_face.h) clears the
-// face as the patient's, in step.
+// PatchDoubt: whether a pose found by the patches may be shown. After another person's face, after images out
+// of step, or after a return with a different appearance it may not, until recovery (lost_face.h) confirms
+// that the face is the patient's and the images are in step.
 
 #include <cmath>
 #include <optional>
@@ -19,12 +19,12 @@ class PatchDoubt {
   };
   static constexpr Fault kOtherFace = {LostReason::no_face, LossDetail::other_face};
   static constexpr Fault kOutOfStep = {LostReason::camera, LossDetail::out_of_step};
-  static constexpr Fault kReturn = {LostReason::no_face, LossDetail::doubtful};  // nothing speaks against it
+  static constexpr Fault kReturn = {LostReason::no_face, LossDetail::doubtful};  // no evidence against it
 
   void start(const Fault& fault, Timestamp now) { fault_ = fault, since_ = now; }
   void clear() { fault_.reset(), other_seen_.reset(); }
 
-  /// Without any answer a doubt ends after some seconds; the patches' own identity check remains.
+  /// Without an answer a doubt ends after some seconds; the patches' own identity check continues.
   std::optional<Fault> at(Timestamp now) {
     if (fault_ && std::abs(now - since_) > kLongest_s) fault_.reset();
     return fault_;

@@ -12,9 +12,10 @@ using patch::kSide;
 using MatrixS = Eigen::Matrix<float, kSamples, kSamples>;
 using VectorS = Eigen::Matrix<float, kSamples, 1>;
 
-constexpr double kSmooth_px = 6.0, kFine_px = 2.0;  // over which shading goes together
-constexpr double kFineShare = 0.04;                 // of its variance, at the finer scale
-// Variance of what bilinear sampling leaves, white, by the sensor's: keeps the blur's lost detail lost.
+constexpr double kSmooth_px = 6.0, kFine_px = 2.0;  // distance over which shading is correlated
+constexpr double kFineShare = 0.04;                 // fraction of its variance at the finer scale
+// White variance of the error of bilinear sampling, relative to the sensor's. Without it the filters would
+// amplify detail lost to blur.
 constexpr double kSampling = 0.03;
 
 Eigen::MatrixXd separable(const std::array<double, kSide>& along) {
@@ -32,7 +33,7 @@ std::array<double, kSide> smoothOver(double length_px) {
   return c;
 }
 
-// Base in which noise has unit variance and shading that of `shading`, all independent.
+// Basis in which noise has unit variance and shading the variance `shading`, all independent.
 struct Base {
   MatrixS vectors;
   VectorS shading;

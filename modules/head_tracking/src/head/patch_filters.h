@@ -1,11 +1,10 @@
 #pragma once
-// The weights with which the samples of a patch are summed into its displacement: generalised least squares
-// (Aitken 1935). Plain derivative images take every difference from the key frame for motion in proportion to
-// the slope of brightness there, also shading that stays behind with the lamps while the skin turns beneath
-// it (a highlight on dark or moist skin, the light on a dent). Here a difference may also be sensor noise, or
-// shading: smooth over the patch and stronger where the skin is curved. What is smooth then counts for
-// little, and the fine marks on the skin say how it moved. Made once for each key frame: tracking costs the
-// same.
+// The weights that turn the samples of a patch into its displacement: generalised least squares (Aitken
+// 1935). Plain derivative images explain every difference from the key frame by motion, also shading that
+// stays with the lamps while the skin turns (a highlight on dark or moist skin, the light on a dent). Here a
+// difference may also be sensor noise or shading: smooth over the patch, and stronger where the skin is
+// curved. Smooth differences then have little weight, and the fine marks on the skin determine the motion.
+// Computed once per key frame: tracking costs the same.
 
 #include <Eigen/Core>
 #include <array>
@@ -15,20 +14,21 @@
 
 namespace facenav::head_tracking {
 
-/// Filters of patch::kSamples values, orthogonal to 1 and to `grey` (so offset and gain drop out) and of the
-/// derivatives' length. `d_u`, `d_v`: derivatives of `grey` (mean taken off), per pixel of the level;
-/// `noise_grey`: of the sensor; `shading_grey`: of shading within the patch, standard deviations.
+/// Filters of patch::kSamples values, orthogonal to 1 and to `grey` (so offset and gain drop out), with the
+/// length of the derivatives. `d_u`, `d_v`: derivatives of `grey` (mean subtracted), per pixel of the level.
+/// `noise_grey`: standard deviation of the sensor's noise; `shading_grey`: of shading within the patch.
 std::array<std::vector<float>, 2> displacementFilters(const std::vector<float>& grey,
                                                       const std::vector<float>& d_u,
                                                       const std::vector<float>& d_v, int level,
                                                       double noise_grey, double shading_grey);
 
-/// Patterns of a patch of the finest level, one a row, in which the sensor's noise is independent and of unit
-/// variance, and light tells ever more: from grain that the blur has left to nothing but noise to the mean.
+/// Patterns of a patch of the finest level, one per row. The sensor's noise in them is independent with unit
+/// variance, and the share of light grows with the row: from fine grain, mostly noise after the blur, to the
+/// mean.
 const Eigen::Matrix<float, patch::kSamples, patch::kSamples, Eigen::RowMajor>& patternsByFineness();
 
-/// Autocorrelation of a level's blur along one axis, by lag in pixels of the level: of the sensor's noise in
-/// it, for unit variance before the blur.
+/// Autocorrelation of the sensor's noise in a level along one axis, by lag in pixels of the level; caused by
+/// the blur. Unit variance before the blur.
 std::array<double, patch::kSide> noiseCorrelation(int level);
 
 }  // namespace facenav::head_tracking

@@ -11,24 +11,23 @@ constexpr int kSide = 8, kSamples = kSide * kSide;  // a multiple of 8: whole SI
 
 struct Image {
   const std::uint16_t* pixels = nullptr;  // BlurredImage
-  int stride = 0;                         // pixels from row to row
+  int stride = 0;                         // in pixels
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// kSamples values a patch, one patch after the other.
+/// kSamples values per patch, one patch after the other.
 struct Samples {
   const float *x = nullptr, *y = nullptr, *z = nullptr;         // Head, mm
-  const float *grey = nullptr, *d_u = nullptr, *d_v = nullptr;  // what their products with the image sum to
+  const float *grey = nullptr, *d_u = nullptr, *d_v = nullptr;  // factors of the image in the sums
 };
 
-/// Where a patch lies in the image: pixel = d (x/z, y/z) + offset, the camera's model made linear there.
+/// Position of a patch in the image: pixel = d (x/z, y/z) + offset, the camera's model linearised there.
 struct Placement {
   std::int32_t patch = 0;
   float d[4] = {0, 0, 0, 0}, offset[2] = {0, 0};
 };
 
-/// Sums over the samples, image values in grey levels. `is_inside` is 0 where a sample falls out of the
-/// image.
+/// Sums over the samples, image values in grey levels. `is_inside` is 0 when a sample lies outside the image.
 struct Sums {
   float i = 0, ii = 0, ti = 0, ui = 0, vi = 0;
   std::int32_t is_inside = 0;

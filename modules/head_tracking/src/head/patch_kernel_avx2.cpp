@@ -21,7 +21,7 @@ inline __m256 row(const float m[12], int r, __m256 x, __m256 y, __m256 z) {
   return _mm256_fmadd_ps(_mm256_set1_ps(m[3 * r + 2]), z, s);
 }
 
-// Of pairs of pixels: the first plus `f` times the difference.
+// Interpolates pairs of pixels: the first plus `f` times the difference.
 inline __m256 between(__m256i pairs, __m256 f) {
   const __m256 first = _mm256_cvtepi32_ps(_mm256_and_si256(pairs, _mm256_set1_epi32(0xffff)));
   const __m256 second = _mm256_cvtepi32_ps(_mm256_srli_epi32(pairs, 16));

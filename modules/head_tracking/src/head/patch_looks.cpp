@@ -12,18 +12,17 @@ namespace {
 using patch::kSamples;
 using patch::kSide;
 
-constexpr double kSamplingError_px = 0.05;  // what sampling and each view's own shading leave in a patch
+constexpr double kSamplingError_px = 0.05;  // error from sampling and from each view's own shading
 constexpr double kUsualShading = 0.1;       // change of light that the filters are made for
-constexpr double kWorstSigma_px =
-    0.5;  // patches that tell less than this along their best direction are left out
+constexpr double kWorstSigma_px = 0.5;  // patches with a larger error in their best direction are left out
 constexpr double kShadingSmooth_px = 2.0;
-constexpr double kLeastDepthError_mm = 0.2;  // of the smoothed cloud, where the skin is smooth and faces us
-constexpr double kSurfaceReach_px = 5.5;     // beyond the patch, of the surface fitted under it
-constexpr double kSpreadPerRoughness = 0.2;  // rad of a normal by mm of roughness, over half a patch
+constexpr double kLeastDepthError_mm = 0.2;  // of the smoothed cloud on smooth, frontal skin
+constexpr double kSurfaceReach_px = 5.5;     // margin round the patch for the surface fitted under it
+constexpr double kSpreadPerRoughness = 0.2;  // rad of a normal per mm of roughness, over half a patch
 constexpr double kLeastFacing = 0.30;        // cosine of view against normal
 
-// Grey and its derivatives along x and y (differences over two pixels) by Catmull-Rom's bicubic kernel; all
-// three share the same six rows of sums.
+// Grey value and its derivatives along x and y (differences over two pixels) by Catmull-Rom's bicubic kernel.
+// All three share the same six row sums.
 struct Sample {
   float grey = 0.f, d_u = 0.f, d_v = 0.f;
 };
@@ -77,7 +76,7 @@ double removeMean(std::vector<float>& values) {
   return mean;
 }
 
-// What light that changes across a patch adds to it, to first order: it brightens one side.
+// First-order effect of light that changes across a patch: one side gets brighter.
 std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
   std::array<std::vector<float>, 2> ramps;
   for (int i = 0; i < kSamples; ++i) {
@@ -89,7 +88,7 @@ std::array<std::vector<float>, 2> shadingRamps(const std::vector<float>& grey) {
 
 using Square = Eigen::Matrix<float, kSide, kSide, Eigen::RowMajor>;
 
-// The patch's errors of unit variance, correlated along either axis by lag as given, as that axis' matrix.
+// Correlation matrix along one axis of errors with unit variance; `by_lag`: correlation at each lag.
 Square correlation(const std::array<double, kSide>& by_lag) {
   Square c;
   for (int i = 0; i < kSide; ++i)
@@ -111,7 +110,7 @@ const Square& noiseCorrelationAt(int level) {
   return level == 0 ? finest : halved;
 }
 
-// C * pattern, C: of the whole patch.
+// C * pattern, where C is the correlation over the whole patch.
 std::vector<float> correlated(const std::vector<float>& pattern, const Square& c) {
   std::vector<float> result(kSamples);
   Eigen::Map<Square>(result.data()) =
@@ -119,7 +118,7 @@ std::vector<float> correlated(const std::vector<float>& pattern, const Square& c
   return result;
 }
 
-// What the filters in `looked` make of noise, shading and light; `whole`: the derivatives themselves.
+// Response of the filters in `looked` to noise, shading and light; `whole`: the derivatives themselves.
 void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
            const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
   const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
@@ -134,10 +133,10 @@ void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
       looked.view.ramp(a, b) = dot(*d[a], ramps[b]);
     }
   }
-  // Damped by what the noise alone would give: flat skin then moves nowhere instead of anywhere.
+  // Damped, so that flat skin shows no motion instead of a random one.
   const double least = 1e-3 * structure.trace() + 1e-6;
   const Eigen::Matrix2d inverse = (structure + least * Eigen::Matrix2d::Identity()).inverse();
-  const double variance = 2.0 * noise_grey * noise_grey;  // the key frame's noise, and the current one's
+  const double variance = 2.0 * noise_grey * noise_grey;  // noise of the key frame and of the current one
   looked.view.structure_inverse = inverse;
   looked.view.covariance = variance * inverse * noise * inverse.transpose() +
                            kSamplingError_px * kSamplingError_px * Eigen::Matrix2d::Identity();
@@ -145,7 +144,7 @@ void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
   looked.view.is_usable = looked.view.covariance.inverse().trace() > 1.0 / (kWorstSigma_px * kWorstSigma_px);
 }
 
-// Mean angle of the normals near the patch's corners from that at its centre.
+// Mean angle between the normals near the patch's corners and the one at its centre.
 double normalSpread(const PatchPoints& points) {
   double sum = 0;
   for (int v : {1, kSide - 2})
@@ -211,7 +210,7 @@ PatchLooks look(const cameras::CameraModel& camera, const Eigen::Isometry3d& cam
   const std::array<std::vector<float>, 2> whole = {looked.d_u, looked.d_v};
   const double shading_grey = shadingSigma(kUsualShading, points.normal_spread_rad) * looked.view.mean;
   auto filters = displacementFilters(looked.grey, looked.d_u, looked.d_v, level, std::sqrt(2.0) * noise_grey,
-                                     shading_grey);  // noise of the key frame, and of the current one
+                                     shading_grey);  // noise of the key frame and of the current one
   looked.d_u = std::move(filters[0]), looked.d_v = std::move(filters[1]);
   weigh(looked, whole, whole_ramps, level, noise_grey);
   return looked;

@@ -1,6 +1,6 @@
 #pragma once
-// How one camera sees one patch in the key frame: template, derivative images and what they are worth, given
-// the sensor's noise.
+// The appearance of one patch in one camera of the key frame: template, filters in place of derivative
+// images, and their errors for the sensor's noise.
 
 #include <array>
 #include <opencv2/core.hpp>
@@ -13,12 +13,12 @@
 
 namespace facenav::head_tracking {
 
-/// Points of a patch on the skin, row by row, at pixels of the left key image one level pixel apart.
+/// Points of a patch on the skin, row by row, one level pixel apart in the left key image.
 struct PatchPoints {
   std::vector<Eigen::Vector3d> points_mm;  // Head
   Eigen::Vector3d centre_mm, normal;       // normal: towards the camera
   Eigen::Vector3d right_mm, down_mm;       // along the skin, per pixel of the level
-  double depth_sigma_mm = 0.0;             // of the patch's depth: what its surface leaves unexplained
+  double depth_sigma_mm = 0.0;             // of the patch's depth: what its surface does not explain
   double normal_spread_rad = 0.0;          // of the skin's normals within the patch
 };
 
@@ -27,13 +27,13 @@ struct PatchLooks {
   std::vector<float> grey, d_u, d_v;
 };
 
-/// Nothing where the surface is not known all over the patch. `centre_px`: pixels of the level.
+/// Nothing when the surface is not known over the whole patch. `centre_px`: pixels of the level.
 std::optional<PatchPoints> pointsOf(const cameras::StereoRig& rig, const FaceSurface& surface,
                                     const Eigen::Vector2d& centre_px, int level);
 
-/// `image`: the level, or the part of it that matters; `noise_grey`: of the sensor. Not usable where the
-/// patch leaves the image, is seen at a grazing angle, or tells less than half a pixel. `camera_T_head` at
-/// the key frame.
+/// `image`: the level, or the needed part of it; `noise_grey`: of the sensor; `camera_T_head`: at the key
+/// frame. Not usable when the patch leaves the image, is seen at a grazing angle, or has too large an error
+/// of displacement.
 PatchLooks look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
                 const BlurredImage& image, const PatchPoints& points, int level, double noise_grey);
 
@@ -45,9 +45,9 @@ void addJacobian(const cameras::CameraModel& camera, const Eigen::Isometry3d& ca
 
 /// Standard deviation of the sensor's noise in an 8-bit image (Immerkaer 1996, in the flattest blocks).
 double noiseOf(const cv::Mat& grey);
-/// The same in the level before its last blur; what look() takes.
+/// The same in the level before its last blur: input of look().
 double noiseBeforeBlur(double noise_grey, int level);
-/// Variance of a blurred image's noise over that of the sensor, at one pixel of the level.
+/// Variance of the noise in a blurred image, relative to the sensor's, at one pixel of the level.
 double noiseShare(int level);
 
 }  // namespace facenav::head_tracking

@@ -18,10 +18,11 @@ struct LevelPlan {
   std::size_t most;  // patches
 };
 constexpr LevelPlan kPlan[kLevels] = {{8, 240}, {7, 110}, {5, 60}, {4, 30}};
-constexpr int kRegionColumns = 5, kRegionRows = 6;  // parts of the face whose errors are taken as one
+constexpr int kRegionColumns = 5, kRegionRows = 6;  // parts of the face whose errors are treated as one
 constexpr double kUsualTurn_rad = 0.25;             // of the head, for the choice of patches
-constexpr double kFlatShading = 0.02;    // what light leaves in a patch of flat skin, over its own change
-constexpr double kLightReach_px = 34.0;  // over which light changes evenly
+constexpr double kFlatShading =
+    0.02;  // shading left in a patch of flat skin, relative to the change of light
+constexpr double kLightReach_px = 34.0;  // distance over which light changes evenly
 constexpr std::size_t kMostNeighbours = 20, kLeastNeighbours = 6;
 
 struct Candidate {
@@ -31,7 +32,7 @@ struct Candidate {
   std::array<PatchLooks, 2> looked;
 };
 
-// Candidate centres (pixels of the level, between four of them): the place of most texture in each cell.
+// Candidate centres (pixels of the level, between four of them): the place with most texture in each cell.
 std::vector<Eigen::Vector2d> centres(const cv::Mat1f& image, const FaceRegion& region, int cell_px,
                                      int level) {
   cv::Mat1f dx, dy, energy;
@@ -86,7 +87,7 @@ Patch patchOf(const Candidate& candidate) {
   return patch;
 }
 
-// What the patch tells after a turn as it is usual: the errors in depth and shading show by then.
+// Information of the patch after a usual turn of the head, when errors of depth and shading have an effect.
 std::vector<PatchTelling> usuallyTold(const Patch& patch) {
   PatchChange usual;
   for (int c = 0; c < 2; ++c) {
@@ -105,7 +106,7 @@ std::vector<PatchTelling> usuallyTold(const Patch& patch) {
   return told;
 }
 
-// Square root of what a patch adds to the information, four rows of it.
+// Square root of a patch's information, four rows.
 Eigen::Matrix<double, 4, 6> rootOfInformation(const Patch& patch) {
   Eigen::Matrix<double, 4, 6> root = Eigen::Matrix<double, 4, 6>::Zero();
   int row = 0;
@@ -118,8 +119,8 @@ Eigen::Matrix<double, 4, 6> rootOfInformation(const Patch& patch) {
   return root;
 }
 
-// D-optimal design, greedy: the patches that tell most about the pose beside those taken already, by what
-// each would add to log det of the information.
+// Greedy D-optimal design: the patches that add most to the information about the pose beside those already
+// chosen, by the gain in its log det.
 std::vector<std::size_t> mostTelling(const std::vector<Candidate>& all, std::size_t most) {
   Matrix6d information = Matrix6d::Identity() * 1e-3;
   std::vector<Eigen::Matrix<double, 4, 6>> roots;
@@ -131,7 +132,7 @@ std::vector<std::size_t> mostTelling(const std::vector<Candidate>& all, std::siz
     const Matrix6d covariance = information.inverse();
     std::size_t best = all.size();
     for (std::size_t i = 0; i < all.size(); ++i) {
-      // Gains only fall as patches are added (submodular): one below the best so far need not be made anew.
+      // Gains only decrease as patches are added (submodular): skip patches whose old gain is below the best.
       if (is_taken[i] || (best < all.size() && gain[i] <= gain[best])) continue;
       const Eigen::Matrix4d more = Eigen::Matrix4d::Identity() + roots[i] * covariance * roots[i].transpose();
       gain[i] = more.determinant();

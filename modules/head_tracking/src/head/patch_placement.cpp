@@ -7,7 +7,7 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kLeastFacing = 0.25;
-constexpr double kLeastArea = 0.2;  // of a patch now, over its area in the key frame
+constexpr double kLeastArea = 0.2;  // of a patch now, relative to its area in the key frame
 
 }  // namespace
 

@@ -1,31 +1,30 @@
 #pragma once
-// Where the patches lie in an image at a pose: what the patch kernel (patch_kernel.h) needs of pose and
-// camera.
+// Where the patches lie in an image at a pose: input of the patch kernel (patch_kernel.h).
 
 #include "patch_model.h"
 
 namespace facenav::head_tracking {
 
-/// All patches of a level that a camera can see at a pose, placed by its model made linear at their centres.
+/// The patches of a level that a camera can see at a pose, its model linearised at their centres.
 struct Placed {
   std::vector<patch::Placement> placements;
   std::vector<Eigen::Vector2d> centres_px;    // full resolution
-  std::vector<Eigen::Matrix2d> key_from_now;  // of small displacements, pixels of the level
+  std::vector<Eigen::Matrix2d> key_from_now;  // for small displacements, pixels of the level
 };
 
-/// A rigid motion as the kernel takes it: rotation, row by row, then translation (mm).
+/// A rigid motion in the kernel's form: rotation, row by row, then translation (mm).
 std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose);
 
-/// Some of a level's patches: every such one, from the first on.
+/// A subset of a level's patches: each `every`-th, starting with `first`.
 struct PatchShare {
   std::size_t every = 1, first = 0;
 };
 
-/// `index`: 0 left, 1 right; patches that face away or are foreshortened too far are left out.
+/// `index`: 0 left, 1 right. Patches that face away or are too foreshortened are left out.
 Placed place(const PatchLevel& level, const cameras::CameraModel& camera, int index,
              const Eigen::Isometry3d& camera_T_head, const PatchShare& share = {});
 
-/// The boxes of both images in which the patches lie at a pose, grown by `margin_px`.
+/// Boxes of both images that contain the patches at a pose, grown by `margin_px`.
 std::array<cv::Rect, 2> boxesAt(const cameras::StereoRig& rig, const PatchModel& model,
                                 const Eigen::Isometry3d& motion, int margin_px);
 

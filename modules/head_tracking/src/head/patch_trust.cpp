@@ -6,10 +6,10 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kMemory_s = 0.7;     // over which a patch shows whether it moves by itself
-constexpr double kExpected = 4.0;     // square distance that noise explains
-constexpr double kMostAtOnce = 50.0;  // one bad frame says no more
-constexpr double kLongest_s = 0.1;    // between two frames, as it counts
+constexpr double kMemory_s = 0.7;     // time constant to notice that a patch moves by itself
+constexpr double kExpected = 4.0;     // squared distance that noise explains
+constexpr double kMostAtOnce = 50.0;  // limit for one bad frame
+constexpr double kLongest_s = 0.1;    // longest time between two frames that counts
 
 }  // namespace
 

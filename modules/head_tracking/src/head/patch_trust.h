@@ -1,5 +1,5 @@
 #pragma once
-// PatchTrust: skin that keeps wandering about the rigid fit (lips, jaw, lids) loses weight.
+// PatchTrust: skin that keeps moving relative to the rigid fit (lips, jaw, lids) loses weight.
 
 #include <vector>
 
@@ -12,14 +12,14 @@ class PatchTrust {
   PatchTrust() = default;
   explicit PatchTrust(std::size_t patches) : wander_(patches, 0.0) {}
 
-  /// A weight in (0, 1] for each patch of the finest level.
+  /// Weight in (0, 1] of each patch of the finest level.
   std::vector<float> weights() const;
-  /// A tracked frame, `since_s` after the one before.
+  /// Adds a tracked frame, `since_s` after the one before.
   void learn(const PoseFit& fit, double since_s);
   void forget() { wander_.assign(wander_.size(), 0.0); }
 
  private:
-  std::vector<double> wander_;  // mean square distance beyond the expected
+  std::vector<double> wander_;  // mean squared distance beyond the expected
 };
 
 }  // namespace facenav::head_tracking

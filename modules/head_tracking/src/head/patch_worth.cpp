@@ -7,10 +7,10 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kCommonError_px =
-    0.15;                           // what shape and light leave in both images alike, pixels of the level
-constexpr double kLeastArea = 0.2;  // of the patch in one key image, by that in the left
+    0.15;                           // errors of shape and light common to both images, pixels of the level
+constexpr double kLeastArea = 0.2;  // of the patch in one key image, relative to that in the left
 
-// Of the patch's displacement in camera c, by that along the skin in pixels of the left key image.
+// Displacement of the patch in camera c per displacement along the skin, in pixels of the left key image.
 Eigen::Matrix2d alongSkin(const Patch& patch, int c) {
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << patch.right_mm, patch.down_mm;
@@ -28,7 +28,7 @@ Eigen::Matrix2d commonError(const Patch& patch, int c, const PatchChange& change
          shading * shading * patch.view[std::size_t(c)].shading;
 }
 
-// The error of a patch's depth shows as the view turns away from the key frame's.
+// An error of a patch's depth has an effect when the view turns away from the key frame's.
 Eigen::Vector2d shownDepth_px(const Patch& patch, int c, const PatchChange& change) {
   const PatchView& view = patch.view[std::size_t(c)];
   return patch.depth_sigma_mm * view.jacobian.rightCols<3>() * (view.ray - change.ray[std::size_t(c)]);
@@ -66,7 +66,7 @@ std::array<PatchTelling, 2> toldByBoth(const Patch& patch, const PatchChange& ch
     jacobian[at] = skin_from[at] * patch.view[at].jacobian;
     depth_px[at] = skin_from[at] * shownDepth_px(patch, c, change);
   }
-  // The mean weighted by what each camera's own errors leave: so it goes apart from the difference.
+  // The mean is weighted by each camera's own errors, so that it is independent of the difference.
   const Eigen::Matrix2d sum_inverse = (own[0] + own[1]).inverse();
   const Eigen::Matrix2d share[2] = {own[1] * sum_inverse, own[0] * sum_inverse};
   std::array<PatchTelling, 2> told;

@@ -13,24 +13,24 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (Huber 1981)
-constexpr float kLongestStep_px = 2.5f;  // displacement beyond which a patch's linearisation means nothing
-constexpr double kUnsettled_px = 0.1;    // in the last step: the fit has not arrived
-// Steps on the finest level after which a fit without so much of a face is given up, or with more of it that
-// is not arriving. What is alike hardly changes over the steps; the patient's face, three tenths of it
-// covered, showed 0.7 at least in its first step, and arrived within 0.1 px in two; others' 0.1 to 0.74, and
-// took eight steps or more.
+constexpr float kLongestStep_px = 2.5f;  // at a larger displacement a patch's linearisation is invalid
+constexpr double kUnsettled_px = 0.1;    // motion in the last step above which the fit has not converged
+// Steps on the finest level after which a fit is stopped: with too small a likeness, or with more but not
+// converging. The likeness hardly changes over the steps. The patient's face, three tenths of it occluded,
+// had at least 0.7 in its first step and converged to 0.1 px in two. Other faces had 0.1 to 0.74 and took
+// eight steps or more.
 constexpr int kHopelessAfter = 1, kAstrayAfter = 3;
 constexpr double kHopeless = 0.2, kHopelessMoving = 0.5, kHopelessMoving_px = 0.2;
 constexpr double kAstray = 0.8;
-constexpr double kPlacedFor_px = 2.0;  // of motion: the cameras' models made linear at a patch hold
+constexpr double kPlacedFor_px = 2.0;  // motion over which the cameras' linearisation at a patch is valid
 constexpr float kLeastScale = 0.5f;
-// Factor on the errors common to both cameras: patches side by side share them (one light, one shape).
+// Factor on errors common to both cameras: neighbouring patches have them in common (one light, one shape).
 constexpr float kSharedError = 1.6f;
-constexpr float kPairLooks = 0.4f;                  // both cameras see the patch about equally well
-constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // of the finest: as the caller says
+constexpr float kPairLooks = 0.4f;                  // above it both cameras see the patch about equally well
+constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // finest level: set by the caller
 constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
-// Of one level in both images, at poses near the one it was made for.
+// The fit of one level in both images, near the pose it was made for.
 class LevelFit {
  public:
   LevelFit(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
@@ -60,7 +60,7 @@ class LevelFit {
 
   double likeness() const { return seen_.likeness(); }
 
-  // The increment xi (Head, about the model's centre) that explains the displacements.
+  // Solves for the increment xi (Head, about the model's centre) that explains the displacements.
   Vector6d solve(int rounds, bool is_first) {
     collect();
     Vector6d xi = Vector6d::Zero();
@@ -77,7 +77,7 @@ class LevelFit {
     seen_.markCentres(fit.motion);
     PatchSights& all = seen_.sights();
     fit.scale = std::max(scale_[0], scale_[1]);
-    for (float& scale : scale_) scale = std::max(1.f, scale);  // no surer than the errors that are known of
+    for (float& scale : scale_) scale = std::max(1.f, scale);  // no smaller than the known errors
     fit.information = information();
     const Eigen::Matrix<float, 6, 1> step = last_step.cast<float>();
     std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
@@ -107,7 +107,7 @@ class LevelFit {
     fit.sights = std::move(all);
   }
 
-  // How far the step moves the patches, pixels of the level.
+  // Largest motion of a patch by the step, pixels of the level.
   double motion_px(const Vector6d& xi) const {
     double most = 0;
     for (const auto& patch : level_.patches)
@@ -135,7 +135,8 @@ class LevelFit {
     }
   };
 
-  // What each patch can tell at this pose, from both cameras together where both look as they should.
+  // The observations of each patch at this pose; of both cameras together when the patch looks as expected in
+  // both.
   void assess(const Eigen::Isometry3d& motion) {
     const Eigen::Isometry3d left_T_right = rig_.right_T_left.isometry().inverse();
     const Eigen::Vector3d eyes_mm[2] = {motion.inverse().translation(),
@@ -183,21 +184,21 @@ class LevelFit {
     int patch = 0;
     Told told = Told::mean;
     int worth = 0;
-    float prior = 0.f;  // trust before geometry
+    float prior = 0.f;  // weight before geometry
     Eigen::Vector2f displacement = Eigen::Vector2f::Zero(), e = Eigen::Vector2f::Zero();
     float weight = 0.f, distance = 0.f;
-    /// Errors of differences and of all else are scaled apart.
+    /// Errors of differences and of all others have separate scales.
     int kind() const { return told == Told::difference ? 1 : 0; }
   };
 
-  // Trust before geometry: looks as expected, and a displacement within reach.
+  // Weight before geometry: the patch looks as expected and its displacement is within reach.
   static float looksWeight(const PatchSight& sight) {
     if (!sight.is_visible || sight.expected_ncc <= 0.05f) return 0.f;
     const float likeness = std::clamp((sight.ncc / sight.expected_ncc - 0.3f) / 0.5f, 0.f, 1.f);
     return sight.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness : 0.1f * likeness;
   }
 
-  // The displacements as they are now; a row whose patch no longer looks as it should has no say.
+  // Updates the displacements. A row gets weight 0 when its patch no longer looks as expected.
   void collect() {
     for (auto& row : rows_) {
       const auto& sights = seen_.sights()[row.patch];
@@ -234,7 +235,7 @@ class LevelFit {
       if (list.empty()) continue;
       const auto middle = list.begin() + std::ptrdiff_t(list.size() / 2);
       std::nth_element(list.begin(), middle, list.end());
-      scale_[kind] = std::max(kLeastScale, *middle / 1.177f);  // of a 2-D normal error's length
+      scale_[kind] = std::max(kLeastScale, *middle / 1.177f);  // median length of a 2-D normal error
     }
     for (auto& row : rows_) {
       const float reach = kBiweight * scale_[row.kind()];
@@ -243,7 +244,7 @@ class LevelFit {
     }
   }
 
-  // Of a row in the fit: its robust weight and trust, and the scale of its kind's errors.
+  // Total weight of a row in the fit: robust weight, prior weight, and scale of its kind's errors.
   float sayOf(const Row& row) const {
     const float scale = scale_[row.kind()] * (row.kind() == 0 ? kSharedError : 1.f);
     return row.weight * row.prior / (scale * scale);

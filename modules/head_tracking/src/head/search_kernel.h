@@ -7,17 +7,17 @@
 
 namespace facenav::head_tracking::search {
 
-constexpr int kLanes = 8;    // results that are made at once
-constexpr int kWindow = 11;  // pixels along each axis, over which light is evened
+constexpr int kLanes = 8;    // results computed at once
+constexpr int kWindow = 11;  // pixels along each axis over which light is evened
 constexpr int kRim = kWindow / 2;
 
-/// Each pixel's deviation from the mean of the window about it, by the window's standard deviation and the
-/// least contrast that counts, in quadrature. `from`: BlurredImage with a rim of kRim pixels, pixel (0, 0)
-/// the rim's corner; `scratch`: 6 * (columns + kWindow + kLanes) values.
+/// Each pixel's deviation from the mean of the window about it, divided by the root sum of squares of the
+/// window's standard deviation and the least contrast. `from`: BlurredImage with a rim of kRim pixels, pixel
+/// (0, 0) is the rim's corner; `scratch`: 6 * (columns + kWindow + kLanes) values.
 struct Evening {
   const std::uint16_t* from = nullptr;
   int from_stride = 0, columns = 0, rows = 0;  // of the result
-  float least_contrast = 0.f, per_mean = 0.f;  // grey levels; of the mean grey
+  float least_contrast = 0.f, per_mean = 0.f;  // grey levels; and per mean grey
   std::int32_t* scratch = nullptr;
   float* to = nullptr;
   int to_stride = 0;
@@ -31,7 +31,7 @@ struct Correlation {
   float* sums = nullptr;                             // rows x columns
 };
 
-/// The greys of one placed patch, bilinear. `count`: a multiple of kLanes.
+/// The grey values of one placed patch, bilinear. `count`: a multiple of kLanes.
 struct Sampling {
   const std::uint16_t* pixels = nullptr;  // BlurredImage
   int stride = 0, left = 0, top = 0, width = 0, height = 0;
@@ -51,7 +51,7 @@ struct Expansion {
   float* to = nullptr;  // count x kPatterns
 };
 
-/// The points of a template as one camera looks for them, kLanes side by side: blocks of kFields x kLanes.
+/// The points of a template for one camera, kLanes side by side: blocks of kFields x kLanes.
 struct TemplateField {
   enum : int { x, y, z, normal_x, normal_y, normal_z, value, weight, d00, d01, d10, d11, u0, v0, count };
 };
@@ -62,11 +62,12 @@ struct TemplateLook {
   const float* image = nullptr;
   int stride = 0, width = 0, height = 0;
   float camera_T_head[12] = {0};  // rotation, row by row, then translation
-  float centre[3] = {0};          // that increments turn about, Head
+  float centre[3] = {0};          // centre of rotation of the increments, Head
   float least_facing = 0.f, reach = 1.f;
 };
 
-/// Weighted sums over the points: J'J (upper triangle, row by row), J'e, and of the greys seen and expected.
+/// Weighted sums over the points: J'J (upper triangle, row by row), J'e, and of the measured and expected
+/// grey values.
 struct TemplateSums {
   float normal[21] = {0}, pull[6] = {0};
   float product = 0.f, now_squares = 0.f, then_squares = 0.f, seen = 0.f;
@@ -75,14 +76,14 @@ struct TemplateSums {
 struct Kernel {
   void (*even)(const Evening&);
   void (*correlate)(const Correlation&);
-  bool (*sample)(const Sampling&);  // false where a sample lies outside
+  bool (*sample)(const Sampling&);  // false when a sample lies outside
   void (*expand)(const Expansion&);
   TemplateSums (*sum)(const TemplateLook&);
 };
 
 const Kernel& baseKernel();
 const Kernel& avx2Kernel();
-/// The fastest that this processor runs.
+/// The fastest kernel that this processor supports.
 const Kernel& kernel();
 
 }  // namespace facenav::head_tracking::search

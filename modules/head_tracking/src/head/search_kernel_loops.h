@@ -1,5 +1,5 @@
-// The loops of search_kernel.h, for a translation unit of each instruction set to include: plain, so that the
-// compiler lays kLanes results side by side.
+// The loops of search_kernel.h, included by one translation unit per instruction set. They are simple, so
+// that the compiler vectorises them over kLanes results.
 
 #include "search_kernel.h"
 
@@ -15,7 +15,7 @@ inline Lanes eightOf(const float* values) {
   return lanes;
 }
 
-// Window sums of one row from the columns' sums: 2, 4, 8, then 8 + 2 + 1 values together.
+// Window sums of one row from the column sums: 2, 4, 8, then 8 + 2 + 1 values together.
 void sumAlong(const std::int32_t* __restrict columns, std::int32_t* __restrict two,
               std::int32_t* __restrict four, std::int32_t* __restrict sums, int count) {
   for (int x = 0; x < count + 9; ++x) two[x] = columns[x] + columns[x + 1];
@@ -35,7 +35,7 @@ void evenRow(const std::uint16_t* __restrict grey, const std::int32_t* __restric
   }
 }
 
-// Squares of sixteenths of a grey level: 121 of them fit 31 bits.
+// Squares in sixteenths of a grey level: 121 of them fit into 31 bits.
 inline std::int32_t square(std::uint16_t grey) {
   const std::int32_t sixteenth = grey >> 4;
   return sixteenth * sixteenth;
@@ -147,12 +147,12 @@ inline void invertRoot(Lanes& lanes) {
   for (int k = 0; k < kLanes; ++k) lanes[k] = 1.f / __builtin_sqrtf(lanes[k]);
 }
 
-/// One block of points as the image shows it.
+/// One block of points in the image.
 struct Block {
-  Lanes j[6], e, weight, now;  // those that see nothing with weight 0
+  Lanes j[6], e, weight, now;  // weight 0: outside the image
 };
 
-// The four pixels about each place.
+// The four pixels round each place.
 inline void fetch(const TemplateLook& look, const Places& iu, const Places& iv, Lanes pixels[4]) {
   float fetched[4][kLanes];
   for (int k = 0; k < kLanes; ++k) {

@@ -13,13 +13,14 @@ namespace {
 
 using patch::kSamples;
 
-constexpr int kFirst = 20, kBand = 34;  // patterns of the detail; what is smoother is light's, and all faces'
-// Variance of the sensor's noise in these, by that before the blur: sampled bicubically in the key frame,
-// bilinearly now, mean over all places between pixels (the patterns' own unit counts sampling as noise, too).
+constexpr int kFirst = 20,
+              kBand = 34;  // patterns of the detail; smoother ones show light and what all faces share
+// Variance of the sensor's noise in these patterns, relative to that before the blur: bicubic sampling in the
+// key frame, bilinear now, mean over all sub-pixel places (the patterns' own unit includes sampling errors).
 constexpr float kNoiseThen = 0.29f, kNoiseNow = 0.22f;
 
 using Patches = Eigen::Matrix<float, kSamples, Eigen::Dynamic>;
-// One column a patch; below the kBand patterns that count, rows of nothing.
+// One column per patch. Below the kBand patterns that count, the rows are zero.
 using Coefficients = Eigen::Matrix<float, search::Expansion::kPatterns, Eigen::Dynamic>;
 static_assert(kBand <= search::Expansion::kPatterns);
 
@@ -43,7 +44,7 @@ Coefficients coefficientsOf(const Patches& patches, Eigen::Index count) {
   return coefficients;
 }
 
-// At a placed patch's samples; false where one lies outside.
+// Grey values at a placed patch's samples; false when one lies outside.
 bool sample(const BlurredImage& image, const PatchLevel& level, const std::array<float, 12>& pose,
             const patch::Placement& at, float* grey) {
   const std::size_t first = std::size_t(at.patch) * kSamples;

@@ -1,12 +1,12 @@
 #pragma once
-// Whether it is the patient's skin that a fitted pose lies on. Faces resemble each other in all that is
-// coarse: eyes, brows and mouth of another person, laid over the patient's, pass for them patch by patch.
-// The fine detail (pores, freckles, single hairs: some 2 to 5 pixels) is each person's own. So the patches
-// are compared in that band alone, and all of them that do not plainly show something else are pooled: the
-// agreement is 1 where all detail that stands out of the noise is the patient's (noise lowers what is
-// expected, not the agreement), and near 0 where it is not. Only edges that all faces share, and that the fit
-// has laid over each other, keep it from 0. Measured in the virtual room, heads turned by up to 30 deg, at
-// every pose that was fitted, in parts of what both cameras agree on in the reference (least, median, most):
+// Identity check: is the skin at a fitted pose the patient's? Faces resemble each other in everything coarse:
+// eyes, brows and mouth of another person, aligned with the patient's, match patch by patch. The fine detail
+// (pores, freckles, single hairs: some 2 to 5 pixels) is individual. So the patches are compared in that band
+// only, and all that do not clearly show something else are pooled. The agreement is 1 when all detail above
+// the noise is the patient's (noise lowers the expected correlation, not the agreement), and near 0
+// otherwise. Only edges that all faces share, and that the fit has aligned, keep it above 0. Measured in the
+// virtual room, heads turned by up to 30 deg, at every fitted pose, relative to the agreement of both cameras
+// in the reference (least, median, most):
 //
 // | heads                                           | the patient        | others               |
 // |-------------------------------------------------|--------------------|----------------------|
@@ -23,24 +23,24 @@ namespace facenav::head_tracking {
 
 /// Sums over patches and cameras.
 struct DetailAgreement {
-  double product = 0.0;   // of the correlations seen and expected
-  double expected = 0.0;  // of the squares of those expected, by noise alone
+  double product = 0.0;   // of the measured times the expected correlations
+  double expected = 0.0;  // of the squared expected correlations, by noise alone
 
   double value() const;
-  double sigma() const;  // by noise and chance
+  double sigma() const;  // from noise and chance
 };
 
-/// Of the face where `fit` lies, against the key frame that it was fitted with. `now`: level 0 at least;
-/// `share`: of the patches (a part of them is enough while tracking).
+/// Agreement of the face at `fit` with the key frame of that fit. `now`: with level 0 at least; `share`:
+/// subset of the patches (a part is enough while tracking).
 DetailAgreement detailAgreement(const cameras::StereoRig& rig, const PatchModel& model,
                                 const PatchLevel& finest, const std::array<ImagePyramid, 2>& now,
                                 const PoseFit& fit, const PatchShare& share = {});
 
-/// Of the left and the right reference image, which show the same skin: what these cameras and this skin
-/// allow.
+/// Agreement of the left and the right reference image, which show the same skin: the best that these cameras
+/// and this skin allow.
 DetailAgreement detailOfBothCameras(const PatchModel& model);
 
-/// What the two mean, with three standard errors on either side; undecided in between (dark, blurred, far).
+/// The verdict, with three standard errors on either side; undecided in between (dark, blurred, far).
 enum class Whose { patients, undecided, anothers };
 Whose whoseSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras);
 

@@ -8,13 +8,13 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr int kLeastGood = 15;            // patches in each camera
-constexpr double kLeastGoodShare = 0.25;  // of the telling patches in view
-constexpr double kWidestRatio = 3.5;      // between the cameras' shares
-// A pose more than 3 mm or 2 degrees off is wrong: a predicted standard error of a fifth of that may be
-// shown.
+constexpr double kLeastGoodShare = 0.25;  // of the patches in view with enough contrast
+constexpr double kWidestRatio = 3.5;      // between the two cameras' shares
+// A pose is wrong when it is off by more than 3 mm or 2 degrees. A predicted standard error up to a fifth of
+// that may be shown.
 constexpr double kWorstSigma_mm = 0.6;
 constexpr double kWorstSigma_rad = 0.4 * M_PI / 180;
-constexpr double kMomentDoubt = 5.0 / 3.0;  // a third of it where the face was found anew
+constexpr double kMomentDoubt = 5.0 / 3.0;  // a third of it when the face was found again
 constexpr double kCortexDepth_mm = 90.0;    // from the face's centre, away from the cameras
 constexpr double kWorstScale = 6.0;
 
@@ -33,8 +33,8 @@ Count count(const PoseFit& fit, int camera) {
   return n;
 }
 
-// What the patches' own errors predict, and what the parts of the face show by pulling apart (a covariance
-// that holds for errors that a whole part shares, Liang & Zeger 1986).
+// Covariance predicted by the patches' own errors, plus what the disagreement between parts of the face shows
+// (a cluster-robust covariance for errors common to a part, Liang & Zeger 1986).
 Matrix6d covarianceOf(const PoseFit& fit) {
   const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(fit.information);
   if (!(solver.eigenvalues()(0) > 1e-9)) return Matrix6d::Identity() * 1e6;

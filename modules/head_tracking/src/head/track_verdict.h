@@ -1,8 +1,8 @@
 #pragma once
-// Tracked or lost: what a fitted pose must show before it may be shown. Each camera on its own must see
-// enough of the face where the pose puts it, looking as it did (another person, a wrong place: it does not)
-// and within a fraction of a pixel (left and right swapped, a frozen camera: it is not), spread widely enough
-// to fix all 6 degrees.
+// Tracked or lost: tests that a fitted pose must pass before it may be shown. Each camera alone must see
+// enough of the face at the pose. It must look as expected (fails for another person or a wrong place) and
+// lie within a fraction of a pixel (fails for exchanged images or a frozen camera). The visible part must be
+// large enough to determine all 6 degrees of freedom.
 
 #include <optional>
 
@@ -14,14 +14,14 @@ namespace facenav::head_tracking {
 struct Verdict {
   std::optional<LostReason> lost;
   double quality = 0.0;
-  Matrix6d covariance = Matrix6d::Zero();         // HeadPose's, of what the pictures show
-  Matrix6d unseen_covariance = Matrix6d::Zero();  // the key frame's; stated with the pose, not judged
+  Matrix6d covariance = Matrix6d::Zero();         // as HeadPose's, from what the images show
+  Matrix6d unseen_covariance = Matrix6d::Zero();  // of the key frame; stated with the pose, not judged
   std::array<double, 2> good_share = {0, 0};
   bool isTracked() const { return !lost; }
 };
 
-/// `key_covariance`: of the key frame's own pose (HeadPose's; zero for the reference). `is_of_moment`: it was
-/// learnt where the face was found anew, the pose may be less sure.
+/// `key_covariance`: of the key frame's own pose (as HeadPose's; zero for the reference). `is_of_moment`: the
+/// key frame was learnt when the face was found again, so a larger error is allowed.
 Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_covariance = Matrix6d::Zero(),
               bool is_of_moment = false);
 

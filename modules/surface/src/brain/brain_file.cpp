@@ -23,7 +23,7 @@ constexpr const char* kCentre = "centre_mm";
 constexpr const char* kRadius = "radius_mm";
 constexpr int kMostBins = 1 << 14;  // per side
 
-/// The map's row 0 is the picture's top row; VTK's row 0 is the bottom one.
+/// The map's row 0 is the image's top row; VTK's row 0 is the bottom one.
 vtkSmartPointer<vtkImageData> picture(const SphericalMap& map) {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(map.columns, map.rows, 1);

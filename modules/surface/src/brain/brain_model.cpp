@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Builds the vertices ring by ring: the seam at theta = -pi, the bins' centres, the seam again at theta =
+/// Builds the vertices ring by ring: the seam at theta = -pi, the bins' centres, then the seam at theta =
 /// +pi.
 class PhiThetaMesh {
  public:
@@ -50,9 +50,9 @@ class PhiThetaMesh {
     model_.mesh.vertices_mm[last] = model_.mesh.vertices_mm[first];
   }
 
-  /// The 2-D Delaunay triangulation of the phi-theta plane (in units of bins, each ring shifted a little
-  /// against the one before, or the four corners of a cell would lie on one circle and leave the choice to
-  /// rounding): on such a lattice it is known, each cell is cut along its shorter diagonal. vtkDelaunay2D
+  /// The 2-D Delaunay triangulation of the phi-theta plane, in units of bins. Each ring is shifted slightly
+  /// against the one before; otherwise the four corners of a cell would lie on one circle and rounding would
+  /// decide. On this lattice the result is known: each cell is cut along its shorter diagonal. vtkDelaunay2D
   /// gives the same triangles (tested), in seconds to minutes on fine grids.
   void triangulateRings() {
     for (int r = 0; r + 1 < map_.rows; ++r)
@@ -63,7 +63,7 @@ class PhiThetaMesh {
       }
   }
 
-  /// A fan from the ring to the pole, which has one copy per triangle, each in the middle of its triangle's
+  /// A fan from the ring to the pole. The pole has one copy per triangle, in the middle of its triangle's
   /// theta.
   void addPole(int row, double phi) {
     double mean_mm = 0;
@@ -78,7 +78,7 @@ class PhiThetaMesh {
     }
   }
 
-  /// Seen from the centre every triangle of a star-shaped surface lies one way round; make it
+  /// All triangles of a star-shaped surface have the same orientation seen from the centre; makes it
   /// counter-clockwise from outside.
   void turnOutwards() {
     for (auto& t : model_.mesh.triangles) {
@@ -89,7 +89,7 @@ class PhiThetaMesh {
     }
   }
 
-  /// Copies of one point get one normal, or seam and poles would show under light.
+  /// Copies of one point get the same normal; otherwise seam and poles would be visible under light.
   void joinNormals() {
     auto& normals = model_.mesh.normals;
     for (int r = 0; r < map_.rows; ++r) {

@@ -18,7 +18,7 @@
 namespace facenav::surface {
 namespace {
 
-/// VTK's connectivity keeps the points of the parts that it drops: they are no place of the surface.
+/// VTK's connectivity keeps the points of the parts that it drops; removes them.
 TriangleMesh withoutLoosePoints(const TriangleMesh& mesh) {
   std::vector<bool> is_used(mesh.vertices_mm.size());
   for (const auto& t : mesh.triangles)

@@ -1,13 +1,13 @@
 #pragma once
-// A mask as a smooth field: 1 inside, 0 outside, a slope between, so that its level 0.5 is a surface to
-// sub-voxel.
+// A mask as a smooth field: 1 inside, 0 outside, a slope between. Its level 0.5 is a surface with sub-voxel
+// accuracy.
 
 #include "facenav/volume/volume.h"
 
 namespace facenav::surface {
 
-/// On an axis-aligned grid with cubic voxels around the mask, with a margin of zeros. Throws Error for an
-/// empty mask.
+/// On an axis-aligned grid with cubic voxels around the mask and a margin of zeros. Throws Error for an empty
+/// mask.
 volume::Volume insideness(const volume::Mask& mask, double spacing_mm);
 
 }  // namespace facenav::surface

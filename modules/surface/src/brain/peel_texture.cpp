@@ -17,10 +17,10 @@ using Eigen::Vector3f;
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kHull_mm = 2.0;                // grid of the depth below the hull
-constexpr int kSmoothings = 3;                  // of that depth: the way inwards does not turn at every gyrus
+constexpr double kHull_mm = 2.0;  // grid of the depth below the hull
+constexpr int kSmoothings = 3;  // of that depth, so that the inward direction does not change at every gyrus
 constexpr double kMargin_mm = 6.0;              // of MRI around the brain
-constexpr double kBelow = 0.05, kAbove = 0.98;  // shares of the brain's values that the window spans
+constexpr double kBelow = 0.05, kAbove = 0.98;  // percentiles of the brain's values at the ends of the window
 
 Volume depthBelowHull(const Mask& brain) {
   const Mask coarse = volume::resample(brain, volume::gridAround(brain, kHull_mm, kMargin_mm));
@@ -31,7 +31,7 @@ Volume depthBelowHull(const Mask& brain) {
   return depth;
 }
 
-/// Unit, Mri: where the depth grows; towards the middle where it grows nowhere.
+/// Unit vector, Mri: direction of increasing depth, or towards the middle when the depth is constant.
 Vector3d inwardsAt(const Volume& depth, const Vector3d& p_mm) {
   const Vector3d at = depth.grid.toVoxel(Point<Mri>(p_mm));
   Vector3d slope;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kGrid_mm = 1.0;  // of the smoothed mask whose surface is sought
+constexpr double kGrid_mm = 1.0;  // of the smoothed mask for the surface search
 constexpr double kStep_mm = 0.5;  // along a ray
 constexpr float kInside = 0.5f;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
@@ -54,8 +54,8 @@ float outermost(const Ray& inside, double from_mm) {
   return kUnknown;
 }
 
-/// Mean value over the peel, from half a millimetre inside the surface on (the edge itself mixes with what
-/// lies outside).
+/// Mean value over the peel, beginning half a millimetre inside the surface: at the edge, voxels mix with the
+/// outside.
 float colourAlong(const Ray& ray, double radius_mm, double peel_mm) {
   float sum = 0;
   int count = 0;
@@ -64,7 +64,7 @@ float colourAlong(const Ray& ray, double radius_mm, double peel_mm) {
   return sum / float(count);
 }
 
-/// Bins without a value get the mean of their neighbours that have one, from the rim of each gap inwards.
+/// Empty bins get the mean of their filled neighbours, from the rim of each gap inwards.
 void fillGaps(std::vector<float>& bins, int rows, int columns) {
   for (bool has_gap = true; has_gap;) {
     has_gap = false;
@@ -77,7 +77,7 @@ void fillGaps(std::vector<float>& bins, int rows, int columns) {
         int count = 0;
         for (int dr = -1; dr <= 1; ++dr)
           for (int dc = -1; dc <= 1; ++dc) {
-            // Beyond a pole lies the meridian on the other side.
+            // Across a pole the neighbour is on the opposite meridian.
             const int row = std::clamp(r + dr, 0, rows - 1), turn = r + dr == row ? 0 : columns / 2;
             const float v = from[row * columns + (c + dc + turn + columns) % columns];
             if (!std::isnan(v)) sum += v, ++count;
@@ -89,9 +89,9 @@ void fillGaps(std::vector<float>& bins, int rows, int columns) {
   }
 }
 
-/// Grey values on 0..255 between the 2nd percentile (fluid in the sulci) and 1.25 times the 75th (the crowns
-/// of the gyri: the bare white matter of the brainstem, seen from below, must not set the window). Every bin
-/// counts alike.
+/// Maps to 0..255 the grey values from the 2nd percentile (fluid in the sulci) to 1.25 times the 75th (the
+/// crowns of the gyri). A higher end would depend on the bare white matter of the brainstem, seen from below.
+/// All bins have equal weight.
 std::vector<std::uint8_t> windowed(const std::vector<float>& values) {
   std::vector<float> sorted = values;
   std::sort(sorted.begin(), sorted.end());

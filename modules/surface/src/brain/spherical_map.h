@@ -1,6 +1,5 @@
 #pragma once
-// The phi-theta array (paper, equations 6-8): the brain's surface along the direction of each bin, and its
-// colour.
+// The phi-theta array (paper, equations 6-8): surface and colour in the direction of each bin.
 
 #include "facenav/surface/brain_model.h"
 

@@ -29,8 +29,8 @@ struct Front {
   double prominence(int row) const { return prominence_mm(relief, midline, row); }
 };
 
-/// Does `column` fall back by more than 8 mm within 5 mm below `row`, and stay back? An eye socket falls
-/// back, too, but the cheek below it comes forward again by a third of that at least.
+/// Does `column` fall back by more than 8 mm within 5 mm below `row`, without coming forward again? An eye
+/// socket also falls back, but the cheek below it comes forward by at least a third of that.
 bool isLedge(const Front& front, int row, int column) {
   const double above = front.at(row, column), below = front.at(row + 2, column);
   if (above <= FrontRelief::kNone || below <= FrontRelief::kNone || above - below <= 8) return false;
@@ -40,8 +40,8 @@ bool isLedge(const Front& front, int row, int column) {
   return foremost < below + (above - below) / 3;
 }
 
-/// Share of the columns 20 to 45 mm beside the midline that have a ledge between `from_row` and `to_row`, on
-/// the side with fewer: defacing cuts across both, a turned head shows the ledge of one brow.
+/// Fraction of the columns 20 to 45 mm beside the midline with a ledge between `from_row` and `to_row`, on
+/// the side with fewer: defacing cuts both sides, a turned head shows the ledge of one brow.
 double ledgeShare(const Front& front, int from_row, int to_row) {
   int with[2] = {0, 0};
   for (const int side : {0, 1})
@@ -54,7 +54,7 @@ double ledgeShare(const Front& front, int from_row, int to_row) {
   return double(std::min(with[0], with[1])) / (front.cells(45) - front.cells(20) + 1);
 }
 
-/// Median |left - right| 20 to 40 mm beside the midline against the same on the forehead above, mm.
+/// Median |left - right| 20 to 40 mm beside the midline, relative to the same on the forehead above, mm.
 double unevenness(const Front& front, int root_row) {
   std::vector<double> differences;
   for (int k = front.cells(20); k <= front.cells(40); ++k) {
@@ -70,7 +70,7 @@ double unevenness(const Front& front, int root_row) {
   return upperMedian(std::move(differences));
 }
 
-/// How deep the eyes lie behind the brow, mm.
+/// Depth of the eyes behind the brow, mm.
 double socketDepth(const Front& front, const NoseRise& nose) {
   double brow = FrontRelief::kNone, eye = -FrontRelief::kNone;
   for (int row = nose.root_row - front.cells(30); row <= nose.root_row + front.cells(5); ++row)
@@ -89,7 +89,7 @@ int lowestRow(const Front& front) {
   return 0;
 }
 
-/// Open edges of the mesh in front of the face (the nose) and at the sides (the ears).
+/// Parts of the face that the scan's edges cut.
 struct Cuts {
   bool has_nose = false, has_ear = false, has_forehead = false;
 };
@@ -115,8 +115,8 @@ Cuts findCuts(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const
   return {at_nose > 5, at_ear > 10, at_forehead > 5};
 }
 
-/// The row where the nose ends above the lip: the prominence has fallen to three quarters; nothing where the
-/// scan ends first.
+/// The row where the nose ends above the lip: the prominence has fallen to three quarters. Nothing when the
+/// scan ends above it.
 std::optional<int> noseBase(const Front& front, const NoseRise& nose, int last_row) {
   const double crest = front.prominence(nose.crest_row);
   for (int row = nose.crest_row + 1; row <= last_row - front.cells(5); ++row)
@@ -125,7 +125,7 @@ std::optional<int> noseBase(const Front& front, const NoseRise& nose, int last_r
   return std::nullopt;
 }
 
-/// How much of the face lies above the scan's lower end.
+/// Describes how much of the face lies above the scan's lower end.
 std::string describeEnd(const Front& front, const NoseRise& nose) {
   const int last = lowestRow(front);
   const auto base = noseBase(front, nose, last);
@@ -141,7 +141,7 @@ std::string describeEnd(const Front& front, const NoseRise& nose) {
 FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
                     const volume::VoxelGrid& grid) {
   constexpr double kMostLedges =
-      0.3;  // fitted on the heads at hand: a face cut away leaves them in most columns
+      0.3;  // fitted on the project's test heads: with the face cut away, most columns have a ledge
   FaceCheck check;
   const Front front(scalp);
   const auto nose = findNoseRise(front.relief, front.midline);

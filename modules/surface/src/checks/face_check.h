@@ -1,6 +1,6 @@
 #pragma once
-// Is there a face to align to? Looks at the front of the scalp: brow, eye sockets, nose; defaced or cut by
-// the scan's end.
+// Is there a face for alignment? Checks brow, eye sockets and nose at the front of the scalp: defaced, or cut
+// by the scan's edge.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct FaceCheck {
   std::vector<std::string> findings;  // plain words, most important first
 };
 
-/// `grid`: of the scan, for where it ends.
+/// `grid`: of the scan; gives the scan's ends.
 FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
                     const volume::VoxelGrid& grid);
 

@@ -79,7 +79,8 @@ CheckFinding checkNoise(const ScanQuality& scan) {
 }
 
 CheckFinding checkGhosts(const ScanQuality& scan) {
-  constexpr double kFine = 0.02, kUsable = 0.08;  // of the skin's step; the ACR's limit in phantoms is 0.025
+  constexpr double kFine = 0.02,
+                   kUsable = 0.08;  // relative to the skin's step; the ACR's limit in phantoms is 0.025
   if (scan.is_air_blanked || scan.noise <= 0)
     return {"ghosts", Verdict::fine, "not measurable, there is no untouched air beside the head", ""};
   const std::string words =

@@ -33,7 +33,7 @@ class ScanMeter {
   }
 
  private:
-  /// The patient's axis that runs most nearly along voxel axis `axis`, and whether it runs backwards.
+  /// The patient's axis nearest to voxel axis `axis`, and whether it is reversed.
   std::pair<int, bool> patientAxis(int axis) const {
     const Vector3d along = grid_.mri_from_voxel.linear().col(axis);
     int patient = 0;
@@ -41,7 +41,7 @@ class ScanMeter {
     return {patient, along[patient] < 0};
   }
 
-  /// Air to skin along the normals: the step's height, and its steepest millimetre.
+  /// Profile from air to skin along the normals: height of the step and its steepest millimetre.
   void measureSkin() {
     constexpr double kOutside_mm = 5, kInside_mm = 5, kStep_mm = 0.5;
     constexpr std::size_t kSamples = 3000;
@@ -63,9 +63,9 @@ class ScanMeter {
     slope_per_mm_ = upperMedian(slopes);
   }
 
-  /// Per axis, which lines of voxels along it meet the head (or pass within `gap` voxels of it).
+  /// Per axis, which lines of voxels along it meet the head (or come within `gap` voxels of it).
   void findShadows() {
-    gap_ = int(std::ceil(8 / quality_.smallest_voxel_mm));  // off the skin's own blur
+    gap_ = int(std::ceil(8 / quality_.smallest_voxel_mm));  // outside the skin's own blur
     for (int axis = 0; axis < 3; ++axis) {
       shadow_[std::size_t(axis)].assign(
           std::size_t(grid_.size[std::size_t(across(axis))]) * grid_.size[std::size_t(along(axis))], 0);
@@ -109,8 +109,8 @@ class ScanMeter {
     }
   }
 
-  /// Air that no line along an axis joins to the head holds noise alone; ghosts are copies of the head along
-  /// the phase-encoding axis, so they lie on lines along that one.
+  /// Air on lines that do not meet the head along any axis contains noise only. Ghosts are copies of the head
+  /// along the phase-encoding axis, so they lie on lines along that axis.
   void measureAir() {
     struct Sum {
       double square = 0, plain = 0;
@@ -136,7 +136,7 @@ class ScanMeter {
           sum.square += double(value) * value, sum.plain += value, ++sum.count;
         }
     judgeNoise(corners.count, corners.plain, corners.square, least, erased);
-    if (quality_.noise <= 0 || quality_.skin_step <= 0 || least < 0) return;  // CT holds table and headrest
+    if (quality_.noise <= 0 || quality_.skin_step <= 0 || least < 0) return;  // CT shows table and headrest
     for (int axis = 0; axis < 3; ++axis) {
       if (beside[axis].count < 200) continue;
       const double extra =
@@ -147,7 +147,7 @@ class ScanMeter {
     }
   }
 
-  /// The same value as all around it: filled in by a program (turned or defaced scans), and no measurement.
+  /// Same value as its neighbours: filled in by a program (rotated or defaced scans), not measured.
   bool isErased(const Vector3i& p) const {
     for (int axis = 0; axis < 3; ++axis)
       for (const int step : {-1, 1}) {
@@ -159,14 +159,14 @@ class ScanMeter {
     return true;
   }
 
-  /// Before or behind all of the head on its line, by the gap.
+  /// Before or behind all of the head on its line, by more than the gap.
   bool isBeyond(int axis, const Vector3i& p) const {
     const std::size_t at = line(axis, p), a = std::size_t(axis);
     return first_[a][at] == INT_MAX || p[axis] < first_[a][at] - gap_ || p[axis] > last_[a][at] + gap_;
   }
 
-  /// Magnitude images: the air is Rayleigh distributed, its mean square twice the variance of the signal
-  /// (Gudbjartsson and Patz 1995). Signed or offset values (CT): the plain deviation.
+  /// Magnitude images: the air is Rayleigh distributed, so its mean square is twice the variance of the
+  /// signal (Gudbjartsson and Patz 1995). Signed or offset values (CT): the standard deviation.
   void judgeNoise(std::size_t count, double plain, double square, float least, std::size_t erased) {
     constexpr std::size_t kEnough = 200;
     quality_.is_air_blanked = count < kEnough && erased >= kEnough;
@@ -176,8 +176,8 @@ class ScanMeter {
     if (slope_per_mm_ > 0) quality_.skin_jitter_mm = quality_.noise / slope_per_mm_;
   }
 
-  /// Value and mask in the outermost slices of one side: the head there is cut; and tissue there that is no
-  /// part of the head, in line with a cut on the opposite side, has wrapped around.
+  /// Examines the outermost slice of one side. Head there is cut by the scan. Tissue there that is not part
+  /// of the head and lies in line with a cut on the opposite side has wrapped around.
   void measureSide(int axis, int end) {
     const auto [patient, is_reversed] = patientAxis(axis);
     ScanSide& side = quality_.sides[std::size_t(2 * patient + (end ^ int(is_reversed)))];

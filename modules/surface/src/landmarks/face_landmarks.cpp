@@ -18,7 +18,7 @@ using anatomy::SkinRelief;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// How well each can be placed on a surface, mm along a typical measure: the spread of repeated placing in
+/// Errors of placing a landmark on a surface, mm along a typical measure: the spread of repeated placing in
 /// photogrammetry and on MRI skin (0.5-1.5 mm for points on the midline and the eyes' inner corners, 2-3 mm
 /// for those on smooth skin).
 constexpr double kSharp_mm = 1.0, kFair_mm = 1.5, kSmooth_mm = 2.5;
@@ -39,7 +39,7 @@ class LandmarkFinder {
 
   FaceLandmarks find() {
     MidlineLandmarks middle;
-    for (int round = 0; round < 3; ++round) {  // the first outline is nodding, the next ones level
+    for (int round = 0; round < 3; ++round) {  // the first outline may nod; later ones are level
       head_mm_ = inHead(frame_, scalp_.mesh);
       middle = anatomy::midlineLandmarks(anatomy::midlineProfile(head_mm_, scalp_.mesh.triangles));
       if (!middle.nasion || !middle.opisthocranion) return {};
@@ -58,7 +58,7 @@ class LandmarkFinder {
   }
 
  private:
-  /// On the scan's end, or beside a hole that it cuts into the skin.
+  /// On the scan's edge, or beside a hole that it cuts into the skin.
   bool isCut(const Vector3d& p_mri_mm) const {
     constexpr double kNearPlane_mm = 2.0, kNearHole_mm = 8.0;
     return std::any_of(scalp_.field_of_view.begin(), scalp_.field_of_view.end(),
@@ -101,7 +101,7 @@ class LandmarkFinder {
     }
   }
 
-  /// Tragi, and the widest places of face (in front of the ears, below the eyes) and head (above the ears).
+  /// Tragi, and the widest points of face (in front of the ears, below the eyes) and head (above the ears).
   void addSides(const Vector2d& nasion) {
     const SkinRelief right = anatomy::reliefFrom(Side::right, head_mm_, scalp_.mesh.triangles);
     const SkinRelief left = anatomy::reliefFrom(Side::left, head_mm_, scalp_.mesh.triangles);
@@ -111,8 +111,8 @@ class LandmarkFinder {
     addWidest("euryon", right, left, {nasion.x() - 150, nasion.x() - 40}, {nasion.y() + 40, nasion.y() + 95});
   }
 
-  /// Both or none, since nothing else tells an ear from a headrest or a hair band. An ear that the scan's
-  /// edge cuts open shows hollows that are none.
+  /// Both or none: only symmetry distinguishes an ear from a headrest or a hair band. An ear cut by the
+  /// scan's edge shows false hollows.
   void addTragi(const MaybePoint& right, const MaybePoint& left) {
     constexpr double kSkew_mm = 12;
     if (!right || !left || (right->tail<2>() - left->tail<2>()).norm() > kSkew_mm) return;
@@ -138,7 +138,7 @@ class LandmarkFinder {
     add(name + " L", b, kSharp_mm);
   }
 
-  /// The convex hull of the skin's cut with the plane through both points and the head's x axis.
+  /// Length of the convex hull of the skin's cut with the plane through both points and the head's x axis.
   void measureCircumference(const Vector2d& front, const Vector2d& back) {
     const Vector2d along = (front - back).normalized(), up(-along.y(), along.x());
     std::vector<Vector2d> points;

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 struct SymmetryPlane {
   Vector3d normal = Vector3d::UnitX();
-  double offset_mm = 0.0;  // of the points relative to the centroid
+  double offset_mm = 0.0;  // of the plane from the centroid
   Vector3d mirrored(const Vector3d& p) const { return p - 2 * (normal.dot(p) - offset_mm) * normal; }
 };
 

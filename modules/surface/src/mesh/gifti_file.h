@@ -8,7 +8,8 @@
 
 namespace facenav::surface {
 
-/// Straight to `path` (callers make it whole). Returns false when the library could not write it.
+/// Writes directly to `path` (callers write to a temporary file). Returns false when the library could not
+/// write it.
 bool writeGifti(const TriangleMesh& mesh, const std::filesystem::path& path);
 
 }  // namespace facenav::surface

@@ -21,7 +21,7 @@
 namespace facenav::surface {
 namespace {
 
-/// Hears VTK's errors, so that they become one Error instead of text on stderr.
+/// Catches VTK's errors, so that they become one Error instead of text on stderr.
 class ErrorListener : public vtkCommand {
  public:
   static ErrorListener* New() { return new ErrorListener; }

@@ -1,6 +1,6 @@
 #pragma once
 // TriangleMesh <-> vtkPolyData, for VTK's filters and the .vtp files. Points keep their order, so that arrays
-// that run beside the vertices (texture coordinates, scalars) stay paired.
+// with one entry per vertex (texture coordinates, scalars) still match.
 
 #include <vtkSmartPointer.h>
 
@@ -13,17 +13,17 @@ class vtkPolyData;
 
 namespace facenav::surface {
 
-/// Points, triangles and, where the mesh has them, point normals (float). Coordinates are kept as double.
+/// Points, triangles and, if the mesh has them, point normals (float). Coordinates stay double.
 vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh);
-/// Polygons other than triangles are an Error; normals are taken from the points' "Normals" where they are
-/// there, else computed from the faces around each vertex, weighted by area.
+/// Throws Error for polygons other than triangles. Normals come from the points' "Normals", or else from the
+/// faces around each vertex, weighted by area.
 TriangleMesh toTriangleMesh(vtkPolyData& poly_data);
 /// One float per point under `name`.
 void addPointValues(vtkPolyData& poly_data, const char* name, const std::vector<float>& values);
 /// Unit normals from the faces around each vertex, weighted by area.
 std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
 
-/// Whole file, binary appended and compressed. Throws Error.
+/// Whole file or nothing, binary appended and compressed. Throws Error.
 void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path,
                    FileAccess access = FileAccess::by_umask);
 /// Throws Error when the file is missing or is no .vtp file.

@@ -14,7 +14,7 @@ using Eigen::Array4f;
 using Eigen::Vector3f;
 
 constexpr int kLeaf = 6;        // triangles
-constexpr float kSame = 1e-5f;  // of the squared distance: one place, reached from two triangles
+constexpr float kSame = 1e-5f;  // of the squared distance: two triangles share one nearest place
 
 float squaredToBox(const Array4f& low, const Array4f& high, const Array4f& p) {
   return (low - p).max(p - high).max(Array4f::Zero()).square().sum();
@@ -89,7 +89,7 @@ void TriangleTree::consider(int slot, const Vector3f& p, NearestPlace& best, flo
     if (faces <= best_facing) return;
     best_facing = faces;
   } else {
-    best_facing = kUnknown;  // asked for when another comes as near
+    best_facing = kUnknown;  // computed when another triangle is equally near
   }
   best = {at, std::min(squared, best.squared_mm2), triangle_[slot]};
 }

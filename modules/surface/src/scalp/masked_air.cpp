@@ -12,16 +12,16 @@ namespace {
 /// The value that more than half of the voxels outside the head have exactly.
 std::optional<float> commonAir(const volume::Volume& scan, const volume::Mask& head) {
   std::vector<float> outside;
-  for (std::size_t v = 0; v < scan.voxels.size(); v += 7)  // a prime: no axis is favoured
+  for (std::size_t v = 0; v < scan.voxels.size(); v += 7)  // a prime: favours no axis
     if (!head.voxels[v]) outside.push_back(scan.voxels[v]);
   if (outside.empty()) return {};
-  // A value that more than half have is the median.
+  // A value that more than half of them have is the median.
   const float air = selectRank(outside, outside.size() / 2);
   const auto same = std::count(outside.begin(), outside.end(), air);
   return 2 * std::size_t(same) > outside.size() ? std::optional<float>(air) : std::nullopt;
 }
 
-/// Values brighter than air that touch it across a face of a voxel.
+/// Values brighter than air, of voxels that share a face with air.
 std::vector<float> besideAir(const volume::Volume& scan, float air) {
   std::vector<float> values;
   const auto& size = scan.grid.size;
@@ -49,7 +49,7 @@ std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const 
   if (!air) return {};
   std::vector<float> beside = besideAir(scan, *air);
   if (beside.size() < 100) return {};
-  // Nearly the least of them: a few voxels inside the head may be darker than the threshold.
+  // Nearly the least of them, because a few voxels inside the head may be darker than the threshold.
   const float low = selectRank(beside, beside.size() / 10);
   volume::Volume raised = scan;
   for (float& value : raised.voxels) value = std::max(value, low);

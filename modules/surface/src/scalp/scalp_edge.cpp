@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kStep_mm = 0.25;
 constexpr double kSignificant =
-    0.3;  // of the steepest slope in reach: what an outer edge must have to be the skin's
+    0.3;  // of the steepest slope in reach; an outer edge with less is not the skin
 
-/// Profiles of all vertices, `length` samples each from the inside out.
+/// Profiles of all vertices, `length` samples each, from inside to outside.
 struct Profiles {
   int length = 0;
   std::vector<float> values;
@@ -22,7 +22,7 @@ struct Profiles {
   float* of(std::size_t vertex) { return &values[vertex * length]; }
 };
 
-/// Trilinear; what lies beyond the grid has the value of its nearest end.
+/// Trilinear; outside the grid the value of its nearest end.
 class Sampler {
  public:
   explicit Sampler(const volume::Volume& volume)
@@ -63,7 +63,7 @@ Profiles sampleProfiles(const TriangleMesh& mesh, const Sampler& sample, double 
   return out;
 }
 
-/// Was the air set to one value? Then the edges' outer tails are cut short and tell nothing.
+/// Was the air set to one value? Then the edges' outer tails are cut off and carry no information.
 bool isMaskedOutside(const Profiles& profiles) {
   std::size_t same = 0;
   const std::size_t count = profiles.values.size() / profiles.length;
@@ -91,7 +91,7 @@ void averageOverRings(Profiles& profiles, const MeshNeighbours& neighbours, int 
   }
 }
 
-/// Weights w such that sum w[k] p[s + k - radius] is minus the slope of p, per mm, under a Gaussian.
+/// Weights w such that sum w[k] p[s + k - radius] is minus the slope of p, per mm, smoothed by a Gaussian.
 std::vector<float> slopeKernel(double sigma_mm) {
   const int radius = int(std::ceil(3 * sigma_mm / kStep_mm));
   std::vector<float> kernel(2 * radius + 1);
@@ -107,13 +107,13 @@ std::vector<float> slopeKernel(double sigma_mm) {
 
 struct Edge {
   double offset_mm = 0.0, slope = 0.0;  // slope 0: none found
-  double foot_mm = 0.0;                 // where the fall-off sets in, seen from outside
-  double gap_mm = kNoPeak_mm;           // from the foot in to the maximum
+  double foot_mm = 0.0;                 // where the fall-off begins, seen from outside
+  double gap_mm = kNoPeak_mm;           // from the foot inwards to the maximum
   double tail_mm = kNoPeak_mm;  // standard deviation of the blurred edge, from the fall-off outside the foot
   static constexpr double kNoPeak_mm = 1e3;
 };
 
-/// Sub-sample place of the outermost local maximum of at least `least`, in samples.
+/// Sub-sample position of the outermost local maximum of at least `least`, in samples.
 std::optional<double> outermostMaximum(const std::vector<float>& f, float least) {
   for (int s = int(f.size()) - 2; s > 0; --s) {
     if (f[s] < f[s - 1] || f[s] <= f[s + 1] || f[s] < least || f[s] <= 0) continue;
@@ -124,7 +124,7 @@ std::optional<double> outermostMaximum(const std::vector<float>& f, float least)
 }
 
 /// Standard deviation of the Gaussian that the fall-off follows outside its foot: minus the second derivative
-/// of its logarithm is 1 / sigma^2, and what lies deeper does not reach that far.
+/// of its logarithm is 1 / sigma^2. Deeper structures have no effect there.
 double tailSigma_mm(const std::vector<float>& fall, int foot) {
   constexpr int kReach = 2;  // samples
   if (foot < 0 || foot + 2 * kReach >= int(fall.size()) || fall[foot + 2 * kReach] < 0.05f * fall[foot] ||
@@ -135,8 +135,8 @@ double tailSigma_mm(const std::vector<float>& fall, int foot) {
   return bend < 0 ? kReach * kStep_mm / std::sqrt(-bend) : Edge::kNoPeak_mm;
 }
 
-/// The foot, where the fall-off grows fastest, outermost; and the outermost maximum of the fall-off inside
-/// it.
+/// The foot: the outermost place where the fall-off grows fastest; and the outermost maximum of the fall-off
+/// inside it.
 Edge outermostEdge(const std::vector<float>& fall, double first_mm) {
   std::vector<float> growth(fall.size(), 0.f);
   for (std::size_t s = 1; s + 1 < fall.size(); ++s) growth[s] = fall[s - 1] - fall[s + 1];
@@ -158,10 +158,10 @@ double quantileOf(std::vector<double> values, double fraction) {
   return selectRank(values, std::size_t(fraction * double(values.size() - 1)));
 }
 
-/// A blurred step has its maximum one sigma of the blur inside its foot. Where a dark dermis and the brighter
-/// fat below are not resolved, the maximum lies deeper, in the fat: there the edge is put one sigma inside
-/// the foot. The scan's sigma is told by the sharp edges of this head and by how the edges fall off outside
-/// (thin dermis all over).
+/// A blurred step has its maximum one sigma of the blur inside its foot. When a dark dermis and the brighter
+/// fat below are not resolved, the maximum lies deeper, in the fat: then the edge is placed one sigma inside
+/// the foot. The scan's sigma is measured at the sharp edges of this head, or at the fall-off outside the
+/// edges (when the dermis is thin everywhere).
 void leanOnFoot(std::vector<Edge>& edges, bool has_tails) {
   constexpr double kAsSharp_mm = 0.25, kLessSure = 0.7;
   std::vector<double> gaps, tails;
@@ -230,8 +230,8 @@ void moveOntoEdge(TriangleMesh& mesh, const MeshNeighbours& neighbours, const vo
     weight[v] = clarity * clarity;
     offset[v] = edges[v].slope > 0 ? edges[v].offset_mm : 0.0;
   }
-  // Edges that jump away from their surroundings (a ghost outside, fat inside) lose their say and are relaxed
-  // anew.
+  // Edges that jump away from their surroundings (a ghost outside, fat inside) get no weight, and the offsets
+  // are relaxed again.
   constexpr double kJump_mm = 0.7;
   for (const bool is_last : {false, true}) {
     relax(offset, edges, weight, neighbours, search.stiffness);

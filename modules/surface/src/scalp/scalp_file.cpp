@@ -1,4 +1,4 @@
-// scalp.vtp: the mesh with its normals; what else the scalp knows as field data.
+// scalp.vtp: the mesh with its normals; everything else of the scalp as field data.
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -68,8 +68,8 @@ ScalpSurface readScalp(const std::filesystem::path& path) {
 }
 
 ScalpSurface asStored(ScalpSurface scalp) {
-  // The very way through the file's arrays: GCC 12 vectorises a loop of casts to float and back so that the
-  // last normals keep their double precision.
+  // Uses the same conversion as the file: with a loop of casts to float and back, GCC 12's vectoriser left
+  // the last normals in double precision.
   scalp.mesh.normals = toTriangleMesh(*toPolyData(scalp.mesh)).normals;
   for (auto& [point, normal] : scalp.field_of_view) normal = Direction<Mri>(Eigen::Vector3d(normal.v));
   return scalp;

@@ -30,7 +30,7 @@ std::vector<float> gaussianKernel(double sigma_voxels) {
   return kernel;
 }
 
-/// Blurs along one axis and takes the result at `count` places evenly from the first to the last voxel.
+/// Blurs along one axis and samples the result at `count` places, evenly from the first to the last voxel.
 struct Block {
   std::array<int, 3> size;
   std::vector<float> values;
@@ -160,7 +160,7 @@ TriangleMesh outlineOf(const Mask& head, double spacing_mm, double blur_mm) {
   contour->Update();
   TriangleMesh mesh = toTriangleMesh(*contour->GetOutput());
   for (auto& vertex : mesh.vertices_mm) vertex = grid.mri_from_voxel * vertex;
-  // The mask falls outwards; VTK winds contours with normals down the gradient for a right-handed grid.
+  // The mask decreases outwards. VTK orients contours with normals down the gradient for a right-handed grid.
   if (grid.mri_from_voxel.linear().determinant() < 0)
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   mesh.normals = vertexNormals(mesh);

@@ -1,5 +1,5 @@
 #pragma once
-// The head mask's outline as a smooth mesh: where the search for the skin's edge starts.
+// The outline of the head mask as a smooth mesh: start of the search for the skin's edge.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace facenav::surface {
 /// the grid's end. Parts smaller than a twentieth of the whole are dropped.
 TriangleMesh outlineOf(const volume::Mask& head, double spacing_mm, double blur_mm);
 
-/// Which vertices share an edge with each vertex, and which lie on an open edge.
+/// Per vertex, its neighbours along edges, and whether it lies on an open edge.
 struct MeshNeighbours {
   std::vector<int> first;  // neighbours of v: all[first[v]] .. all[first[v + 1] - 1]
   std::vector<int> all;
@@ -20,7 +20,7 @@ struct MeshNeighbours {
 };
 MeshNeighbours neighboursOf(const TriangleMesh& mesh);
 
-/// Drops vertices where `keep` is false, and the triangles at them.
+/// Drops the vertices where `keep` is false, and their triangles.
 TriangleMesh subMesh(const TriangleMesh& mesh, const std::vector<bool>& keep);
 
 }  // namespace facenav::surface

@@ -12,7 +12,7 @@ namespace {
 constexpr double kVertexSpacing_mm = 1.5;
 constexpr double kOutlineBlur_mm = 1.2;
 
-/// The six ends of the grid, at the outermost voxel centres, where the mesh ends too.
+/// The six ends of the grid, at the outermost voxel centres; the mesh ends there too.
 std::vector<std::pair<Point<Mri>, Direction<Mri>>> endsOf(const volume::VoxelGrid& grid) {
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> planes;
   const Eigen::Matrix3d across =

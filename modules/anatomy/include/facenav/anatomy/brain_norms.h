@@ -1,6 +1,6 @@
 #pragma once
-// The brain's size, and where its hand area lies. Preparation and the sign-off judge the brain by
-// kNormalBrain, segmentation refuses what lies outside kPossibleBrain, planning starts from the hand area.
+// Size of the brain, and the position of its hand area. Preparation and sign-off judge the brain by
+// kNormalBrain, segmentation rejects masks outside kPossibleBrain, planning starts from the hand area.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace facenav::anatomy {
 
-/// Volume of a brain mask with closed sulci, which counts their fluid, too.
+/// Volume of a brain mask with closed sulci: it includes the fluid in them.
 inline constexpr Norm kNormalBrain("brain with cerebellum", "ml", 1100, 1700, "adults, both sexes",
                                    "agrees with the skull's inside, 1106 to 1656 ml (58 adults of 18 to 95 "
                                    "years, doi 10.1007/s00276-010-0650-4), and "
                                    "with brains of 1173 to 1626 ml (20 young adults, Filipek 1994, doi "
                                    "10.1093/cercor/4.4.344), rounded outwards");
-/// Outside it nothing is taken for a brain; a larger head grants more, see the next two.
+/// A mask outside this range is not accepted as a brain. Larger heads allow more: see the next two norms.
 inline constexpr Norm kPossibleBrain(
     "brain with cerebellum", "ml", 600, 2200, "all whom rTMS treats",
     "judgement: 791 to 1500 ml of tissue in 58 adults (doi 10.1007/s00276-010-0650-4), with a wide margin");
@@ -30,14 +30,14 @@ inline constexpr Norm kBrainPerHeadBall(
 /// "the brain measures 905 ml, adults have 1100 to 1700 ml: check its outline"; nothing for a normal one.
 std::optional<std::string> brainVolumeFinding(double volume_ml);
 
-/// Below the brain's hull lies no cortex deeper than this: the insula, at 20 to 25 mm.
+/// No cortex lies deeper than this below the brain's hull: the insula lies at 20 to 25 mm.
 inline constexpr double kDeepestSulcus_mm = 25;
-/// From the scalp to a place that a coil is aimed at: what lies deeper is no cortex under that scalp.
+/// From the scalp to a place that a coil is aimed at. Deeper places are not cortex under that scalp.
 inline constexpr Norm kTargetDepth("aimed place below the scalp", "mm", 1, 80, "any head",
                                    "judgement, with a wide margin");
 
 /// The hand area of the left primary motor cortex ("hand knob", Yousry 1997, doi 10.1093/brain/120.1.141),
-/// MNI mm; where the coordinates come from was not recorded. The right one is its mirror image.
+/// MNI mm. The source of the coordinates was not recorded. The right one is its mirror image.
 inline const Eigen::Vector3d kLeftHandKnob_mm(-37, -21, 58);
 /// Extent of the brain of MNI's single-subject template Colin27 (ch2bet.nii.gz of mricron), MNI mm.
 inline const Eigen::AlignedBox3d kTemplateBrain_mm(Eigen::Vector3d(-72, -106, -67),

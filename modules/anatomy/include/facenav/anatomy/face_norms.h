@@ -1,8 +1,8 @@
 #pragma once
-// Measures of face and head between anthropometric landmarks (names and definitions: Farkas, Anthropometry of
-// the Head and Face, 1994), with the adult range of each: means of both sexes with two standard deviations
-// over the widest populations found, rounded outwards; children differ. The import check measures the scan's
-// skin by them, the search for a face in pictures knows by them how far apart eyes are.
+// Distances between anthropometric landmarks of face and head (names and definitions: Farkas, Anthropometry
+// of the Head and Face, 1994), with their adult ranges: means of both sexes with two standard deviations over
+// the widest populations found, rounded outwards. Children differ. The import check applies them to the
+// scan's skin; the face search in images uses the distance of the eyes.
 
 #include <optional>
 #include <vector>
@@ -16,20 +16,19 @@ struct FaceNorm {
   std::optional<Norm> adults;    // nothing where no range was found
 };
 
-/// Distances between two landmarks, in the order in which they are listed to people.
+/// Distances between two landmarks, in the order of reports.
 const std::vector<FaceNorm>& faceNorms();
 
 inline constexpr Norm kHeadCircumference(
     "circumference of the head over glabella and opisthocranion", "mm", 515, 615, "adults, both sexes",
     "ANSUR II 2012, men 574 (16), women 561 (19); NIOSH 2003, men 576 (18), women 559 (21)");
 inline constexpr Norm kPupils("distance of the pupils", "mm", 51, 77, "adults, both sexes", "ANSUR II 2012");
-/// Of two triangulated groups of landmarks that each stand for an eye: what lies outside is no face, or two
-/// faces.
+/// For two triangulated groups of landmarks, one per eye. Outside this range they are no face, or two faces.
 inline constexpr Norm kEyesInSpace("distance of the eyes, triangulated", "mm", kPupils.low - 6,
                                    kPupils.high + 8, "adults, both sexes",
                                    "the pupils' range with a margin for landmarks placed badly");
 
-/// Is there a face on a scan's skin? What a defaced or cut scan lacks; see facenav/anatomy/nose.h.
+/// Does the skin of a scan have a face? Defaced or cut scans fail. See facenav/anatomy/nose.h.
 inline constexpr Norm kNoseRise("nose before the face, more than the forehead is", "mm", 8, kNoLimit,
                                 "adults", "fitted: on the heads at hand, 17 to 22");
 inline constexpr Norm kSocketDepth("eyes behind the brow", "mm", 2.5, kNoLimit, "adults",

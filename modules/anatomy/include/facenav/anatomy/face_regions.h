@@ -1,7 +1,7 @@
 #pragma once
-// Which part of the face a point of the skin belongs to, and how much soft tissue lies there: anatomy laid
-// out from the nose tip along the axes of Mri (adult distances, after Farkas 1994), good to a centimetre,
-// which is what words and weights need.
+// The region of the face that a skin point belongs to, and how much soft tissue lies there. Regions are laid
+// out from the nose tip along the axes of Mri (adult distances, after Farkas 1994). They are exact to a
+// centimetre, enough for names and weights.
 
 #include <Eigen/Core>
 #include <string>
@@ -15,11 +15,11 @@ class FaceRegions {
   /// "forehead", "left brow", "nose", "right cheekbone", "left cheek", "mouth", "chin", "left jaw", "right
   /// temple": the patient's left and right.
   std::string nameOf(const Eigen::Vector3d& p_mri_mm) const;
-  /// 0 where skin lies close to bone (forehead, brow, bridge of the nose, cheekbones), 1 where cheeks, lips
-  /// and jaw move and sag.
+  /// 0 where skin lies close to bone (forehead, brow, bridge of the nose, cheekbones), 1 where it moves and
+  /// sags (cheeks, lips, jaw).
   double softness(const Eigen::Vector3d& p_mri_mm) const;
-  /// How often something else than skin is seen there: hair above the hairline and at the temples, seldom a
-  /// hand, a coil or a mask on the face.
+  /// Probability that something other than skin is seen there: hair above the hairline and at the temples;
+  /// seldom a hand, a coil or a mask on the face.
   double foreignShare(const Eigen::Vector3d& p_mri_mm) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-// The front of the head as a relief: how far forward (Mri +y) the skin lies over a grid of x and z. What the
-// nose is sought on (nose.h), and what tells a face from a defaced scan (surface's face check).
-// Coarse cells of points, in Mri; skin_relief.h is finer, made of triangles, in the head's own axes.
+// The front of the head as a relief: how far forward (Mri +y) the skin lies over a grid of x and z. Used to
+// find the nose (nose.h) and to tell a face from a defaced scan (surface's face check). Coarse cells from
+// points, in Mri. skin_relief.h is finer, made of triangles, in the head's own axes.
 
 #include <Eigen/Core>
 #include <limits>
@@ -16,11 +16,12 @@ class FrontRelief {
   struct Grid {
     double cell_mm;
     FirstRow first_row;
-    /// Skin farther behind the foremost is left out: the back of the head, seen through a hole.
+    /// Skin that lies more than this behind the foremost point is left out: the back of the head, seen
+    /// through a hole.
     double depth_mm = std::numeric_limits<double>::infinity();
   };
 
-  /// `skin_mm`: at least one point of the skin, Mri. Of the points in a cell the foremost counts.
+  /// `skin_mm`: at least one point of the skin, Mri. Each cell keeps its foremost point.
   FrontRelief(const std::vector<Eigen::Vector3d>& skin_mm, const Grid& grid);
 
   int columns() const { return columns_; }
@@ -31,10 +32,10 @@ class FrontRelief {
                ? kNone
                : forward_mm_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
   }
-  /// The edges of a row and a column from which they are counted, Mri mm.
+  /// The edge at which a row or column begins, Mri mm.
   double z_mm(int row) const { return first_z_mm_ + z_sign_ * row * grid_.cell_mm; }
   double x_mm(int column) const { return left_mm_ + column * grid_.cell_mm; }
-  /// The cell's middle, at the height of its skin, Mri mm.
+  /// Centre of the cell at the height of its skin, Mri mm.
   Eigen::Vector3d middleOf(int row, int column) const {
     return {left_mm_ + (column + 0.5) * grid_.cell_mm, at(row, column),
             first_z_mm_ + z_sign_ * (row + 0.5) * grid_.cell_mm};
@@ -44,12 +45,12 @@ class FrontRelief {
 
  private:
   Grid grid_;
-  double left_mm_ = 0, first_z_mm_ = 0, z_sign_ = -1;  // -1 where rows go down
+  double left_mm_ = 0, first_z_mm_ = 0, z_sign_ = -1;  // z_sign_: -1 where rows go down
   int columns_ = 0, rows_ = 0;
   std::vector<double> forward_mm_;
 };
 
-/// The column about which the front is most symmetric, the head's turn allowed for.
+/// The column about which the front is most symmetric, corrected for the head's rotation.
 int midlineColumn(const FrontRelief& relief);
 
 }  // namespace facenav::anatomy

@@ -1,12 +1,12 @@
 #pragma once
-// The head's size: what a scan must hold at least to show a head, how far a head reaches around its face. In
-// mm and ml. The measures of face and head that are held against a person stand in face_norms.h.
+// Size of the head in mm and ml: the least that a scan must show of a head, and how far a head extends around
+// its face. Norms that a person's face and head are compared with are in face_norms.h.
 
 #include "facenav/anatomy/norm.h"
 
 namespace facenav::anatomy {
 
-/// What stands out from the background and is less is no head. Slabs and children pass.
+/// An object in the scan with less volume is no head. Slabs and children pass.
 inline constexpr Norm kScannedHead("volume of what a scan shows of a head", "ml", 300, kNoLimit,
                                    "children and adults", "judgement: a slab through a child's head");
 inline constexpr Norm kScannedHeadMiddle("second longest edge of the box around it", "mm", 80, kNoLimit,
@@ -16,7 +16,7 @@ inline constexpr Norm kScannedHeadShortest("shortest edge of the box around it",
 /// A virtual patient needs a whole head, not a slab.
 inline constexpr Norm kWholeHead("volume of a whole head", "ml", 800, kNoLimit, "children and adults",
                                  "judgement");
-/// A scan that covers less in one direction shows no whole brain.
+/// A scan that is shorter in one direction shows no whole brain.
 inline constexpr Norm kScanOfBrain(
     "shortest edge of a scan of the brain", "mm", 100, kNoLimit, "children and adults",
     "judgement; the template's brain measures 143 x 179 x 151 mm (brain_norms.h)");
@@ -28,7 +28,7 @@ inline constexpr Norm kGirthRadius("radius of the head's girth", "mm", 50, 125, 
 inline constexpr double kHeadHeight_mm = 200;
 /// From the middle between eyes and mouth to chin, temples and forehead, all around. Judgement.
 inline constexpr double kFaceReach_mm = 135;
-/// How deep a head lies behind its face: the longest head (face_norms.h, 214) and a nose. Judgement.
+/// How far a head extends behind its face: the longest head (face_norms.h, 214) and a nose. Judgement.
 inline constexpr double kHeadDepth_mm = 220;
 
 }  // namespace facenav::anatomy

@@ -17,10 +17,10 @@ struct EyeLandmarks {
 /// `front`: the relief smoothed by about 1.5 mm. `side` +1: the patient's right.
 EyeLandmarks findEye(const SkinRelief& front, const Eigen::Vector3d& nasion, int side);
 
-/// The outermost of the nose's wing, over the height of the wings above the nose's base.
+/// The outermost point of the nose's wing, at the height of the wings above the nose's base.
 MaybePoint findAla(const SkinRelief& front, const Eigen::Vector3d& subnasale, int side);
 
-/// The skin in front of the ear's deepest hollow. `lateral`: the relief from that side.
+/// The skin in front of the ear's deepest hollow. `lateral`: the relief seen from that side.
 MaybePoint findTragus(const SkinRelief& lateral, const Eigen::Vector3d& nasion, int side);
 
 }  // namespace facenav::anatomy

@@ -1,7 +1,7 @@
 #pragma once
 // The head's outline in its plane of symmetry, and the landmarks that anthropometry defines on it (Farkas,
-// Anthropometry of the Head and Face, 1994): all from curvature and distances along the line, so that a
-// nodding head gives the same ones.
+// Anthropometry of the Head and Face, 1994). They depend only on curvature and distances along the line, so
+// that a nodding head has the same landmarks.
 
 #include <Eigen/Core>
 #include <optional>
@@ -10,22 +10,22 @@
 namespace facenav::anatomy {
 
 /// Points (front, up), mm, from the vertex down over the face (or over the back of the head), about 0.7 mm
-/// apart. Ends where the scan does.
+/// apart, to the end of the scan.
 using Outline = std::vector<Eigen::Vector2d>;
 
 struct MidlineProfile {
   Outline front, back;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // inside the cranium
 };
-/// `head_mm`: vertices of the skin in the head frame, where the plane of symmetry is x = 0; `triangles` over
-/// them.
+/// `head_mm`: vertices of the skin in the head frame, where the plane of symmetry is x = 0; `triangles`:
+/// their indices.
 MidlineProfile midlineProfile(const std::vector<Eigen::Vector3d>& head_mm,
                               const std::vector<Eigen::Vector3i>& triangles);
 
 struct MidlineLandmarks {
   std::optional<Eigen::Vector2d> glabella, nasion, pronasale, subnasale, pogonion, opisthocranion;
 };
-/// Empty where the outline has no nose, or ends before a landmark.
+/// Empty when the outline has no nose, or ends above a landmark.
 MidlineLandmarks midlineLandmarks(const MidlineProfile& profile);
 
 }  // namespace facenav::anatomy

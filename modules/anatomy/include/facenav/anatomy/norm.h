@@ -1,7 +1,6 @@
 #pragma once
-// Norm: the range that a measure of head, face or brain has in people, with its unit, whom it was measured on
-// and where it is published. Every number of human anatomy by which FaceNav judges is one, stated once, in
-// *_norms.h.
+// Norm: the range of a measure of head, face or brain, with its unit, its population and its source. Every
+// number of human anatomy that FaceNav judges by is a Norm, stated once, in *_norms.h.
 
 #include <limits>
 
@@ -9,11 +8,11 @@ namespace facenav::anatomy {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// A range that no source has been found for says so in `source`.
+/// If no source was found for a range, `source` says so.
 struct Norm {
   const char* what;        // "brain with cerebellum"
   const char* unit;        // "mm", "ml", "1"
-  double low, high;        // both belong to the range
+  double low, high;        // both included
   const char* population;  // "adults, both sexes"
   const char* source;      // article, survey, "judgement", or "fitted: on what"
 

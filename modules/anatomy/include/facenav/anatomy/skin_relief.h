@@ -1,6 +1,6 @@
 #pragma once
-// The skin as a height map seen from one side, in the head's own axes (found by surface's landmarks): from
-// the front, the right or the left, 1 mm cells, filled triangle by triangle, smoothed where asked.
+// The skin as a height map seen from the front, the right or the left, in the head's own axes (found by
+// surface's landmarks): 1 mm cells, filled triangle by triangle, optionally smoothed.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -22,17 +22,17 @@ struct SkinRelief {
                ? kNone
                : height_mm[std::size_t(row) * columns + column];
   }
-  /// Bilinear; nothing where a neighbour has no skin.
+  /// Bilinear; nothing when a neighbour has no skin.
   std::optional<double> at(double across_mm, double up_mm) const;
 };
 
 enum class Side { front, right, left };
 
-/// `head_mm`: the skin's vertices in the head frame; `triangles` over them. Seen from the right or left,
-/// height is the distance from the plane of symmetry.
+/// `head_mm`: vertices of the skin in the head frame; `triangles`: their indices. Seen from the right or
+/// left, height is the distance from the plane of symmetry.
 SkinRelief reliefFrom(Side side, const std::vector<Eigen::Vector3d>& head_mm,
                       const std::vector<Eigen::Vector3i>& triangles);
-/// Gaussian over the cells that have skin.
+/// Gaussian over the cells with skin.
 SkinRelief smoothed(const SkinRelief& relief, double sigma_mm);
 
 }  // namespace facenav::anatomy

@@ -1,19 +1,15 @@
 #pragma once
-// calibrate: pairs of chessboard or ChArUco images -> StereoRig. Zhang 2000 for each camera as start, then
-// all parameters of both cameras and all board poses together (cv::stereoCalibrate without fixed intrinsics).
-// Beyond that:
-// - views that disagree with the rest are left out and named, since one of them bends every parameter. Wrong
-//   corners (one camera alone does not fit them) and boards that moved between the two exposures are named
-//   apart;
-// - the distortion model is chosen by cross-validation: a model with more terms always lowers the error on
-// the
-//   views it was fitted to, so it is taken only where it lowers the error on held-out views;
-// - principal point, tangential terms and aspect ratio have a prior, for where the views do not determine
-// them;
-// - standard errors come from how far the views contradict one another, so that two calibrations of one
-// camera
-//   differ by as much as the errors state. They do not cover what all views share: the size of the printed
-//   squares.
+// calibrate: pairs of chessboard or ChArUco images -> StereoRig. Each camera alone gives the start (Zhang
+// 2000). Then all parameters of both cameras and all board poses are fitted together (as cv::stereoCalibrate
+// without fixed intrinsics). Beyond that:
+// - views that disagree with the rest are left out and named, because one of them bends every parameter.
+//   Wrong corners (one camera alone does not fit) are distinguished from boards that moved between the
+//   exposures;
+// - the distortion model is chosen by cross-validation. A fuller model always lowers the error on its own
+//   views, so it is used only when it also lowers the error on views left out;
+// - principal point, tangential terms and aspect have a prior, for views that do not determine them;
+// - standard errors come from the differences between views. So two calibrations of one camera agree within
+//   them. They do not include an error common to all views: the size of the printed squares.
 
 #include <optional>
 #include <string>
@@ -31,7 +27,7 @@ struct CalibrationPair {
   cv::Mat left, right;  // 8-bit grey, all of one size
 };
 
-/// The corners of one pair: what is left of a CalibrationPair once the board has been found.
+/// The corners of one CalibrationPair.
 struct BoardView {
   std::string name;
   std::vector<cv::Point2f> left, right;
@@ -60,7 +56,7 @@ struct ParameterError {
 struct Calibration {
   StereoRig rig;               // rms_px is set
   double rms_px = 0;           // sqrt(mean squared distance), all corners of all used views, left and right
-  double held_out_rms_px = 0;  // the chosen model's
+  double held_out_rms_px = 0;  // of the chosen model
   double focal_sigma_px = 0, baseline_sigma_mm = 0;  // standard deviations of the fit
   std::vector<ParameterError> parameters;            // all of them
   HeadEffect at_head;
@@ -72,8 +68,8 @@ struct Calibration {
   int usedViews() const;
 };
 
-/// Throws Error: no pairs, sizes differ, board found in too few of them, too few views left in which the
-/// board stood still between the two exposures.
+/// Throws Error: no pairs, sizes differ, board found in too few of them, or too few views in which the board
+/// stood still between the two exposures.
 Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& board, TaskMonitor& monitor);
 /// The same from corners already found.
 Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size& image_size,

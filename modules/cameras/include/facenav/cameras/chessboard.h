@@ -1,6 +1,6 @@
 #pragma once
-// The printed chessboard or ChArUco board that calibrates a rig, and its corners found in an image. A ChArUco
-// board (markers in the white squares) need not be seen whole: every corner knows its number.
+// The printed chessboard or ChArUco board that calibrates a rig, and the search for its corners in an image.
+// A ChArUco board (markers in the white squares) may be partly visible: every corner has a number.
 
 #include <opencv2/core.hpp>
 #include <optional>
@@ -25,24 +25,25 @@ struct Board {
 Board boardFromText(const std::string& text, double square_mm,
                     std::optional<double> marker_mm = std::nullopt);
 
-/// Corners of one image with their numbers on the board, row by row from 0.
+/// Corners in one image with their numbers on the board, row by row from 0.
 struct SeenCorners {
   std::vector<cv::Point2f> px;
   std::vector<int> ids;
 };
-/// A chessboard is found whole or not at all; of a ChArUco board at least 8 corners, not all in one row, are
-/// found, or none. `image`: 8-bit grey.
+/// A chessboard is found whole or not at all. Of a ChArUco board at least 8 corners that are not all in one
+/// row are found, or none. `image`: 8-bit grey.
 SeenCorners findBoard(const cv::Mat& image, const Board& board);
 
-/// The inner corners row by row, sub-pixel, in one order for all images where the colours allow (an odd and
-/// an even side: the square inside the first four corners is black); empty when the whole board is not seen.
-/// `image`: 8-bit grey. The window of the sub-pixel refinement follows the size of the squares in this image:
-/// a fixed one would reach into the neighbouring corners of a small board or waste the edges of a large one.
+/// The inner corners row by row, sub-pixel; empty when the whole board is not visible. The order is the same
+/// in all images where the colours define it (an odd and an even side: the square inside the first four
+/// corners is black). `image`: 8-bit grey. The window of the sub-pixel refinement follows the size of the
+/// squares in this image: a fixed window would include neighbouring corners of a small board, or use too
+/// little of the edges of a large one.
 std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board);
 
-/// The corners' places on the board, mm, z = 0, same order.
+/// Positions of all corners on the board, mm, z = 0, same order.
 std::vector<cv::Point3f> boardPoints(const Board& board);
-/// Of these corners only; of all where `ids` is empty.
+/// The same for the corners `ids`; for all when `ids` is empty.
 std::vector<cv::Point3f> boardPoints(const Board& board, const std::vector<int>& ids);
 
 }  // namespace facenav::cameras

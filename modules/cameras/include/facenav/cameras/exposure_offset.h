@@ -1,10 +1,10 @@
 #pragma once
-// ExposureOffset: how much later than the left camera the right one exposes. Ordinary cameras run free.
+// ExposureOffset: delay of the right camera's exposure after the left one's. Ordinary cameras run free.
 
 namespace facenav::cameras {
 
 struct ExposureOffset {
-  double right_late_s = 0.0;  // 0 while it is not known to differ from 0
+  double right_late_s = 0.0;  // 0 unless it is known to differ from 0
   double sigma_s = 0.0;       // 0: not measured
 };
 

@@ -6,8 +6,8 @@
 
 namespace facenav::cameras {
 
-/// The number of cv::aruco::PREDEFINED_DICTIONARY_NAME. Throws Error for an unknown name, listing those there
-/// are.
+/// The number of cv::aruco::PREDEFINED_DICTIONARY_NAME. Throws Error that lists the known names for an
+/// unknown one.
 int predefinedDictionary(const std::string& name);
 
 }  // namespace facenav::cameras

@@ -1,7 +1,7 @@
 #pragma once
-// What stereo.yml may say beside the rig (FORMATS.md: board, views, created; and the effect at the head, as
-// effect_distance_mm, effect_point_mm, effect_depth_mm, effect_length_mm, effect_motion_mm,
-// effect_motion_deg). All of it is optional.
+// Optional content of stereo.yml beside the rig (FORMATS.md: board, views, created; and the effect at the
+// head: effect_distance_mm, effect_point_mm, effect_depth_mm, effect_length_mm, effect_motion_mm,
+// effect_motion_deg).
 
 #include <filesystem>
 #include <optional>
@@ -19,7 +19,7 @@ struct CalibrationNotes {
   std::optional<HeadEffect> at_head;
 };
 
-/// Writes stereo.yml whole, with E, F (of undistorted pixels) and the notes that are not empty.
+/// Writes the whole stereo.yml, with E, F (of undistorted pixels) and the notes that are not empty.
 void writeRig(const StereoRig& rig, const std::filesystem::path& path, const CalibrationNotes& notes);
 
 }  // namespace facenav::cameras

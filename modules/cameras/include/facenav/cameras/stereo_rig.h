@@ -1,7 +1,6 @@
 #pragma once
-// StereoRig: two calibrated cameras (pinhole with OpenCV distortion, 4 to 14 coefficients), as stereo.yml
-// states them. x_right = R x_left + T is right_T_left. Pixels: (0, 0) is the centre of the top-left pixel, as
-// in OpenCV.
+// StereoRig: two calibrated cameras (pinhole with OpenCV distortion, 4 to 14 coefficients), as in stereo.yml.
+// x_right = R x_left + T is right_T_left. Pixels: (0, 0) is the centre of the top-left pixel, as in OpenCV.
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -23,19 +22,18 @@ struct StereoRig {
   CameraModel left, right;
   RigidTransform<RightCamera, Camera> right_T_left;
   std::optional<double> rms_px;  // reprojection error of the calibration, where known
-  /// Of the calibration's parameters, where known: n x n, 64-bit, in the order left fx fy cx cy and
-  /// distortion, right likewise, increment of right_T_left (rotation rad, translation mm; applied on the
-  /// left). Empty: unknown.
+  /// Covariance of the calibration's parameters: n x n, 64-bit, in the order left fx fy cx cy and distortion,
+  /// right likewise, increment of right_T_left (rotation rad, translation mm; applied on the left). Empty:
+  /// unknown.
   cv::Mat covariance;
 
   double baseline_mm() const { return right_T_left.inverse().translation_mm().norm(); }
 };
 
-/// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the key that is missing or malformed: K
-/// without positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5
-/// mm).
+/// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the missing or malformed key: K without
+/// positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5 mm).
 StereoRig readRig(const std::filesystem::path& path);
-/// Writes stereo.yml whole.
+/// Writes the whole stereo.yml or nothing.
 void writeRig(const StereoRig& rig, const std::filesystem::path& path);
 
 /// Distorted pixel of a point in the camera's own frame (mm). z must be > 0.
@@ -49,7 +47,7 @@ Eigen::Vector2d undistort(const CameraModel& camera, const Eigen::Vector2d& pixe
 /// The point that minimises the reprojection error of both pixels (mid-point start, Gauss-Newton), in Camera.
 Point<Camera> triangulate(const StereoRig& rig, const Eigen::Vector2d& left_px,
                           const Eigen::Vector2d& right_px);
-/// Distance (px) of the right pixel from the left pixel's epipolar line, and back, the larger: a check of a
+/// Distance (px) of each pixel from the epipolar line of the other one; the larger of the two. A check of a
 /// match.
 double epipolarError_px(const StereoRig& rig, const Eigen::Vector2d& left_px,
                         const Eigen::Vector2d& right_px);

@@ -1,7 +1,8 @@
 #pragma once
-// CoilTracker: the coil's printed marker(s) in both images (paper, section 5): binarise, label dark regions,
-// pick quadrangles, match the registered pattern; then one pose from all printed edges in both images. While
-// tracked, the edges are sought round the predicted pose and nothing is binarised.
+// CoilTracker: the coil's pose from its printed marker(s) in both images (paper, section 5). Search:
+// binarise, label dark regions, pick quadrangles, match the registered pattern. Then one pose is fitted to
+// all printed edges in both images. While the coil is tracked, edges are searched near the predicted pose and
+// nothing is binarised.
 
 #include <array>
 #include <filesystem>
@@ -25,8 +26,9 @@ struct MarkerModel {
   int id = 7;
   std::optional<std::filesystem::path> pattern;  // ARToolKit .patt
   double size_mm = 60.0;                         // edge of the black square
-  // How well that is known (measured, or the page's ruler checked): what tells a camera that turned along the
-  // epipolar lines from a print of another size. Larger: a wrong print is tolerated, and so is a wrong depth.
+  // Standard error of size_mm (measured, or the page's ruler checked). With it, a print of another size is
+  // distinguished from a camera that turned along the epipolar lines. Larger: a wrong print size is accepted,
+  // and so is a wrong depth.
   double size_sigma_mm = 0.1;
   RigidTransform<Coil, Marker> coil_T_marker;
 };
@@ -45,43 +47,44 @@ void writeCoil(const CoilModel& coil, const std::filesystem::path& path);
 CoilModel defaultCoil();
 
 struct CoilPose {
-  RigidTransform<Camera, Marker> camera_T_marker;  // of the first marker of the model, whichever was seen
+  RigidTransform<Camera, Marker> camera_T_marker;  // of the model's first marker, whichever marker was seen
   Matrix6d covariance = Matrix6d::Zero();
   std::array<Eigen::Vector2d, 4> left_corners_px,
-      right_corners_px;  // of the best seen marker, from top-left clockwise on the print
+      right_corners_px;  // of the best visible marker, clockwise on the print from top left
 };
 
-/// What a frame's marker says of the cameras, whether or not its pose was accepted: the same corners in both
-/// images, each image measured freely across the epipolar lines, and the print's true size.
+/// What a marker in this frame shows about the cameras, even when its pose was rejected: the same corners in
+/// both images and the fitted size of the print. Across the epipolar lines each image is measured
+/// independently.
 struct MarkerSighting {
   std::array<Eigen::Vector2d, 4> left_px, right_px;
   double sigma_px = 0.0;        // of a corner across the epipolar lines
-  double size_mm = 0.0;         // edge of the square as given in the model,
-  double print_sigma_mm = 0.0;  // how well it is known there
-  double size_sigma_mm = 0.0;   // of the size that both images show
+  double size_mm = 0.0;         // edge of the square, from the model
+  double print_sigma_mm = 0.0;  // standard error of size_mm
+  double size_sigma_mm = 0.0;   // standard error of the size measured in both images
 };
 
-/// What the session knows when a frame's turn comes.
+/// What the tracker must know about a frame besides its images.
 struct CoilContext {
   cameras::ExposureOffset exposure_offset;  // of this frame's cameras
-  FrameWork work_before;                    // what the frame has cost already
+  FrameWork work_before;                    // work already done in this frame
 };
 
-/// The pose, or Lost, with what the frame has told besides.
+/// The pose or Lost, the work done, and what the frame shows about the cameras.
 struct CoilResult : Tracked<CoilPose> {
   using Tracked<CoilPose>::Tracked;
   CoilResult(Tracked<CoilPose> pose) : Tracked<CoilPose>(std::move(pose)) {}
-  FrameWork work;      // of this frame, with what came before; 0 where the method does not count
-  FrameWork deferred;  // search that this frame's budget did not allow: room to be kept in the next frame
+  FrameWork work;      // total of this frame, earlier work included; 0 where the method does not count
+  FrameWork deferred;  // search work that did not fit into this frame's budget; the next frame reserves it
   std::optional<MarkerSighting> sighting;  // none where no marker was fitted, or while the coil moves
 };
 
 class CoilTracker {
  public:
   virtual ~CoilTracker() = default;
-  /// Begins anew. Throws Error where the coil has no marker or a pattern cannot be read.
+  /// Resets the tracker. Throws Error when the coil has no marker or a pattern cannot be read.
   virtual void start(const cameras::StereoRig& rig, const CoilModel& coil) = 0;
-  /// A frame that cannot be used (no image, another size) is Lost{camera}.
+  /// An unusable frame (no image, another size) gives Lost{camera}.
   virtual CoilResult track(const cameras::StereoFrame& frame, const CoilContext& context) = 0;
   CoilResult track(const cameras::StereoFrame& frame) { return track(frame, CoilContext()); }
 };

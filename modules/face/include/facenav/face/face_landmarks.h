@@ -1,7 +1,7 @@
 #pragma once
-// Face detection and the landmarks that start alignment and tracking without a click (Haar cascade + dlib's
-// 68-point predictor where its model file is installed; the cascade alone otherwise). Paper, section 4
-// (Viola-Jones, OpenCV).
+// Detects a face and its landmarks. They start alignment and tracking without a click. Haar cascade
+// (Viola-Jones, OpenCV; paper, section 4) and dlib's 68-point predictor where its model file is installed;
+// else the cascade alone.
 
 #include <Eigen/Core>
 #include <memory>
@@ -15,7 +15,7 @@ namespace facenav::face {
 class LandmarkModel;
 
 struct FaceLandmarks {
-  cv::Rect face;                          // left or right image, px
+  cv::Rect face;                          // px, in the image given
   std::vector<Eigen::Vector2d> points68;  // the iBUG 68 points, px; empty where the model is not installed
   double roll_rad = 0.0;  // in-plane rotation at which the face was found, clockwise on the image
 };
@@ -23,18 +23,18 @@ struct FaceLandmarks {
 class FaceDetector {
  public:
   virtual ~FaceDetector() = default;
-  /// The largest face in an 8-bit grey image, or nothing. In-plane rotations up to about 45 degrees are
-  /// tried, then cameras mounted on their side or upside down.
+  /// The largest face in an 8-bit grey image, or nothing. Tries in-plane rotations up to about 45 degrees,
+  /// then those of cameras mounted on their side or upside down.
   virtual std::optional<FaceLandmarks> detect(const cv::Mat& grey) const = 0;
-  /// The face near where it was seen last (position, size and roll), a few times faster than detect().
+  /// The face near its last position, size and roll; a few times faster than detect().
   virtual std::optional<FaceLandmarks> detectNear(const cv::Mat& grey, const FaceLandmarks& last) const = 0;
-  /// The largest face rolled by `roll_rad` (within some 15 degrees), anywhere; a fraction of detect()'s time.
+  /// The largest face with roll `roll_rad` (within some 15 degrees), anywhere; much faster than detect().
   virtual std::optional<FaceLandmarks> detectAtRoll(const cv::Mat& grey, double roll_rad) const = 0;
 };
 
-/// Throws Error when the cascade file is not installed, saying which package holds it.
+/// Throws Error that names the missing package when the cascade file is not installed.
 std::unique_ptr<FaceDetector> makeFaceDetector();
-/// The same with a landmark model that others use too (it takes 100 MB).
+/// The same with a shared landmark model (100 MB).
 std::unique_ptr<FaceDetector> makeFaceDetector(std::shared_ptr<const LandmarkModel> landmarks);
 
 }  // namespace facenav::face

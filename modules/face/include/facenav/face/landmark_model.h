@@ -1,6 +1,6 @@
 #pragma once
 // LandmarkModel: dlib's 68-point shape predictor (Kazemi & Sullivan 2014), the file of Debian's libdlib-data.
-// It is 100 MB, so it is read at the first use and one object is handed round as a shared_ptr.
+// The file has 100 MB: it is read at first use, and all users share one object (shared_ptr).
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -17,9 +17,9 @@ class LandmarkModel {
   ~LandmarkModel();
   static std::filesystem::path defaultPath();
 
-  /// False where the file is not installed: landmarks() is then empty.
+  /// False when the file is not installed; landmarks() is then empty.
   bool isInstalled() const;
-  /// The iBUG 68 points (px) of the upright face in `face`; 8-bit grey. Safe from several threads.
+  /// The iBUG 68 points (px) of the upright face in the box `face`; 8-bit grey. Thread-safe.
   std::vector<Eigen::Vector2d> landmarks(const cv::Mat& grey, const cv::Rect& face) const;
 
  private:

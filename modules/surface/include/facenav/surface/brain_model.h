@@ -1,6 +1,7 @@
 #pragma once
 // BrainModel: the phi-theta textured brain (paper, section 6). SphericalMap is the 180 x 180 array of
-// equations 6-8; theta is atan2 over the full 360 degrees, since the paper's arccos folds front onto back.
+// equations 6-8. theta is atan2 over the full 360 degrees, because the paper's arccos would fold front onto
+// back.
 
 #include <array>
 #include <cstdint>
@@ -15,10 +16,10 @@
 
 namespace facenav::surface {
 
-/// Angles of a direction from the brain's centre: phi = acos(y / r) in 0..pi, theta = atan2(z, x) in -pi..pi,
-/// with the paper's x, y, z taken as Mri's own: x right, y anterior, z superior. The poles then lie on the
-/// frontal and the occipital pole, where nobody plans; the vertex and both hand areas lie near the equator,
-/// where bins are largest and most even. The seam (theta = +-pi) runs along the left temporal lobe.
+/// Angles of a direction from the brain's centre: phi = acos(y / r) in 0..pi, theta = atan2(z, x) in -pi..pi.
+/// The paper's x, y, z are Mri's: x right, y anterior, z superior. So the poles lie at the frontal and the
+/// occipital pole, where no targets are planned. Vertex and both hand areas lie near the equator, where bins
+/// are largest and most even. The seam (theta = +-pi) runs along the left temporal lobe.
 struct SphericalAngles {
   double phi_rad, theta_rad;
 };
@@ -27,27 +28,27 @@ struct SphericalAngles {
 struct SphericalMap {
   int rows = 180, columns = 180;  // phi x theta
   Point<Mri> centre;
-  std::vector<double> radius_mm;     // rows x columns: the surface along that direction
+  std::vector<double> radius_mm;     // rows x columns: the surface in that direction
   std::vector<std::uint8_t> colour;  // rows x columns: grey value of the outermost brain voxel of the bin
 };
 
 SphericalAngles toAngles(const Point<Mri>& p, const Point<Mri>& centre);
-/// The unit direction of a pair of angles; toAngles undoes it.
+/// The unit direction of a pair of angles; the inverse of toAngles().
 Direction<Mri> toDirection(const SphericalAngles& angles);
 
 struct BrainModel {
   SphericalMap map;
-  /// Closed: the vertices of the seam and of the poles are there several times, at the very same place, so
-  /// that each copy has its own texture coordinate.
+  /// Closed. The vertices of seam and poles have several copies at identical positions, each with its own
+  /// texture coordinate.
   TriangleMesh mesh;
-  /// One per vertex, 0..1, origin bottom-left as VTK wants it: u = (theta + pi) / 2 pi, v = 1 - phi / pi, so
-  /// that the map's row 0 is the picture's top row.
+  /// One per vertex, 0..1, origin bottom-left as in VTK: u = (theta + pi) / 2 pi, v = 1 - phi / pi, so that
+  /// the map's row 0 is the image's top row.
   std::vector<Eigen::Vector2f> texture_coordinates;
 };
 
 struct BrainModelOptions {
   int rows = 180, columns = 180;
-  double peel_mm = 5.0;  // texture is taken up to this far below the surface
+  double peel_mm = 5.0;  // depth below the surface over which the texture is averaged
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -63,7 +64,7 @@ BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& bra
                            const BrainModelOptions& options, TaskMonitor& monitor);
 /// The mesh of a map: 2-D Delaunay triangulation in the phi-theta plane, closed at seam and poles.
 BrainModel meshOf(const SphericalMap& map);
-/// brain.vtp + brain_texture.png beside it. Whole files.
+/// Writes brain.vtp and brain_texture.png beside it, each whole or not at all.
 void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
                 const std::filesystem::path& texture_png, FileAccess access = FileAccess::by_umask);
 /// Throws Error when a file is missing, damaged, or the two do not belong together.

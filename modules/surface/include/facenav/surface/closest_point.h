@@ -1,5 +1,5 @@
 #pragma once
-// The nearest place on a surface: cortex under a scalp point, distance of a target to the scalp.
+// The nearest place on a surface: cortex under a scalp point, distance of a target from the scalp.
 
 #include <memory>
 #include <optional>
@@ -12,11 +12,11 @@ struct SurfacePoint {
   Point<Mri> point;
   Direction<Mri> normal;   // outward, of the triangle
   double distance_mm = 0;  // never negative
-  bool is_outside = true;  // the asked point lies on the outer side of that triangle
+  bool is_outside = true;  // the given point lies on the outer side of that triangle
   int triangle = -1;
 };
 
-/// A search tree over one mesh; the mesh need not outlive it. Safe to ask from several threads.
+/// A search tree over one mesh; the mesh need not outlive it. Thread-safe.
 class ClosestPoint {
  public:
   /// Throws Error for a mesh without triangles.
@@ -25,7 +25,7 @@ class ClosestPoint {
   ClosestPoint(ClosestPoint&&) noexcept;
   ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
-  /// `near`: a triangle that is probably close, e.g. the answer for a neighbour; it only saves time.
+  /// `near`: a triangle that is probably close, such as the result for a neighbour; it only saves time.
   SurfacePoint nearest(const Point<Mri>& p, std::optional<int> near = {}) const;
 
  private:

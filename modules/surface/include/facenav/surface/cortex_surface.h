@@ -1,7 +1,7 @@
 #pragma once
-// The brain's true surface: iso-surface of the mask, both banks of every sulcus that the mask leaves open,
-// smoothed with a windowed sinc that keeps the volume. For planning and measuring; the phi-theta BrainModel
-// is the paper's picture of it.
+// The brain's surface: iso-surface of the mask, with both banks of every sulcus that is open in the mask,
+// smoothed by a windowed sinc that keeps the volume. For planning and measuring; the phi-theta BrainModel is
+// the paper's picture of it.
 
 #include "facenav/core/task_monitor.h"
 #include "facenav/surface/triangle_mesh.h"
@@ -10,7 +10,7 @@
 namespace facenav::surface {
 
 struct CortexOptions {
-  double spacing_mm = 1.0;   // of the grid on which the surface is sought
+  double spacing_mm = 1.0;   // of the grid for the iso-surface
   int smoothing_steps = 15;  // of the windowed sinc; 0 for none
 };
 

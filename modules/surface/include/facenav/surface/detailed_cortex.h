@@ -1,7 +1,7 @@
 #pragma once
-// DetailedCortex: the brain's true surface with open sulci (both banks), and how far it lies from the
-// phi-theta model, which reaches no fold. PeelTexture: the MRI's grey values under that surface at a depth
-// that a slider moves. From tissueShare (segmentation) or any field whose 0.5 level is the cortex; kept in
+// DetailedCortex: the brain's surface with open sulci (both banks), and its distance from the phi-theta
+// model, which does not follow the folds. PeelTexture: the MRI's grey values below that surface at a depth
+// set by a slider. Made from tissueShare (segmentation) or any field whose 0.5 level is the cortex; stored in
 // the case as cortex.vtp.
 
 #include <filesystem>
@@ -16,35 +16,35 @@ namespace facenav::surface {
 struct DetailedCortex {
   TriangleMesh mesh;  // closed, outward, Mri mm
   std::vector<float>
-      distance_mm;  // per vertex, to the phi-theta surface: > 0 outside it, < 0 within (in a sulcus)
+      distance_mm;  // per vertex, to the phi-theta surface: > 0 outside it, < 0 inside (in a sulcus)
 };
 
-/// The 0.5 level of `tissue` (0 outside the brain, 1 in it), its largest part.
-/// Throws Error where nothing reaches 0.5.
+/// The 0.5 level of `tissue` (0 outside the brain, 1 inside), its largest part. Throws Error when no value
+/// reaches 0.5.
 TriangleMesh extractCortex(const volume::Volume& tissue, int smoothing_steps, TaskMonitor& monitor);
-/// Both ways, since each hides what the other shows: a fold lies far from the model although every part of
+/// In both directions, because each hides something: a fold lies far from the model, although every part of
 /// the model lies close to some crown.
 struct ModelDistance {
   SurfaceDistance cortex_to_model, model_to_cortex;
 };
 ModelDistance distanceBetween(const DetailedCortex& cortex, const BrainModel& model);
 
-/// cortex.vtp: points, normals, triangles, point data "distance_mm". Whole file.
+/// cortex.vtp: points, normals, triangles, point data "distance_mm". Whole file or nothing.
 void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp,
                  FileAccess access = FileAccess::by_umask);
 /// Throws Error when the file is missing or damaged.
 DetailedCortex readCortex(const std::filesystem::path& vtp);
 
-/// Grey values under a surface. Made once per surface (some tenths of a second), asked at every move of a
-/// slider (some milliseconds). Safe to ask from several threads.
+/// Grey values below a surface. Made once per surface (some tenths of a second); greyAt() takes some
+/// milliseconds, for each move of a slider. Thread-safe.
 class PeelTexture {
  public:
-  /// `brain`: the mask (sulci closed) whose hull depth is counted from: the way inwards at a vertex leads
-  /// away from that hull, so that depths agree on crowns and on sulcal walls. `surface`: DetailedCortex's
-  /// mesh or BrainModel's. The arguments need not outlive this.
+  /// `brain`: the mask (sulci closed) whose hull defines the depth. From a vertex, inwards means away from
+  /// that hull, so that depths agree on crowns and sulcal walls. `surface`: the mesh of DetailedCortex or
+  /// BrainModel. The arguments need not outlive this object.
   PeelTexture(const volume::Volume& mri, const volume::Mask& brain, const TriangleMesh& surface);
 
-  /// One per vertex, 0..255: the MRI `depth_mm` (0..40) below the vertex, trilinear; one window for all
+  /// One per vertex, 0..255: the MRI `depth_mm` (0..40) below the vertex, trilinear. One grey window for all
   /// depths (fluid dark, white matter bright).
   std::vector<std::uint8_t> greyAt(double depth_mm) const;
 

@@ -1,7 +1,7 @@
 #pragma once
-// Anthropometric landmarks found on the scalp of an MRI (names and definitions: Farkas, Anthropometry of the
-// Head and Face, 1994), in Mri mm. Each carries the standard deviation with which it can be placed at all;
-// one that lies on the scan's edge is marked, since the true point may lie beyond.
+// Anthropometric landmarks on the scalp of an MRI (names and definitions: Farkas, Anthropometry of the Head
+// and Face, 1994), in Mri mm. Each has the standard deviation of its placement. A landmark on the scan's edge
+// is marked, because the true point may lie outside.
 
 #include <optional>
 #include <string>
@@ -20,15 +20,15 @@ struct FaceLandmark {
 
 struct FaceLandmarks {
   std::vector<FaceLandmark> points;
-  std::optional<double> circumference_mm;  // over glabella and opisthocranion, as a tape lies
+  std::optional<double> circumference_mm;  // over glabella and opisthocranion, as with a tape
   bool is_circumference_cut = false;
   Direction<Mri> right, front, up;  // the head's own axes
 
-  /// Nothing where it was not found.
+  /// Nothing when it was not found.
   std::optional<FaceLandmark> find(const std::string& name) const;
 };
 
-/// Empty where the scalp has no nose. About a second.
+/// Empty when the scalp has no nose. Takes about a second.
 FaceLandmarks findFaceLandmarks(const ScalpSurface& scalp);
 
 }  // namespace facenav::surface

@@ -1,7 +1,7 @@
 #pragma once
-// Meshes as other programs read them: STL, PLY, OBJ, VTP, GIFTI. Always Mri coordinates (RAS mm, FORMATS.md),
-// never LPS: a reader that assumes LPS (as 3D Slicer does for STL without a header) finds "SPACE=RAS" in the
-// file's comment.
+// Writes meshes for other programs: STL, PLY, OBJ, VTP, GIFTI. Always Mri coordinates (RAS mm, FORMATS.md),
+// never LPS. For programs that assume LPS (3D Slicer does for STL without a header) the file's comment says
+// "SPACE=RAS".
 
 #include <filesystem>
 #include <string>
@@ -13,10 +13,11 @@ namespace facenav::surface {
 
 enum class MeshFormat { stl, ply, obj, vtp, gifti };
 
-/// The file name's ending of a format, with the dot: ".stl", ".gii".
+/// File name extension of a format, with the dot: ".stl", ".gii".
 std::string extensionOf(MeshFormat format);
-/// Writes vertices, triangles and, where the format holds them, normals; whole file. Single precision in STL,
-/// PLY and GIFTI (0.01 um at 100 mm). Throws Error when the mesh is empty or the file cannot be written.
+/// Writes vertices, triangles and, where the format has them, normals; whole file or nothing. Single
+/// precision in STL, PLY and GIFTI (0.01 um at 100 mm). Throws Error when the mesh is empty or the file
+/// cannot be written.
 void writeMesh(const TriangleMesh& mesh, MeshFormat format, const std::filesystem::path& path,
                FileAccess access = FileAccess::by_umask);
 

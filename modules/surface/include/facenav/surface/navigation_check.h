@@ -1,7 +1,7 @@
 #pragma once
-// The import check: is this scan fit for navigation by the face? One finding a topic, each fine, caution or
-// not usable, with the reason, and what to ask the scanner for; and the sheet of face measures to hold
-// against the person. Made by prepare, kept in the case, shown before sign-off.
+// The import check: is this scan suitable for navigation by the face? One finding per topic (fine, caution or
+// not usable) with the reason and advice for a new scan; and the list of face measures to compare with the
+// patient. Made by prepare, stored in the case, shown before sign-off.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace facenav::surface {
 enum class Verdict { fine, caution, not_usable };
 /// "fine", "caution", "not usable".
 std::string toString(Verdict verdict);
-/// Throws Error for another word.
+/// Throws Error for any other text.
 Verdict verdictFrom(const std::string& words);
 
 struct CheckFinding {
@@ -22,7 +22,7 @@ struct CheckFinding {
                       // right", "scale"
   Verdict verdict = Verdict::fine;
   std::string finding;  // what was found and why it matters
-  std::string ask;      // what to ask the scanner for; empty where nothing
+  std::string ask;      // what to request from the scanner's staff; may be empty
 };
 
 struct NavigationCheck {
@@ -30,14 +30,14 @@ struct NavigationCheck {
   FaceLandmarks landmarks;
   std::vector<FaceMeasure> measures;
 
-  /// The worst of all findings.
+  /// The worst verdict of all findings.
   Verdict verdict() const;
 };
 
 /// "noise, caution: .. ; ask for ..".
 std::string inWords(const CheckFinding& finding);
 
-/// `head`: the head's mask on the grid of `mri`; `scalp`: its skin. A second or two.
+/// `head`: the head's mask on the grid of `mri`; `scalp`: its skin. Takes a second or two.
 NavigationCheck checkForNavigation(const volume::Volume& mri, const volume::Mask& head,
                                    const ScalpSurface& scalp);
 

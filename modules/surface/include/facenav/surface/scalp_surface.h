@@ -1,6 +1,7 @@
 #pragma once
-// ScalpSurface: the air/skin boundary of the MRI (paper, section 3): outermost surface only, no inner cavities, placed
-// to sub-voxel at the steepest point of the outer edge. Half of the bright fat's maximum would lie 0.5-1.5 mm too deep.
+// ScalpSurface: the air/skin boundary of the MRI (paper, section 3). Only the outermost surface, without
+// inner cavities, placed with sub-voxel accuracy at the steepest point of the outer edge. Half of the bright
+// fat's maximum would lie 0.5-1.5 mm too deep.
 
 #include <filesystem>
 #include <string>
@@ -15,17 +16,20 @@ namespace facenav::surface {
 
 struct ScalpSurface {
   TriangleMesh mesh;
-  /// Planes that bound the scan (a point on each, normal out of the scan), Mri: where skin meets them it is cut.
+  /// Planes that bound the scan (a point on each, normal out of the scan), Mri. Skin is cut where it meets
+  /// them.
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
-  bool has_face = false;                 // nose, brow and eye sockets are there to align to
-  std::vector<std::string> findings;     // plain words: "the face was removed below the brow", "nose tip cut by the scan's edge"
+  bool has_face = false;              // nose, brow and eye sockets are there to align to
+  std::vector<std::string> findings;  // plain words: "nose tip cut by the scan's edge"
 };
 
 ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor);
-/// scalp.vtp: points + normals + mesh (Mri); has_face, findings and field of view as field data. Whole file.
+/// scalp.vtp: points, normals, mesh (Mri); has_face, findings and field of view as field data. Whole file or
+/// nothing.
 void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path);
 ScalpSurface readScalp(const std::filesystem::path& path);
-/// What readScalp gives back of it, bit for bit: normals in single precision, the planes' made unit ones again.
+/// The result of writing and reading, bit for bit: normals in single precision, those of the planes
+/// normalised again.
 ScalpSurface asStored(ScalpSurface scalp);
 
 }  // namespace facenav::surface

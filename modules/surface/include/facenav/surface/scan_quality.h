@@ -1,7 +1,7 @@
 #pragma once
-// What the MRI's voxels say about how well its skin can be trusted: where the scan ends through the head,
-// noise and ghosts in the air against the skin's signal, tissue that wraps around to the other side. Figures
-// only; navigation_check.h judges them.
+// How far the skin in the MRI can be trusted: where the scan's edge cuts the head, noise and ghosts in the
+// air relative to the skin's signal, tissue wrapped around to the other side. Values only; navigation_check.h
+// judges them.
 
 #include <array>
 #include <string>
@@ -14,22 +14,22 @@ namespace facenav::surface {
 /// One side of the scan's box.
 struct ScanSide {
   std::string name;          // "right", "left", "front", "back", "top", "bottom" of the patient
-  double cut_area_mm2 = 0;   // of the head on that side: what is cut there
-  double wrapped_share = 0;  // of the head's cut on the opposite side that shows up as tissue here
+  double cut_area_mm2 = 0;   // of the head on that side: it is cut there
+  double wrapped_share = 0;  // fraction of the head's cut on the opposite side that shows up as tissue here
 };
 
 struct ScanQuality {
   double largest_voxel_mm = 0, smallest_voxel_mm = 0;
   std::array<ScanSide, 6> sides;
-  bool is_air_blanked = false;  // the air is all one value: the scanner or a program erased it
+  bool is_air_blanked = false;  // the air has one value: the scanner or a program erased it
   double noise = 0;             // standard deviation of the signal, from the air away from head and ghosts
   double skin_step = 0;         // median rise of the signal from air to skin
-  double skin_jitter_mm = 0;    // standard deviation that the noise gives the skin's place
-  double ghost_share = 0;       // ghosts in the air beside the head over the skin's step
+  double skin_jitter_mm = 0;    // standard deviation of the skin's position due to noise
+  double ghost_share = 0;       // ghosts in the air beside the head, relative to the skin's step
   std::string ghost_direction;  // "left-right", "front-back", "up-down"
 };
 
-/// `scalp`: the skin of `head` in `mri`. Under a second.
+/// `scalp`: the skin of `head` in `mri`. Takes less than a second.
 ScanQuality measureScan(const volume::Volume& mri, const volume::Mask& head, const TriangleMesh& scalp);
 
 }  // namespace facenav::surface

@@ -1,17 +1,16 @@
 #pragma once
-// How far one surface lies from another: the colour map and the figures that show what the phi-theta model
-// hides.
+// Distances between two surfaces: colour map and figures of the error of the phi-theta model.
 
 #include "facenav/surface/closest_point.h"
 
 namespace facenav::surface {
 
 /// Per vertex of `from`, every `step`-th: distance in mm to the nearest place of `to`, > 0 outside it, < 0
-/// inside. Throws Error where `to` has no triangles.
+/// inside. Throws Error when `to` has no triangles.
 std::vector<float> signedDistances_mm(const TriangleMesh& from, const TriangleMesh& to, int step = 1);
 
 struct SurfaceDistance {
-  double median_mm = 0, p95_mm = 0, max_mm = 0;  // of the distances' sizes; all 0 for an empty list
+  double median_mm = 0, p95_mm = 0, max_mm = 0;  // of the absolute distances; all 0 for an empty list
 };
 SurfaceDistance summarise(const std::vector<float>& signed_distances_mm);
 
