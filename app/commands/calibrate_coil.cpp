@@ -38,11 +38,11 @@ coil_tracking::CoilCalibration fromJig(Context& context, const Request& request,
                                        const coil_tracking::CoilModel& coil) {
   const auto jig = coil_tracking::readCoil(request.jig);
   const auto poses = trackMarkers(context, request.recording, {coil, jig});
-  std::vector<coil_tracking::JigSighting> sightings;
+  std::vector<coil_tracking::JigObservation> observations;
   for (std::size_t i = 0; i < poses[0].size(); ++i)
     if (poses[0][i] && poses[1][i])
-      sightings.push_back({poses[0][i]->camera_T_marker, poses[1][i]->camera_T_marker});
-  return coil_tracking::calibrateWithJig(sightings, jig.markers.front().coil_T_marker);
+      observations.push_back({poses[0][i]->camera_T_marker, poses[1][i]->camera_T_marker});
+  return coil_tracking::calibrateWithJig(observations, jig.markers.front().coil_T_marker);
 }
 
 coil_tracking::Pivot pivot(Context& context, const std::filesystem::path& folder,

@@ -19,7 +19,7 @@ void addTrack(CLI::App& app, Context& context) {
   verb->add_option("--case", request->case_folder,
                    "case folder: poses in the MRI's frame, aligned from the recording's capture/");
   verb->add_option("--coil", request->coil_file, "coil.json (without it: one 60 mm marker, 4x4_50, id 7)");
-  verb->add_flag("--keep-looks", request->keeps_looks,
+  verb->add_flag("--keep-looks", request->keeps_key_frames,
                  "keep with the case how the face looked, so that it is found at once in the next session");
   verb->add_option("-o,--output", *output, "poses.csv to write")->required();
   verb->add_option("--head-tracker", request->head_tracker,

@@ -29,7 +29,7 @@ struct TrackerContract {
 template <class Result>
 void expectSame(const Result& a, const Result& b, std::size_t frame) {
   ASSERT_EQ(a.isTracked(), b.isTracked()) << frame;
-  EXPECT_EQ(a.work.looks, b.work.looks) << frame;
+  EXPECT_EQ(a.work.comparisons, b.work.comparisons) << frame;
   if (!a) {
     EXPECT_EQ(a.reason(), b.reason()) << frame;
     return;
@@ -41,7 +41,7 @@ void expectSame(const Result& a, const Result& b, std::size_t frame) {
 /// No pose without a covariance that is one, and no frame beyond its budget.
 template <class Result>
 void expectSound(const Result& result, std::size_t frame) {
-  EXPECT_LE(result.work.looks, FrameWork::kMost) << frame;
+  EXPECT_LE(result.work.comparisons, FrameWork::kMost) << frame;
   if (!result) return;
   const Matrix6d& covariance = result->covariance;
   EXPECT_TRUE(covariance.allFinite()) << frame;

@@ -20,18 +20,18 @@ void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
 }
 
 /// Key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without them.
-std::vector<casefile::KeptLook> knownLooks(const std::filesystem::path& case_folder) {
+std::vector<casefile::StoredKeyFrame> storedKeyFrames(const std::filesystem::path& case_folder) {
   try {
-    return casefile::readFaceLooks(case_folder);
+    return casefile::readKeyFrames(case_folder);
   } catch (const Error& error) {
     logWarning(error.what());
     return {};
   }
 }
 
-void keepLooks(const session::Session& session, const std::filesystem::path& case_folder) {
+void storeKeyFrames(const session::Session& session, const std::filesystem::path& case_folder) {
   try {
-    casefile::addFaceLooks(case_folder, session.learntLooks());
+    casefile::addKeyFrames(case_folder, session.learntKeyFrames());
   } catch (const std::exception& error) {  // no caller to report to
     logWarning(std::string("the looks of the face were not kept: ") + error.what());
   }
@@ -152,7 +152,7 @@ void TreatPresenter::start() {
        is_overridden = model_.override().has_value()](TaskMonitor&) mutable -> TaskRunner::Delivery {
         requireSignOff(store, is_overridden);
         seen.reset();  // first: a camera can be opened only once
-        setup.looks = knownLooks(store.folder());
+        setup.key_frames = storedKeyFrames(store.folder());
         std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
         auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(
             is_live ? services_.openCameras(setup.rig, left, right) : capture::makeSource(recording));
@@ -216,7 +216,7 @@ void TreatPresenter::endSession() {
   retirement_.add(
       [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_]() mutable {
         session->stop();
-        keepLooks(*session, folder);
+        storeKeyFrames(*session, folder);
         log.reset();
         session.reset();
       },

@@ -31,7 +31,7 @@ cv::Mat readPicture(const fs::path& path, const cameras::StereoRig& rig) {
   return picture;
 }
 
-nlohmann::ordered_json written(const KeptLook& look, const fs::path& folder, std::size_t number) {
+nlohmann::ordered_json written(const StoredKeyFrame& look, const fs::path& folder, std::size_t number) {
   const std::string name = std::to_string(number);
   writePicture(look.frame.left, folder / (name + "_left.png"));
   writePicture(look.frame.right, folder / (name + "_right.png"));
@@ -44,8 +44,8 @@ nlohmann::ordered_json written(const KeptLook& look, const fs::path& folder, std
   return json;
 }
 
-KeptLook readLook(const JsonReader& json, const fs::path& folder) {
-  KeptLook look;
+StoredKeyFrame readLook(const JsonReader& json, const fs::path& folder) {
+  StoredKeyFrame look;
   const fs::path name = fs::path(json.at("name").text()).filename();
   look.rig = cameras::readRig(folder / (name.string() + "_stereo.yml"));
   look.frame.left = readPicture(folder / (name.string() + "_left.png"), look.rig);
@@ -59,22 +59,22 @@ KeptLook readLook(const JsonReader& json, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<KeptLook> readFaceLooks(const fs::path& case_folder) {
+std::vector<StoredKeyFrame> readKeyFrames(const fs::path& case_folder) {
   const fs::path folder = folderIn(case_folder);
   if (!fs::exists(folder)) return {};
   const JsonReader json = JsonReader::readFile(folder / "looks.json");
   if (json.at("version").integer() != kVersion) json.at("version").refuse("version 1 was expected");
-  std::vector<KeptLook> looks;
-  for (const auto& look : json.at("looks").elements()) looks.push_back(readLook(look, folder));
-  return looks;
+  std::vector<StoredKeyFrame> key_frames;
+  for (const auto& look : json.at("looks").elements()) key_frames.push_back(readLook(look, folder));
+  return key_frames;
 }
 
-void addFaceLooks(const fs::path& case_folder, std::vector<KeptLook> looks) {
-  if (looks.empty()) return;
-  for (auto& look : looks)
+void addKeyFrames(const fs::path& case_folder, std::vector<StoredKeyFrame> key_frames) {
+  if (key_frames.empty()) return;
+  for (auto& look : key_frames)
     if (look.captured_utc.empty()) look.captured_utc = utcNow();
-  std::vector<KeptLook> all = readFaceLooks(case_folder);
-  all.insert(all.end(), looks.begin(), looks.end());
+  std::vector<StoredKeyFrame> all = readKeyFrames(case_folder);
+  all.insert(all.end(), key_frames.begin(), key_frames.end());
   if (all.size() > kMostLooks) all.erase(all.begin(), all.end() - std::ptrdiff_t(kMostLooks));
   WholeFolder fresh(folderIn(case_folder), FileAccess::owner_only, Existing::replace);
   nlohmann::ordered_json json;

@@ -87,10 +87,10 @@ double secondTurn_rad(const std::vector<RigidTransform<Camera, Marker>>& poses) 
 
 }  // namespace
 
-CoilCalibration calibrateWithJig(const std::vector<JigSighting>& sightings,
+CoilCalibration calibrateWithJig(const std::vector<JigObservation>& observations,
                                  const RigidTransform<Coil, Marker>& coil_T_jig) {
   std::vector<Eigen::Isometry3d> poses;
-  for (const auto& s : sightings)
+  for (const auto& s : observations)
     poses.push_back((s.camera_T_marker.inverse() * s.camera_T_jig).isometry() *
                     coil_T_jig.inverse().isometry());
   const auto refuse = [&](std::size_t count) {
@@ -125,7 +125,7 @@ CoilCalibration calibrateWithJig(const std::vector<JigSighting>& sightings,
   calibration.rms_mm = std::sqrt(squares_mm2 / n);
   calibration.sigma_mm = std::sqrt(squares_mm2 / (n - 1) / independent);
   calibration.sigma_deg = std::sqrt(squares_rad2 / (n - 1) / independent) * 180 / M_PI;
-  calibration.frames = int(sightings.size());
+  calibration.frames = int(observations.size());
   calibration.used = int(kept.size());
   return calibration;
 }

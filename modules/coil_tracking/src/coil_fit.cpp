@@ -12,7 +12,7 @@ constexpr double kMostShrink_px = 1.5;
 constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
 constexpr double kMostDepth_mm = 5000.0;
 constexpr double kMostSizeSigma = 2.5e-3;  // with a larger error, the size does not constrain the depth
-constexpr int kReadLooks = 40;             // work to read the pattern in both images
+constexpr int kReadComparisons = 40;       // work to read the pattern in both images
 // One image allows two starting poses: is the second worth a fit, and did it lead to the same pose?
 constexpr double kOutOfQuestion = 2.0;  // times the spread
 constexpr double kSame_mm = 1.0, kSame_rad = 0.02;
@@ -43,7 +43,7 @@ std::optional<CoilFit> finish(const CoilSetup& setup, const cameras::StereoFrame
   const auto fit = fitMarkers(setup.rig, frame, seenOf(setup, markers), start, work);
   if (!fit || !isPlausible(setup, *fit, markers)) return std::nullopt;
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, fit->free_state, fit->centre_mm);
-  work.looks += kReadLooks * int(markers.size());
+  work.comparisons += kReadComparisons * int(markers.size());
   for (const std::size_t marker : markers)
     if (!isReadInBoth(setup, frame, marker, fit->free_state.camera_T_coil, right_T_left)) return std::nullopt;
   return CoilFit{*fit, markers};
@@ -63,7 +63,7 @@ CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& fra
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, found.fit.free_state, found.fit.centre_mm);
   for (const std::size_t marker : markersInView(setup, found.fit.camera_T_coil)) {
     if (std::find(all.begin(), all.end(), marker) != all.end()) continue;
-    work.looks += kReadLooks;
+    work.comparisons += kReadComparisons;
     if (isReadInBoth(setup, frame, marker, found.fit.free_state.camera_T_coil, right_T_left))
       all.push_back(marker);
   }

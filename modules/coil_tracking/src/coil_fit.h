@@ -21,7 +21,7 @@ struct CoilFit {
 };
 
 /// Approximate upper limit of the work to fit one marker, in patch comparisons: newly found, and predicted.
-constexpr int kNewFitLooks = 1400, kFitLooks = 800;
+constexpr int kNewFitComparisons = 1400, kFitComparisons = 800;
 
 /// Fits these markers near `start`, then adds the others that both images show where the fit predicts them.
 std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,

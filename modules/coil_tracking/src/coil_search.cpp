@@ -7,8 +7,8 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr double kSamePlace_mm = 5.0, kSamePlace_px = 4.0;
-constexpr int kOneLightLooks = 600;  // approximate work to search one image in one light
-constexpr int kMostPutOff = 3000;    // leaves room for the fit of a tracked head
+constexpr int kOneLightComparisons = 600;  // approximate work to search one image in one light
+constexpr int kMostDeferred = 3000;        // leaves room for the fit of a tracked head
 
 /// Whether this detection is the marker that `good` already fits.
 bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection& seen, bool is_left) {
@@ -39,7 +39,7 @@ void note(const CoilSetup& setup, const CoilFit& fit, std::size_t marker, std::v
 CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                    FrameWork& work) {
   Found found;
-  deferred_looks_ = 0;
+  deferred_comparisons_ = 0;
   if (!deferred_.empty()) {
     fit(setup, frame, std::exchange(deferred_, {}), found, work);
     if (!found.good.empty() || !deferred_.empty()) return found;
@@ -49,9 +49,10 @@ CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::Stereo
     const bool is_seen = found.is_seen_in_left || found.is_seen_in_right;
     MarkerLight light = turn_ % 3 == 2 ? MarkerLight::dim : MarkerLight::bright;
     if ((is_fresh && is_left == is_left_first) || is_seen) light = MarkerLight::bright_else_dim;
-    const int needed = light == MarkerLight::bright_else_dim ? 2 * kOneLightLooks : kOneLightLooks;
+    const int needed =
+        light == MarkerLight::bright_else_dim ? 2 * kOneLightComparisons : kOneLightComparisons;
     if (work.left() < needed) {
-      deferred_looks_ = needed + kNewFitLooks;
+      deferred_comparisons_ = needed + kNewFitComparisons;
       return found;
     }
     const bool shows_any = look(setup, frame, is_left, light, found, work);
@@ -64,7 +65,7 @@ CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::Stereo
 bool CoilSearch::look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left,
                       MarkerLight light, Found& found, FrameWork& work) {
   const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup.patterns, light);
-  work.looks += seen.looks;
+  work.comparisons += seen.comparisons;
   (is_left ? found.is_seen_in_left : found.is_seen_in_right) = !seen.markers.empty();
   std::vector<Candidate> candidates;
   for (const MarkerDetection& detection : seen.markers)
@@ -80,9 +81,9 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
       return explains(setup, good, candidate.seen, candidate.is_left);
     });
     if (is_explained) continue;
-    if (work.left() < kNewFitLooks) {
+    if (work.left() < kNewFitComparisons) {
       // With a rest unfitted, it is not known which of them is the coil.
-      deferred_looks_ = std::min(int(candidates.size()) * kNewFitLooks, kMostPutOff);
+      deferred_comparisons_ = std::min(int(candidates.size()) * kNewFitComparisons, kMostDeferred);
       deferred_ = std::move(candidates);
       found.good.clear();
       return;

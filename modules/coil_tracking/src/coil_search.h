@@ -25,7 +25,7 @@ class CoilSearch {
   /// Resets the search: the coil was found, or the frame is unusable.
   void end() { *this = {}; }
   /// Work needed to continue in the next frame.
-  FrameWork deferred() const { return {deferred_looks_}; }
+  FrameWork deferred() const { return {deferred_comparisons_}; }
 
  private:
   /// A marker detected in one image, and the poses that this allows.
@@ -43,7 +43,7 @@ class CoilSearch {
            Found& found, FrameWork& work);
 
   int turn_ = 0;  // frames searched since the coil was lost
-  int deferred_looks_ = 0;
+  int deferred_comparisons_ = 0;
   std::vector<Candidate> deferred_;  // detected in the last frame, not fitted yet
 };
 

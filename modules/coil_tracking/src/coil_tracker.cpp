@@ -61,7 +61,7 @@ class MarkerCoilTracker final : public CoilTracker {
   CoilFit asItMoves(const cameras::StereoFrame& frame, const CoilFit& found, const Vector6d& allowed);
   void forgetMotion() { velocity_.setZero(), turning_.setZero(), receding_mm_s_ = 0.0, across_.reset(); }
   Tracked<CoilPose> accept(const CoilFit& solution);
-  MarkerSighting sightingOf(const CoilFit& solution) const;
+  MarkerObservation observationOf(const CoilFit& solution) const;
   /// Covariance of a pose at these corners due to the calibration's uncertainty.
   Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
 
@@ -82,7 +82,7 @@ class MarkerCoilTracker final : public CoilTracker {
   std::vector<std::size_t> last_markers_;
   CoilSearch search_;
   FrameWork work_;  // of the frame so far, the head's included
-  std::optional<MarkerSighting> sighting_;
+  std::optional<MarkerObservation> observation_;
   cameras::RigUncertainty uncertainty_;
   std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
   Matrix6d calibration_covariance_ = Matrix6d::Zero();
@@ -99,7 +99,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   calibration_at_.reset();
   last_.reset();
   before_.reset();
-  sighting_.reset();
+  observation_.reset();
   search_.end();
   work_ = {};
 }
@@ -112,12 +112,12 @@ CoilResult MarkerCoilTracker::track(const cameras::StereoFrame& frame, const Coi
   CoilResult result = poseIn(frame);
   result.work = work_;
   result.deferred = search_.deferred();
-  if (before_ && velocity_.tail<3>().norm() < kResting_mm_s) result.sighting = sighting_;
+  if (before_ && velocity_.tail<3>().norm() < kResting_mm_s) result.observation = observation_;
   return result;
 }
 
 Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
-  sighting_.reset();
+  observation_.reset();
   const double t_s = frame.captured.s;
   const auto prediction = predicted(t_s);
   setup_.rig.right_T_left = rightAsSeen(prediction);
@@ -139,7 +139,7 @@ Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
     const Vector6d allowed = right_late_s_ * velocity_;
     remember(*found, t_s);
     found = asItMoves(frame, *found, allowed);
-    sighting_ = sightingOf(*found);
+    observation_ = observationOf(*found);
     if (isMotionKnown() && holdsCalibration(*found)) return accept(*found);
     return Lost{LostReason::camera};
   }
@@ -221,7 +221,7 @@ std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const cameras::StereoFram
     if (auto fit = fitCoil(setup_, frame, expected, prediction, work_)) return fit;
   if (in_view.size() == 1 && !expected.empty()) return std::nullopt;
   for (const std::size_t marker : in_view) {
-    if (work_.left() < kFitLooks) break;
+    if (work_.left() < kFitComparisons) break;
     if (auto fit = fitCoil(setup_, frame, {marker}, prediction, work_)) return fit;
   }
   return std::nullopt;
@@ -253,23 +253,23 @@ bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {
   return std::abs(fit.size_factor - 1.0) <= std::min(3 * sigma, std::max(2 * sigma, harmful));
 }
 
-MarkerSighting MarkerCoilTracker::sightingOf(const CoilFit& solution) const {
+MarkerObservation MarkerCoilTracker::observationOf(const CoilFit& solution) const {
   const MarkerFit& fit = solution.fit;
   const std::size_t marker = solution.markers.front();
   CoilSetup sized = setup_;
   sized.coil.markers[marker].size_mm *= fit.free_state.size_factor;
   sized.rig.right_T_left = right_T_left_;  // as if both cameras had exposed at once
   const Eigen::Isometry3d right_T_left = rightFromLeft(sized.rig, fit.free_state, fit.centre_mm);
-  MarkerSighting sighting;
+  MarkerObservation observation;
   const auto left = cornersInImage(sized, marker, fit.free_state.camera_T_coil, true, right_T_left);
   const auto right = cornersInImage(sized, marker, fit.free_state.camera_T_coil, false, right_T_left);
-  if (left) sighting.left_px = *left;
-  if (right) sighting.right_px = *right;
-  sighting.sigma_px = fit.pitch_sigma_rad * setup_.rig.right.k(1, 1);
-  sighting.size_mm = setup_.coil.markers[marker].size_mm;
-  sighting.print_sigma_mm = setup_.coil.markers[marker].size_sigma_mm;
-  sighting.size_sigma_mm = fit.size_sigma * sighting.size_mm;
-  return sighting;
+  if (left) observation.left_px = *left;
+  if (right) observation.right_px = *right;
+  observation.sigma_px = fit.pitch_sigma_rad * setup_.rig.right.k(1, 1);
+  observation.size_mm = setup_.coil.markers[marker].size_mm;
+  observation.print_sigma_mm = setup_.coil.markers[marker].size_sigma_mm;
+  observation.size_sigma_mm = fit.size_sigma * observation.size_mm;
+  return observation;
 }
 
 Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_coil) {
@@ -283,7 +283,7 @@ Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_c
   const auto corners = [&](const cameras::StereoRig& rig) {
     std::vector<Eigen::Vector3d> points_mm;
     for (int i = 0; i < 4; ++i)
-      points_mm.push_back(cameras::triangulate(rig, sighting_->left_px[i], sighting_->right_px[i]).mm);
+      points_mm.push_back(cameras::triangulate(rig, observation_->left_px[i], observation_->right_px[i]).mm);
     return points_mm;
   };
   const auto nominal_mm = corners(setup_.rig);
@@ -301,8 +301,8 @@ Tracked<CoilPose> MarkerCoilTracker::accept(const CoilFit& solution) {
   CoilPose pose;
   pose.camera_T_marker = solution.fit.camera_T_coil * setup_.coil.markers.front().coil_T_marker;
   pose.covariance = solution.fit.covariance + calibrationCovariance(solution.fit.camera_T_coil);
-  pose.left_corners_px = sighting_->left_px;
-  pose.right_corners_px = sighting_->right_px;
+  pose.left_corners_px = observation_->left_px;
+  pose.right_corners_px = observation_->right_px;
   const double fit_quality = 1.0 - solution.fit.bias_px / kMostBias_px;
   return {pose, std::clamp(fit_quality * solution.fit.inlier_fraction, 0.0, 1.0)};
 }

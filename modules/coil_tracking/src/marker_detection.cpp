@@ -10,7 +10,8 @@ namespace facenav::coil_tracking {
 namespace {
 
 // Work, in patch comparisons that take the same time (frame_work.h).
-constexpr int kShrunkPixelsPerLook = 4000, kPixelsPerLook = 900, kOutlinePointsPerLook = 8, kMatchLooks = 20;
+constexpr int kShrunkPixelsPerComparison = 4000, kPixelsPerComparison = 900, kOutlinePointsPerComparison = 8,
+              kMatchComparisons = 20;
 
 Quad inOrderOfPrint(const Quad& quad, int turns) {
   return {quad[turns % 4], quad[(turns + 1) % 4], quad[(turns + 2) % 4], quad[(turns + 3) % 4]};
@@ -50,8 +51,9 @@ void note(const MarkerDetection& detection, std::vector<MarkerDetection>& marker
 void detect(const cv::Mat& grey, const SmallImage& small, const std::vector<MarkerPattern>& patterns,
             const Darkness& darkness, DetectedMarkers& found) {
   const FoundQuads quads = findDarkQuads(small.small, darkness);
-  found.looks += int(small.small.total()) / kPixelsPerLook + quads.points / kOutlinePointsPerLook +
-                 kMatchLooks * int(quads.quads.size() * patterns.size());
+  found.comparisons += int(small.small.total()) / kPixelsPerComparison +
+                       quads.points / kOutlinePointsPerComparison +
+                       kMatchComparisons * int(quads.quads.size() * patterns.size());
   for (const Quad& quad_of_small : quads.quads) {
     const Quad quad = small.inFull(quad_of_small);
     for (std::size_t i = 0; i < patterns.size(); ++i)
@@ -70,7 +72,7 @@ DetectedMarkers detectMarkers(const cv::Mat& grey, const std::vector<MarkerPatte
   dim.least_contrast_grey = 10;
   dim.share = 0.33;  // white paper darker than a bright wall behind it must still count as light
   DetectedMarkers found;
-  found.looks = int(grey.total()) / kShrunkPixelsPerLook;
+  found.comparisons = int(grey.total()) / kShrunkPixelsPerComparison;
   if (light != MarkerLight::dim) detect(grey, small, patterns, bright, found);
   if (found.markers.empty() && light != MarkerLight::bright) detect(grey, small, patterns, dim, found);
   return found;

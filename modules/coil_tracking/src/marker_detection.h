@@ -21,7 +21,7 @@ enum class MarkerLight { bright, dim, bright_else_dim };
 
 struct DetectedMarkers {
   std::vector<MarkerDetection> markers;
-  int looks = 0;  // work in patch comparisons (frame_work.h)
+  int comparisons = 0;  // work in patch comparisons (frame_work.h)
 };
 
 /// All quadrangles of the image that show one of the patterns; each place once.

@@ -18,7 +18,7 @@ constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in sigma
 constexpr int kFewestPoints = 12, kFewestSearched = 8;
 constexpr double kTukey = 4.685;
 constexpr int kFirstStride_px = 4, kFinestStride_px = 2, kMostPoints = 2400;
-constexpr int kPointsPerLook = 6, kLinesPerLook = 2;
+constexpr int kPointsPerComparison = 6, kLinesPerComparison = 2;
 
 double tukey(double u) { return std::abs(u) < 1 ? (1 - u * u) * (1 - u * u) : 0.0; }
 
@@ -125,7 +125,7 @@ std::pair<double, double> biasOfEdges(const MarkerEdges& edges, double limit) {
 
 /// Conditions the state on the calibration: the linear Gaussian update by the observation "pitch = roll = 0
 /// +- error of a good calibration".
-void believeCalibration(const Eigen::Vector3d& centre_mm, FitMatrix& covariance, FitState& state) {
+void conditionOnCalibration(const Eigen::Vector3d& centre_mm, FitMatrix& covariance, FitState& state) {
   Eigen::Matrix2d innovation = covariance.block<2, 2>(kPitch, kPitch);
   innovation(0, 0) += kCalibratedPitch_rad * kCalibratedPitch_rad;
   innovation(1, 1) += kCalibratedRoll_rad * kCalibratedRoll_rad;
@@ -174,14 +174,14 @@ MarkerFit summarise(const MarkerEdges& edges, const FitState& state, const std::
   fit.roll_rad = state.roll_rad;
   fit.pitch_sigma_rad = std::sqrt(covariance(kPitch, kPitch));
   fit.roll_sigma_rad = std::sqrt(covariance(kRoll, kRoll));
-  FitState believed = state;
-  believeCalibration(fit.centre_mm, covariance, believed);
-  fit.camera_T_coil = RigidTransform<Camera, Coil>::fromIsometry(believed.camera_T_coil);
-  fit.centre_mm = centreOf(markers, believed.camera_T_coil);
+  FitState conditioned = state;
+  conditionOnCalibration(fit.centre_mm, covariance, conditioned);
+  fit.camera_T_coil = RigidTransform<Camera, Coil>::fromIsometry(conditioned.camera_T_coil);
+  fit.centre_mm = centreOf(markers, conditioned.camera_T_coil);
   fit.covariance = covariance.topLeftCorner<6, 6>();
-  fit.size_factor = believed.size_factor;
+  fit.size_factor = conditioned.size_factor;
   fit.size_sigma = std::sqrt(covariance(kSize, kSize));
-  fit.shrink_px = believed.shrink_px;
+  fit.shrink_px = conditioned.shrink_px;
   return fit;
 }
 
@@ -198,8 +198,9 @@ std::optional<FitVector> improve(const std::vector<SeenMarker>& markers, const M
 }
 
 /// Work in patch comparisons that take the same time (frame_work.h).
-int looksOf(const MarkerEdges& edges) {
-  return (edges.tried[0] + edges.tried[1]) / kPointsPerLook + int(edges.lines.size()) / kLinesPerLook;
+int workOf(const MarkerEdges& edges) {
+  return (edges.tried[0] + edges.tried[1]) / kPointsPerComparison +
+         int(edges.lines.size()) / kLinesPerComparison;
 }
 
 /// Limits the points of large or many prints: more would cost time without improving the pose.
@@ -219,7 +220,7 @@ std::optional<OutlineFit> fitOutlines(const cameras::StereoRig& rig, const camer
   MarkerEdges edges;
   for (int search_px = start.search_px; search_px >= 2; search_px = search_px > 4 ? 4 : search_px - 2) {
     measureEdges(view, markers, fit.state, {6, true, search_px, {}}, edges);
-    work.looks += looksOf(edges);
+    work.comparisons += workOf(edges);
     if (!improve(markers, edges, kFewestSearched, kFirstScale, fit.state)) return std::nullopt;
   }
   fit.spread = spread(edges.samples);
@@ -236,7 +237,7 @@ std::optional<MarkerFit> fitMarkers(const cameras::StereoRig& rig, const cameras
   for (int round = 0; round < 8; ++round) {
     const bool is_first = round < 1;
     measureEdges(view, markers, state, {stride_px, false, 0, {0.8, 0.8}}, edges);
-    work.looks += looksOf(edges);
+    work.comparisons += workOf(edges);
     if (is_first) stride_px = strideFor(edges);
     const auto step = improve(markers, edges, kFewestPoints, is_first ? kFirstScale : kLeastScale, state);
     if (!step) return std::nullopt;

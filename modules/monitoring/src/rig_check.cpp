@@ -16,7 +16,7 @@ constexpr double kMostBetweenExposures_mm = 0.1;
 constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
 
-cameras::SquareSighting square(const coil_tracking::MarkerSighting& marker) {
+cameras::SquareObservation square(const coil_tracking::MarkerObservation& marker) {
   return {marker.left_px, marker.right_px, marker.size_mm, marker.print_sigma_mm, marker.size_sigma_mm};
 }
 
@@ -58,7 +58,7 @@ std::optional<RigFault> RigCheck::fault() const {
 }
 
 void RigCheck::add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
-                   const std::optional<coil_tracking::MarkerSighting>& marker) {
+                   const std::optional<coil_tracking::MarkerObservation>& marker) {
   const bool is_first = frames_ < kFirstFrames;
   if (marker) monitor_.add(square(*marker));
   if (head && !head->features.empty() && head->between_exposures_mm < kMostBetweenExposures_mm) {

@@ -77,7 +77,7 @@ session::Navigator makeNavigator(const Registrations& methods, const TrackReques
   session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
                                 start.scalp};
   setup.pace = head_tracking::Pace::patient;  // a recording may take longer than real time
-  if (request.case_folder) setup.looks = casefile::readFaceLooks(*request.case_folder);
+  if (request.case_folder) setup.key_frames = casefile::readKeyFrames(*request.case_folder);
   session::Navigator navigator(setup, methods.head_trackers.create(request.head_tracker),
                                methods.coil_trackers.create(request.coil_tracker));
   if (!request.target.empty()) {
@@ -144,8 +144,8 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
     outcome.right_late_ms = 1e3 * state.exposure_offset.right_late_s;
     if (on_frame) on_frame(state);
   }
-  if (request.case_folder && request.keeps_looks)
-    casefile::addFaceLooks(*request.case_folder, navigator.learntLooks());
+  if (request.case_folder && request.keeps_key_frames)
+    casefile::addKeyFrames(*request.case_folder, navigator.learntKeyFrames());
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames > 0)
     throw Error(outcome.rig_fault, request.recording.string());
   if (outcome.head_tracked == 0 && outcome.coil_tracked == 0)

@@ -47,11 +47,11 @@ class Scene {
         point.right_px.y() += uniform(-4, 4);
     return points;
   }
-  SquareSighting marker(double size_mm, double depth_mm) {
+  SquareObservation marker(double size_mm, double depth_mm) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = expRotation({uniform(-0.5, 0.5), uniform(-0.5, 0.5), uniform(-3, 3)});
     pose.translation() = middle(depth_mm) + Eigen::Vector3d(uniform(-90, 90), uniform(-60, 60), 0);
-    SquareSighting square;
+    SquareObservation square;
     const double h = size_mm / 2;
     for (int i = 0; i < 4; ++i) {
       const Eigen::Vector3d p_mm = pose * Eigen::Vector3d(i == 1 || i == 2 ? h : -h, i < 2 ? -h : h, 0);

@@ -56,21 +56,21 @@ class Hand {
 TEST(CoilCalibration, AJigGivesTheMount) {
   const RigidTransform<Coil, Marker> coil_T_jig{Eigen::Quaterniond(expRotation({0, 0.1, 1.2})), {70, 5, 10}};
   Hand hand(1);
-  std::vector<JigSighting> sightings;
+  std::vector<JigObservation> observations;
   for (int i = 0; i < 80; ++i) {
     const auto camera_T_coil = hand.somewhere();
-    sightings.push_back(
+    observations.push_back(
         {hand.measured(camera_T_coil * mount().inverse()), hand.measured(camera_T_coil * coil_T_jig)});
   }
-  sightings[7].camera_T_jig = hand.somewhere() * coil_T_jig;  // one frame with a gross error
-  const auto result = calibrateWithJig(sightings, coil_T_jig);
+  observations[7].camera_T_jig = hand.somewhere() * coil_T_jig;  // one frame with a gross error
+  const auto result = calibrateWithJig(observations, coil_T_jig);
   EXPECT_EQ(result.used, 79);
   EXPECT_THAT(result.marker_T_coil, PoseNear(mount(), 0.06, 0.12));
   const PoseError error = poseError(result.marker_T_coil, mount());
   EXPECT_LT(error.translation_mm, 3 * result.sigma_mm);
   EXPECT_LT(error.rotation_rad * 180 / M_PI, 3 * result.sigma_deg);
   EXPECT_GT(result.rms_mm, 0.1);
-  EXPECT_THROW(calibrateWithJig({sightings.begin(), sightings.begin() + 3}, coil_T_jig), Error);
+  EXPECT_THROW(calibrateWithJig({observations.begin(), observations.begin() + 3}, coil_T_jig), Error);
 }
 
 TEST(CoilCalibration, PivotingGivesCentreAndAxes) {

@@ -307,13 +307,14 @@ TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
     tracker->start(rig, defaultCoil());
     const auto first = tracker->track(movedFrame(rig, 0), {{}, {before}});
     EXPECT_FALSE(first.isTracked());
-    EXPECT_LE(first.work.looks, FrameWork::kMost);
-    ASSERT_GT(first.deferred.looks, 0);
-    const auto pose = tracker->track(movedFrame(rig, 1), {{}, {FrameWork::kMost - first.deferred.looks}});
+    EXPECT_LE(first.work.comparisons, FrameWork::kMost);
+    ASSERT_GT(first.deferred.comparisons, 0);
+    const auto pose =
+        tracker->track(movedFrame(rig, 1), {{}, {FrameWork::kMost - first.deferred.comparisons}});
     ASSERT_TRUE(pose) << before;
     EXPECT_THAT(pose->camera_T_marker, PoseNear(markerPose(597, 20, 70, 2, {5.0, 0}), 0.3, 0.3));
-    EXPECT_EQ(pose.deferred.looks, 0);
-    EXPECT_LE(pose.work.looks, FrameWork::kMost);
+    EXPECT_EQ(pose.deferred.comparisons, 0);
+    EXPECT_LE(pose.work.comparisons, FrameWork::kMost);
   }
 }
 
@@ -334,7 +335,7 @@ TEST(CoilTracker, TheFramesWorkKeepsItsLimitWhateverIsShown) {
         frame.captured.s = i / 60.0;
         const auto pose = tracker->track(frame, {{}, {kTrackedHead}});
         EXPECT_EQ(pose.isTracked(), prints == 1);
-        EXPECT_LE(pose.work.looks, FrameWork::kMost) << prints << " prints";
+        EXPECT_LE(pose.work.comparisons, FrameWork::kMost) << prints << " prints";
       }
     }
 }

@@ -26,11 +26,11 @@ class CompressedFace : public HeadTrackers {
   }
   std::unique_ptr<head_tracking::HeadTracker> started(
       head_tracking::Pace pace = head_tracking::Pace::patient,
-      const std::vector<head_tracking::FaceLook>& looks = {}) const {
+      const std::vector<head_tracking::FaceKeyFrame>& key_frames = {}) const {
     auto tracker = head_tracking::makeModelHeadTracker(detector());
     head_tracking::HeadReference reference = face_->reference(rig_, true);
     reference.frame = compressed(reference.frame);
-    reference.looks = looks;
+    reference.key_frames = key_frames;
     tracker->start(rig_, reference, pace);
     for (int i = 0; i < 3; ++i)
       EXPECT_TRUE(tracker->track(compressed(face_->render(rig_, stillView(i)))).isTracked()) << i;
@@ -67,14 +67,14 @@ TEST_F(CompressedFace, IsLearntAndKnownInTheNextSession) {
   SyntheticView smiling = later(0, 14.0);
   smiling.lamp_x = -0.2, smiling.jaw_drop_mm = 18.0;
   ASSERT_TRUE(first->track(compressed(face_->render(rig_, smiling))).isTracked());
-  const auto looks = first->learntLooks();
-  ASSERT_FALSE(looks.empty());
-  EXPECT_LT(poseError(RigidTransform<Camera, Head>::fromIsometry(looks.back().camera_T_head),
+  const auto key_frames = first->learntKeyFrames();
+  ASSERT_FALSE(key_frames.empty());
+  EXPECT_LT(poseError(RigidTransform<Camera, Head>::fromIsometry(key_frames.back().camera_T_head),
                       RigidTransform<Camera, Head>::fromIsometry(smiling.motion), kCortex)
                 .at_point_mm,
             1.5);
-  EXPECT_EQ(looks.back().frame.left.at<unsigned char>(0, 0), 0) << "all but the face is black";
-  const auto second = started(head_tracking::Pace::patient, looks);
+  EXPECT_EQ(key_frames.back().frame.left.at<unsigned char>(0, 0), 0) << "all but the face is black";
+  const auto second = started(head_tracking::Pace::patient, key_frames);
   smiling.seed = 77;
   const auto pose = second->track(compressed(face_->render(rig_, smiling)));
   ASSERT_TRUE(pose.isTracked());

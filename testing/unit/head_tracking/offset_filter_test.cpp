@@ -34,16 +34,17 @@ class MovingFace {
     Vector6d off;
     for (int i = 0; i < 6; ++i) off[i] = (i < 3 ? 1e-4 : 0.05) * uniform(-1, 1);
     for (const auto& patch : level_.patches) {
-      std::array<PatchSight, 2> sights;
+      std::array<PatchMeasurement, 2> measurements;
       for (int c = 0; c < 2; ++c) {
         Eigen::Vector2d d =
             patch.view[c].jacobian * off + Eigen::Vector2d(normal_(random_), normal_(random_));
         if (c == 1)
           d += patch.view[c].jacobian * (late_s * velocity - allowed) + Eigen::Vector2d(shared_px, 0);
-        sights[c].displacement = d.cast<float>();
-        sights[c].is_visible = true, sights[c].weight = 1.f, sights[c].ncc = sights[c].expected_ncc = 0.9f;
+        measurements[c].displacement = d.cast<float>();
+        measurements[c].is_visible = true, measurements[c].weight = 1.f,
+        measurements[c].ncc = measurements[c].expected_ncc = 0.9f;
       }
-      fit.sights.push_back(sights);
+      fit.measurements.push_back(measurements);
     }
     return fit;
   }

@@ -78,7 +78,7 @@ TEST_F(HeadTrackers, ALostFaceLeavesRoomForTheCoilAndIsFoundAllTheSame) {
       const auto image = face_->render(rig_, view);
       const auto pose = tracker->track(image, {{kWanted}, false});
       const int most = FrameWork::kMost - (frame++ % 2 == 0 ? kWanted : 0);
-      EXPECT_LE(pose.work.looks, most) << frame;
+      EXPECT_LE(pose.work.comparisons, most) << frame;
       is_found = pose.isTracked();
       if (is_found) {
         EXPECT_LT(errorOf(*pose, view).at_point_mm, 0.5) << yaw_deg << " deg";

@@ -17,14 +17,14 @@ RigidTransform<Camera, Head> moved() {
 /// Has one learnt key frame of the face, and records those that it is given.
 class LearningHead : public fakes::Head {
  public:
-  explicit LearningHead(std::vector<head_tracking::FaceLook>& given)
+  explicit LearningHead(std::vector<head_tracking::FaceKeyFrame>& given)
       : fakes::Head([](auto) { return moved(); }), given_(given) {}
   void start(const cameras::StereoRig&, const head_tracking::HeadReference& reference,
              head_tracking::Pace) override {
-    given_ = reference.looks;
+    given_ = reference.key_frames;
   }
-  std::vector<head_tracking::FaceLook> learntLooks() const override {
-    head_tracking::FaceLook look;
+  std::vector<head_tracking::FaceKeyFrame> learntKeyFrames() const override {
+    head_tracking::FaceKeyFrame look;
     look.rig = fakes::rig();
     look.frame = *fakes::frame(1, 0.1);
     look.camera_T_head = moved().isometry();
@@ -32,17 +32,17 @@ class LearningHead : public fakes::Head {
   }
 
  private:
-  std::vector<head_tracking::FaceLook>& given_;
+  std::vector<head_tracking::FaceKeyFrame>& given_;
 };
 
-std::vector<casefile::KeptLook> learnt(const NavigatorSetup& setup,
-                                       std::vector<head_tracking::FaceLook>& given) {
+std::vector<casefile::StoredKeyFrame> learnt(const NavigatorSetup& setup,
+                                             std::vector<head_tracking::FaceKeyFrame>& given) {
   return Navigator(setup, std::make_unique<LearningHead>(given), std::make_unique<fakes::Coil>(std::nullopt))
-      .learntLooks();
+      .learntKeyFrames();
 }
 
 TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
-  std::vector<head_tracking::FaceLook> given;
+  std::vector<head_tracking::FaceKeyFrame> given;
   NavigatorSetup first = fakes::setup();
   const auto kept = learnt(first, given);
   ASSERT_EQ(kept.size(), 1u);
@@ -54,7 +54,7 @@ TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
   const RigidTransform<Camera, Mri> there(
       Eigen::Quaterniond(Eigen::AngleAxisd(-1.0, Eigen::Vector3d(3, 1, 2).normalized())), {-40, 10, 580});
   second.camera_T_mri_at_reference = there;
-  second.looks = kept;
+  second.key_frames = kept;
   learnt(second, given);
   ASSERT_EQ(given.size(), 1u);
   const auto camera_T_mri =
@@ -64,7 +64,7 @@ TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
 }
 
 TEST(FaceMemory, WithoutAnAlignmentNothingIsKept) {
-  std::vector<head_tracking::FaceLook> given;
+  std::vector<head_tracking::FaceKeyFrame> given;
   NavigatorSetup setup = fakes::setup();
   setup.camera_T_mri_at_reference.reset();
   EXPECT_TRUE(learnt(setup, given).empty());

@@ -50,13 +50,13 @@ class CoilSeenByMovedCameras : public fakes::Coil {
   coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
                                   const coil_tracking::CoilContext& context) override {
     auto result = fakes::Coil::track(frame, context);
-    result.sighting = sighting();
+    result.observation = observation();
     return result;
   }
 
  private:
-  coil_tracking::MarkerSighting sighting() const {
-    coil_tracking::MarkerSighting marker;
+  coil_tracking::MarkerObservation observation() const {
+    coil_tracking::MarkerObservation marker;
     for (int i = 0; i < 4; ++i) {
       const Eigen::Vector3d p_mm =
           kMarker.isometry() * Eigen::Vector3d(i == 1 || i == 2 ? 30 : -30, i < 2 ? -30 : 30, 0);
@@ -150,7 +150,7 @@ class WorkingHead : public fakes::Head {
   explicit WorkingHead(NotedWork& noted) : fakes::Head([](auto) { return kMoved; }), noted_(noted) {}
   head_tracking::HeadResult track(const cameras::StereoFrame& frame,
                                   const head_tracking::HeadContext& context) override {
-    noted_.left_by_head = context.reserved.looks;
+    noted_.left_by_head = context.reserved.comparisons;
     auto result = fakes::Head::track(frame, context);
     result.work = {1234};
     return result;
@@ -165,7 +165,7 @@ class WaitingCoil : public fakes::Coil {
   explicit WaitingCoil(NotedWork& noted) : fakes::Coil(std::nullopt), noted_(noted) {}
   coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
                                   const coil_tracking::CoilContext& context) override {
-    noted_.before_coil = context.work_before.looks;
+    noted_.before_coil = context.work_before.comparisons;
     auto result = fakes::Coil::track(frame, context);
     result.deferred = {567};
     return result;

@@ -35,7 +35,7 @@ constexpr double kComesNearer = 0.3;
 constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // size of motion when a camera is knocked
 
 /// Relative error of the square's size measured with this rig.
-double sizeError(const StereoRig& rig, const SquareSighting& square) {
+double sizeError(const StereoRig& rig, const SquareObservation& square) {
   std::array<Eigen::Vector3d, 4> corners_mm;
   for (int i = 0; i < 4; ++i) corners_mm[i] = triangulate(rig, square.left_px[i], square.right_px[i]).mm;
   double side_mm = 0;
@@ -91,7 +91,7 @@ void RigMonitor::add(const std::vector<Correspondence>& points) {
   }
 }
 
-void RigMonitor::add(const SquareSighting& square) {
+void RigMonitor::add(const SquareObservation& square) {
   std::vector<Correspondence> corners;
   for (int i = 0; i < 4; ++i) corners.push_back({square.left_px[i], square.right_px[i], 0.05});
   add(corners);

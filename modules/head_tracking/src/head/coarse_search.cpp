@@ -20,7 +20,8 @@ constexpr std::size_t kMostPoints = 160;           // of a view
 constexpr std::size_t kFewestPoints = 30;
 constexpr std::size_t kMostFitted = 2;  // places per frame
 constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
-constexpr int kViewLooks = 30, kTemplateLooks = 180;  // work for one view, for one fit of the template
+constexpr int kViewComparisons = 30,
+              kTemplateComparisons = 180;  // work for one view, for one fit of the template
 
 Eigen::Matrix3d turnAbout(const Eigen::Vector3d& axis, double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
@@ -120,7 +121,7 @@ class CoarseSearch::SearchImage {
 CoarseSearch::CoarseSearch(const cameras::StereoRig& rig, const std::array<ImagePyramid, 2>& key,
                            FaceTemplate face)
     : face_(std::move(face)) {
-  looks_.push_back(face_.looksAt(rig, EvenedPair(key), Eigen::Isometry3d::Identity()));
+  appearances_.push_back(face_.appearanceAt(rig, EvenedPair(key), Eigen::Isometry3d::Identity()));
   const Eigen::Vector3d& centre_mm = face_.centre_mm();
   for (const double lean_deg : kLeans_deg)
     for (const double nod_deg : kNods_deg)
@@ -138,14 +139,14 @@ CoarseSearch::CoarseSearch(const cameras::StereoRig& rig, const std::array<Image
 }
 
 CoarseSearch::View CoarseSearch::viewAt(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion,
-                                        std::size_t looks) const {
-  View view{motion, looks, {}};
+                                        std::size_t appearance) const {
+  View view{motion, appearance, {}};
   for (int c = 0; c < 2; ++c) {
     const cameras::CameraModel& camera = c == 0 ? rig.left : rig.right;
     const Eigen::Isometry3d camera_T_head = c == 0 ? motion : rig.right_T_left.isometry() * motion;
     const Eigen::Vector2d centre_px = cameras::project(camera, camera_T_head * face_.centre_mm());
     const auto is_seen = face_.seenBy(camera, camera_T_head);
-    const auto& grey = looks_[looks].grey[0][c];
+    const auto& grey = appearances_[appearance].grey[0][c];
     for (std::size_t i = 0; i < grey.size(); ++i) {
       if (!is_seen[i] || grey[i].weight <= 0) continue;
       const Eigen::Vector2d px = cameras::project(camera, camera_T_head * face_.points()[i].mm);
@@ -161,8 +162,8 @@ CoarseSearch::View CoarseSearch::viewAt(const cameras::StereoRig& rig, const Eig
 
 void CoarseSearch::add(const cameras::StereoRig& rig, const std::array<ImagePyramid, 2>& now,
                        const Eigen::Isometry3d& motion) {
-  looks_.push_back(face_.looksAt(rig, EvenedPair(now), motion));
-  views_.insert(views_.begin(), viewAt(rig, motion, looks_.size() - 1));
+  appearances_.push_back(face_.appearanceAt(rig, EvenedPair(now), motion));
+  views_.insert(views_.begin(), viewAt(rig, motion, appearances_.size() - 1));
 }
 
 std::size_t CoarseSearch::likeliest(const Eigen::Isometry3d& motion) const {
@@ -171,7 +172,7 @@ std::size_t CoarseSearch::likeliest(const Eigen::Isometry3d& motion) const {
   };
   return std::min_element(views_.begin(), views_.end(),
                           [&](const View& a, const View& b) { return apart(a) < apart(b); })
-      ->looks;
+      ->appearance;
 }
 
 std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const cameras::StereoRig& rig,
@@ -199,7 +200,7 @@ std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const cameras::Stere
     best.motion.linear() = Eigen::Quaterniond::FromTwoVectors(then_mm, ray) * view.motion.linear();
     best.motion.translation() = centre_mm - best.motion.linear() * face_.centre_mm();
   }
-  best.looks = view.looks;
+  best.appearance = view.appearance;
   return best.likeness > kLeastLikeness ? std::optional(best) : std::nullopt;
 }
 
@@ -225,15 +226,15 @@ CoarseSearch::Places CoarseSearch::find(const cameras::StereoRig& rig, const Eve
                       first = std::size_t(turn) % turns * kAtOnce,
                       end = std::min(first + kAtOnce, views_.size());
     found = likelyPlaces(rig, now, first, end, kScales[(std::size_t(turn) / turns) % std::size(kScales)]);
-    places.looks += kViewLooks * int(end - first);
+    places.comparisons += kViewComparisons * int(end - first);
   }
   if (!views_.empty() && expected) found.push_back({likeliest(*expected), *expected, 0.0});
   std::vector<FaceTemplate::Fit> fits;
   for (const auto& candidate : found) {
-    const auto fit = face_.fit(rig, looks_[candidate.looks], now, candidate.motion);
+    const auto fit = face_.fit(rig, appearances_[candidate.appearance], now, candidate.motion);
     if (fit.likeness > kLeastFitted) fits.push_back(fit);
   }
-  places.looks += kTemplateLooks * int(found.size());
+  places.comparisons += kTemplateComparisons * int(found.size());
   std::stable_sort(fits.begin(), fits.end(),
                    [](const auto& a, const auto& b) { return a.likeness > b.likeness; });
   for (const auto& fit : fits) places.starts.push_back(fit.motion);

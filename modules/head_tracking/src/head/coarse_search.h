@@ -20,7 +20,7 @@ class CoarseSearch {
 
   struct Places {
     std::vector<Eigen::Isometry3d> starts;  // motions since the reference, the likeliest first
-    int looks = 0;  // work, in patch comparisons that take the same time (frame_work.h)
+    int comparisons = 0;  // work, in patch comparisons that take the same time (frame_work.h)
   };
   /// Approximate motions of the head, to some degrees: from where it was `expected`, and from a search of the
   /// images. `turn` counts up from 0 while the face is lost; each turn searches the next views (turn 0: only
@@ -39,29 +39,29 @@ class CoarseSearch {
       float value;
     };
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    std::size_t looks = 0;
+    std::size_t appearance = 0;
     std::array<std::vector<Point>, 2> points;  // of each camera
   };
   struct Candidate {
-    std::size_t looks = 0;
+    std::size_t appearance = 0;
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
     double likeness = 0.0;
   };
   class SearchImage;
 
-  View viewAt(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion, std::size_t looks) const;
+  View viewAt(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion, std::size_t appearance) const;
   std::optional<Candidate> locate(const cameras::StereoRig& rig, const std::array<SearchImage, 2>& images,
                                   const View& view, double scale) const;
 
   /// The likeliest places over these views, each scaled by `scale`.
   std::vector<Candidate> likelyPlaces(const cameras::StereoRig& rig, const EvenedPair& now, std::size_t first,
                                       std::size_t end, double scale) const;
-  /// Index in looks_ of the view nearest to `motion`.
+  /// Index in appearances_ of the view nearest to `motion`.
   std::size_t likeliest(const Eigen::Isometry3d& motion) const;
 
   FaceTemplate face_;
-  std::vector<FaceTemplate::Looks> looks_;  // appearance in the reference, then as learnt
-  std::vector<View> views_;                 // learnt ones first, then by angle from the reference
+  std::vector<FaceTemplate::Appearance> appearances_;  // appearance in the reference, then as learnt
+  std::vector<View> views_;                            // learnt ones first, then by angle from the reference
 };
 
 }  // namespace facenav::head_tracking

@@ -9,19 +9,20 @@ constexpr double kLeastLikeness = 0.15;                         // of a coarse f
 constexpr double kLikely = 0.8;                                 // the head is probably there
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // likeness with the images exchanged
 // Other work of a frame, in patch comparisons that take the same time.
-constexpr int kPyramidLooks = 450, kEvenedLooks = 250;
-constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kWhoseLooks = 500;
+constexpr int kPyramidComparisons = 450, kEvenedComparisons = 250;
+constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kIdentityComparisons = 500;
 constexpr int kInAll = FrameWork::kMost - 700;  // leaves work for a tracked coil
 constexpr int kFewestSteps = 4, kMostSteps = 8;
 
 }  // namespace
 
-bool HeadWork::leavesTimeToSearch() const { return looks <= std::max(0, kBeforeSearch - left_out); }
-bool HeadWork::leavesTimeToFit() const { return looks <= kBeforeFit - left_out; }
+bool HeadWork::leavesTimeToSearch() const { return comparisons <= std::max(0, kBeforeSearch - left_out); }
+bool HeadWork::leavesTimeToFit() const { return comparisons <= kBeforeFit - left_out; }
 
 int HeadWork::stepsLeft(const PatchModel& model) const {
   const int a_step = std::max(1, 2 * int(model.level[0].patches.size()));
-  return std::clamp((kInAll - left_out - kWhoseLooks - looks) / a_step, kFewestSteps, kMostSteps);
+  return std::clamp((kInAll - left_out - kIdentityComparisons - comparisons) / a_step, kFewestSteps,
+                    kMostSteps);
 }
 
 FaceSearch::FaceSearch(const cameras::StereoRig& rig, const PatchModel& model,
@@ -43,7 +44,7 @@ PoseFit FaceSearch::roughly(const KeyFrames& keys, const std::array<ImagePyramid
                             const Eigen::Isometry3d& start, HeadWork& work, int first_level) const {
   PoseFit fit =
       fitPose(rig_, *model_, keys.likeliest(start).level, now, start, first_level, {}, rough_level_);
-  work.looks += fit.looks;
+  work.comparisons += fit.comparisons;
   return fit;
 }
 
@@ -51,7 +52,7 @@ void FaceSearch::lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 
                           const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
                           Found& found, HeadWork& work) const {
   const CoarseSearch::Places places = coarse_.find(rig_, evened, from, turn_);
-  work.looks += places.looks;
+  work.comparisons += places.comparisons;
   for (const auto& start : places.starts) {
     found.is_anything_alike = true;
     if (found.best.likeness > kLikely || !work.leavesTimeToFit()) break;
@@ -65,15 +66,15 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
                                    const std::optional<Eigen::Isometry3d>& expected, bool is_first,
                                    HeadWork& work) {
   Found found;
-  work.looks += kPyramidLooks;
-  const bool was_put_off = put_off_.has_value();
-  if (was_put_off || last)
-    found.best = roughly(keys, now, put_off_ ? *put_off_ : expected.value_or(*last), work);
-  put_off_.reset();
-  const bool is_there = found.best.likeness > kLikely && (is_first || was_put_off);
+  work.comparisons += kPyramidComparisons;
+  const bool was_deferred = deferred_.has_value();
+  if (was_deferred || last)
+    found.best = roughly(keys, now, deferred_ ? *deferred_ : expected.value_or(*last), work);
+  deferred_.reset();
+  const bool is_there = found.best.likeness > kLikely && (is_first || was_deferred);
   if (!is_there) {
     const EvenedPair evened(now);
-    work.looks += kEvenedLooks;
+    work.comparisons += kEvenedComparisons;
     lookFrom(keys, now, evened, last, found, work);
     if (last && is_first && found.best.likeness < kLikely)
       lookFrom(keys, now, evened, std::nullopt, found, work);  // a fast motion, at a few frames per second
@@ -84,8 +85,8 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
   }
   found.is_to_be_tried = !found.is_swapped && found.best.likeness >= kLeastLikeness;
   if (found.is_to_be_tried && !work.leavesTimeToFit()) {
-    put_off_ = found.best.motion;
-    found.is_to_be_tried = false, found.is_put_off = true;
+    deferred_ = found.best.motion;
+    found.is_to_be_tried = false, found.is_deferred = true;
   }
   return found;
 }

@@ -31,7 +31,7 @@ class FaceSearch {
     bool is_anything_alike = false, is_swapped = false;
     bool is_to_be_tried =
         false;  // in this frame; false: nothing is likely enough, or deferred to the next frame
-    bool is_put_off = false;
+    bool is_deferred = false;
   };
 
   FaceSearch() = default;
@@ -44,9 +44,9 @@ class FaceSearch {
              const std::optional<Eigen::Isometry3d>& last, const std::optional<Eigen::Isometry3d>& expected,
              bool is_first, HeadWork& work);
   /// Sets the start for the next frame: a fit that was converging.
-  void goOnFrom(const Eigen::Isometry3d& motion) { put_off_ = motion; }
+  void goOnFrom(const Eigen::Isometry3d& motion) { deferred_ = motion; }
   /// Call when the head was found.
-  void end() { turn_ = 0, put_off_.reset(); }
+  void end() { turn_ = 0, deferred_.reset(); }
   /// Adds the face as seen at `motion` to the search.
   void add(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& motion);
   void forgetLearnt();
@@ -63,7 +63,7 @@ class FaceSearch {
   const PatchModel* model_ = nullptr;  // owned by the tracker
   CoarseSearch coarse_, reference_;    // reference_: without what was learnt since the start
   int rough_level_ = 2, turn_ = 0;
-  std::optional<Eigen::Isometry3d> put_off_;
+  std::optional<Eigen::Isometry3d> deferred_;
 };
 
 }  // namespace facenav::head_tracking

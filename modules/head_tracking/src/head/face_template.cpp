@@ -117,15 +117,15 @@ std::vector<bool> FaceTemplate::seenBy(const cameras::CameraModel& camera,
   return is_seen;
 }
 
-FaceTemplate::Looks FaceTemplate::looksAt(const cameras::StereoRig& rig, const EvenedPair& images,
-                                          const Eigen::Isometry3d& motion) const {
-  Looks looks;
+FaceTemplate::Appearance FaceTemplate::appearanceAt(const cameras::StereoRig& rig, const EvenedPair& images,
+                                                    const Eigen::Isometry3d& motion) const {
+  Appearance appearance;
   for (int c = 0; c < 2; ++c) {
     const Eigen::Isometry3d camera_T_head = seenFrom(rig, c, motion);
     const auto is_seen = seenBy(cameraOf(rig, c), camera_T_head);
     for (std::size_t l = 0; l < 2; ++l) {
       const double scale = 1.0 / (1 << EvenedPair::kLevel[l]);
-      auto& grey = looks.grey[l][c];
+      auto& grey = appearance.grey[l][c];
       grey.resize(points_.size());
       for (std::size_t i = 0; i < points_.size(); ++i) {
         if (!is_seen[i]) continue;
@@ -135,7 +135,7 @@ FaceTemplate::Looks FaceTemplate::looksAt(const cameras::StereoRig& rig, const E
       }
     }
   }
-  return looks;
+  return appearance;
 }
 
 FaceTemplate::Sums& FaceTemplate::Sums::operator+=(const Sums& other) {
@@ -145,25 +145,26 @@ FaceTemplate::Sums& FaceTemplate::Sums::operator+=(const Sums& other) {
   return *this;
 }
 
-FaceTemplate::Looked FaceTemplate::lookedFor(const cameras::StereoRig& rig, const Looks& looks, std::size_t l,
-                                             int c, const Eigen::Isometry3d& motion) const {
+FaceTemplate::ExpectedPoints FaceTemplate::expectedPoints(const cameras::StereoRig& rig,
+                                                          const Appearance& appearance, std::size_t l, int c,
+                                                          const Eigen::Isometry3d& motion) const {
   const double scale = 1.0 / (1 << EvenedPair::kLevel[l]);
   const Eigen::Isometry3d camera_T_head = seenFrom(rig, c, motion);
-  Looked looked;
+  ExpectedPoints expected;
   for (std::size_t i = 0; i < points_.size(); i += kEvery[l]) {
-    const Looks::Grey& then = looks.grey[l][c][i];
+    const Appearance::Grey& then = appearance.grey[l][c][i];
     const Eigen::Vector3d now_mm = camera_T_head * points_[i].mm;
     if (then.weight <= 0 || now_mm.z() < 1) continue;
     Eigen::Matrix<double, 2, 3> d_p;
     const Eigen::Vector2d px = scale * cameras::project(cameraOf(rig, c), now_mm, d_p);
     const Eigen::Matrix2d d = scale * now_mm.z() * d_p.leftCols<2>();
-    looked.add(points_[i], then, d, px - d * now_mm.hnormalized());
+    expected.add(points_[i], then, d, px - d * now_mm.hnormalized());
   }
-  return looked;
+  return expected;
 }
 
-void FaceTemplate::Looked::add(const Point& point, const Looks::Grey& then, const Eigen::Matrix2d& d,
-                               const Eigen::Vector2d& offset) {
+void FaceTemplate::ExpectedPoints::add(const Point& point, const Appearance::Grey& then,
+                                       const Eigen::Matrix2d& d, const Eigen::Vector2d& offset) {
   using F = search::TemplateField;
   constexpr int kLanes = search::kLanes;
   const int lane = count_++ % kLanes;
@@ -177,9 +178,9 @@ void FaceTemplate::Looked::add(const Point& point, const Looks::Grey& then, cons
   set(F::u0, offset.x()), set(F::v0, offset.y());
 }
 
-FaceTemplate::Sums FaceTemplate::Looked::sumsIn(const cv::Mat1f& image,
-                                                const Eigen::Isometry3d& camera_T_head,
-                                                const Eigen::Vector3d& centre_mm) const {
+FaceTemplate::Sums FaceTemplate::ExpectedPoints::sumsIn(const cv::Mat1f& image,
+                                                        const Eigen::Isometry3d& camera_T_head,
+                                                        const Eigen::Vector3d& centre_mm) const {
   search::TemplateLook look;
   look.blocks = blocks_.data();
   look.block_count = int(blocks_.size()) / (search::TemplateField::count * search::kLanes);
@@ -200,16 +201,16 @@ FaceTemplate::Sums FaceTemplate::Looked::sumsIn(const cv::Mat1f& image,
   return sums;
 }
 
-FaceTemplate::Fit FaceTemplate::fit(const cameras::StereoRig& rig, const Looks& looks, const EvenedPair& now,
-                                    const Eigen::Isometry3d& start) const {
+FaceTemplate::Fit FaceTemplate::fit(const cameras::StereoRig& rig, const Appearance& appearance,
+                                    const EvenedPair& now, const Eigen::Isometry3d& start) const {
   Fit fit{start, 0.0};
   for (std::size_t l = 0; l < 2; ++l) {
-    const std::array<Looked, 2> looked = {lookedFor(rig, looks, l, 0, fit.motion),
-                                          lookedFor(rig, looks, l, 1, fit.motion)};
+    const std::array<ExpectedPoints, 2> expected = {expectedPoints(rig, appearance, l, 0, fit.motion),
+                                                    expectedPoints(rig, appearance, l, 1, fit.motion)};
     for (int step = 0; step < kSteps[l]; ++step) {
       Sums sums;
       for (int c = 0; c < 2; ++c)
-        sums += looked[c].sumsIn(now.image[l][c], seenFrom(rig, c, fit.motion), centre_mm_);
+        sums += expected[c].sumsIn(now.image[l][c], seenFrom(rig, c, fit.motion), centre_mm_);
       if (sums.seen < kFewest) return {fit.motion, 0.0};
       fit.likeness = sums.product / std::sqrt(std::max(1e-9, sums.now_squares * sums.then_squares));
       sums.normal.diagonal() *= 1.01;

@@ -36,7 +36,7 @@ class FaceTemplate {
     Eigen::Vector3d mm, normal;  // Head; towards the cameras
   };
   /// Grey values of the points in one pair of images. Weight 0: the camera does not see the point.
-  struct Looks {
+  struct Appearance {
     struct Grey {
       float value = 0.f, weight = 0.f;
     };
@@ -56,9 +56,9 @@ class FaceTemplate {
   const Eigen::Vector3d& centre_mm() const { return centre_mm_; }
   /// Which points a camera sees at `camera_T_head`: those that face it and are not hidden by others.
   std::vector<bool> seenBy(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head) const;
-  Looks looksAt(const cameras::StereoRig& rig, const EvenedPair& images,
-                const Eigen::Isometry3d& motion) const;
-  Fit fit(const cameras::StereoRig& rig, const Looks& looks, const EvenedPair& now,
+  Appearance appearanceAt(const cameras::StereoRig& rig, const EvenedPair& images,
+                          const Eigen::Isometry3d& motion) const;
+  Fit fit(const cameras::StereoRig& rig, const Appearance& appearance, const EvenedPair& now,
           const Eigen::Isometry3d& start) const;
 
  private:
@@ -70,9 +70,9 @@ class FaceTemplate {
     Sums& operator+=(const Sums& other);
   };
   /// The points that one camera should see, with its model linearised near their expected places.
-  class Looked {
+  class ExpectedPoints {
    public:
-    void add(const Point& point, const Looks::Grey& then, const Eigen::Matrix2d& d,
+    void add(const Point& point, const Appearance::Grey& then, const Eigen::Matrix2d& d,
              const Eigen::Vector2d& offset);
     Sums sumsIn(const cv::Mat1f& image, const Eigen::Isometry3d& camera_T_head,
                 const Eigen::Vector3d& centre_mm) const;
@@ -81,8 +81,8 @@ class FaceTemplate {
     std::vector<float> blocks_;  // of search::TemplateLook
     int count_ = 0;
   };
-  Looked lookedFor(const cameras::StereoRig& rig, const Looks& looks, std::size_t l, int c,
-                   const Eigen::Isometry3d& motion) const;
+  ExpectedPoints expectedPoints(const cameras::StereoRig& rig, const Appearance& appearance, std::size_t l,
+                                int c, const Eigen::Isometry3d& motion) const;
 
   std::vector<Point> points_;
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();

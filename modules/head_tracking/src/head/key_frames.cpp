@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "patch_looks.h"
+#include "patch_appearance.h"
 #include "patch_placement.h"
 
 namespace facenav::head_tracking {
@@ -48,14 +48,14 @@ void turnTangents(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion
   patch.right_mm = turned.col(0), patch.down_mm = turned.col(1);
 }
 
-void setLooks(PatchLevel& level, std::size_t i, int camera, const PatchLooks& looked) {
-  level.patches[i].view[camera] = looked.view;
-  if (!looked.view.is_usable) return;
+void setAppearance(PatchLevel& level, std::size_t i, int camera, const PatchAppearance& appearance_now) {
+  level.patches[i].view[camera] = appearance_now.view;
+  if (!appearance_now.view.is_usable) return;
   const auto at = std::ptrdiff_t(i * patch::kSamples);
-  auto& looks = level.looks[camera];
-  std::copy(looked.grey.begin(), looked.grey.end(), looks.grey.begin() + at);
-  std::copy(looked.d_u.begin(), looked.d_u.end(), looks.d_u.begin() + at);
-  std::copy(looked.d_v.begin(), looked.d_v.end(), looks.d_v.begin() + at);
+  auto& appearance = level.appearance[camera];
+  std::copy(appearance_now.grey.begin(), appearance_now.grey.end(), appearance.grey.begin() + at);
+  std::copy(appearance_now.d_u.begin(), appearance_now.d_u.end(), appearance.d_u.begin() + at);
+  std::copy(appearance_now.d_v.begin(), appearance_now.d_v.end(), appearance.d_v.begin() + at);
 }
 
 }  // namespace
@@ -138,7 +138,8 @@ void KeyFrames::begin(const cameras::StereoRig& rig, const PatchModel& model,
   fresh.key.generation = keys_[chosen_].generation + 1;
   fresh.key.is_of_moment = keys_[chosen_].is_of_moment;
   fresh.key.level = keys_.front().level;
-  for (const auto& sight : fit.sights) fresh.is_good.push_back({sight[0].isGood(), sight[1].isGood()});
+  for (const auto& measurement : fit.measurements)
+    fresh.is_good.push_back({measurement[0].isGood(), measurement[1].isGood()});
   unfinished_.push_front(std::move(fresh));
 }
 
@@ -199,15 +200,15 @@ void KeyFrames::learnPatch(const cameras::StereoRig& rig, const PatchModel& mode
     const auto& camera = c == 0 ? rig.left : rig.right;
     const Eigen::Isometry3d camera_T_head = c == 0 ? fresh.key.motion : fresh.right_T_left * fresh.key.motion;
     const BlurredImage& image = fresh.pyramid[c].level[fresh.level];
-    PatchLooks looked;
+    PatchAppearance appearance_now;
     if ((fresh.level > 0 || fresh.is_good[i][c]) && !image.pixels.empty())
-      looked = look(camera, camera_T_head, image, points, fresh.level,
-                    noiseBeforeBlur(model.noise_grey, fresh.level));
-    if (looked.view.is_usable) {
-      addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, fresh.level, looked.view);
+      appearance_now = look(camera, camera_T_head, image, points, fresh.level,
+                            noiseBeforeBlur(model.noise_grey, fresh.level));
+    if (appearance_now.view.is_usable) {
+      addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, fresh.level, appearance_now.view);
       fresh.usable += fresh.level == 0;
     }
-    setLooks(level, i, c, looked);
+    setAppearance(level, i, c, appearance_now);
   }
   turnTangents(rig, fresh.key.motion, fresh.level, level.patches[i]);
 }

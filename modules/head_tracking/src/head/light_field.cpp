@@ -12,15 +12,15 @@ constexpr float kLeastWeight = 4.f;
 
 }  // namespace
 
-Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const PatchSights& sights,
+Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const PatchMeasurements& measurements,
                            std::size_t patch, int camera) {
-  const float own = sights[patch][camera].brightness;
+  const float own = measurements[patch][camera].brightness;
   float n = 0, x = 0, y = 0, r = 0, xx = 0, xy = 0, yy = 0, xr = 0, yr = 0;
   for (const auto& neighbour : neighbours) {
-    const PatchSight& sight = sights[neighbour.patch][camera];
-    const float change = sight.brightness - own;
-    if (!sight.is_visible || std::abs(change) > kMostChange * own) continue;
-    const float w = std::max(0.f, sight.ncc), u = neighbour.right_px, v = neighbour.down_px;
+    const PatchMeasurement& measurement = measurements[neighbour.patch][camera];
+    const float change = measurement.brightness - own;
+    if (!measurement.is_visible || std::abs(change) > kMostChange * own) continue;
+    const float w = std::max(0.f, measurement.ncc), u = neighbour.right_px, v = neighbour.down_px;
     n += w, x += w * u, y += w * v, r += w * change;
     xx += w * u * u, xy += w * u * v, yy += w * v * v, xr += w * u * change, yr += w * v * change;
   }

@@ -11,7 +11,7 @@ namespace facenav::head_tracking {
 
 /// Relative slope of the light per pixel of the left key image, (right, down), at one patch in one camera.
 /// Zero when too few neighbours are visible.
-Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const PatchSights& sights,
+Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const PatchMeasurements& measurements,
                            std::size_t patch, int camera);
 
 }  // namespace facenav::head_tracking

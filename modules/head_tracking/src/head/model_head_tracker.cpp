@@ -18,7 +18,7 @@
 #include "patch_doubt.h"
 #include "patch_model.h"
 #include "patch_placement.h"
-#include "patch_trust.h"
+#include "patch_weights.h"
 #include "pose_fit.h"
 #include "recovery/face_check.h"
 #include "recovery/lost_face.h"
@@ -28,11 +28,11 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kReach_mm = 150.0;      // of a sudden motion of the head, besides walking
-constexpr double kGettingThere = 0.8;    // likeness of a fit that had not settled: the next frame goes on
-constexpr int kLearnBelow_looks = 3400;  // at patches, in a frame
-constexpr std::size_t kAskedParts = 8;   // of the patches, one a tracked frame: whose skin it is
-constexpr int kLastingEvery = 20;        // tracked frames, between tries of the key frames from before a loss
+constexpr double kReach_mm = 150.0;    // of a sudden motion of the head, besides walking
+constexpr double kGettingThere = 0.8;  // likeness of a fit that had not settled: the next frame goes on
+constexpr int kLearnBelow_comparisons = 3400;  // at patches, in a frame
+constexpr std::size_t kAskedParts = 8;         // of the patches, one a tracked frame: whose skin it is
+constexpr int kLastingEvery = 20;  // tracked frames, between tries of the key frames from before a loss
 constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // between two kinds of key frames
 constexpr double kAsExpected = 2.0;       // errors of patches, by those expected, on skin that has not moved
 constexpr double kCortexDepth_mm = 80.0;  // from the face to what must not move unseen
@@ -75,7 +75,7 @@ class ModelHeadTracker : public HeadTracker {
     search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_ = HeadMotion(model_.centre_mm);
-    trust_ = PatchTrust(model_.level[0].patches.size());
+    patch_weights_ = PatchWeights(model_.level[0].patches.size());
     words_ = LossWords(model_.centre_mm, model_.noise_grey, key[0], left_box_);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
     doubt_.clear();
@@ -84,13 +84,13 @@ class ModelHeadTracker : public HeadTracker {
     lost_face_ = std::make_unique<LostFace>(
         std::make_shared<FaceRecovery>(rig, reference.frame, region, surface, face, detector_),
         LostFace::Learnt{&camera_.rig(), &model_, &both_cameras_, &camera_}, pace_);
-    lost_face_->add(reference.looks);
+    lost_face_->add(reference.comparisons);
   }
 
   HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) override {
     FACENAV_EXPECT(lost_face_ != nullptr, "track() before start()");
     if (context.is_learnt_in_doubt) forgetLearnt();
-    left_out_ = context.reserved.looks;
+    left_out_ = context.reserved.comparisons;
     HeadResult result = poseIn(frame);
     if (!result) result.loss_detail = detail_;
     result.exposure_offset = {camera_.late_s(), camera_.sigma_s()};
@@ -99,8 +99,8 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  std::vector<FaceLook> learntLooks() const override {
-    return lost_face_ ? lost_face_->learnt() : std::vector<FaceLook>();
+  std::vector<FaceKeyFrame> learntKeyFrames() const override {
+    return lost_face_ ? lost_face_->learnt() : std::vector<FaceKeyFrame>();
   }
 
  private:
@@ -130,7 +130,7 @@ class ModelHeadTracker : public HeadTracker {
     check_.cancel();
     keys_ = KeyFrames(model_);
     search_.forgetLearnt();
-    trust_.forget();
+    patch_weights_.forget();
     last_.forget();
     lost_frames_ = 0;
   }
@@ -145,10 +145,11 @@ class ModelHeadTracker : public HeadTracker {
     const KeyFrame& key = keys_.nearest(predicted);
     camera_.allowFor(key, predicted, last_.steady());
     const auto now = boxed(frame, predicted);
-    const PoseFit fit = fitPose(camera_.now(), model_, key.level, now, predicted, 0, trust_.weights());
-    work_.looks += fit.looks;
+    const PoseFit fit =
+        fitPose(camera_.now(), model_, key.level, now, predicted, 0, patch_weights_.weights());
+    work_.comparisons += fit.comparisons;
     const Verdict verdict = verdictOf(key, fit);
-    if (!verdict.isTracked() || isAnothers(key, now, fit)) {
+    if (!verdict.isTracked() || isOtherPerson(key, now, fit)) {
       first_loss_ = {verdict.lost.value_or(LostReason::no_face), fit.motion};
       return std::nullopt;
     }
@@ -178,15 +179,16 @@ class ModelHeadTracker : public HeadTracker {
 
   // Somebody else, put in the patient's place between two frames. A part of the patches is asked in each, all
   // of them where that part is in doubt.
-  bool isAnothers(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit) {
+  bool isOtherPerson(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit) {
     asked_part_ = (asked_part_ + 1) % kAskedParts;
-    return whose(key, now, fit, {kAskedParts, asked_part_}) != Whose::patients &&
-           whose(key, now, fit) == Whose::anothers;
+    return identityAt(key, now, fit, {kAskedParts, asked_part_}) != SkinIdentity::patient &&
+           identityAt(key, now, fit) == SkinIdentity::other_person;
   }
 
-  Whose whose(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit,
-              const PatchShare& share = {}) const {
-    return whoseSkin(detailAgreement(camera_.now(), model_, key.level[0], now, fit, share), both_cameras_);
+  SkinIdentity identityAt(const KeyFrame& key, const std::array<ImagePyramid, 2>& now, const PoseFit& fit,
+                          const PatchShare& share = {}) const {
+    return identityOfSkin(detailAgreement(camera_.now(), model_, key.level[0], now, fit, share),
+                          both_cameras_);
   }
 
   // The prediction failed. An answer about an earlier frame comes first, then the search within the frame;
@@ -312,14 +314,15 @@ class ModelHeadTracker : public HeadTracker {
                                                    const PoseFit& by_moment) {
     if (!keys_.isOfMoment() || ++since_try_ % kLastingEvery != 0) return std::nullopt;
     const KeyFrame& key = keys_.lasting(by_moment.motion);
-    const PoseFit fit = fitPose(camera_.now(), model_, key.level, now, by_moment.motion, 0, trust_.weights());
-    work_.looks += fit.looks;
+    const PoseFit fit =
+        fitPose(camera_.now(), model_, key.level, now, by_moment.motion, 0, patch_weights_.weights());
+    work_.comparisons += fit.comparisons;
     const Eigen::Isometry3d off = by_moment.motion.inverse() * fit.motion;
     const bool is_same = (off * model_.centre_mm - model_.centre_mm).norm() < kSamePlace_mm &&
                          rotationAngle(off.linear()) < kSameTurn_rad;
     if (!is_same && fit.scale > kAsExpected) return std::nullopt;
     const Verdict verdict = verdictOf(key, fit);
-    if (!verdict.isTracked() || whose(key, now, fit) != Whose::patients) return std::nullopt;
+    if (!verdict.isTracked() || identityAt(key, now, fit) != SkinIdentity::patient) return std::nullopt;
     keys_.endMoment();
     return accepted(frame, fit, verdict);
   }
@@ -333,7 +336,7 @@ class ModelHeadTracker : public HeadTracker {
     const auto found = search_.seek(keys_, now, lastPose(), expected, lost_frames_ == 0, work_);
     if (found.is_swapped) return lost(LostReason::camera, LossDetail::swapped);
     if (!found.is_to_be_tried) {
-      const bool is_there = found.is_put_off || !last_.isKnown();
+      const bool is_there = found.is_deferred || !last_.isKnown();
       const auto& pose = is_there ? found.best.motion : last_.pose();
       const auto detail = words_.circumstance(pose, now[0], left_box_, last_, frame.captured);
       return lost(LostReason::no_face, detail.value_or(wordWithoutFit(found)));
@@ -359,13 +362,13 @@ class ModelHeadTracker : public HeadTracker {
     camera_.allowFor(key, start, last_.steady());
     const int level = search_.roughLevel() - 1, first_level = known.is_rough ? kLevels - 1 : level;
     const PoseFit nearly = fitPose(camera_.now(), model_, key.level, now, start, first_level, {}, level);
-    work_.looks += nearly.looks;
+    work_.comparisons += nearly.comparisons;
     const auto finest = boxed(frame, nearly.motion);
-    PoseFit fit = fitPose(camera_.now(), model_, key.level, finest, nearly.motion, 0, trust_.weights(), 0,
-                          work_.stepsLeft(model_));
-    work_.looks += fit.looks;
+    PoseFit fit = fitPose(camera_.now(), model_, key.level, finest, nearly.motion, 0,
+                          patch_weights_.weights(), 0, work_.stepsLeft(model_));
+    work_.comparisons += fit.comparisons;
     Verdict verdict = verdictOf(key, fit);
-    if (!known.is_patient && verdict.isTracked() && whose(key, finest, fit) != Whose::patients)
+    if (!known.is_patient && verdict.isTracked() && identityAt(key, finest, fit) != SkinIdentity::patient)
       verdict.lost = LostReason::no_face;
     return {std::move(fit), std::move(verdict)};
   }
@@ -379,7 +382,7 @@ class ModelHeadTracker : public HeadTracker {
 
   // While a fit waits for the next frame: what this one has shown so far, or what was said before.
   LossDetail wordWithoutFit(const FaceSearch::Found& found) const {
-    if (!found.is_put_off) return found.is_anything_alike ? LossDetail::doubtful : LossDetail::not_found;
+    if (!found.is_deferred) return found.is_anything_alike ? LossDetail::doubtful : LossDetail::not_found;
     if (first_loss_) return LossWords::of(first_loss_->reason);
     return lost_frames_ > 0 ? detail_ : LossDetail::doubtful;
   }
@@ -407,14 +410,14 @@ class ModelHeadTracker : public HeadTracker {
 
   // Not in a frame in which the head was looked for: that has cost enough.
   void learnSides(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
-    if (work_.looks > kLearnBelow_looks) return;
+    if (work_.comparisons > kLearnBelow_comparisons) return;
     const KeyMotion moving = camera_.motionOf(last_.steadyWith(fit.motion, frame.captured));
     if (keys_.learn(camera_.rigFor(fit.motion, moving), model_, frame, fit, verdict, moving))
       search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
   }
 
   Tracked<HeadPose> accepted(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
-    trust_.learn(fit, last_.isKnown() ? frame.captured - last_.captured() : kFirstFrame_s);
+    patch_weights_.learn(fit, last_.isKnown() ? frame.captured - last_.captured() : kFirstFrame_s);
     detail_ = LossDetail::unknown;
     fit_scale_ = fit.scale;
     last_.add(fit.motion, frame.captured);
@@ -434,17 +437,18 @@ class ModelHeadTracker : public HeadTracker {
 
   static std::vector<FaceFeature> featuresOf(const PoseFit& fit) {
     std::vector<FaceFeature> features;
-    for (const auto& sight : fit.sights)
-      if (sight[0].is_visible && sight[1].is_visible)
-        features.push_back({sight[0].px.cast<double>(), sight[1].px.cast<double>(),
-                            double(std::min(sight[0].weight, sight[1].weight))});
+    for (const auto& measurement : fit.measurements)
+      if (measurement[0].is_visible && measurement[1].is_visible)
+        features.push_back({measurement[0].px.cast<double>(), measurement[1].px.cast<double>(),
+                            double(std::min(measurement[0].weight, measurement[1].weight))});
     return features;
   }
 
   static cv::Rect boxOf(const PoseFit& fit, int camera) {
     std::vector<cv::Point> points;
-    for (const auto& sight : fit.sights)
-      if (sight[camera].is_visible) points.emplace_back(int(sight[camera].px.x()), int(sight[camera].px.y()));
+    for (const auto& measurement : fit.measurements)
+      if (measurement[camera].is_visible)
+        points.emplace_back(int(measurement[camera].px.x()), int(measurement[camera].px.y()));
     return points.empty() ? cv::Rect() : cv::boundingRect(points);
   }
 
@@ -462,7 +466,7 @@ class ModelHeadTracker : public HeadTracker {
   LossDetail detail_ = LossDetail::unknown;
   FrameGuard guard_;
   HeadMotion last_;
-  PatchTrust trust_;
+  PatchWeights patch_weights_;
   cv::Rect left_box_, right_box_;
   int lost_frames_ = 0;
   Pace pace_ = Pace::as_live;

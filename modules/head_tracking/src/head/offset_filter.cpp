@@ -27,14 +27,14 @@ std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, 
   Vector6d g = Vector6d::Zero(), cross = Vector6d::Zero();
   double along = 0.0, along_d = 0.0, d2 = 0.0, weights = 0.0;
   int count = 0;
-  for (std::size_t i = 0; i < fit.sights.size(); ++i) {
-    const auto& sights = fit.sights[i];
-    if (!sights[0].isGood() || !sights[1].isGood()) continue;
+  for (std::size_t i = 0; i < fit.measurements.size(); ++i) {
+    const auto& measurements = fit.measurements[i];
+    if (!measurements[0].isGood() || !measurements[1].isGood()) continue;
     ++count;
-    const double w = std::min(sights[0].weight, sights[1].weight);
+    const double w = std::min(measurements[0].weight, measurements[1].weight);
     for (int c = 0; c < 2; ++c) {
       const auto& j = level.patches[i].view[c].jacobian;
-      Eigen::Vector2d d = sights[c].displacement.cast<double>();
+      Eigen::Vector2d d = measurements[c].displacement.cast<double>();
       if (c == 1) d += j * allowed;
       h += w * j.transpose() * j;
       g += w * j.transpose() * d;

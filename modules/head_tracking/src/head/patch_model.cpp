@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "patch_looks.h"
-#include "patch_worth.h"
+#include "patch_appearance.h"
+#include "patch_observation.h"
 
 namespace facenav::head_tracking {
 namespace {
@@ -29,7 +29,7 @@ struct Candidate {
   Eigen::Vector2d px;  // of the level
   double rigidity = 1.0;
   PatchPoints points;
-  std::array<PatchLooks, 2> looked;
+  std::array<PatchAppearance, 2> appearance_now;
 };
 
 // Candidate centres (pixels of the level, between four of them): the place with most texture in each cell.
@@ -65,11 +65,11 @@ std::vector<Candidate> candidates(const cameras::StereoRig& rig, const std::arra
     auto points = pointsOf(rig, surface, px, level);
     if (!points) continue;
     Candidate candidate{px, region.rigidity((1 << level) * px), std::move(*points), {}};
-    candidate.looked[0] = look(rig.left, Eigen::Isometry3d::Identity(), key[0].level[level], candidate.points,
-                               level, noise_grey);
-    candidate.looked[1] = look(rig.right, rig.right_T_left.isometry(), key[1].level[level], candidate.points,
-                               level, noise_grey);
-    if (candidate.looked[0].view.is_usable || candidate.looked[1].view.is_usable)
+    candidate.appearance_now[0] = look(rig.left, Eigen::Isometry3d::Identity(), key[0].level[level],
+                                       candidate.points, level, noise_grey);
+    candidate.appearance_now[1] = look(rig.right, rig.right_T_left.isometry(), key[1].level[level],
+                                       candidate.points, level, noise_grey);
+    if (candidate.appearance_now[0].view.is_usable || candidate.appearance_now[1].view.is_usable)
       all.push_back(std::move(candidate));
   }
   return all;
@@ -83,12 +83,12 @@ Patch patchOf(const Candidate& candidate) {
   patch.right_mm = candidate.points.right_mm, patch.down_mm = candidate.points.down_mm;
   patch.depth_sigma_mm = candidate.points.depth_sigma_mm;
   patch.normal_spread_rad = candidate.points.normal_spread_rad;
-  patch.view = {candidate.looked[0].view, candidate.looked[1].view};
+  patch.view = {candidate.appearance_now[0].view, candidate.appearance_now[1].view};
   return patch;
 }
 
 // Information of the patch after a usual turn of the head, when errors of depth and shading have an effect.
-std::vector<PatchTelling> usuallyTold(const Patch& patch) {
+std::vector<PatchObservation> usualObservations(const Patch& patch) {
   PatchChange usual;
   for (int c = 0; c < 2; ++c) {
     const Eigen::Vector3d& ray = patch.view[c].ray;
@@ -97,12 +97,12 @@ std::vector<PatchTelling> usuallyTold(const Patch& patch) {
   }
   usual.light_change = kUsualTurn_rad;
   if (canBePaired(patch)) {
-    const auto both = toldByBoth(patch, usual);
+    const auto both = observedByBoth(patch, usual);
     return {both.begin(), both.end()};
   }
-  std::vector<PatchTelling> told;
+  std::vector<PatchObservation> told;
   for (int c = 0; c < 2; ++c)
-    if (patch.view[c].is_usable) told.push_back(toldByOne(patch, c, usual));
+    if (patch.view[c].is_usable) told.push_back(observedByOne(patch, c, usual));
   return told;
 }
 
@@ -110,7 +110,7 @@ std::vector<PatchTelling> usuallyTold(const Patch& patch) {
 Eigen::Matrix<double, 4, 6> rootOfInformation(const Patch& patch) {
   Eigen::Matrix<double, 4, 6> root = Eigen::Matrix<double, 4, 6>::Zero();
   int row = 0;
-  for (const auto& told : usuallyTold(patch)) {
+  for (const auto& told : usualObservations(patch)) {
     const Eigen::Matrix2d information = told.covariance.inverse();
     root.middleRows<2>(row) =
         std::sqrt(patch.rigidity) * Eigen::Matrix2d(information.llt().matrixU()) * told.jacobian;
@@ -121,7 +121,7 @@ Eigen::Matrix<double, 4, 6> rootOfInformation(const Patch& patch) {
 
 // Greedy D-optimal design: the patches that add most to the information about the pose beside those already
 // chosen, by the gain in its log det.
-std::vector<std::size_t> mostTelling(const std::vector<Candidate>& all, std::size_t most) {
+std::vector<std::size_t> mostInformative(const std::vector<Candidate>& all, std::size_t most) {
   Matrix6d information = Matrix6d::Identity() * 1e-3;
   std::vector<Eigen::Matrix<double, 4, 6>> roots;
   for (const auto& candidate : all) roots.push_back(rootOfInformation(patchOf(candidate)));
@@ -156,14 +156,14 @@ void append(PatchLevel& model, const Candidate& candidate, int region) {
   }
   const std::vector<float> none(patch::kSamples, 0.f);
   for (int c = 0; c < 2; ++c) {
-    const auto& looked = candidate.looked[c];
+    const auto& appearance_now = candidate.appearance_now[c];
     const auto add = [&](std::vector<float>& to, const std::vector<float>& from) {
-      const auto& source = looked.view.is_usable ? from : none;
+      const auto& source = appearance_now.view.is_usable ? from : none;
       to.insert(to.end(), source.begin(), source.end());
     };
-    add(model.looks[c].grey, looked.grey);
-    add(model.looks[c].d_u, looked.d_u);
-    add(model.looks[c].d_v, looked.d_v);
+    add(model.appearance[c].grey, appearance_now.grey);
+    add(model.appearance[c].d_u, appearance_now.d_u);
+    add(model.appearance[c].d_v, appearance_now.d_v);
   }
   model.patches.push_back(patch);
 }
@@ -205,7 +205,7 @@ double shadingSigma(double light_change, double normal_spread_rad) {
 }
 
 patch::Samples PatchLevel::samples(int camera) const {
-  const auto& l = looks[camera];
+  const auto& l = appearance[camera];
   return {x.data(), y.data(), z.data(), l.grey.data(), l.d_u.data(), l.d_v.data()};
 }
 
@@ -224,11 +224,11 @@ PatchModel learnPatches(const cameras::StereoRig& rig, const cameras::StereoFram
     for (auto& candidate : all) {
       const auto& at_mm = candidate.points.centre_mm;
       addJacobian(rig.left, Eigen::Isometry3d::Identity(), at_mm, model.centre_mm, l,
-                  candidate.looked[0].view);
+                  candidate.appearance_now[0].view);
       addJacobian(rig.right, rig.right_T_left.isometry(), at_mm, model.centre_mm, l,
-                  candidate.looked[1].view);
+                  candidate.appearance_now[1].view);
     }
-    for (std::size_t i : mostTelling(all, kPlan[l].most))
+    for (std::size_t i : mostInformative(all, kPlan[l].most))
       append(model.level[l], all[i], regionOf((1 << l) * all[i].px, region.box()));
   }
   model.neighbours = neighboursOf(model.level[0]);

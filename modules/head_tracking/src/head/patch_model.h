@@ -53,10 +53,10 @@ struct PatchLevel {
   int level = 0;
   std::vector<Patch> patches;
   std::vector<float> x, y, z;  // Head, mm
-  struct Looks {
+  struct Appearance {
     std::vector<float> grey, d_u, d_v;  // centred template; filters in place of its derivatives
   };
-  std::array<Looks, 2> looks;
+  std::array<Appearance, 2> appearance;
 
   patch::Samples samples(int camera) const;
 };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "level_sight.h"
-#include "patch_worth.h"
+#include "level_measurement.h"
+#include "patch_observation.h"
 
 namespace facenav::head_tracking {
 namespace {
@@ -26,7 +26,7 @@ constexpr double kPlacedFor_px = 2.0;  // motion over which the cameras' lineari
 constexpr float kLeastScale = 0.5f;
 // Factor on errors common to both cameras: neighbouring patches have them in common (one light, one shape).
 constexpr float kSharedError = 1.6f;
-constexpr float kPairLooks = 0.4f;                  // above it both cameras see the patch about equally well
+constexpr float kPairRatio = 0.4f;                  // above it both cameras see the patch about equally well
 constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // finest level: set by the caller
 constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest motion of a patch in a step
 
@@ -34,8 +34,12 @@ constexpr double kSettled_px[kLevels] = {0.02, 0.03, 0.05, 0.05};  // largest mo
 class LevelFit {
  public:
   LevelFit(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
-           const std::array<ImagePyramid, 2>& now, const std::vector<float>& trust)
-      : rig_(rig), model_(model), level_(level), trust_(trust), seen_(rig, model, level, now) {}
+           const std::array<ImagePyramid, 2>& now, const std::vector<float>& patch_weights)
+      : rig_(rig),
+        model_(model),
+        level_(level),
+        patch_weights_(patch_weights),
+        seen_(rig, model, level, now) {}
 
   bool isHopeless(int step, double moved_px) const {
     if (step != kHopelessAfter && step != kAstrayAfter) return false;
@@ -75,27 +79,30 @@ class LevelFit {
 
   void finish(PoseFit& fit, const Vector6d& last_step) {
     seen_.markCentres(fit.motion);
-    PatchSights& all = seen_.sights();
+    PatchMeasurements& all = seen_.measurements();
     fit.scale = std::max(scale_[0], scale_[1]);
     for (float& scale : scale_) scale = std::max(1.f, scale);  // no smaller than the known errors
     fit.information = information();
     const Eigen::Matrix<float, 6, 1> step = last_step.cast<float>();
     std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
-    for (auto& sights : all)
-      for (auto& sight : sights) sight.weight = sight.is_visible ? 1.f : 0.f;
+    for (auto& measurements : all)
+      for (auto& measurement : measurements) measurement.weight = measurement.is_visible ? 1.f : 0.f;
     std::vector<std::array<bool, 2>> is_told(all.size());
     for (const auto& row : rows_) {
       for (int c = 0; c < 2; ++c) {
-        if ((c == 0 && row.told == Told::by_right) || (c == 1 && row.told == Told::by_left)) continue;
-        auto& sight = all[row.patch][c];
+        if ((c == 0 && row.observed == ObservationKind::by_right) ||
+            (c == 1 && row.observed == ObservationKind::by_left))
+          continue;
+        auto& measurement = all[row.patch][c];
         is_told[row.patch][c] = row.prior > 0;
-        sight.weight = std::min(sight.weight, row.weight);
-        sight.distance = std::max(sight.distance, row.distance);
-        sight.residual_px =
-            (sight.displacement - level_.patches[row.patch].view[c].jacobian.cast<float>() * step).norm();
+        measurement.weight = std::min(measurement.weight, row.weight);
+        measurement.distance = std::max(measurement.distance, row.distance);
+        measurement.residual_px =
+            (measurement.displacement - level_.patches[row.patch].view[c].jacobian.cast<float>() * step)
+                .norm();
       }
       pulls[level_.patches[row.patch].region] +=
-          (sayOf(row) * (worth_[row.worth].weighted * row.e)).cast<double>();
+          (sayOf(row) * (observations_[row.observation].weighted * row.e)).cast<double>();
     }
     for (std::size_t i = 0; i < all.size(); ++i)
       for (int c = 0; c < 2; ++c)
@@ -104,7 +111,7 @@ class LevelFit {
       fit.regions += pull.squaredNorm() > 0;
       fit.pull += pull * pull.transpose();
     }
-    fit.sights = std::move(all);
+    fit.measurements = std::move(all);
   }
 
   // Largest motion of a patch by the step, pixels of the level.
@@ -116,19 +123,19 @@ class LevelFit {
   }
 
  private:
-  // One PatchTelling: J, J' L J (upper triangle, row by row) and J' L.
-  struct Worth {
+  // One PatchObservation: J, J' L J (upper triangle, row by row) and J' L.
+  struct WeightedObservation {
     Eigen::Matrix<float, 2, 4> combine;
     Eigen::Matrix<float, 2, 6> jacobian;
     std::array<float, 24> normal{};
     Eigen::Matrix<float, 6, 2> weighted;
     Eigen::Matrix2f information;
 
-    explicit Worth(const PatchTelling& told)
-        : combine(told.combine.cast<float>()), jacobian(told.jacobian.cast<float>()) {
-      const Eigen::Matrix2d inverse = told.covariance.inverse();
+    explicit WeightedObservation(const PatchObservation& observed)
+        : combine(observed.combine.cast<float>()), jacobian(observed.jacobian.cast<float>()) {
+      const Eigen::Matrix2d inverse = observed.covariance.inverse();
       information = inverse.cast<float>();
-      weighted = (told.jacobian.transpose() * inverse).cast<float>();
+      weighted = (observed.jacobian.transpose() * inverse).cast<float>();
       const Eigen::Matrix<float, 6, 6> product = weighted * jacobian;
       for (int i = 0, n = 0; i < 6; ++i)
         for (int j = i; j < 6; ++j) normal[n++] = product(i, j);
@@ -151,73 +158,77 @@ class LevelFit {
         changes[index].ray[c] = (level_.patches[index].centre_mm - eyes_mm[c]).normalized();
         changes[index].light_change = light_change;
       }
-    worth_.clear(), worth_.reserve(2 * level_.patches.size());
+    observations_.clear(), observations_.reserve(2 * level_.patches.size());
     rows_.clear(), rows_.reserve(2 * level_.patches.size());
     for (std::size_t i = 0; i < level_.patches.size(); ++i) {
       const Patch& patch = level_.patches[i];
-      const float looks[2] = {looksWeight(seen_.sights()[i][0]), looksWeight(seen_.sights()[i][1])};
+      const float appearance[2] = {appearanceWeight(seen_.measurements()[i][0]),
+                                   appearanceWeight(seen_.measurements()[i][1])};
       const bool is_pair =
-          std::min(looks[0], looks[1]) > kPairLooks * std::max(looks[0], looks[1]) && canBePaired(patch);
+          std::min(appearance[0], appearance[1]) > kPairRatio * std::max(appearance[0], appearance[1]) &&
+          canBePaired(patch);
       if (is_pair) {
-        const auto told = toldByBoth(patch, changes[i]);
-        addRow(i, Told::mean, told[0]);
-        addRow(i, Told::difference, told[1]);
-      } else if (std::max(looks[0], looks[1]) > 0) {
+        const auto observed = observedByBoth(patch, changes[i]);
+        addRow(i, ObservationKind::mean, observed[0]);
+        addRow(i, ObservationKind::difference, observed[1]);
+      } else if (std::max(appearance[0], appearance[1]) > 0) {
         for (int c = 0; c < 2; ++c)
-          if (looks[c] > 0)
-            addRow(i, c == 0 ? Told::by_left : Told::by_right, toldByOne(patch, c, changes[i]));
+          if (appearance[c] > 0)
+            addRow(i, c == 0 ? ObservationKind::by_left : ObservationKind::by_right,
+                   observedByOne(patch, c, changes[i]));
       }
     }
     is_assessed_ = true;
   }
 
-  enum class Told { by_left, by_right, mean, difference };
+  enum class ObservationKind { by_left, by_right, mean, difference };
 
-  void addRow(std::size_t patch, Told told, const PatchTelling& telling) {
+  void addRow(std::size_t patch, ObservationKind observed, const PatchObservation& observation) {
     Row row;
-    row.patch = int(patch), row.told = told, row.worth = int(worth_.size());
-    worth_.emplace_back(telling);
+    row.patch = int(patch), row.observed = observed, row.observation = int(observations_.size());
+    observations_.emplace_back(observation);
     rows_.push_back(row);
   }
 
   struct Row {
     int patch = 0;
-    Told told = Told::mean;
-    int worth = 0;
+    ObservationKind observed = ObservationKind::mean;
+    int observation = 0;
     float prior = 0.f;  // weight before geometry
     Eigen::Vector2f displacement = Eigen::Vector2f::Zero(), e = Eigen::Vector2f::Zero();
     float weight = 0.f, distance = 0.f;
     /// Errors of differences and of all others have separate scales.
-    int kind() const { return told == Told::difference ? 1 : 0; }
+    int kind() const { return observed == ObservationKind::difference ? 1 : 0; }
   };
 
   // Weight before geometry: the patch looks as expected and its displacement is within reach.
-  static float looksWeight(const PatchSight& sight) {
-    if (!sight.is_visible || sight.expected_ncc <= 0.05f) return 0.f;
-    const float likeness = std::clamp((sight.ncc / sight.expected_ncc - 0.3f) / 0.5f, 0.f, 1.f);
-    return sight.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness : 0.1f * likeness;
+  static float appearanceWeight(const PatchMeasurement& measurement) {
+    if (!measurement.is_visible || measurement.expected_ncc <= 0.05f) return 0.f;
+    const float likeness = std::clamp((measurement.ncc / measurement.expected_ncc - 0.3f) / 0.5f, 0.f, 1.f);
+    return measurement.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness
+                                                                                      : 0.1f * likeness;
   }
 
   // Updates the displacements. A row gets weight 0 when its patch no longer looks as expected.
   void collect() {
     for (auto& row : rows_) {
-      const auto& sights = seen_.sights()[row.patch];
-      float looks = 0.f;
-      switch (row.told) {
-        case Told::by_left:
-          looks = looksWeight(sights[0]);
+      const auto& measurements = seen_.measurements()[row.patch];
+      float appearance = 0.f;
+      switch (row.observed) {
+        case ObservationKind::by_left:
+          appearance = appearanceWeight(measurements[0]);
           break;
-        case Told::by_right:
-          looks = looksWeight(sights[1]);
+        case ObservationKind::by_right:
+          appearance = appearanceWeight(measurements[1]);
           break;
         default:
-          looks = std::min(looksWeight(sights[0]), looksWeight(sights[1]));
+          appearance = std::min(appearanceWeight(measurements[0]), appearanceWeight(measurements[1]));
       }
-      row.prior =
-          looks * float(level_.patches[row.patch].rigidity) * (trust_.empty() ? 1.f : trust_[row.patch]);
+      row.prior = appearance * float(level_.patches[row.patch].rigidity) *
+                  (patch_weights_.empty() ? 1.f : patch_weights_[row.patch]);
       Eigen::Vector4f both;
-      both << sights[0].displacement, sights[1].displacement;
-      row.displacement = row.e = worth_[row.worth].combine * both;
+      both << measurements[0].displacement, measurements[1].displacement;
+      row.displacement = row.e = observations_[row.observation].combine * both;
     }
   }
 
@@ -225,9 +236,9 @@ class LevelFit {
     for (auto& list : distances_) list.clear();
     const Eigen::Matrix<float, 6, 1> step = xi.cast<float>();
     for (auto& row : rows_) {
-      const Worth& worth = worth_[row.worth];
-      row.e = row.displacement - worth.jacobian * step;
-      row.distance = std::sqrt(std::max(0.f, row.e.dot(worth.information * row.e)));
+      const WeightedObservation& observation = observations_[row.observation];
+      row.e = row.displacement - observation.jacobian * step;
+      row.distance = std::sqrt(std::max(0.f, row.e.dot(observation.information * row.e)));
       if (row.prior > 0) distances_[row.kind()].push_back(row.distance);
     }
     for (int kind = 0; kind < 2; ++kind) {
@@ -254,7 +265,7 @@ class LevelFit {
     std::array<float, 24> sum{};
     for (const auto& row : rows_) {
       const float w = sayOf(row);
-      for (int k = 0; k < 24; ++k) sum[k] += w * worth_[row.worth].normal[k];
+      for (int k = 0; k < 24; ++k) sum[k] += w * observations_[row.observation].normal[k];
     }
     Matrix6d h;
     for (int i = 0, k = 0; i < 6; ++i)
@@ -265,7 +276,8 @@ class LevelFit {
   Vector6d normalSolution() const {
     Matrix6d h = information();
     Eigen::Matrix<float, 6, 1> g = Eigen::Matrix<float, 6, 1>::Zero();
-    for (const auto& row : rows_) g.noalias() += worth_[row.worth].weighted * (sayOf(row) * row.displacement);
+    for (const auto& row : rows_)
+      g.noalias() += observations_[row.observation].weighted * (sayOf(row) * row.displacement);
     h.diagonal() += 1e-6 * h.diagonal() + Vector6d::Constant(1e-9);
     return h.ldlt().solve(g.cast<double>());
   }
@@ -273,10 +285,10 @@ class LevelFit {
   const cameras::StereoRig& rig_;
   const PatchModel& model_;
   const PatchLevel& level_;
-  const std::vector<float>& trust_;
-  LevelSight seen_;
+  const std::vector<float>& patch_weights_;
+  LevelMeasurement seen_;
   bool is_assessed_ = false;
-  std::vector<Worth> worth_;
+  std::vector<WeightedObservation> observations_;
   std::vector<Row> rows_;
   std::array<std::vector<float>, 2> distances_;  // by kind of row
   std::array<float, 2> scale_ = {1.f, 1.f};
@@ -290,20 +302,20 @@ Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {
 
 PoseFit fitPose(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
-                const std::vector<float>& trust, int last_level, int most_steps) {
+                const std::vector<float>& patch_weights, int last_level, int most_steps) {
   PoseFit fit;
   fit.motion = start;
   const std::vector<float> even;
   for (int l = first_level; l >= last_level; --l) {
     const PatchLevel& patches = levels[l];
     if (patches.patches.size() < kFewestPatches) continue;
-    LevelFit level(rig, model, patches, now, l == 0 ? trust : even);
+    LevelFit level(rig, model, patches, now, l == 0 ? patch_weights : even);
     double moved_px = std::numeric_limits<double>::max(), since_placed_px = 0;
     Vector6d xi = Vector6d::Zero();
     for (int iteration = 0; iteration < (l == 0 ? most_steps : kIterations[l]); ++iteration) {
       if (iteration == 0 || since_placed_px > kPlacedFor_px) level.placeAt(fit.motion), since_placed_px = 0;
       level.look(fit.motion);
-      fit.looks += level.placements();
+      fit.comparisons += level.placements();
       xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
       fit.motion = fit.motion * about(model.centre_mm, xi);
       moved_px = level.motion_px(xi);

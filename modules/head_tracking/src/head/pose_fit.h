@@ -1,8 +1,8 @@
 #pragma once
 // The head's pose from the patches: minimises the displacements of all patches in both images at once, over 6
 // degrees of freedom, without triangulated points. A patch counts with its mean over the cameras and its
-// change of disparity, each with its own errors (patch_worth.h); the frame itself shows how large the errors
-// of each kind are. Iteratively reweighted: Tukey's biweight on the displacement in its own standard
+// change of disparity, each with its own errors (patch_observation.h); the frame itself shows how large the
+// errors of each kind are. Iteratively reweighted: Tukey's biweight on the displacement in its own standard
 // deviations, times the weight of the patch. Changes of light over the face, measured by a patch's
 // neighbours, are subtracted (light_field.h).
 
@@ -14,7 +14,7 @@
 namespace facenav::head_tracking {
 
 /// One patch in one camera's current image.
-struct PatchSight {
+struct PatchMeasurement {
   bool is_visible = false;
   Eigen::Vector2f displacement =
       Eigen::Vector2f::Zero();                   // in level pixels of the key frame, still to explain
@@ -28,7 +28,7 @@ struct PatchSight {
     return is_visible && weight > 0.25f && residual_px < 1.f && ncc > 0.7f * expected_ncc;
   }
 };
-using PatchSights = std::vector<std::array<PatchSight, 2>>;
+using PatchMeasurements = std::vector<std::array<PatchMeasurement, 2>>;
 
 struct PoseFit {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head
@@ -37,10 +37,10 @@ struct PoseFit {
       Matrix6d::Zero();  // sum over the face's regions of g g', g: the region's gradient with respect to xi
   int regions = 0;       // regions that contribute
   double scale = 1.0;    // spread of the normalised residuals; 1 if the error model holds
-  bool is_settled = false;  // the last step moved no patch by more than a fraction of a pixel
-  PatchSights sights;       // of level 0; empty when the fit ended at a coarser level
-  int looks = 0;            // patch comparisons of all steps: the work
-  double likeness = 0.0;    // fraction of the patches in view that look as expected, last level
+  bool is_settled = false;         // the last step moved no patch by more than a fraction of a pixel
+  PatchMeasurements measurements;  // of level 0; empty when the fit ended at a coarser level
+  int comparisons = 0;             // patch comparisons of all steps: the work
+  double likeness = 0.0;           // fraction of the patches in view that look as expected, last level
 };
 
 /// A level with fewer patches is skipped: it would make the pose worse.
@@ -51,6 +51,6 @@ constexpr std::size_t kFewestPatches = 15;
 /// by likeness. `trust`: one weight per patch of level 0 (or empty). `most_steps`: on level 0.
 PoseFit fitPose(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevels& levels,
                 const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& start, int first_level,
-                const std::vector<float>& trust, int last_level = 0, int most_steps = 8);
+                const std::vector<float>& patch_weights, int last_level = 0, int most_steps = 8);
 
 }  // namespace facenav::head_tracking

@@ -93,11 +93,11 @@ DetailAgreement detailAgreement(const cameras::StereoRig& rig, const PatchModel&
     const Eigen::Isometry3d camera_T_head = c == 0 ? fit.motion : rig.right_T_left.isometry() * fit.motion;
     const auto in_float = floatsOf(camera_T_head);
     for (const auto& at : place(finest, c == 0 ? rig.left : rig.right, c, camera_T_head, share).placements) {
-      const PatchSight& sight = fit.sights[std::size_t(at.patch)][c];
-      if (!sight.is_visible || sight.ncc < plainly_else * sight.expected_ncc) continue;
+      const PatchMeasurement& measurement = fit.measurements[std::size_t(at.patch)][c];
+      if (!measurement.is_visible || measurement.ncc < plainly_else * measurement.expected_ncc) continue;
       if (!sample(now[c].level[0], finest, in_float, at, now_grey.col(count).data())) continue;
       then_grey.col(count++) = Eigen::Map<const Eigen::Matrix<float, kSamples, 1>>(
-          &finest.looks[c].grey[std::size_t(at.patch) * kSamples]);
+          &finest.appearance[c].grey[std::size_t(at.patch) * kSamples]);
     }
   }
   now_grey.leftCols(count).rowwise() -= now_grey.leftCols(count).colwise().mean().eval();
@@ -115,21 +115,21 @@ DetailAgreement detailOfBothCameras(const PatchModel& model) {
     if (!finest.patches[i].view[0].is_usable || !finest.patches[i].view[1].is_usable) continue;
     for (int c = 0; c < 2; ++c)
       grey[c].col(count) =
-          Eigen::Map<const Eigen::Matrix<float, kSamples, 1>>(&finest.looks[c].grey[i * kSamples]);
+          Eigen::Map<const Eigen::Matrix<float, kSamples, 1>>(&finest.appearance[c].grey[i * kSamples]);
     ++count;
   }
   const float noise = kNoiseThen * float(model.noise_grey * model.noise_grey);
   return compared(coefficientsOf(grey[0], count), coefficientsOf(grey[1], count), noise, noise);
 }
 
-Whose whoseSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
+SkinIdentity identityOfSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
   const SkinDetailLimits& limits = settingsOf<SkinDetailLimits>();
   const double agreed =
       std::clamp(of_both_cameras.value(), limits.detail_least_agreed, limits.detail_most_agreed);
   const double decides = limits.detail_decides * agreed, margin = limits.detail_sigmas * seen.sigma();
-  if (seen.value() - margin > decides) return Whose::patients;
-  if (seen.value() + margin < decides) return Whose::anothers;
-  return Whose::undecided;
+  if (seen.value() - margin > decides) return SkinIdentity::patient;
+  if (seen.value() + margin < decides) return SkinIdentity::other_person;
+  return SkinIdentity::undecided;
 }
 
 }  // namespace facenav::head_tracking

@@ -41,7 +41,7 @@ DetailAgreement detailAgreement(const cameras::StereoRig& rig, const PatchModel&
 DetailAgreement detailOfBothCameras(const PatchModel& model);
 
 /// The verdict, with three standard errors on either side; undecided in between (dark, blurred, far).
-enum class Whose { patients, undecided, anothers };
-Whose whoseSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras);
+enum class SkinIdentity { patient, undecided, other_person };
+SkinIdentity identityOfSkin(const DetailAgreement& seen, const DetailAgreement& of_both_cameras);
 
 }  // namespace facenav::head_tracking

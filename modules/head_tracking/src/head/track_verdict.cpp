@@ -19,16 +19,16 @@ constexpr double kCortexDepth_mm = 90.0;    // from the face's centre, away from
 constexpr double kWorstScale = 6.0;
 
 struct Count {
-  int telling = 0, good = 0;
-  double share() const { return telling > 0 ? double(good) / telling : 0.0; }
+  int visible = 0, good = 0;
+  double share() const { return visible > 0 ? double(good) / visible : 0.0; }
 };
 
 Count count(const PoseFit& fit, int camera) {
   Count n;
-  for (const auto& sight : fit.sights) {
-    if (!sight[camera].is_visible || sight[camera].expected_ncc < 0.5f) continue;
-    ++n.telling;
-    n.good += sight[camera].isGood();
+  for (const auto& measurement : fit.measurements) {
+    if (!measurement[camera].is_visible || measurement[camera].expected_ncc < 0.5f) continue;
+    ++n.visible;
+    n.good += measurement[camera].isGood();
   }
   return n;
 }

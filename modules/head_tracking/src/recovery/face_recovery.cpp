@@ -109,12 +109,12 @@ void FaceRecovery::remember(const RecoveredFace& found, const cameras::StereoFra
   view->covariance = found.pose.covariance;
   Remembered look{view, std::nullopt};
   if (found.then == reference_)
-    look.learnt = FaceLook{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
-                           view->covariance};
+    look.learnt = FaceKeyFrame{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
+                               view->covariance};
   add(std::move(look));
 }
 
-void FaceRecovery::add(const FaceLook& look) {
+void FaceRecovery::add(const FaceKeyFrame& look) {
   auto view = std::make_shared<SkinView>();
   view->rig = look.rig;
   view->pictures = RecoveryPictures(look.frame);
@@ -141,8 +141,8 @@ void FaceRecovery::add(Remembered look) {
   remembered_.erase(remembered_.begin() + std::ptrdiff_t(oldest));
 }
 
-std::vector<FaceLook> FaceRecovery::learnt() const {
-  std::vector<FaceLook> looks;
+std::vector<FaceKeyFrame> FaceRecovery::learnt() const {
+  std::vector<FaceKeyFrame> looks;
   for (const auto& look : remembered_)
     if (look.learnt) looks.push_back(*look.learnt);
   return looks;

@@ -11,7 +11,7 @@
 
 #include "face_shape.h"
 #include "facenav/face/stereo_face.h"
-#include "facenav/head_tracking/face_look.h"
+#include "facenav/head_tracking/face_key_frame.h"
 #include "identity.h"
 #include "recovery_pose.h"
 #include "sides.h"
@@ -54,16 +54,16 @@ class FaceRecovery {
   /// The face as it looks where it was found: searched for, too, from now on. Not while find() runs.
   void remember(const RecoveredFace& found, const cameras::StereoFrame& frame);
   /// A look that is known from elsewhere. Not while find() runs.
-  void add(const FaceLook& look);
+  void add(const FaceKeyFrame& look);
   /// What was remembered and rests on the reference alone, not on another look.
-  std::vector<FaceLook> learnt() const;
+  std::vector<FaceKeyFrame> learnt() const;
   /// What was remembered since the reference is in doubt.
   void forgetRemembered();
 
  private:
   struct Remembered {
     std::shared_ptr<const SkinView> view;
-    std::optional<FaceLook> learnt;  // here, against the reference
+    std::optional<FaceKeyFrame> learnt;  // here, against the reference
     bool is_from_elsewhere = false;
   };
   void add(Remembered look);

@@ -74,7 +74,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   if (!found.is_patient) return found;
   const double off_mm = (patches.motion * model.centre_mm - found.camera_T_head * model.centre_mm).norm();
   if (patches.scale < kAsExpected && off_mm < kSamePlace_mm && judge(model, patches).isTracked() &&
-      whoseSkin(detail, *learnt.both_cameras) == Whose::patients)
+      identityOfSkin(detail, *learnt.both_cameras) == SkinIdentity::patient)
     found.camera_T_head = patches.motion;
   else
     learnMoment(recovery, learnt, found);
@@ -147,7 +147,7 @@ void LostFace::remember(const Found& found) {
   recovery_->remember(face, found.frame);
 }
 
-void LostFace::add(const std::vector<FaceLook>& looks) {
+void LostFace::add(const std::vector<FaceKeyFrame>& looks) {
   FACENAV_EXPECT(!answers_.isBusy(), "looks are added before anything is asked");
   for (const auto& look : looks) recovery_->add(look);
 }

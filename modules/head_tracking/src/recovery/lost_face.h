@@ -55,9 +55,9 @@ class LostFace {
   /// The face is tracked as it was found: how it looks is remembered, where that is new.
   void remember(const Found& found);
   /// Looks from elsewhere, to be searched for, too.
-  void add(const std::vector<FaceLook>& looks);
+  void add(const std::vector<FaceKeyFrame>& looks);
   /// Remembered so far and sure enough to be kept.
-  std::vector<FaceLook> learnt() const { return recovery_->learnt(); }
+  std::vector<FaceKeyFrame> learnt() const { return recovery_->learnt(); }
   /// What was asked and learnt so far is in doubt.
   void forget();
   /// Time that this thread has spent since the last call on what a live session does beside the frames (ms).

@@ -62,7 +62,7 @@ struct SkinView {
   RecoveryPictures pictures;
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();        // of that pose, HeadPose's; zero for the reference
-  Matrix6d between_sessions = Matrix6d::Zero();  // FaceLook's
+  Matrix6d between_sessions = Matrix6d::Zero();  // FaceKeyFrame's
 };
 
 class SkinPoints {

@@ -54,9 +54,9 @@ double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& mid
 /// A face that is larger or smaller than the scan's by more than two standard errors says that scan or
 /// calibration is off in size; the pose, which fits at the face, is then off in the brain by that much of the
 /// way there. A shift, since only the brain is asked about.
-Matrix6d bySize(const PoseBelief& belief, const Eigen::Vector3d& face_mri_mm, const Eigen::Vector3d& middle,
-                const Eigen::Matrix3d& camera_R_mri) {
-  const double beyond = std::max(0.0, std::abs(belief.scale) - 2 * belief.scale_sigma);
+Matrix6d bySize(const PosePosterior& posterior, const Eigen::Vector3d& face_mri_mm,
+                const Eigen::Vector3d& middle, const Eigen::Matrix3d& camera_R_mri) {
+  const double beyond = std::max(0.0, std::abs(posterior.scale) - 2 * posterior.scale_sigma);
   const Eigen::Vector3d shift_mm = beyond * (camera_R_mri * (middle - face_mri_mm));
   Matrix6d covariance = Matrix6d::Zero();
   covariance.bottomRightCorner<3, 3>() = shift_mm * shift_mm.transpose();
@@ -78,9 +78,9 @@ FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const 
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
-  fit.belief = believe(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle,
-                       settingsOf<MisfitPrior>());
-  fit.mri_T_camera = increment(-fit.belief.error, middle, fit.mri_T_camera);
+  fit.posterior = posteriorOf(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle,
+                              settingsOf<MisfitPrior>());
+  fit.mri_T_camera = increment(-fit.posterior.error, middle, fit.mri_T_camera);
   return fit;
 }
 
@@ -88,9 +88,9 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
                const Eigen::Isometry3d& pose, double limit_mm) {
   const auto patches = coveredPatches(scalp, FieldFitter(scalp, face, points), pose, limit_mm);
   FinalFit fit{pose, limit_mm,
-               believe(patches, anatomy::FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(),
-                       settingsOf<MisfitPrior>())};
-  fit.belief.covariance += fit.belief.error * fit.belief.error.transpose();
+               posteriorOf(patches, anatomy::FaceRegions(scalp.noseTip_mm()), scalp.middle_mm(),
+                           settingsOf<MisfitPrior>())};
+  fit.posterior.covariance += fit.posterior.error * fit.posterior.error.transpose();
   return fit;
 }
 
@@ -98,13 +98,13 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
                        const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
-  result.covariance = inCamera(fit.belief.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
-  result.freedom = fit.belief.freedom;
-  result.misfit_mm = fit.belief.field_mm;
+  result.covariance = inCamera(fit.posterior.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
+  result.freedom = fit.posterior.freedom;
+  result.misfit_mm = fit.posterior.field_mm;
   evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
   evidence.misfit_mm = result.misfit_mm;
-  evidence.scale = 1.0 + fit.belief.scale;
-  evidence.scale_sigma = fit.belief.scale_sigma;
+  evidence.scale = 1.0 + fit.posterior.scale;
+  evidence.scale_sigma = fit.posterior.scale_sigma;
   if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
   requireTrust(evidence);
   result.cautions = cautionsOf(evidence);
@@ -134,7 +134,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
     result.max_mm = std::max(result.max_mm, std::abs(residual));
   }
   face_mri_mm /= std::max(1, result.points);
-  result.covariance += bySize(fit.belief, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
+  result.covariance += bySize(fit.posterior, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
   result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
   result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;
   return result;

@@ -9,8 +9,8 @@ namespace facenav::registration {
 /// What a final pose is reported from.
 struct FinalFit {
   Eigen::Isometry3d mri_T_camera;
-  double limit_mm = 2.0;  // residuals within are inliers
-  PoseBelief belief;      // its covariance
+  double limit_mm = 2.0;    // residuals within are inliers
+  PosePosterior posterior;  // its covariance
 };
 
 /// `pose` after one step of generalised least squares over patches of the skin under a working covariance

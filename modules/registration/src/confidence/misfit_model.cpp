@@ -193,7 +193,7 @@ MatrixXd misfitCovariance(const LinearModel& model, const FieldShape& shape, con
 
 /// Cross-validated residuals (Rasmussen and Williams 2006, equation 5.12): patches that neighbours and pose
 /// do not explain are given more noise.
-void letGoSurprising(LinearModel& model, const Plausible& likeliest) {
+void dropOutliers(LinearModel& model, const Plausible& likeliest) {
   const Eigen::LLT<MatrixXd> factor(misfitCovariance(model, likeliest.shape, likeliest.modes.front()));
   const auto n = model.columns.rows();
   const MatrixXd root = factor.matrixL().solve(MatrixXd::Identity(n, n));
@@ -260,37 +260,38 @@ Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceReg
   return units().asDiagonal() * (workingEstimator(model) * model.columns.col(LinearModel::kResidual));
 }
 
-PoseBelief believe(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
-                   const Eigen::Vector3d& pivot, const MisfitPrior& prior) {
+PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
+                          const Eigen::Vector3d& pivot, const MisfitPrior& prior) {
   const auto shapes = plausibleShapes(linearModel(some(patches, kShapePatches), regions, pivot), prior);
   LinearModel model = linearModel(patches, regions, pivot);
-  letGoSurprising(model, shapes.front());
+  dropOutliers(model, shapes.front());
   const MatrixXd estimator = workingEstimator(model);
-  PoseBelief belief;
+  PosePosterior posterior;
   double total = 0;
   for (const auto& [shape, modes, log_weight] : shapes)
     for (const auto& sizes : modes) {
       const double weight = std::exp(sizes.log_weight);
       total += weight;
-      belief.field_mm += weight * shape.size_mm;
-      belief.reach_mm += weight * shape.reach_mm;
+      posterior.field_mm += weight * shape.size_mm;
+      posterior.reach_mm += weight * shape.reach_mm;
     }
-  belief.field_mm /= total, belief.reach_mm /= total;
-  belief.error = estimator * model.columns.col(LinearModel::kResidual);
-  belief.covariance = covarianceUnder(shapes, model, estimator) / total;
+  posterior.field_mm /= total, posterior.reach_mm /= total;
+  posterior.error = estimator * model.columns.col(LinearModel::kResidual);
+  posterior.covariance = covarianceUnder(shapes, model, estimator) / total;
   // The field's size was estimated from as many independent values as its reach leaves on the face: the error
   // is distributed as Student's t, wider than the plug-in covariance says.
-  belief.freedom = std::clamp(double(patches.size()) * std::pow(kPatch_mm / belief.reach_mm, 2), 5.0, 60.0);
-  const double tails = belief.freedom / (belief.freedom - 2.0);
-  belief.covariance *= tails;
+  posterior.freedom =
+      std::clamp(double(patches.size()) * std::pow(kPatch_mm / posterior.reach_mm, 2), 5.0, 60.0);
+  const double tails = posterior.freedom / (posterior.freedom - 2.0);
+  posterior.covariance *= tails;
   const FieldShape& likeliest = shapes.front().shape;
   const auto [scale, variance] = estimateScale(
       whiten(model, fieldCovariance(model, correlation(model.distance_mm, likeliest.reach_mm), likeliest)),
       shapes.front().modes.front());
-  belief.scale = scale, belief.scale_sigma = std::sqrt(tails * variance);
-  belief.error = units().asDiagonal() * belief.error;
-  belief.covariance = units().asDiagonal() * belief.covariance * units().asDiagonal();
-  return belief;
+  posterior.scale = scale, posterior.scale_sigma = std::sqrt(tails * variance);
+  posterior.error = units().asDiagonal() * posterior.error;
+  posterior.covariance = units().asDiagonal() * posterior.covariance * units().asDiagonal();
+  return posterior;
 }
 
 }  // namespace facenav::registration

@@ -19,7 +19,7 @@
 
 namespace facenav::registration {
 
-struct PoseBelief {
+struct PosePosterior {
   Vector6d error = Vector6d::Zero();  // (turn rad, shift mm) about the pivot in Mri: what the pose is off
   Matrix6d covariance = Matrix6d::Zero();  // of that
   double freedom = 30.0;                   // degrees of freedom of the t distribution that its tails have
@@ -37,7 +37,7 @@ Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceReg
 
 /// The same with all that is believed of it. `patches`: about 12 mm; those that their neighbours do not
 /// explain within 3 sigma are let go gradually.
-PoseBelief believe(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
-                   const Eigen::Vector3d& pivot_mri_mm, const MisfitPrior& prior);
+PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
+                          const Eigen::Vector3d& pivot_mri_mm, const MisfitPrior& prior);
 
 }  // namespace facenav::registration

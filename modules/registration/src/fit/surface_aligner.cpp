@@ -21,7 +21,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
     requireLikeness(gathering.get());  // a stranger's skin has little that fits: then that is the reason
     throw;
   }
-  fit->belief.covariance += robust.doubt;
+  fit->posterior.covariance += robust.doubt;
   monitor.report("checking the fit", 0.9);
   return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get());
 }

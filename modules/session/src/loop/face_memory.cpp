@@ -9,14 +9,14 @@ constexpr double kAlignment_mm = 0.3, kAlignment_rad = 0.003;
 
 }  // namespace
 
-std::vector<head_tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
-                                               const RigidTransform<Head, Mri>& head_T_mri) {
+std::vector<head_tracking::FaceKeyFrame> asTracked(const std::vector<casefile::StoredKeyFrame>& key_frames,
+                                                   const RigidTransform<Head, Mri>& head_T_mri) {
   Vector6d sigma;
   sigma << Eigen::Vector3d::Constant(kAlignment_rad), Eigen::Vector3d::Constant(kAlignment_mm);
   const Matrix6d of_two_alignments = 2.0 * Matrix6d(sigma.cwiseAbs2().asDiagonal());
-  std::vector<head_tracking::FaceLook> tracked;
-  for (const auto& look : looks) {
-    head_tracking::FaceLook t;
+  std::vector<head_tracking::FaceKeyFrame> tracked;
+  for (const auto& look : key_frames) {
+    head_tracking::FaceKeyFrame t;
     t.rig = look.rig;
     t.frame = look.frame;
     t.camera_T_head = (look.camera_T_mri * head_T_mri.inverse()).isometry();
@@ -26,11 +26,11 @@ std::vector<head_tracking::FaceLook> asTracked(const std::vector<casefile::KeptL
   return tracked;
 }
 
-std::vector<casefile::KeptLook> asKept(const std::vector<head_tracking::FaceLook>& looks,
-                                       const RigidTransform<Head, Mri>& head_T_mri) {
-  std::vector<casefile::KeptLook> kept;
-  for (const auto& look : looks) {
-    casefile::KeptLook k;
+std::vector<casefile::StoredKeyFrame> asKept(const std::vector<head_tracking::FaceKeyFrame>& key_frames,
+                                             const RigidTransform<Head, Mri>& head_T_mri) {
+  std::vector<casefile::StoredKeyFrame> kept;
+  for (const auto& look : key_frames) {
+    casefile::StoredKeyFrame k;
     k.rig = look.rig;
     k.frame = look.frame;
     k.camera_T_mri = RigidTransform<Camera, Head>::fromIsometry(look.camera_T_head) * head_T_mri;

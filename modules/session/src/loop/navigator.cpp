@@ -33,7 +33,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
     head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
   head_tracking::HeadReference reference = setup.reference;
-  if (head_T_mri_) reference.looks = asTracked(setup.looks, *head_T_mri_);
+  if (head_T_mri_) reference.key_frames = asTracked(setup.key_frames, *head_T_mri_);
   monitoring::withPairFault(rig_, reference.frame, [&] { head_->start(rig_, reference, setup.pace); });
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
@@ -47,8 +47,9 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
   }
 }
 
-std::vector<casefile::KeptLook> Navigator::learntLooks() const {
-  return head_T_mri_ ? asKept(head_->learntLooks(), *head_T_mri_) : std::vector<casefile::KeptLook>();
+std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
+  return head_T_mri_ ? asKept(head_->learntKeyFrames(), *head_T_mri_)
+                     : std::vector<casefile::StoredKeyFrame>();
 }
 
 void Navigator::setTarget(std::optional<ChosenTarget> target) {
@@ -96,7 +97,7 @@ double Navigator::track(const cameras::StereoFrame& frame, NavigationState& stat
   state.head_detail = head.loss_detail;
   state.exposure_offset = head.exposure_offset;
   state.coil = coil;
-  rig_check_.add(frame, state.head, coil.sighting);
+  rig_check_.add(frame, state.head, coil.observation);
   return head.beside_ms;
 }
 

@@ -200,9 +200,9 @@ void Session::setTarget(std::optional<ChosenTarget> target) {
   implementation_->new_target = std::move(target);
 }
 
-std::vector<casefile::KeptLook> Session::learntLooks() const {
+std::vector<casefile::StoredKeyFrame> Session::learntKeyFrames() const {
   FACENAV_EXPECT(!implementation_->tracking_thread.joinable(), "the session has stopped");
-  return implementation_->navigator->learntLooks();
+  return implementation_->navigator->learntKeyFrames();
 }
 
 const Recorder* Session::recorder() const { return implementation_->recorder.get(); }

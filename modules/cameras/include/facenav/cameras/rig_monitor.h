@@ -27,7 +27,7 @@ struct Correspondence {
 };
 
 /// A square of known size (a marker), corners in order, in both images.
-struct SquareSighting {
+struct SquareObservation {
   std::array<Eigen::Vector2d, 4> left_px, right_px;
   double size_mm = 0;         // as printed
   double print_sigma_mm = 0;  // standard error of size_mm
@@ -64,7 +64,7 @@ class RigMonitor {
 
   /// Adds the points of one frame. Takes some microseconds a point.
   void add(const std::vector<Correspondence>& points);
-  void add(const SquareSighting& square);
+  void add(const SquareObservation& square);
   /// Takes about a millisecond: call it for every 30th frame, not for each.
   RigVerdict verdict() const;
 
@@ -75,7 +75,7 @@ class RigMonitor {
     std::size_t next = 0;  // index of the oldest sample, once the memory is full
   };
   struct SizeCell {
-    SquareSighting square;
+    SquareObservation square;
     double error = 0, variance = 0, count = 0;
   };
   StereoRig rig_;

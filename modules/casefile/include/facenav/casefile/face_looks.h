@@ -15,7 +15,7 @@
 
 namespace facenav::casefile {
 
-struct KeptLook {
+struct StoredKeyFrame {
   cameras::StereoRig rig;
   cameras::StereoFrame frame;  // the images only, as recorded
   RigidTransform<Camera, Mri> camera_T_mri;
@@ -26,9 +26,9 @@ struct KeptLook {
 constexpr std::size_t kMostLooks = 6;
 
 /// Empty if there are none. Throws Error naming a file that cannot be read or does not fit its rig.
-std::vector<KeptLook> readFaceLooks(const std::filesystem::path& case_folder);
+std::vector<StoredKeyFrame> readKeyFrames(const std::filesystem::path& case_folder);
 /// Adds key frames to those that exist, all or none. Beyond kMostLooks, the oldest are removed. Sets
 /// captured_utc where it is empty. Throws Error.
-void addFaceLooks(const std::filesystem::path& case_folder, std::vector<KeptLook> looks);
+void addKeyFrames(const std::filesystem::path& case_folder, std::vector<StoredKeyFrame> key_frames);
 
 }  // namespace facenav::casefile

@@ -22,12 +22,12 @@ struct CoilCalibration {
   int frames = 0, used = 0;            // used: without outliers
 };
 
-struct JigSighting {
+struct JigObservation {
   RigidTransform<Camera, Marker> camera_T_marker,
       camera_T_jig;  // poses of the coil's marker and of the jig's
 };
 /// Throws Error with fewer than 5 frames that agree.
-CoilCalibration calibrateWithJig(const std::vector<JigSighting>& sightings,
+CoilCalibration calibrateWithJig(const std::vector<JigObservation>& observations,
                                  const RigidTransform<Coil, Marker>& coil_T_jig);
 
 /// The point of the marker's frame that did not move.

@@ -56,7 +56,7 @@ struct CoilPose {
 /// What a marker in this frame shows about the cameras, even when its pose was rejected: the same corners in
 /// both images and the fitted size of the print. Across the epipolar lines each image is measured
 /// independently.
-struct MarkerSighting {
+struct MarkerObservation {
   std::array<Eigen::Vector2d, 4> left_px, right_px;
   double sigma_px = 0.0;        // of a corner across the epipolar lines
   double size_mm = 0.0;         // edge of the square, from the model
@@ -76,7 +76,7 @@ struct CoilResult : Tracked<CoilPose> {
   CoilResult(Tracked<CoilPose> pose) : Tracked<CoilPose>(std::move(pose)) {}
   FrameWork work;      // total of this frame, earlier work included; 0 where the method does not count
   FrameWork deferred;  // search work that did not fit into this frame's budget; the next frame reserves it
-  std::optional<MarkerSighting> sighting;  // none where no marker was fitted, or while the coil moves
+  std::optional<MarkerObservation> observation;  // none where no marker was fitted, or while the coil moves
 };
 
 class CoilTracker {

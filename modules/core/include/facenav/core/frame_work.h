@@ -9,8 +9,8 @@ inline namespace core {
 
 struct FrameWork {
   static constexpr int kMost = 7000;  // patch comparisons allowed in a frame
-  int looks = 0;                      // patch comparisons done, 0.6-0.8 us each; other work by its time
-  int left() const { return kMost - looks; }
+  int comparisons = 0;                // patch comparisons done, 0.6-0.8 us each; other work by its time
+  int left() const { return kMost - comparisons; }
 };
 
 }  // namespace core

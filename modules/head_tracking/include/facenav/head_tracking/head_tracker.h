@@ -16,7 +16,7 @@
 #include "facenav/core/tracked.h"
 #include "facenav/face/face_landmarks.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/head_tracking/face_look.h"
+#include "facenav/head_tracking/face_key_frame.h"
 #include "facenav/head_tracking/loss_detail.h"
 
 namespace facenav::head_tracking {
@@ -46,7 +46,7 @@ struct HeadReference {
   cameras::StereoFrame frame;
   PointCloud<Camera> surface;  // may be empty: then depth comes from the frame itself
   std::vector<Eigen::Vector2f> surface_left_px;
-  std::vector<FaceLook> looks = {};  // the patient's face in earlier sessions
+  std::vector<FaceKeyFrame> key_frames = {};  // the patient's face in earlier sessions
 };
 
 /// What becomes of work that takes longer than a frame (a lost face found anew).
@@ -88,7 +88,7 @@ class HeadTracker {
   virtual HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) = 0;
   HeadResult track(const cameras::StereoFrame& frame) { return track(frame, HeadContext()); }
   /// Looks learnt since start() that are sure enough to be kept with the case.
-  virtual std::vector<FaceLook> learntLooks() const { return {}; }
+  virtual std::vector<FaceKeyFrame> learntKeyFrames() const { return {}; }
 };
 
 /// Each makes its own face detector, or shares the one given (its landmark model takes 100 MB).

@@ -24,7 +24,7 @@ class RigCheck {
   /// The session's reference pair: checks as a whole whether it fits the rig (half a second).
   void start(const head_tracking::HeadReference& reference);
   void add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
-           const std::optional<coil_tracking::MarkerSighting>& marker);
+           const std::optional<coil_tracking::MarkerObservation>& marker);
   /// Why no pose can be trusted, as of the last verdict (some frames ago); empty if no fault is known.
   std::optional<RigFault> fault() const;
 

@@ -1,20 +1,20 @@
 #pragma once
 // Key frames of the patient's face between sessions. The case keeps them relative to the MRI
 // (casefile/face_looks.h); the tracker needs them relative to this session's head
-// (head_tracking/face_look.h).
+// (head_tracking/face_key_frame.h).
 
 #include <vector>
 
 #include "facenav/casefile/face_looks.h"
-#include "facenav/head_tracking/face_look.h"
+#include "facenav/head_tracking/face_key_frame.h"
 
 namespace facenav::session {
 
 /// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both sessions' alignments err by
 /// some tenths of a millimetre, so each key frame also states that error (between_sessions).
-std::vector<head_tracking::FaceLook> asTracked(const std::vector<casefile::KeptLook>& looks,
-                                               const RigidTransform<Head, Mri>& head_T_mri);
-std::vector<casefile::KeptLook> asKept(const std::vector<head_tracking::FaceLook>& looks,
-                                       const RigidTransform<Head, Mri>& head_T_mri);
+std::vector<head_tracking::FaceKeyFrame> asTracked(const std::vector<casefile::StoredKeyFrame>& key_frames,
+                                                   const RigidTransform<Head, Mri>& head_T_mri);
+std::vector<casefile::StoredKeyFrame> asKept(const std::vector<head_tracking::FaceKeyFrame>& key_frames,
+                                             const RigidTransform<Head, Mri>& head_T_mri);
 
 }  // namespace facenav::session

@@ -28,7 +28,7 @@ struct NavigatorSetup {
   /// Of what takes longer than a frame: the drift watchdog, a lost face found anew.
   head_tracking::Pace pace = head_tracking::Pace::as_live;
   /// The patient's face in earlier sessions; used where the head is placed in the MRI.
-  std::vector<casefile::KeptLook> looks = {};
+  std::vector<casefile::StoredKeyFrame> key_frames = {};
 };
 
 /// The chosen target with the alignment's predicted error there (mm, 0: unknown).
@@ -48,7 +48,7 @@ class Navigator {
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   const cameras::StereoRig& rig() const { return rig_; }
   /// The patient's face as this session learnt it, to be kept with the case; empty without an alignment.
-  std::vector<casefile::KeptLook> learntLooks() const;
+  std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
   /// ("camera").
   NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);

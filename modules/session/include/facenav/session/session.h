@@ -58,7 +58,7 @@ class Session {
   void setTarget(std::optional<ChosenTarget> target);
   const Recorder* recorder() const;
   /// After stop(): key frames of the patient's face from this session, to keep with the case.
-  std::vector<casefile::KeptLook> learntLooks() const;
+  std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
 
  private:
   struct Implementation;

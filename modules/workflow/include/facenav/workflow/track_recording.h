@@ -19,7 +19,7 @@ struct TrackRequest {
   std::optional<std::filesystem::path> case_folder, coil_file;
   std::string aligner, head_tracker, coil_tracker;  // registered names
   std::string target;                               // of the case; empty: no guidance
-  bool keeps_looks = false;  // keep key frames of the face with the case, for the next session
+  bool keeps_key_frames = false;  // keep key frames of the face with the case, for the next session
 };
 struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil

@@ -1,5 +1,5 @@
 #pragma once
-// PatchTrust: skin that keeps moving relative to the rigid fit (lips, jaw, lids) loses weight.
+// PatchWeights: skin that keeps moving relative to the rigid fit (lips, jaw, lids) loses weight.
 
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace facenav::head_tracking {
 
-class PatchTrust {
+class PatchWeights {
  public:
-  PatchTrust() = default;
-  explicit PatchTrust(std::size_t patches) : wander_(patches, 0.0) {}
+  PatchWeights() = default;
+  explicit PatchWeights(std::size_t patches) : wander_(patches, 0.0) {}
 
   /// Weight in (0, 1] of each patch of the finest level.
   std::vector<float> weights() const;

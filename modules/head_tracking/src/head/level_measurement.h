@@ -1,7 +1,7 @@
 #pragma once
-// LevelSight: the patches of one level in both cameras' images at a pose: where they lie, whether they look
-// as expected, and the displacement that is left. The change of light over the face, measured by a patch's
-// neighbours, is subtracted (light_field.h).
+// LevelMeasurement: the patches of one level in both cameras' images at a pose: where they lie, whether they
+// look as expected, and the displacement that is left. The change of light over the face, measured by a
+// patch's neighbours, is subtracted (light_field.h).
 
 #include <array>
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace facenav::head_tracking {
 
-class LevelSight {
+class LevelMeasurement {
  public:
   /// All arguments must outlive it. `now`: pyramids with at least this level.
-  LevelSight(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
-             const std::array<ImagePyramid, 2>& now);
+  LevelMeasurement(const cameras::StereoRig& rig, const PatchModel& model, const PatchLevel& level,
+                   const std::array<ImagePyramid, 2>& now);
 
   /// Linearises the cameras at each patch, for poses near this one.
   void placeAt(const Eigen::Isometry3d& motion);
@@ -24,8 +24,8 @@ class LevelSight {
   /// Computes where the patches' centres lie at the end of the fit.
   void markCentres(const Eigen::Isometry3d& motion);
 
-  PatchSights& sights() { return sights_; }
-  const PatchSights& sights() const { return sights_; }
+  PatchMeasurements& measurements() { return measurements_; }
+  const PatchMeasurements& measurements() const { return measurements_; }
   /// Fraction of the patches in view that look as expected.
   double likeness() const;
   /// Unevenness of the change of brightness over the face since the key frame: half the middle 68 %.
@@ -42,8 +42,8 @@ class LevelSight {
   float noise_share_ = 0.f;
   std::array<Placed, 2> placed_;
   std::array<std::vector<patch::Sums>, 2> sums_;
-  PatchSights sights_;
-  int looks_ = 0;
+  PatchMeasurements measurements_;
+  int rounds_ = 0;
   std::array<std::vector<Eigen::Vector2f>, 2> light_slopes_;
 };
 

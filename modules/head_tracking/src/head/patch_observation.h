@@ -22,17 +22,17 @@ struct PatchChange {
 
 /// Two equations for xi: combine * (left, right displacement) = jacobian * xi, with errors of this
 /// covariance.
-struct PatchTelling {
+struct PatchObservation {
   Eigen::Matrix<double, 2, 4> combine = Eigen::Matrix<double, 2, 4>::Zero();
   Eigen::Matrix<double, 2, 6> jacobian;
   Eigen::Matrix2d covariance;
 };
 
 /// The observation by camera `c` alone.
-PatchTelling toldByOne(const Patch& patch, int c, const PatchChange& change);
+PatchObservation observedByOne(const Patch& patch, int c, const PatchChange& change);
 /// The observations by both cameras: mean and difference; independent, in pixels of the left key image. Not
 /// for a patch that one camera sees edge-on (canBePaired() is false).
 bool canBePaired(const Patch& patch);
-std::array<PatchTelling, 2> toldByBoth(const Patch& patch, const PatchChange& change);
+std::array<PatchObservation, 2> observedByBoth(const Patch& patch, const PatchChange& change);
 
 }  // namespace facenav::head_tracking

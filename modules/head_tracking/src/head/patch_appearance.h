@@ -22,7 +22,7 @@ struct PatchPoints {
   double normal_spread_rad = 0.0;          // of the skin's normals within the patch
 };
 
-struct PatchLooks {
+struct PatchAppearance {
   PatchView view;  // without the jacobian
   std::vector<float> grey, d_u, d_v;
 };
@@ -34,8 +34,8 @@ std::optional<PatchPoints> pointsOf(const cameras::StereoRig& rig, const FaceSur
 /// `image`: the level, or the needed part of it; `noise_grey`: of the sensor; `camera_T_head`: at the key
 /// frame. Not usable when the patch leaves the image, is seen at a grazing angle, or has too large an error
 /// of displacement.
-PatchLooks look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
-                const BlurredImage& image, const PatchPoints& points, int level, double noise_grey);
+PatchAppearance look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
+                     const BlurredImage& image, const PatchPoints& points, int level, double noise_grey);
 
 /// Fills d(displacement)/d(xi): the patch's point moves by exp(w)(X - c) + c + v before the key frame sees
 /// it.

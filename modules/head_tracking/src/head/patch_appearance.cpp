@@ -1,4 +1,4 @@
-#include "patch_looks.h"
+#include "patch_appearance.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -119,7 +119,7 @@ std::vector<float> correlated(const std::vector<float>& pattern, const Square& c
 }
 
 // Response of the filters in `looked` to noise, shading and light; `whole`: the derivatives themselves.
-void weigh(PatchLooks& looked, const std::array<std::vector<float>, 2>& whole,
+void weigh(PatchAppearance& looked, const std::array<std::vector<float>, 2>& whole,
            const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
   const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
   Eigen::Matrix2d structure, noise, shading;
@@ -185,11 +185,11 @@ std::optional<PatchPoints> pointsOf(const cameras::StereoRig& rig, const FaceSur
   return points;
 }
 
-PatchLooks look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
-                const BlurredImage& image, const PatchPoints& points, int level, double noise_grey) {
+PatchAppearance look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
+                     const BlurredImage& image, const PatchPoints& points, int level, double noise_grey) {
   const double scale = 1 << level;
   const Eigen::Vector2d origin(image.origin.x, image.origin.y);
-  PatchLooks looked;
+  PatchAppearance looked;
   const Eigen::Vector3d centre_mm = camera_T_head * points.centre_mm;
   const double facing = -(camera_T_head.linear() * points.normal).dot(centre_mm.normalized());
   if (facing < kLeastFacing) return looked;

@@ -1,4 +1,4 @@
-#include "patch_trust.h"
+#include "patch_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +13,19 @@ constexpr double kLongest_s = 0.1;    // longest time between two frames that co
 
 }  // namespace
 
-std::vector<float> PatchTrust::weights() const {
+std::vector<float> PatchWeights::weights() const {
   std::vector<float> factors;
   for (const double wander : wander_) factors.push_back(float(1.0 / (1.0 + wander / kExpected)));
   return factors;
 }
 
-void PatchTrust::learn(const PoseFit& fit, double since_s) {
+void PatchWeights::learn(const PoseFit& fit, double since_s) {
   const double share = 1.0 - std::exp(-std::clamp(since_s, 0.0, kLongest_s) / kMemory_s);
   for (std::size_t i = 0; i < wander_.size(); ++i) {
     double seen = -1.0;
-    for (const auto& sight : fit.sights[i])
-      if (sight.is_visible)
-        seen = std::max(seen, std::min(double(sight.distance * sight.distance), kMostAtOnce));
+    for (const auto& measurement : fit.measurements[i])
+      if (measurement.is_visible)
+        seen = std::max(seen, std::min(double(measurement.distance * measurement.distance), kMostAtOnce));
     if (seen >= 0) wander_[i] += share * (std::max(0.0, seen - kExpected) - wander_[i]);
   }
 }

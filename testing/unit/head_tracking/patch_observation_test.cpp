@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "head/patch_filters.h"
-#include "head/patch_worth.h"
+#include "head/patch_observation.h"
 
 namespace facenav::head_tracking {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using patch::kSamples;
 using patch::kSide;
 
-constexpr double kCommon_px = 0.15;  // as in patch_worth.cpp, where no other error is common
+constexpr double kCommon_px = 0.15;  // as in patch_observation.cpp, where no other error is common
 
 /// A patch of smooth skin, seen obliquely by the right camera.
 Patch skewPatch() {
@@ -45,7 +45,7 @@ TEST(PatchWorth, MeanAndDifferenceTellAllThatTheWholeCovarianceTells) {
   const Patch patch = skewPatch();
   ASSERT_TRUE(canBePaired(patch));
   Matrix6d told = Matrix6d::Zero();
-  for (const auto& part : toldByBoth(patch, unchanged()))
+  for (const auto& part : observedByBoth(patch, unchanged()))
     told += part.jacobian.transpose() * part.covariance.inverse() * part.jacobian;
   // The same with all four errors at once: each camera's own, and one along the skin common to both.
   Eigen::Matrix<double, 3, 2> tangents;
@@ -70,7 +70,7 @@ TEST(PatchWorth, LightThatChangesLeavesTheDifferenceItsSay) {
   for (auto& view : patch.view) view.shading = 400 * Eigen::Matrix2d::Identity();
   PatchChange lit = unchanged();
   lit.light_change = 0.3;
-  const auto before = toldByBoth(patch, unchanged()), after = toldByBoth(patch, lit);
+  const auto before = observedByBoth(patch, unchanged()), after = observedByBoth(patch, lit);
   EXPECT_GT(after[0].covariance.trace(), 1.1 * before[0].covariance.trace());
   EXPECT_NEAR(after[1].covariance.trace(), before[1].covariance.trace(), 1e-12);
 }

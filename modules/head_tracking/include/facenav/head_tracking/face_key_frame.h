@@ -1,6 +1,6 @@
 #pragma once
-// FaceLook: the patient's face as one pair of pictures showed it at a known pose: another expression, side or
-// light than the reference's. A lost face is searched for in every look that is known.
+// FaceKeyFrame: the patient's face as one pair of pictures showed it at a known pose: another expression,
+// side or light than the reference's. A lost face is searched for in every look that is known.
 
 #include <Eigen/Geometry>
 
@@ -10,7 +10,7 @@
 
 namespace facenav::head_tracking {
 
-struct FaceLook {
+struct FaceKeyFrame {
   cameras::StereoRig rig;      // of the cameras that took it
   cameras::StereoFrame frame;  // black outside the face
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();

@@ -1,4 +1,4 @@
-#include "patch_worth.h"
+#include "patch_observation.h"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -36,10 +36,10 @@ Eigen::Vector2d shownDepth_px(const Patch& patch, int c, const PatchChange& chan
 
 }  // namespace
 
-PatchTelling toldByOne(const Patch& patch, int c, const PatchChange& change) {
+PatchObservation observedByOne(const Patch& patch, int c, const PatchChange& change) {
   const PatchView& view = patch.view[std::size_t(c)];
   const Eigen::Vector2d depth_px = shownDepth_px(patch, c, change);
-  PatchTelling told;
+  PatchObservation told;
   told.combine.block<2, 2>(0, 2 * c).setIdentity();
   told.jacobian = view.jacobian;
   told.covariance =
@@ -54,7 +54,7 @@ bool canBePaired(const Patch& patch) {
          std::abs(alongSkin(patch, 1).determinant()) > kLeastArea;
 }
 
-std::array<PatchTelling, 2> toldByBoth(const Patch& patch, const PatchChange& change) {
+std::array<PatchObservation, 2> observedByBoth(const Patch& patch, const PatchChange& change) {
   std::array<Eigen::Matrix2d, 2> skin_from, own;
   std::array<Eigen::Matrix<double, 2, 6>, 2> jacobian;
   std::array<Eigen::Vector2d, 2> depth_px;
@@ -69,7 +69,7 @@ std::array<PatchTelling, 2> toldByBoth(const Patch& patch, const PatchChange& ch
   // The mean is weighted by each camera's own errors, so that it is independent of the difference.
   const Eigen::Matrix2d sum_inverse = (own[0] + own[1]).inverse();
   const Eigen::Matrix2d share[2] = {own[1] * sum_inverse, own[0] * sum_inverse};
-  std::array<PatchTelling, 2> told;
+  std::array<PatchObservation, 2> told;
   told[0].combine << share[0] * skin_from[0], share[1] * skin_from[1];
   told[0].jacobian = share[0] * jacobian[0] + share[1] * jacobian[1];
   const Eigen::Vector2d depth_mean_px = share[0] * depth_px[0] + share[1] * depth_px[1],
