@@ -72,6 +72,7 @@ class ModelHeadTracker : public HeadTracker {
     search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_ = HeadMotion(model_.centre_mm);
+    shown_.reset();
     trust_ = PatchTrust(model_.level[0].patches.size());
     words_ = LossWords(model_.centre_mm, model_.noise_grey, key[0], left_box_);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
@@ -84,19 +85,9 @@ class ModelHeadTracker : public HeadTracker {
   }
 
   Tracked<HeadPose> track(const stereo::StereoFrame& frame) override {
-    const auto fault = guard_.check(frame, last_.velocity().tail<3>().norm(), left_box_, right_box_);
-    const bool has_just_left = work_.left_out > 0;  // not twice running: a lost head has its turn, too
-    work_ = {}, work_.left_out = has_just_left ? 0 : left_out_;
-    beside_ms_ = 0.0;
-    if (fault) return refused(*fault);
-    first_loss_.reset();
-    const bool is_recent = last_.isRecent(frame.captured);
-    if (last_.isKnown() && !is_recent) last_.stopSteady();
-    if (is_recent)
-      if (auto checked = answerOfCheck(frame)) return *checked;
-    if (is_recent && lost_frames_ == 0)
-      if (auto tracked = trackFrom(last_.predicted(frame.captured), frame)) return *tracked;
-    return recover(frame, is_recent ? std::optional(last_.predicted(frame.captured)) : std::nullopt);
+    auto pose = followOrRecover(frame);
+    if (pose) shown_ = frame.captured;
+    return pose;
   }
 
   LossDetail lossDetail() const override { return detail_; }
@@ -122,6 +113,7 @@ class ModelHeadTracker : public HeadTracker {
     search_.forgetLearnt();
     trust_.forget();
     last_.forget();
+    shown_.reset();
     lost_frames_ = 0;
   }
 
@@ -130,6 +122,22 @@ class ModelHeadTracker : public HeadTracker {
     LostReason reason;
     Eigen::Isometry3d motion;
   };
+
+  Tracked<HeadPose> followOrRecover(const stereo::StereoFrame& frame) {
+    const auto fault = guard_.check(frame, last_.velocity().tail<3>().norm(), left_box_, right_box_);
+    const bool has_just_left = work_.left_out > 0;  // not twice running: a lost head has its turn, too
+    work_ = {}, work_.left_out = has_just_left ? 0 : left_out_;
+    beside_ms_ = 0.0;
+    if (fault) return refused(*fault);
+    first_loss_.reset();
+    const bool is_recent = last_.isRecent(frame.captured);
+    if (last_.isKnown() && !is_recent) last_.stopSteady();
+    if (is_recent)
+      if (auto checked = answerOfCheck(frame)) return *checked;
+    if (is_recent && lost_frames_ == 0)
+      if (auto tracked = trackFrom(last_.predicted(frame.captured), frame)) return *tracked;
+    return recover(frame, is_recent ? std::optional(last_.predicted(frame.captured)) : std::nullopt);
+  }
 
   std::optional<Eigen::Isometry3d> lastPose() const {
     return last_.isKnown() ? std::optional(last_.pose()) : std::nullopt;
@@ -189,7 +197,10 @@ class ModelHeadTracker : public HeadTracker {
   Tracked<HeadPose> recover(const stereo::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     if (const auto found = lost_face_->take(frame.captured))
-      if (const auto answer = answerOf(*found, frame)) return *answer;
+      if (const auto answer = answerOf(*found, frame)) {
+        if (!*answer) askBeside(frame);  // at once: the next answer comes a frame sooner
+        return *answer;
+      }
     const bool was_gone = last_.isKnown() && !expected;
     auto result = searchUnlessDoubted(frame, expected, was_gone);
     if (result && !was_gone) return result;
@@ -200,13 +211,17 @@ class ModelHeadTracker : public HeadTracker {
       }
       result = doubted(PatchDoubt::kReturn, frame.captured);
     }
-    lost_face_->ask(frame, lastPose());
-    beside_ms_ = lost_face_->takeBeside_ms();
+    askBeside(frame);
     if (pace_ == Pace::patient)
       if (const auto found = lost_face_->take(frame.captured)) result = answeredAtOnce(*found, frame, result);
     if (!result && detail_ == LossDetail::doubtful && doubt_.wasOtherSeen(frame.captured))
       detail_ = LossDetail::other_face;
     return result;
+  }
+
+  void askBeside(const stereo::StereoFrame& frame) {
+    lost_face_->ask(frame, lastPose());
+    beside_ms_ = lost_face_->takeBeside_ms();
   }
 
   Tracked<HeadPose> searchUnlessDoubted(const stereo::StereoFrame& frame,
@@ -233,7 +248,8 @@ class ModelHeadTracker : public HeadTracker {
   // What an answer about a lost face says of this frame; nothing where it says too little, or is too old.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const stereo::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
-    const bool is_before_the_loss = last_.isKnown() && found.captured.s < last_.captured().s;
+    // Not by last_: the patches' own pose of a doubtful return is kept there, and was not shown.
+    const bool is_before_the_loss = shown_ && found.captured.s < shown_->s;
     if (is_before_the_loss) return std::nullopt;
     doubt_.hear(found, frame.captured);
     if (found.is_out_of_step) return doubted(PatchDoubt::kOutOfStep, frame.captured);
@@ -457,6 +473,7 @@ class ModelHeadTracker : public HeadTracker {
   LossDetail detail_ = LossDetail::unknown;
   FrameGuard guard_;
   HeadMotion last_;
+  std::optional<Timestamp> shown_;  // the last frame whose pose was given
   PatchTrust trust_;
   cv::Rect left_box_, right_box_;
   int lost_frames_ = 0;
