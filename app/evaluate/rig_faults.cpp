@@ -18,6 +18,31 @@ namespace {
 using cameras::PairFault;
 using Matches = std::vector<cameras::Correspondence>;
 
+/// Each pair of pictures is matched once, whatever calibrations it is tried with: as diagnosePair does.
+class MatchedPictures {
+ public:
+  explicit MatchedPictures(const std::map<std::string, fs::path>& files) : files_(files) {}
+
+  const Matches& corners(const std::string& left, const std::string& right) {
+    const auto [found, is_new] = corners_.try_emplace({left, right});
+    if (is_new) found->second = cameras::matchPictures(picture(left), picture(right));
+    return found->second;
+  }
+  const Matches& skin(const std::string& left, const std::string& right) {
+    const auto [found, is_new] = skin_.try_emplace({left, right});
+    if (is_new) found->second = cameras::growMatches(picture(left), picture(right), corners(left, right));
+    return found->second;
+  }
+
+ private:
+  cv::Mat picture(const std::string& name) const {
+    return cv::imread(files_.at(name).string(), cv::IMREAD_GRAYSCALE);
+  }
+
+  const std::map<std::string, fs::path>& files_;
+  std::map<std::pair<std::string, std::string>, Matches> corners_, skin_;
+};
+
 struct Trial {
   std::string kind, left, right, calibration;  // left, right: "l_418"
   PairFault expected;
@@ -101,16 +126,14 @@ std::vector<RigFaultRow> rigFaults(const fs::path& pictures, const fs::path& rig
   if (trials.empty())
     throw Error("no pictures of a rig's two cameras are found", pictures.string(),
                 "name them <camera>_<moment>.jpg, and the rigs <a><b>_stereo.yml");
-  std::map<std::pair<std::string, std::string>, Matches> matched;
+  MatchedPictures matched(files);
   std::vector<RigFaultRow> rows;
   for (const auto& trial : trials) {
     monitor.report("rigs: " + trial.kind, double(rows.size()) / double(trials.size()));
-    const auto key = std::pair(trial.left, trial.right);
-    if (!matched.count(key))
-      matched[key] = cameras::matchPictures(cv::imread(files.at(trial.left).string(), cv::IMREAD_GRAYSCALE),
-                                            cv::imread(files.at(trial.right).string(), cv::IMREAD_GRAYSCALE));
-    rows.push_back({trial.kind, trial.left + " " + trial.right, trial.calibration, trial.expected,
-                    cameras::diagnoseMatches(trial.rig, matched[key])});
+    auto said = cameras::diagnoseMatches(trial.rig, matched.corners(trial.left, trial.right));
+    if (said.isOfCameras()) said = cameras::withSkin(trial.rig, said, matched.skin(trial.left, trial.right));
+    rows.push_back(
+        {trial.kind, trial.left + " " + trial.right, trial.calibration, trial.expected, std::move(said)});
   }
   return rows;
 }
@@ -134,13 +157,15 @@ std::string sidesTable(const std::vector<RigFaultRow>& rows) {
     text += line;
   }
   text +=
-      "\n| kind | pictures | calibration | said | matches | off by px | agree | agree when explained |\n"
-      "|---|---|---|---|---|---|---|---|\n";
+      "\n| kind | pictures | calibration | said | matches | off by px | agree | agree when explained | skin "
+      "px "
+      "|\n|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& row : rows) {
     if (row.said.fault == row.expected) continue;
-    std::snprintf(line, sizeof line, "| %s | %s | %s | %s | %zu | %.2f | %.2f | %.2f |\n", row.kind.c_str(),
-                  row.pictures.c_str(), row.calibration.c_str(), wordOf(row.said.fault).c_str(),
-                  row.said.matches, row.said.residual_px, row.said.calibrated_agreement, row.said.agreement);
+    std::snprintf(line, sizeof line, "| %s | %s | %s | %s | %zu | %.2f | %.2f | %.2f | %.2f |\n",
+                  row.kind.c_str(), row.pictures.c_str(), row.calibration.c_str(),
+                  wordOf(row.said.fault).c_str(), row.said.matches, row.said.residual_px,
+                  row.said.calibrated_agreement, row.said.agreement, row.said.skin_px);
     text += line;
   }
   return text;

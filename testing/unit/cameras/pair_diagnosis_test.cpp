@@ -5,6 +5,7 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <random>
+#include <tuple>
 
 #include "facenav/cameras/pair_matches.h"
 #include "facenav/cameras/rig_file.h"
@@ -30,8 +31,8 @@ StereoRig turnedRig(const StereoRig& rig, const Eigen::Vector3d& turn_deg, const
 /// face has moved when the right camera exposes, the shoulders by a third of it, and a grimace by
 /// `grimace_mm`.
 Matches seen(const StereoRig& rig, const Eigen::Isometry3d& step = Eigen::Isometry3d::Identity(),
-             double grimace_mm = 0) {
-  std::mt19937 random(3);
+             double grimace_mm = 0, unsigned seed = 3) {
+  std::mt19937 random(seed);
   std::normal_distribution<double> normal(0, 0.2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const Eigen::Vector3d middle =
@@ -105,6 +106,48 @@ TEST(PairDiagnosis, NamesPicturesOfDifferentMoments) {
   }
 }
 
+/// 600 points of a face, as `seen` makes them.
+Matches seenSkin(const StereoRig& rig, const Eigen::Isometry3d& step = Eigen::Isometry3d::Identity(),
+                 double grimace_mm = 0) {
+  Matches skin;
+  for (int i = 0; i < 5; ++i) {
+    const Matches more = seen(rig, step, grimace_mm, 3 + i);
+    skin.insert(skin.end(), more.begin(), more.begin() + 120);
+  }
+  return skin;
+}
+
+TEST(PairDiagnosis, AsksTheSkinBeforeItNamesAMovedCamera) {
+  const auto rig = testing::convergingRig();
+  const Eigen::Isometry3d step = expRigid((Vector6d() << 0.002, 0.001, 0, 1, 3, -1).finished());
+  Matches corners = seen(rig, step);  // of brows and eyes, which move with the skull
+  corners.resize(120);
+  const auto of_corners = diagnoseMatches(rig, corners);
+  ASSERT_EQ(of_corners.fault, PairFault::moved);
+  EXPECT_EQ(withSkin(rig, of_corners, seenSkin(rig, step)).fault, PairFault::moved);
+  const auto said = withSkin(rig, of_corners, seenSkin(rig, step, 6));
+  EXPECT_EQ(said.fault, PairFault::out_of_step) << said.skin_px;
+}
+
+TEST(PairDiagnosis, LeavesACameraMovedWhereTheSkinAgrees) {
+  const auto rig = testing::convergingRig();
+  for (const auto& calibrated :
+       {turnedRig(rig, {0.3, 0, 0}, {0, 0, 0}), turnedRig(rig, {0, 0, 0}, {0, 3, 0})}) {
+    const auto of_corners = diagnoseMatches(calibrated, seen(rig));
+    ASSERT_EQ(of_corners.fault, PairFault::moved);
+    const auto said = withSkin(calibrated, of_corners, seenSkin(rig));
+    EXPECT_EQ(said.fault, PairFault::moved) << said.skin_px;
+    EXPECT_GT(said.skin_px, 0.0);
+  }
+}
+
+TEST(PairDiagnosis, AsksNoSkinWhereTheRigHolds) {
+  const auto rig = testing::convergingRig();
+  const auto said =
+      withSkin(rig, diagnoseMatches(rig, seen(rig)), seenSkin(rig, Eigen::Isometry3d::Identity(), 6));
+  EXPECT_EQ(said.fault, PairFault::none);
+}
+
 /// A real person before real cameras, with exact rigs.
 class RealPair : public ::testing::Test {
  protected:
@@ -113,12 +156,16 @@ class RealPair : public ::testing::Test {
   static StereoRig rig(const std::string& cameras) { return readRig(folder() / (cameras + "_stereo.yml")); }
   static const Matches& matches(const std::string& left, const std::string& right) {
     static std::map<std::string, Matches> kept;
-    const auto picture = [](const std::string& name) {
-      return cv::imread((folder() / "person" / (name + ".jpg")).string(), cv::IMREAD_GRAYSCALE);
-    };
     auto [found, is_new] = kept.try_emplace(left + right);
     if (is_new) found->second = matchPictures(picture(left), picture(right));
     return found->second;
+  }
+  static cv::Mat picture(const std::string& name) {
+    return cv::imread((folder() / "person" / (name + ".jpg")).string(), cv::IMREAD_GRAYSCALE);
+  }
+  static PairDiagnosis whole(const StereoRig& calibrated, const std::string& left, const std::string& right) {
+    const auto said = diagnoseMatches(calibrated, matches(left, right));
+    return withSkin(calibrated, said, growMatches(picture(left), picture(right), matches(left, right)));
   }
 };
 
@@ -134,6 +181,26 @@ TEST_F(RealPair, OfOneMomentFitsItsRigAndNoOther) {
 TEST_F(RealPair, OfDifferentMomentsIsNamed) {
   EXPECT_EQ(faultOf(rig("lm"), matches("l_1", "m_418")), PairFault::out_of_step);
   EXPECT_EQ(faultOf(rig("mr"), matches("m_1252", "r_1669")), PairFault::out_of_step);
+}
+
+// The corners of eyes and brows alone fit a moved camera here.
+TEST_F(RealPair, OfDifferentMomentsIsNamedByTheSkin) {
+  for (const auto& [cameras, left, right] :
+       {std::tuple("lm", "l_418", "m_835"), std::tuple("lm", "l_835", "m_418"),
+        std::tuple("mr", "m_418", "r_1252"), std::tuple("mr", "m_835", "r_1252")}) {
+    ASSERT_EQ(faultOf(rig(cameras), matches(left, right)), PairFault::moved) << left;
+    const auto said = whole(rig(cameras), left, right);
+    EXPECT_EQ(said.fault, PairFault::out_of_step) << left << " " << right << " " << said.skin_px;
+  }
+}
+
+TEST_F(RealPair, BeforeAMovedCameraIsNamedSo) {
+  for (const auto& [cameras, left, right] :
+       {std::tuple("lm", "l_1", "m_1"), std::tuple("mr", "m_1669", "r_1669")})
+    for (const Eigen::Vector3d& turn_deg : {Eigen::Vector3d(0.25, 0, 0), Eigen::Vector3d(0, 0, 0.5)}) {
+      const auto said = whole(turnedRig(rig(cameras), turn_deg, {0, 0, 0}), left, right);
+      EXPECT_EQ(said.fault, PairFault::moved) << left << " " << said.skin_px;
+    }
 }
 
 TEST_F(RealPair, WithSidesExchangedIsNamed) {

@@ -1,6 +1,5 @@
 #include "facenav/cameras/pair_matches.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/cameras/patch_match.h"
+#include "neighbourhood.h"
 
 namespace facenav::cameras {
 namespace {
@@ -18,20 +18,14 @@ constexpr float kRatio = 0.9F;       // of the best to the second best; neighbou
 constexpr std::size_t kNeighbours = 8;
 // A surface that turns away by 60 degrees before cameras 30 degrees apart shifts by half of the way along it.
 constexpr double kDisparityGradient = 0.5, kNear_px = 4.0;
-constexpr double kSeedReach_px = 80, kCornerSpacing_px = 5;
+constexpr double kCornerSpacing_px = 5;
 constexpr int kPatch_px = 61;             // holds the coarse patch of matchPatch and its gradients
 constexpr double kBackAndForth_px = 0.7;  // a match that does not come back is wrong
-constexpr double kUntilted_px = 15.0;  // prior of a neighbourhood's affine map: this far off, it says little
-constexpr double kSlant_px = 0.1;      // what curved skin leaves in a patch warped as a plane
-
-struct Pair {
-  Eigen::Vector2d left_px, right_px;
-  Eigen::Vector2d shift() const { return right_px - left_px; }
-};
+constexpr double kSlant_px = 0.1;         // what curved skin leaves in a patch warped as a plane
 
 Eigen::Vector2d toEigen(const cv::Point2f& p) { return {p.x, p.y}; }
 
-std::vector<Pair> features(const cv::Mat& left, const cv::Mat& right) {
+std::vector<PixelPair> features(const cv::Mat& left, const cv::Mat& right) {
   const cv::Ptr<cv::SIFT> sift = cv::SIFT::create(kFeatures, 3, kContrast);
   std::vector<cv::KeyPoint> at_left, at_right;
   cv::Mat left_words, right_words;
@@ -42,7 +36,7 @@ std::vector<Pair> features(const cv::Mat& left, const cv::Mat& right) {
   std::vector<std::vector<cv::DMatch>> forth, back;
   matcher.knnMatch(left_words, right_words, forth, 2);
   matcher.knnMatch(right_words, left_words, back, 1);
-  std::vector<Pair> pairs;
+  std::vector<PixelPair> pairs;
   for (const auto& match : forth) {
     if (match.size() < 2 || match[0].distance > kRatio * match[1].distance) continue;
     if (back[match[0].trainIdx].empty() || back[match[0].trainIdx][0].trainIdx != match[0].queryIdx) continue;
@@ -51,24 +45,10 @@ std::vector<Pair> features(const cv::Mat& left, const cv::Mat& right) {
   return pairs;
 }
 
-std::vector<std::size_t> nearest(const std::vector<Pair>& pairs, const Eigen::Vector2d& left_px,
-                                 std::size_t count, double reach_px) {
-  std::vector<std::pair<double, std::size_t>> by_distance;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double d2 = (pairs[i].left_px - left_px).squaredNorm();
-    if (d2 < reach_px * reach_px) by_distance.emplace_back(d2, i);
-  }
-  count = std::min(count, by_distance.size());
-  std::partial_sort(by_distance.begin(), by_distance.begin() + std::ptrdiff_t(count), by_distance.end());
-  std::vector<std::size_t> found;
-  for (std::size_t k = 0; k < count; ++k) found.push_back(by_distance[k].second);
-  return found;
-}
-
 /// Those that at least half of their neighbours agree with.
-std::vector<Pair> coherent(const std::vector<Pair>& pairs) {
-  std::vector<Pair> kept;
-  for (const Pair& pair : pairs) {
+std::vector<PixelPair> coherent(const std::vector<PixelPair>& pairs) {
+  std::vector<PixelPair> kept;
+  for (const PixelPair& pair : pairs) {
     const auto around = nearest(pairs, pair.left_px, kNeighbours + 1, 1e9);
     std::size_t agreeing = 0;
     for (const std::size_t i : around) {
@@ -80,56 +60,18 @@ std::vector<Pair> coherent(const std::vector<Pair>& pairs) {
   return kept;
 }
 
-/// right = at + map * (left - origin), from the seeds about a place.
-struct Neighbourhood {
-  Eigen::Vector2d at;
-  Eigen::Matrix2d map;
-};
-
-std::optional<Neighbourhood> neighbourhood(const std::vector<Pair>& seeds, const Eigen::Vector2d& left_px) {
-  const auto around = nearest(seeds, left_px, kNeighbours, kSeedReach_px);
-  if (around.size() < 3) return std::nullopt;
-  Eigen::Matrix3d normal =
-      Eigen::Vector3d(1e-6, kUntilted_px * kUntilted_px, kUntilted_px * kUntilted_px).asDiagonal();
-  Eigen::Matrix<double, 3, 2> rhs = Eigen::Matrix<double, 3, 2>::Zero();
-  for (const std::size_t i : around) {
-    const Eigen::Vector2d away = seeds[i].left_px - left_px;
-    const Eigen::Vector3d design(1, away.x(), away.y());
-    const double weight = 1.0 / (1.0 + away.squaredNorm() / 400.0);
-    normal += weight * design * design.transpose();
-    rhs += weight * design * seeds[i].shift().transpose();
-  }
-  const Eigen::Matrix<double, 3, 2> solution = normal.ldlt().solve(rhs);
-  Neighbourhood here{left_px + solution.row(0).transpose(),
-                     Eigen::Matrix2d::Identity() + solution.bottomRows<2>().transpose()};
-  const double area = here.map.determinant();
-  if (!(area > 0.3 && area < 3.0)) return std::nullopt;
-  return here;
-}
-
-/// The part of `image` about a place, as the other camera sees it: pixel u shows at_px + map * (u - middle).
-cv::Mat warped(const cv::Mat& image, const Eigen::Vector2d& at_px, const Eigen::Matrix2d& map) {
-  const double middle = 0.5 * (kPatch_px - 1);
-  const Eigen::Vector2d offset = at_px - map * Eigen::Vector2d(middle, middle);
-  const cv::Matx23d affine(map(0, 0), map(0, 1), offset.x(), map(1, 0), map(1, 1), offset.y());
-  cv::Mat out;
-  cv::warpAffine(image, out, affine, {kPatch_px, kPatch_px}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                 cv::BORDER_REPLICATE);
-  return out;
-}
-
 std::optional<Correspondence> refined(const cv::Mat& left, const cv::Mat& right,
                                       const Eigen::Vector2d& left_px, const Neighbourhood& here) {
   const Eigen::Vector2d middle = Eigen::Vector2d::Constant(0.5 * (kPatch_px - 1));
-  const auto forth = matchPatch(warped(left, left_px, here.map.inverse()), right, middle, here.at);
+  const auto forth = matchPatch(warped(left, left_px, here.map.inverse(), kPatch_px), right, middle, here.at);
   if (!forth) return std::nullopt;
-  const auto back = matchPatch(warped(right, forth->right_px, here.map), left, middle, left_px);
+  const auto back = matchPatch(warped(right, forth->right_px, here.map, kPatch_px), left, middle, left_px);
   if (!back || (back->right_px - left_px).norm() > kBackAndForth_px) return std::nullopt;
   return Correspondence{left_px, forth->right_px, std::hypot(forth->sigma_px, kSlant_px)};
 }
 
 std::vector<Correspondence> matchCorners(const cv::Mat& left, const cv::Mat& right,
-                                         const std::vector<Pair>& seeds,
+                                         const std::vector<PixelPair>& seeds,
                                          const std::vector<cv::Point2f>& corners) {
   std::vector<Correspondence> found;
   for (const auto& corner : corners) {
@@ -144,14 +86,14 @@ std::vector<Correspondence> matchCorners(const cv::Mat& left, const cv::Mat& rig
 }  // namespace
 
 std::vector<Correspondence> matchPictures(const cv::Mat& left, const cv::Mat& right) {
-  std::vector<Pair> seeds = coherent(coherent(features(left, right)));
+  std::vector<PixelPair> seeds = coherent(coherent(features(left, right)));
   if (seeds.size() < kNeighbours) return {};
   std::vector<cv::Point2f> corners;
   cv::goodFeaturesToTrack(left, corners, kCorners, 0.002, kCornerSpacing_px, cv::noArray(), 7);
   for (const auto& match : matchCorners(left, right, seeds, corners))
     seeds.push_back({match.left_px, match.right_px});  // what was found helps to find more, and its slant
   auto matches = matchCorners(left, right, seeds, corners);
-  std::vector<Pair> pairs;
+  std::vector<PixelPair> pairs;
   for (const auto& match : matches) pairs.push_back({match.left_px, match.right_px});
   const auto kept = coherent(pairs);
   std::vector<Correspondence> out;

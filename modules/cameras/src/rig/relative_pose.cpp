@@ -60,6 +60,10 @@ double epipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& ra
   return std::abs(sampson(right_T_left, rays));
 }
 
+double signedEpipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays) {
+  return sampson(right_T_left, rays);
+}
+
 double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>& rays) {
   double cost = 0;
   for (const RayPair& pair : rays) {

@@ -28,6 +28,9 @@ struct RelativePose {
 /// lie behind a camera.
 double epipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
 
+/// The same with its sign, whatever the depth.
+double signedEpipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
+
 double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>& rays);
 
 /// Refined from `start`. `prior`: about `start`; none: free.

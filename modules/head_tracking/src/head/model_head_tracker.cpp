@@ -75,6 +75,7 @@ class ModelHeadTracker : public HeadTracker {
     search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
     left_box_ = right_box_ = face ? face->left.face : region.box();
     last_ = HeadMotion(model_.centre_mm);
+    shown_.reset();
     patch_weights_ = PatchWeights(model_.level[0].patches.size());
     words_ = LossWords(model_.centre_mm, model_.noise_grey, key[0], left_box_);
     lost_frames_ = 0, asked_part_ = 0, left_out_ = 0, work_ = {};
@@ -92,7 +93,10 @@ class ModelHeadTracker : public HeadTracker {
     if (context.is_learnt_in_doubt) forgetLearnt();
     left_out_ = context.reserved.comparisons;
     HeadResult result = poseIn(frame);
-    if (!result) result.loss_detail = detail_;
+    if (result)
+      shown_ = frame.captured;
+    else
+      result.loss_detail = detail_;
     result.exposure_offset = {camera_.late_s(), camera_.sigma_s()};
     result.work = work_;
     result.beside_ms = beside_ms_;
@@ -132,6 +136,7 @@ class ModelHeadTracker : public HeadTracker {
     search_.forgetLearnt();
     patch_weights_.forget();
     last_.forget();
+    shown_.reset();
     lost_frames_ = 0;
   }
 
@@ -196,7 +201,10 @@ class ModelHeadTracker : public HeadTracker {
   Tracked<HeadPose> recover(const cameras::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     if (const auto found = lost_face_->take(frame.captured))
-      if (const auto answer = answerOf(*found, frame)) return *answer;
+      if (const auto answer = answerOf(*found, frame)) {
+        if (!*answer) askBeside(frame);  // at once: the next answer comes a frame sooner
+        return *answer;
+      }
     const bool was_gone = last_.isKnown() && !expected;
     auto result = searchUnlessDoubted(frame, expected, was_gone);
     if (result && !was_gone) return result;
@@ -207,13 +215,17 @@ class ModelHeadTracker : public HeadTracker {
       }
       result = doubted(PatchDoubt::kReturn, frame.captured);
     }
-    lost_face_->ask(frame, lastPose());
-    beside_ms_ = lost_face_->takeBeside_ms();
+    askBeside(frame);
     if (pace_ == Pace::patient)
       if (const auto found = lost_face_->take(frame.captured)) result = answeredAtOnce(*found, frame, result);
     if (!result && detail_ == LossDetail::doubtful && doubt_.wasOtherSeen(frame.captured))
       detail_ = LossDetail::other_face;
     return result;
+  }
+
+  void askBeside(const cameras::StereoFrame& frame) {
+    lost_face_->ask(frame, lastPose());
+    beside_ms_ = lost_face_->takeBeside_ms();
   }
 
   Tracked<HeadPose> searchUnlessDoubted(const cameras::StereoFrame& frame,
@@ -240,7 +252,8 @@ class ModelHeadTracker : public HeadTracker {
   // What an answer about a lost face says of this frame; nothing where it says too little, or is too old.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const cameras::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
-    const bool is_before_the_loss = last_.isKnown() && found.captured.s < last_.captured().s;
+    // Not by last_: the patches' own pose of a doubtful return is kept there, and was not shown.
+    const bool is_before_the_loss = shown_ && found.captured.s < shown_->s;
     if (is_before_the_loss) return std::nullopt;
     doubt_.hear(found, frame.captured);
     if (found.is_out_of_step) return doubted(PatchDoubt::kOutOfStep, frame.captured);
@@ -466,6 +479,7 @@ class ModelHeadTracker : public HeadTracker {
   LossDetail detail_ = LossDetail::unknown;
   FrameGuard guard_;
   HeadMotion last_;
+  std::optional<Timestamp> shown_;  // the last frame whose pose was given
   PatchWeights patch_weights_;
   cv::Rect left_box_, right_box_;
   int lost_frames_ = 0;

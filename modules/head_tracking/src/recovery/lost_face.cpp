@@ -9,7 +9,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kAnswer_s = 0.1;     // time that a live answer takes on one core of a small machine
+// Time that a live answer takes on one core of a small machine. Frame times are rounded: without the
+// microsecond, every second answer about a recording would count a frame later.
+constexpr double kAnswer_s = 0.1 - 1e-6;
 constexpr double kOneMotion_s = 0.5;  // between two answers that tell how fast the head moves
 constexpr double kJitter_mm = 0.5;    // between two answers about a head at rest
 constexpr int kThoroughEvery = 4;     // questions; a search at any roll takes ten times longer

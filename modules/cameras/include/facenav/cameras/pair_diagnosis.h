@@ -4,8 +4,10 @@
 // exchanged; a right camera that was knocked; any other pose of it (another rig's calibration); none (the two
 // exposures are of different moments: face, hair and clothes moved apart, and no camera pose fits all).
 //
-// A head that moved as one rigid piece before a plain wall looks like a moved camera: one frame cannot tell
-// them apart, and the advice for a moved camera says so.
+// Corners of eyes and brows move with the skull, and may fit a moved camera by themselves. When they do, matches
+// are grown over the skin: it moves otherwise than the skull when the face does. Only a head that moved as one
+// rigid piece, with an unchanged expression, looks like a moved camera. One frame cannot tell these two apart,
+// and the advice for a moved camera says so.
 
 #include <string>
 #include <vector>
@@ -30,9 +32,12 @@ struct PairDiagnosis {
   double agreement = 0;  // share of the matches that fit the best explanation
   double calibrated_agreement = 0;
   double residual_px = 0;  // median, of the calibration as it is
+  double skin_px = 0;      // off the best explanation's lines, as neighbouring skin shares it; 0: not asked
   /// The best explanation's pose of the right camera (the baseline's length is the calibration's).
   RigidTransform<RightCamera, Camera> right_T_left;
 
+  /// Whether a camera's pose is said to be the cause; skin is asked then.
+  bool isOfCameras() const { return fault == PairFault::moved || fault == PairFault::other_rig; }
   bool isFault() const { return fault != PairFault::unknown && fault != PairFault::none; }
   /// What happened: "the two cameras' pictures are of different moments". Empty without a fault.
   std::string words() const;
@@ -42,7 +47,11 @@ struct PairDiagnosis {
 
 /// From matches of one pair, sigma_px of each across the epipolar line.
 PairDiagnosis diagnoseMatches(const StereoRig& rig, const std::vector<Correspondence>& matches);
-/// From the pictures: about half a second.
+/// What skin says to a diagnosis of moved cameras or of another rig: that, or pictures of two moments.
+/// `skin`: matches grown over the face (growMatches). Any other diagnosis is given back as it is.
+PairDiagnosis withSkin(const StereoRig& rig, PairDiagnosis diagnosis,
+                       const std::vector<Correspondence>& skin);
+/// From the pictures, skin included: half a second, a second where the rig does not fit.
 PairDiagnosis diagnosePair(const StereoRig& rig, const StereoFrame& frame);
 
 }  // namespace facenav::cameras
