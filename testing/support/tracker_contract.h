@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "facenav/cameras/stereo_frame.h"
@@ -70,7 +71,7 @@ inline std::vector<cameras::StereoFrame> unusableFrames(const cameras::StereoFra
 template <class Tracker, class Result>
 void expectTrackerContract(const TrackerContract<Tracker, Result>& contract) {
   const auto first = contract.make(), second = contract.make();
-  EXPECT_THROW(contract.track(*first, contract.frames.front()), Error) << "before start()";
+  EXPECT_THROW(contract.track(*first, contract.frames.front()), std::logic_error) << "before start()";
   contract.start(*first);
   contract.start(*second);
   std::vector<Result> results;

@@ -22,7 +22,7 @@ double prominence_mm(const FrontRelief& relief, int midline, int row);
 double sides_mm(const FrontRelief& relief, int midline, int row, double beside_mm);
 
 struct NoseRise {
-  int root_row = 0;    // where the ridge begins to rise, between the eyes
+  int root_row = 0;    // flattest row above the crest: the nose's root, or the forehead above it
   int crest_row = 0;   // where it stands out most
   double rise_mm = 0;  // difference between the prominence there and that of the forehead
 };
