@@ -48,9 +48,9 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb :
-       {"series", "pacs", "prepare", "check", "brain", "worklist", "label", "locate", "target", "export",
-        "calibrate", "align", "cloud", "track", "guide", "simulate", "marker", "demo"}) {
+  for (const char* verb : {"series", "pacs",     "prepare", "check",     "brain",    "worklist", "label",
+                           "locate", "target",   "export",  "calibrate", "align",    "cloud",    "track",
+                           "guide",  "sessions", "pulses",  "report",    "simulate", "marker",   "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
