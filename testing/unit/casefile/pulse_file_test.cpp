@@ -41,10 +41,15 @@ TEST(PulseFile, EveryFieldComesBackAsItWas) {
   const auto read = readSessionPulses(folder.path());
   EXPECT_TRUE(read.problems.empty());
   ASSERT_EQ(read.pulses.size(), 2u);
-  const Pulse& back = read.pulses[0].pulse;
+  Pulse back = read.pulses[0].pulse;
+  ASSERT_TRUE(back.camera_T_mri && back.camera_T_coil && back.target);
+  EXPECT_THAT(*back.camera_T_mri, PoseNear(*pulse.camera_T_mri, 1e-9, 1e-9));
+  EXPECT_THAT(*back.camera_T_coil, PoseNear(*pulse.camera_T_coil, 1e-9, 1e-9));
+  EXPECT_THAT(back.target->mri_T_target, PoseNear(pulse.target->mri_T_target, 1e-9, 1e-9));
+  back.camera_T_mri = pulse.camera_T_mri;  // rotations are made orthonormal again: the last digit may differ
+  back.camera_T_coil = pulse.camera_T_coil;
+  back.target->mri_T_target = pulse.target->mri_T_target;
   EXPECT_EQ(toJsonLine(back), toJsonLine(pulse));
-  EXPECT_THAT(*back.mri_T_coil(), PoseNear(*pulse.mri_T_coil(), 1e-9, 1e-9));
-  EXPECT_EQ(back.target->name, pulse.target->name);
   EXPECT_DOUBLE_EQ(*back.latency_ms, 22.5);
   EXPECT_EQ(toJsonLine(read.pulses[1].pulse), toJsonLine(madeLostPulse(2)));
   EXPECT_FALSE(read.pulses[1].pulse.mri_T_coil());
