@@ -84,6 +84,9 @@ int runCommandLine(int argc, char** argv) {
   app::addTrack(cli, context);
   app::addCloud(cli, context);
   app::addGuide(cli, context);
+  app::addSessions(cli, context);
+  app::addPulses(cli, context);
+  app::addReport(cli, context);
   app::addSimulate(cli, context);
   app::addLocate(cli, context);
   app::addTarget(cli, context);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 
+#include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
@@ -114,10 +115,13 @@ TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride
   settle();
   ASSERT_TRUE(treat_.isRunning());
   treat_.countPulse();
-  EXPECT_EQ(treat_.pulses(), 1);
+  EXPECT_TRUE(fixtures::waitFor([&] { return treat_.pulses() == 1; }));
   treat_.stop();
-  for (const char* word : {"session started", "B. Clinician: emergency", "spot", "pulse"})
+  for (const char* word : {"session started", "B. Clinician: emergency", "spot", "aligned: "})
     EXPECT_NE(events().find(word), std::string::npos) << word;
+  const auto session = casefile::findSession(case_folder_, "");
+  ASSERT_EQ(casefile::readSessionPulses(session).pulses.size(), 1u);
+  EXPECT_TRUE(fixtures::waitFor([&] { return std::filesystem::exists(session / "report.html"); }));
 }
 
 TEST_F(TreatPresenterTest, AnOverrideEndsWithTheCaseBeingOpenedAgain) {
@@ -327,6 +331,11 @@ TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidance) {
     QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier);
     EXPECT_TRUE(fixtures::waitFor([&] { return cameras->isChecked() == is_shown; }, 2000)) << is_shown;
   }
+  ASSERT_EQ(window.treat().pulses(), 0);
+  QTest::keyClick(&window, Qt::Key_P);
+  EXPECT_TRUE(fixtures::waitFor([&] { return window.treat().pulses() == 1; }, 2000));
+  QTest::mouseClick(buttonOf(window, "P"), Qt::LeftButton);
+  EXPECT_TRUE(fixtures::waitFor([&] { return window.treat().pulses() == 2; }, 2000));
   cameras->setFocus();  // a focused button must not swallow the stop key
   QTest::keyClick(cameras, Qt::Key_Space);
   ASSERT_TRUE(fixtures::waitFor([&] { return !window.treat().isRunning(); }, 2000));

@@ -2,9 +2,11 @@
 
 #include <QFileInfo>
 #include <QTime>
+#include <future>
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/workflow/session_report.h"
 #include "facenav/workflow/software_version.h"
 
 namespace facenav::ui {
@@ -34,6 +36,14 @@ void storeKeyFrames(const session::Session& session, const std::filesystem::path
     casefile::addKeyFrames(case_folder, session.learntKeyFrames());
   } catch (const std::exception& error) {  // no caller to report to
     logWarning(std::string("the looks of the face were not kept: ") + error.what());
+  }
+}
+
+void keepReport(const std::filesystem::path& case_folder, const std::filesystem::path& session_folder) {
+  try {
+    workflow::writeSessionReport(case_folder, session_folder);
+  } catch (const std::exception& error) {  // no caller to report to; `facenav report` can make it again
+    logWarning(std::string("the session's report was not written: ") + error.what());
   }
 }
 
@@ -176,6 +186,8 @@ void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigato
   if (const auto& given = model_.override())
     log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
   log_->addEvent("target", target_.toStdString());
+  log_->addEvent("coil", coil_.name);
+  log_->addEvent("alignment", alignmentWords().toStdString());
   session_->start();
   emit changed();
 }
@@ -211,14 +223,23 @@ void TreatPresenter::stop() {
 }
 
 /// Nothing of the session is shown from here on. A good camera ends within one frame, the log when all is
-/// written.
+/// written; the report follows without the window waiting for it.
 void TreatPresenter::endSession() {
+  auto has_ended = std::make_shared<std::promise<void>>();
   retirement_.add(
-      [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_]() mutable {
+      [folder = treated_, session_folder = log_->folder(), ended = has_ended->get_future().share()] {
+        ended.wait();
+        keepReport(folder, session_folder);
+      },
+      std::chrono::milliseconds(0));
+  retirement_.add(
+      [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_,
+       has_ended]() mutable {
         session->stop();
         storeKeyFrames(*session, folder);
         log.reset();
         session.reset();
+        has_ended->set_value();
       },
       kPatience);
 }

@@ -38,10 +38,11 @@ class TreatPresenter : public QObject {
   void chooseTarget(const QString& name);
   /// Recorded in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
-  /// Counts a TMS pulse and logs where the coil was. Only while guidance runs.
+  /// Keeps a TMS pulse with where the coil was. Only while guidance runs.
   void countPulse();
 
   bool mayTreat() const { return model_.mayBeTreated(); }
+  /// Pulses that are kept in the session's file; a pulse gets there within about a tenth of a second.
   int pulses() const { return log_ ? log_->pulses() : 0; }
   /// Time from the start of guidance until its end, "00:07:31"; empty before.
   QString sessionTime() const;

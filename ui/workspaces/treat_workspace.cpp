@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -78,16 +79,21 @@ QWidget* TreatWorkspace::makeSide() {
   pulses_->setToolTip(tr("pulses given and time since guidance was started; both go into the session's log"));
   pulse_ = new QPushButton(tr("Pulse given"), side);
   pulse_->setToolTip(tr("counts a TMS pulse and keeps where the coil was (P)"));
-  pulse_->setShortcut(Qt::Key_P);
+  auto* key = new QShortcut(Qt::Key_P, this);
+  key->setAutoRepeat(false);  // a key that is held down is one pulse
   session->addWidget(pulses_, 1);
   session->addWidget(pulse_);
   column->addLayout(session);
   side_->addWidget(new ScrollColumn(side, sized(kFigures_px), side_));
   side_->addWidget(new ScrollColumn(new CamerasPanel(presenter_, side_), sized(kFigures_px), side_));
-  connect(pulse_, &QPushButton::clicked, this, [this] {
+  const auto take = [this] {
     presenter_.countPulse();
     showSession();
-  });
+  };
+  // Pressed, not clicked: a pulse's time is when the key goes down. A button's own shortcut clicks 0.1 s
+  // later.
+  connect(pulse_, &QPushButton::pressed, this, take);
+  connect(key, &QShortcut::activated, this, take);
   return side_;
 }
 

@@ -48,6 +48,16 @@ std::vector<std::string> split(const std::string& line, bool allows_blanks) {
 
 }  // namespace
 
+std::string csvField(std::string text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) {
+    if (c == '"') field += '"';
+    field += c == '\r' || c == '\n' ? ' ' : c;
+  }
+  return field + '"';
+}
+
 CsvTable::CsvTable(const std::filesystem::path& path, const CsvRules& rules) : path_(path) {
   std::string content = readWholeFile(path);
   if (content.rfind("\xEF\xBB\xBF", 0) == 0) content.erase(0, 3);

@@ -25,10 +25,14 @@ JsonReader::JsonReader(const JsonReader&) = default;
 JsonReader::~JsonReader() = default;
 
 JsonReader JsonReader::readFile(const std::filesystem::path& path) {
+  return readText(readWholeFile(path), path);
+}
+
+JsonReader JsonReader::readText(const std::string& text, const std::filesystem::path& path) {
   auto document = std::make_shared<Document>();
   document->path = path;
   try {
-    document->root = nlohmann::json::parse(readWholeFile(path));
+    document->root = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& fault) {
     throw Error("is not valid JSON (at byte " + std::to_string(fault.byte) + ")", path.string(),
                 "restore the file or write it anew");

@@ -1,27 +1,17 @@
 #include "facenav/guidance/guidance_csv.h"
 
+#include "facenav/core/csv_table.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 
 namespace facenav::guidance {
-namespace {
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
-
 std::string guidanceCsvHeader() {
   return "frame,t_s,target,state,distance_mm,lateral_mm,depth_mm,tilt_deg,twist_deg,beam_miss_mm,"
          "predicted_error_mm\n";
 }
 
 std::string toCsvLine(const GuidanceRow& row) {
-  std::string line = std::to_string(row.frame) + "," + fixed(row.t_s, 6) + "," + quoted(row.target) + "," +
+  std::string line = std::to_string(row.frame) + "," + fixed(row.t_s, 6) + "," + csvField(row.target) + "," +
                      toString(row.state.state);
   if (!row.state.values) return line + ",,,,,,,\n";
   const GuidanceValues& values = *row.state.values;

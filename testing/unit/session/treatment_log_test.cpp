@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "facenav/casefile/poses_csv.h"
+#include "facenav/casefile/session_pulses.h"
 #include "session_fakes.h"
 #include "support/test_data.h"
 
@@ -14,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr int kFrames = 20, kLostFrom = 8, kLostTo = 12;
+constexpr int kFrames = 60, kLostFrom = 48, kLostTo = 52;
 
 std::string contentOf(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -42,11 +43,19 @@ TEST(TreatmentLog, KeepsPosesGuidanceLossesAndPulses) {
     place = log.folder();
     log.addEvent("override", "B. C.: emergency");
     running->start();
-    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (running->latest()->frame < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     log.addPulse();
+    log.addPulse();  // a bounce of the key
+    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     EXPECT_EQ(log.pulses(), 1);
     EXPECT_EQ(log.failure(), "");
+    log.addPulse({"pedal"});  // after the recording's end
   }
+  const auto pulses = casefile::readSessionPulses(place).pulses;
+  ASSERT_EQ(pulses.size(), 2u);
+  EXPECT_EQ(pulses[0].pulse.status, casefile::PulseStatus::on_target) << pulses[0].pulse.reason;
+  EXPECT_EQ(pulses[0].pulse.target->name, "spot");
+  EXPECT_EQ(pulses[1].pulse.status, casefile::PulseStatus::lost);
   const auto rows = casefile::readPoses(place / "poses.csv");
   ASSERT_FALSE(rows.empty());
   int lost_heads = 0;
@@ -56,11 +65,32 @@ TEST(TreatmentLog, KeepsPosesGuidanceLossesAndPulses) {
   EXPECT_LE(lost_heads, kLostTo - kLostFrom + 1);  // the blanked last state may add one
   const std::string events = contentOf(place / "events.jsonl");
   for (const char* word : {"session started", "override", "emergency", "face found", "face lost", "no_face",
-                           "coil found", "pulse", "recording ended", "session ended"})
+                           "coil found", "double trigger", "recording ended", "session ended"})
     EXPECT_THAT(events, HasSubstr(word));
   EXPECT_EQ(events.find("recording ended"), events.rfind("recording ended")) << "an event happens once";
   EXPECT_LT(events.find("recording ended"), events.find("session ended"));
   EXPECT_THAT(contentOf(place / "guidance.csv"), HasSubstr("spot"));
+}
+
+TEST(TreatmentLog, AFolderThatIsRemovedIsSaidAndTheSessionAndItsPulsesGoOn) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path());
+    place = log.folder();
+    running->start();
+    log.addPulse();
+    while (log.pulses() < 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::filesystem::remove_all(folder.path() / "sessions");
+    while (log.failure().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_THAT(log.failure(), HasSubstr("removed"));
+    log.addPulse({"pedal"});
+    while (log.pulses() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_EQ(running->latest()->frame, kFrames - 1);
+  }
+  EXPECT_EQ(casefile::readSessionPulses(place).pulses.size(), 2u);
 }
 
 TEST(TreatmentLog, ARecordingThatIsStoppedHasNotEnded) {

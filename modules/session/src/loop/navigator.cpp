@@ -53,7 +53,7 @@ std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
 }
 
 void Navigator::setTarget(std::optional<ChosenTarget> target) {
-  target_ = std::move(target);
+  target_ = target ? std::make_shared<const ChosenTarget>(std::move(*target)) : nullptr;
   previous_ = {};
 }
 
@@ -64,9 +64,11 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   NavigationState state;
   state.frame = frame->number;
   state.captured = frame->captured;
-  state.arrived = begin;
+  state.arrived = state.taken = begin;
   state.is_aligned = head_T_mri_.has_value();
   state.target = target_ ? target_->target.name : "";
+  state.chosen = target_;
+  state.tolerance = tolerance_;
   if (isUsable(*frame, rig_)) {
     watching_ms += track(*frame, state);
     place(state);

@@ -125,6 +125,7 @@ void Session::Implementation::track() {
     }
     auto state = std::make_shared<NavigationState>(navigator->process(next->frame));
     state->arrived = next->arrived;
+    state->taken = options.is_paced ? next->arrived : state->captured;  // live cameras use the steady clock
     state->latency_ms = (Timestamp::now() - next->arrived) * 1e3;
     state->dropped = frames.dropped();
     states.publish(std::move(state));

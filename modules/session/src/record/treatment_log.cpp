@@ -1,14 +1,15 @@
 #include "facenav/session/treatment_log.h"
 
 #include <atomic>
-#include <cmath>
 #include <cstdio>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "facenav/casefile/session_log.h"
 #include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::session {
 namespace {
@@ -17,37 +18,36 @@ struct Event {
   std::string name, detail;
 };
 
-std::string placeOf(const guidance::GuidanceState& guidance) {
-  std::string words = guidance::toString(guidance.state);
-  if (!guidance.values) return words;
-  char figures[64];
-  std::snprintf(figures, sizeof figures, ", %.1f mm, %.0f deg", guidance.values->distance_mm,
-                guidance.values->tilt_rad * 180.0 / M_PI);
-  return words + figures;
-}
+constexpr double kRetry_s = 1.0;  // after a fault of the disk
 
 }  // namespace
 
 struct TreatmentLog::Implementation {
   Implementation(std::shared_ptr<Session> session_, const std::filesystem::path& case_folder)
-      : session(std::move(session_)), log(case_folder), folder(log.folder()) {}
+      : session(std::move(session_)), log(case_folder), folder(log.folder()), pulses(folder) {}
 
   const std::shared_ptr<Session> session;
   casefile::SessionLog log;  // used only by the thread once it runs
   const std::filesystem::path folder;
   std::atomic<bool> is_stopping{false};
-  mutable std::mutex mutex;  // guards events, failure, pulses
+  PulseKeeper pulses;
+  mutable std::mutex mutex;  // guards events, failure
   std::deque<Event> events;
   std::string failure;
-  int pulses = 0;
   std::thread thread;
   // Used only by the thread: what held at the previous frame.
   bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
+  std::optional<Timestamp> broken;  // since when nothing can be written
+  Timestamp retry;
 
   void run();
   void writeEvents();
   void noteEnd();
   void write(const NavigationState& state);
+  template <class Work>
+  void tried(Work work);
+  void setFailure(const std::string& words);
+  void end();
   void noteChange(bool& has, bool has_now, const char* what, const std::string& why);
 };
 
@@ -73,13 +73,45 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
   has_faulted = !fault.empty();
 }
 
+/// One is taken from the list only once it is written.
 void TreatmentLog::Implementation::writeEvents() {
-  std::deque<Event> waiting;
-  {
+  for (;;) {
+    Event event;
+    {
+      std::lock_guard lock(mutex);
+      if (events.empty()) return;
+      event = events.front();
+    }
+    log.addEvent(event.name, event.detail);
     std::lock_guard lock(mutex);
-    waiting.swap(events);
+    events.pop_front();
   }
-  for (const auto& event : waiting) log.addEvent(event.name, event.detail);
+}
+
+void TreatmentLog::Implementation::setFailure(const std::string& words) {
+  std::lock_guard lock(mutex);
+  failure = words;
+}
+
+/// What cannot be written is left out, said, and tried again after a second.
+template <class Work>
+void TreatmentLog::Implementation::tried(Work work) {
+  if (broken && !is_stopping && retry - Timestamp::now() > 0) return;
+  try {
+    if (broken) {
+      log.addEvent("log resumed", formatted("nothing was logged for %.1f s", Timestamp::now() - *broken));
+      broken.reset();
+      setFailure("");
+    }
+    work();
+  } catch (const std::exception& error) {
+    if (!broken) {
+      logWarning(std::string("the session's log is interrupted: ") + error.what());
+      broken = Timestamp::now();
+    }
+    setFailure(error.what());
+    retry = {Timestamp::now().s + kRetry_s};
+  }
 }
 
 /// Notes the recording's end, once. A fault has its own event.
@@ -91,25 +123,27 @@ void TreatmentLog::Implementation::noteEnd() {
   has_noted_end = true;
 }
 
-void TreatmentLog::Implementation::run() {
-  try {
-    while (!is_stopping) {
-      const auto state = session->take(std::chrono::milliseconds(50));
-      if (state) write(*state);
-      writeEvents();
-      if (state || !session->hasEnded()) continue;
-      noteEnd();
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
+void TreatmentLog::Implementation::end() {
+  tried([this] {
     writeEvents();
     noteEnd();
     log.addEvent("session ended");
     log.sync();
-  } catch (const std::exception& error) {
-    logWarning(std::string("the session's log stopped: ") + error.what());
-    std::lock_guard lock(mutex);
-    failure = error.what();
+  });
+}
+
+void TreatmentLog::Implementation::run() {
+  while (!is_stopping) {
+    const auto state = session->take(std::chrono::milliseconds(50));
+    if (state) pulses.follow(*state);
+    tried([&] {
+      if (state) write(*state);
+      writeEvents();
+      if (!state && session->hasEnded()) noteEnd();
+    });
+    if (!state && session->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+  end();
 }
 
 TreatmentLog::TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder)
@@ -128,23 +162,23 @@ void TreatmentLog::addEvent(const std::string& event, const std::string& detail)
   implementation_->events.push_back({event, detail});
 }
 
-void TreatmentLog::addPulse() {
-  const auto state = implementation_->session->latest();
-  std::lock_guard lock(implementation_->mutex);
-  implementation_->events.push_back(
-      {"pulse", std::to_string(++implementation_->pulses) + ", " + placeOf(state->guidance)});
+void TreatmentLog::addPulse(const PulseTrigger& trigger) {
+  if (!implementation_->pulses.add(trigger))
+    addEvent("double trigger",
+             trigger.source + formatted(", within %.2f s, not counted", trigger.dead_time_s));
 }
 
-int TreatmentLog::pulses() const {
-  std::lock_guard lock(implementation_->mutex);
-  return implementation_->pulses;
-}
+int TreatmentLog::pulses() const { return implementation_->pulses.kept(); }
+int TreatmentLog::pulsesWaiting() const { return implementation_->pulses.waiting(); }
 
 const std::filesystem::path& TreatmentLog::folder() const { return implementation_->folder; }
 
 std::string TreatmentLog::failure() const {
-  std::lock_guard lock(implementation_->mutex);
-  return implementation_->failure;
+  {
+    std::lock_guard lock(implementation_->mutex);
+    if (!implementation_->failure.empty()) return implementation_->failure;
+  }
+  return implementation_->pulses.failure();
 }
 
 }  // namespace facenav::session

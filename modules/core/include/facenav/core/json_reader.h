@@ -18,6 +18,8 @@ class JsonReader {
   /// Throws Error if the file is missing, is not valid JSON (the message gives the position), or its root is
   /// not an object.
   static JsonReader readFile(const std::filesystem::path& path);
+  /// The same of a text; errors name it as `where`.
+  static JsonReader readText(const std::string& text, const std::filesystem::path& where);
 
   bool has(const std::string& key) const;
   /// The member `key` of an object. Throws Error if it is missing.

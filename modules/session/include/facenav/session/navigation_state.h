@@ -16,10 +16,17 @@
 
 namespace facenav::session {
 
+/// The chosen target with the alignment's predicted error there (mm, 0: unknown).
+struct ChosenTarget {
+  guidance::Target target;
+  double predicted_error_mm = 0.0;
+};
+
 struct NavigationState {
   std::int64_t frame = -1;  // -1: none yet
   Timestamp captured;       // the source's clock
   Timestamp arrived;        // steady clock, when the frame arrived
+  Timestamp taken;          // steady clock, when the frame was captured; of a recording: when it was played
   std::shared_ptr<const cameras::StereoFrame> images;
 
   Tracked<head_tracking::HeadPose> head = Lost{LostReason::stale};
@@ -31,6 +38,10 @@ struct NavigationState {
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen
+  /// The same target as it was at this frame; null: none.
+  std::shared_ptr<const ChosenTarget> chosen;
+  /// That guidance used.
+  guidance::Tolerance tolerance;
   guidance::GuidanceState guidance;
 
   double processing_ms = 0.0;  // head + coil + guidance

@@ -31,12 +31,6 @@ struct NavigatorSetup {
   std::vector<casefile::StoredKeyFrame> key_frames = {};
 };
 
-/// The chosen target with the alignment's predicted error there (mm, 0: unknown).
-struct ChosenTarget {
-  guidance::Target target;
-  double predicted_error_mm = 0.0;
-};
-
 class Navigator {
  public:
   /// Starts both trackers. Throws Error when no face is found in the reference frame.
@@ -69,7 +63,8 @@ class Navigator {
   std::unique_ptr<coil_tracking::CoilTracker> coil_;
   FrameWork coil_deferred_;          // by the last frame, to the next one
   bool is_learnt_in_doubt_ = false;  // told to the head's tracker with the next frame
-  std::optional<ChosenTarget> target_;
+  /// Null: none.
+  std::shared_ptr<const ChosenTarget> target_;
   guidance::GuidanceState previous_;
 };
 

@@ -1,13 +1,15 @@
 #pragma once
 // TreatmentLog: writes what a running Session does into sessions/<UTC time>/ of the case (poses.csv,
-// guidance.csv, events.jsonl). It has its own thread, so that neither tracking nor the window waits for the
-// disk. It notes losses, finds, faults and the recording's end by itself; the caller adds pulses, chosen
-// targets and overrides.
+// guidance.csv, events.jsonl, pulses.jsonl). It has its own threads, so that neither tracking nor the window
+// waits for the disk. It notes losses, finds, faults and the recording's end by itself; the caller adds
+// pulses, chosen targets and overrides. A disk that is full ends nothing: it is said, and what follows is
+// logged as soon as it can be.
 
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "facenav/session/pulse_keeper.h"
 #include "facenav/session/session.h"
 
 namespace facenav::session {
@@ -24,11 +26,15 @@ class TreatmentLog {
 
   /// Returns at once. Must not contain a patient's name.
   void addEvent(const std::string& event, const std::string& detail = {});
-  /// A TMS pulse and where the coil was: "3, on_target, 0.8 mm, 2 deg" or "3, lost".
-  void addPulse();
+  /// Keeps a TMS pulse; returns at once. A second trigger within the source's dead time is noted as an event
+  /// and not counted.
+  void addPulse(const PulseTrigger& trigger = {});
+  /// Pulses that are in the session's file, on the disk. A pulse gets there when the frame after it has come.
   int pulses() const;
+  /// Pulses that are not there yet.
+  int pulsesWaiting() const;
   const std::filesystem::path& folder() const;
-  /// Why writing stopped (disk full, ..); empty if it did not.
+  /// Why nothing can be written now (disk full, ..); empty if it can.
   std::string failure() const;
 
  private:

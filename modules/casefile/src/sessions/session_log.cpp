@@ -1,12 +1,8 @@
 #include "facenav/casefile/session_log.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "appended_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_folder.h"
@@ -15,42 +11,6 @@
 namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
-
-/// A file to append to. Each line is written in one call, so that a crash leaves only whole lines.
-class AppendedFile {
- public:
-  AppendedFile(fs::path path, const std::string& header) : path_(std::move(path)) {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
-    if (descriptor_ < 0) refuse();
-    append(header);
-  }
-  ~AppendedFile() {
-    ::fsync(descriptor_);
-    ::close(descriptor_);
-  }
-  AppendedFile(const AppendedFile&) = delete;
-  AppendedFile& operator=(const AppendedFile&) = delete;
-
-  void append(const std::string& line) {
-    for (std::size_t done = 0; done < line.size();) {
-      const ssize_t written = ::write(descriptor_, line.data() + done, line.size() - done);
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) refuse();
-      done += std::size_t(written);
-    }
-  }
-  void sync() {
-    if (::fsync(descriptor_) != 0) refuse();
-  }
-
- private:
-  [[noreturn]] void refuse() const {
-    throw Error(std::string("cannot be written (") + std::strerror(errno) + ")", path_.string(),
-                "check free disk space and permissions");
-  }
-  fs::path path_;
-  int descriptor_ = -1;
-};
 
 fs::path makeSessionFolder(const fs::path& case_folder) {
   if (!fs::is_directory(case_folder))

@@ -1,0 +1,38 @@
+#pragma once
+// AppendedFile: a private file (0600) that grows line by line. A line that cannot be written whole (full
+// disk) is cut off again, so the file always ends with a whole line while the program runs.
+
+#include <filesystem>
+#include <string>
+
+namespace facenav::casefile {
+
+class AppendedFile {
+ public:
+  enum class Start { fresh, old_or_fresh };
+  /// `fresh`: throws Error if the file exists. A fresh file starts with `header` (empty: nothing).
+  AppendedFile(std::filesystem::path path, const std::string& header, Start start = Start::fresh);
+  /// Syncs and closes.
+  ~AppendedFile();
+  AppendedFile(const AppendedFile&) = delete;
+  AppendedFile& operator=(const AppendedFile&) = delete;
+
+  /// `lines` with their newlines, whole or not at all. Throws Error, also if the file was removed meanwhile.
+  void append(const std::string& lines);
+  /// fsync. Throws Error.
+  void sync();
+  /// True if the file was removed: what is written can no longer be found by name.
+  bool isRemoved() const;
+  /// Everything in it, also after it was removed. Throws Error.
+  std::string content() const;
+  /// Cuts it back to what it held before the last append, for a line that was written but not synced.
+  void undoLast();
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const;
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  long long size_ = 0, size_before_ = 0;  // bytes of whole lines
+};
+
+}  // namespace facenav::casefile

@@ -1,0 +1,17 @@
+#pragma once
+// Times of a session from its two tables. They can hold millions of lines, so no table is kept in memory.
+
+#include <filesystem>
+#include <optional>
+
+#include "facenav/casefile/kept_session.h"
+
+namespace facenav::casefile {
+
+/// Nothing if the file is missing, has no such columns or fewer than two frames. Lines that are no frame (cut
+/// short) are passed over.
+std::optional<GuidedTime> readGuidedTime(const std::filesystem::path& guidance_csv);
+/// Time from the first to the last frame, s; reads only both ends of the file. Nothing as above.
+std::optional<double> readDuration_s(const std::filesystem::path& poses_csv);
+
+}  // namespace facenav::casefile

@@ -1,0 +1,61 @@
+#include "facenav/casefile/pulse_file.h"
+
+#include "appended_file.h"
+#include "facenav/core/error.h"
+#include "facenav/core/whole_folder.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kName = "pulses.jsonl";
+
+/// The names up to the case folder: a file is only as durable as its name.
+void syncNames(const fs::path& session_folder) {
+  makeNamesDurable(session_folder);
+  makeNamesDurable(session_folder.parent_path());
+  makeNamesDurable(session_folder.parent_path().parent_path());
+}
+
+}  // namespace
+
+struct PulseFile::Implementation {
+  fs::path folder;
+  std::unique_ptr<AppendedFile> file;
+
+  void open(AppendedFile::Start start) {
+    file = std::make_unique<AppendedFile>(folder / kName, "", start);
+    syncNames(folder);
+  }
+  /// In a new file under the old name, everything that the removed one held.
+  void makeAgain() {
+    const std::string content = file->content();
+    for (const fs::path& missing : {folder.parent_path(), folder})
+      if (!fs::exists(missing)) makePrivateFolder(missing);
+    auto again = std::make_unique<AppendedFile>(folder / kName, content);
+    again->sync();
+    file = std::move(again);
+    syncNames(folder);
+  }
+};
+
+PulseFile::PulseFile(const fs::path& session_folder) : implementation_(std::make_unique<Implementation>()) {
+  implementation_->folder = session_folder;
+  implementation_->open(AppendedFile::Start::fresh);
+}
+
+PulseFile::~PulseFile() = default;
+
+void PulseFile::keep(const Pulse& pulse) {
+  if (implementation_->file->isRemoved()) implementation_->makeAgain();
+  AppendedFile& file = *implementation_->file;
+  file.append(toJsonLine(pulse));
+  try {
+    file.sync();
+  } catch (const Error&) {
+    file.undoLast();
+    throw;
+  }
+}
+
+}  // namespace facenav::casefile

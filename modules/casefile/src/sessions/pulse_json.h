@@ -1,0 +1,12 @@
+#pragma once
+// One line of pulses.jsonl.
+
+#include "facenav/casefile/pulse.h"
+#include "facenav/core/json_reader.h"
+
+namespace facenav::casefile {
+
+/// Throws Error naming line and key.
+Pulse pulseFrom(const JsonReader& line);
+
+}  // namespace facenav::casefile

@@ -1,0 +1,159 @@
+#include "facenav/casefile/session_pulses.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "appended_file.h"
+#include "facenav/casefile/utc_time.h"
+#include "facenav/core/csv_table.h"
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "json_lines.h"
+#include "pulse_json.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kPulses = "pulses.jsonl";
+constexpr const char* kEdits = "pulse_edits.jsonl";
+constexpr const char* kOldReason = "noted by an earlier version, without the coil's pose";
+
+SessionPulses readKept(const fs::path& folder) {
+  SessionPulses read;
+  auto lines = readJsonLines(folder / kPulses);
+  read.problems = std::move(lines.problems);
+  std::set<int> numbers;
+  for (const JsonReader& line : lines.lines) {
+    try {
+      Pulse pulse = pulseFrom(line);
+      if (numbers.insert(pulse.number).second) read.pulses.push_back({std::move(pulse), false, {}});
+    } catch (const Error& fault) {
+      read.problems.push_back(std::string(fault.what()) + ": the pulse is left out");
+    }
+  }
+  return read;
+}
+
+/// "3, on_target, 0.8 mm, 2 deg", as earlier versions noted a pulse.
+Pulse pulseOfEvent(int number, const JsonReader& event) {
+  Pulse pulse;
+  pulse.number = number;
+  const auto seconds = secondsOfUtc(event.at("utc").text());
+  if (seconds) {
+    const std::chrono::duration<double> since_epoch(*seconds);
+    pulse.utc = isoUtc(std::chrono::system_clock::time_point(
+        std::chrono::duration_cast<std::chrono::system_clock::duration>(since_epoch)));
+  }
+  const std::string detail = event.at("detail").text();
+  const auto says = [&](const char* word) { return detail.find(word) != std::string::npos; };
+  pulse.status = says("on_target") ? PulseStatus::on_target
+                 : says("adjust")  ? PulseStatus::outside
+                                   : PulseStatus::lost;
+  pulse.reason = kOldReason;
+  return pulse;
+}
+
+SessionPulses readOld(const fs::path& folder) {
+  SessionPulses read;
+  auto lines = readJsonLines(folder / "events.jsonl");
+  read.problems = std::move(lines.problems);
+  for (const JsonReader& event : lines.lines)
+    if (event.has("event") && event.at("event").text() == "pulse")
+      read.pulses.push_back({pulseOfEvent(int(read.pulses.size()) + 1, event), false, {}});
+  return read;
+}
+
+void applyEdits(const fs::path& folder, SessionPulses& session) {
+  auto lines = readJsonLines(folder / kEdits);
+  for (auto& problem : lines.problems) session.problems.push_back(std::move(problem));
+  for (const JsonReader& line : lines.lines) {
+    const int number = line.at("pulse").integer();
+    const bool is_excluded = line.at("change").text() == "exclude";
+    for (auto& reviewed : session.pulses)
+      if (reviewed.pulse.number == number) {
+        reviewed.is_excluded = is_excluded;
+        reviewed.note = is_excluded ? line.at("reason").text() : "";
+      }
+  }
+}
+
+const ReviewedPulse& find(const SessionPulses& session, const PulseEdit& edit, const fs::path& folder) {
+  for (const auto& reviewed : session.pulses)
+    if (reviewed.pulse.number == edit.number) return reviewed;
+  throw Error("there is no pulse " + std::to_string(edit.number), folder.string(),
+              session.pulses.empty()
+                  ? "the session has no pulses"
+                  : "it has pulses " + std::to_string(session.pulses.front().pulse.number) + " to " +
+                        std::to_string(session.pulses.back().pulse.number));
+}
+
+std::string field(const std::optional<double>& value, int decimals) {
+  return "," + (value ? fixed(*value, decimals) : std::string());
+}
+
+std::string poseFields(const Pulse& pulse) {
+  const auto mri_T_coil = pulse.mri_T_coil();
+  if (!mri_T_coil) return ",,,,,,,";
+  std::string fields;
+  const Eigen::Vector3d t_mm = mri_T_coil->translation_mm();
+  const Eigen::Quaterniond q = mri_T_coil->quaternion();
+  for (const double value : {t_mm.x(), t_mm.y(), t_mm.z()}) fields += "," + fixed(value, 4);
+  for (const double value : {q.w(), q.x(), q.y(), q.z()}) fields += "," + fixed(value, 9);
+  return fields;
+}
+
+std::string csvLine(const ReviewedPulse& reviewed) {
+  const Pulse& pulse = reviewed.pulse;
+  std::string line = std::to_string(pulse.number) + field(pulse.t_s, 6) + "," + pulse.utc + "," +
+                     csvField(pulse.source) + "," + csvField(pulse.target ? pulse.target->name : "") + "," +
+                     toString(pulse.status) + "," + csvField(pulse.reason) + poseFields(pulse);
+  if (const auto& offset = pulse.offset)
+    for (const double value :
+         {offset->distance_mm, offset->lateral_mm, offset->depth_mm, offset->tilt_deg, offset->twist_deg})
+      line += "," + fixed(value, 4);
+  else
+    line += ",,,,,";
+  line += field(pulse.gap_mm, 2) + field(pulse.predicted_error_mm, 4) + field(pulse.intensity_pct, 2) +
+          field(pulse.e_target_v_per_m, 2) + field(pulse.mep_uv, 2) + field(pulse.latency_ms, 2);
+  return line + (reviewed.is_excluded ? ",1," : ",0,") + csvField(reviewed.note) + "\n";
+}
+
+}  // namespace
+
+SessionPulses readSessionPulses(const fs::path& session_folder) {
+  SessionPulses session =
+      fs::exists(session_folder / kPulses) ? readKept(session_folder) : readOld(session_folder);
+  applyEdits(session_folder, session);
+  return session;
+}
+
+void editPulse(const fs::path& session_folder, const PulseEdit& edit) {
+  const SessionPulses session = readSessionPulses(session_folder);
+  const ReviewedPulse& reviewed = find(session, edit, session_folder);
+  const std::string pulse = "pulse " + std::to_string(edit.number);
+  if (reviewed.is_excluded == edit.is_excluded)
+    throw Error(pulse + (edit.is_excluded ? " is already excluded" : " is not excluded"),
+                session_folder.string());
+  if (edit.is_excluded && edit.reason.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw Error(pulse + " is excluded only with a reason", session_folder.string(), "give --reason");
+  const nlohmann::ordered_json line{{"utc", isoUtc(std::chrono::system_clock::now())},
+                                    {"pulse", edit.number},
+                                    {"change", edit.is_excluded ? "exclude" : "include"},
+                                    {"reason", edit.reason},
+                                    {"by", edit.by}};
+  AppendedFile file(session_folder / kEdits, "", AppendedFile::Start::old_or_fresh);
+  file.append(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  file.sync();
+}
+
+std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses) {
+  std::string csv =
+      "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
+      "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
+      "excluded,note\n";
+  for (const ReviewedPulse& reviewed : pulses) csv += csvLine(reviewed);
+  return csv;
+}
+
+}  // namespace facenav::casefile

@@ -1,0 +1,186 @@
+#include "facenav/session/pulse_keeper.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "facenav/casefile/pulse_file.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+
+namespace facenav::session {
+namespace {
+
+constexpr std::size_t kFramesKept = 64;  // a second's worth; a pulse waits a tenth of it
+constexpr double kRetry_s = 0.5;
+
+struct Waiting {
+  PulseTrigger trigger;
+  Timestamp added;
+};
+
+}  // namespace
+
+struct PulseKeeper::Implementation {
+  explicit Implementation(const std::filesystem::path& folder) : file(folder) {}
+
+  casefile::PulseFile file;  // used only by the thread
+  mutable std::mutex mutex;  // guards the members below, up to `is_stopping`
+  std::condition_variable changed;
+  std::deque<PosedFrame> frames;          // by the time they were taken
+  std::deque<Waiting> pulses;             // in the order of arrival
+  std::deque<casefile::Pulse> unwritten;  // with their poses
+  std::map<std::string, Timestamp> last_of_source;
+  std::string failure;
+  Timestamp retry;
+  int added = 0, numbered = 0, kept = 0;
+  bool is_stopping = false;
+  std::thread thread;
+
+  // All but run() and write() are called with the mutex locked.
+  void run();
+  void write();
+  bool isReady(const Waiting& pulse) const;
+  bool isDue() const;
+  std::chrono::duration<double> patience() const;
+  void placeReady();
+  casefile::Pulse placed(const Waiting& pulse);
+};
+
+bool PulseKeeper::Implementation::isReady(const Waiting& pulse) const {
+  if (is_stopping || Timestamp::now() - pulse.added >= kLongestWait_s) return true;
+  return !frames.empty() && frames.back().taken - pulse.trigger.at > 0;
+}
+
+bool PulseKeeper::Implementation::isDue() const {
+  return !unwritten.empty() && (failure.empty() || is_stopping || Timestamp::now() - retry >= 0);
+}
+
+std::chrono::duration<double> PulseKeeper::Implementation::patience() const {
+  double wait_s = 60.0;
+  if (!pulses.empty()) wait_s = kLongestWait_s - (Timestamp::now() - pulses.front().added);
+  if (!unwritten.empty()) wait_s = std::min(wait_s, retry - Timestamp::now());
+  return std::chrono::duration<double>(std::max(0.001, wait_s));
+}
+
+casefile::Pulse PulseKeeper::Implementation::placed(const Waiting& pulse) {
+  const auto after = std::find_if(frames.begin(), frames.end(), [&](const PosedFrame& frame) {
+    return frame.taken - pulse.trigger.at > 0;
+  });
+  casefile::Pulse result =
+      pulseBetween(pulse.trigger, after == frames.begin() ? std::nullopt : std::optional(*std::prev(after)),
+                   after == frames.end() ? std::nullopt : std::optional(*after));
+  result.number = ++numbered;
+  return result;
+}
+
+void PulseKeeper::Implementation::placeReady() {
+  while (!pulses.empty() && isReady(pulses.front())) {
+    unwritten.push_back(placed(pulses.front()));
+    pulses.pop_front();
+  }
+}
+
+/// In order, up to the first one that cannot be written. The disk is waited for without the lock.
+void PulseKeeper::Implementation::write() {
+  for (;;) {
+    casefile::Pulse pulse;
+    {
+      std::lock_guard lock(mutex);
+      if (unwritten.empty()) return;
+      pulse = unwritten.front();
+    }
+    std::string fault;
+    try {
+      file.keep(pulse);
+    } catch (const std::exception& error) {
+      fault = error.what();
+    }
+    std::lock_guard lock(mutex);
+    if (!fault.empty() && failure.empty()) logWarning("a pulse is not kept yet: " + fault);
+    failure = fault;
+    retry = {Timestamp::now().s + kRetry_s};
+    if (!fault.empty()) return;
+    unwritten.pop_front();
+    ++kept;
+  }
+}
+
+void PulseKeeper::Implementation::run() {
+  for (bool is_last = false; !is_last;) {
+    bool is_due = false;
+    {
+      std::unique_lock lock(mutex);
+      if (!is_stopping && !isDue()) changed.wait_for(lock, patience());
+      is_last = is_stopping;
+      placeReady();
+      is_due = isDue();
+    }
+    if (is_due) write();
+  }
+  if (!unwritten.empty())
+    logWarning(std::to_string(unwritten.size()) + " pulse(s) of the session could not be kept");
+}
+
+PulseKeeper::PulseKeeper(const std::filesystem::path& session_folder)
+    : implementation_(std::make_unique<Implementation>(session_folder)) {
+  implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
+}
+
+PulseKeeper::~PulseKeeper() {
+  {
+    std::lock_guard lock(implementation_->mutex);
+    implementation_->is_stopping = true;
+  }
+  implementation_->changed.notify_all();
+  implementation_->thread.join();
+}
+
+bool PulseKeeper::add(const PulseTrigger& trigger) {
+  {
+    std::lock_guard lock(implementation_->mutex);
+    const auto last = implementation_->last_of_source.find(trigger.source);
+    const bool is_known = last != implementation_->last_of_source.end();
+    if (is_known && trigger.at - last->second < trigger.dead_time_s) return false;
+    implementation_->last_of_source[trigger.source] = trigger.at;
+    implementation_->pulses.push_back({trigger, Timestamp::now()});
+    implementation_->placeReady();
+    ++implementation_->added;
+  }
+  implementation_->changed.notify_all();
+  return true;
+}
+
+void PulseKeeper::follow(const NavigationState& state) {
+  if (state.frame < 0) return;
+  {
+    std::lock_guard lock(implementation_->mutex);
+    auto& frames = implementation_->frames;
+    if (!frames.empty() && state.taken - frames.back().taken <= 0) return;  // the last state, said again
+    frames.push_back(posedFrame(state));
+    if (frames.size() > kFramesKept) frames.pop_front();
+    if (implementation_->pulses.empty()) return;
+    implementation_->placeReady();
+  }
+  implementation_->changed.notify_all();
+}
+
+int PulseKeeper::kept() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->kept;
+}
+
+int PulseKeeper::waiting() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->added - implementation_->kept;
+}
+
+std::string PulseKeeper::failure() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->failure;
+}
+
+}  // namespace facenav::session

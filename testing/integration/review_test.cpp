@@ -1,0 +1,114 @@
+// A scripted session (stand-ins for cameras and trackers) through the session loop and its log, then what the
+// command line says of it: sessions, pulses, exclusions, report.
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "facenav/casefile/kept_session.h"
+#include "facenav/core/csv_table.h"
+#include "facenav/session/treatment_log.h"
+#include "support/ball_case.h"
+#include "support/command_line.h"
+#include "unit/session/session_fakes.h"
+
+namespace facenav::testing {
+namespace {
+
+namespace fs = std::filesystem;
+namespace fakes = session::fakes;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
+constexpr int kFrames = 150, kLostFrom = 100;  // at 50 frames a second; then the face is gone
+
+/// Twelve pulses in the first part, three after the face is gone, each from a source of its own. Returns the
+/// session's folder.
+fs::path treat(const fs::path& case_folder) {
+  auto navigator = std::make_unique<session::Navigator>(
+      fakes::setup(), std::make_unique<fakes::Head>([](std::int64_t n) {
+        return n >= kLostFrom ? std::nullopt : std::optional(RigidTransform<Camera, Head>());
+      }),
+      std::make_unique<fakes::Coil>(kMarker));
+  navigator->setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+  auto running = std::make_shared<session::Session>(std::make_unique<fakes::Source>(kFrames, 0.02),
+                                                    std::move(navigator), session::SessionOptions{});
+  session::TreatmentLog log(running, case_folder);
+  log.addEvent("coil", "figure-8 70 mm");
+  running->start();
+  const auto waitForFrame = [&](std::int64_t frame) {
+    while (running->latest()->frame < frame) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  waitForFrame(2);
+  for (int i = 0; i < 12; ++i) {
+    log.addPulse({"pedal " + std::to_string(i)});
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  log.addPulse({"pedal 11"});  // a bounce
+  waitForFrame(kLostFrom + 2);
+  for (int i = 12; i < 15; ++i) log.addPulse({"pedal " + std::to_string(i)});
+  while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return log.folder();
+}
+
+class Review : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    casefile::CaseStore::create(case_, ballCase(), {}, false).setLabel("Jane Doe");
+    session_ = treat(case_);
+  }
+  CommandResult run(const std::string& words) const { return runFacenav(words); }
+  TemporaryFolder folder_;
+  fs::path case_ = folder_.path() / "case", session_;
+};
+
+TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
+  const std::string at_case = "'" + case_.string() + "'", name = session_.filename().string();
+  const auto list = run("sessions " + at_case);
+  ASSERT_EQ(list.status, 0) << list.errors;
+  EXPECT_THAT(list.output, HasSubstr(name));
+  const auto json = run("sessions " + at_case + " --json");
+  for (const char* words : {"\"pulses\": 15", "\"on_target\": 12", "\"lost\": 3", "\"double_triggers\": 1",
+                            "\"face_losses\": 1", "\"has_ended\": true"})
+    EXPECT_THAT(json.output, HasSubstr(words));
+
+  const fs::path csv = folder_.path() / "pulses.csv";
+  const auto pulses = run("pulses " + at_case + " " + name + " -o '" + csv.string() + "'");
+  ASSERT_EQ(pulses.status, 0) << pulses.errors;
+  const CsvTable table(csv);
+  ASSERT_EQ(table.rows(), 15u);
+  const auto wanted = fakes::targetAt(kMarker.reframe<Camera, Coil>()).target.mri_T_target;
+  EXPECT_NEAR(table.number(0, table.column("tx")), wanted.translation_mm().x(), 1e-3);
+  EXPECT_EQ(table.text(14, table.column("status")), "lost");
+  EXPECT_EQ(table.text(14, table.column("reason")), "face not seen");
+  EXPECT_THAT(run("pulses " + at_case).output, Not(HasSubstr("moved")));
+
+  EXPECT_EQ(run("pulses " + at_case + " --exclude 3 --exclude 4 --reason 'coil moved' --by AB").status, 0);
+  EXPECT_EQ(run("pulses " + at_case + " --include 4").status, 0);
+  const auto shown = run("pulses " + at_case);
+  EXPECT_THAT(shown.output, HasSubstr(",1,coil moved\n"));
+  EXPECT_EQ(std::count(shown.output.begin(), shown.output.end(), '\n'), 16) << "no pulse was deleted";
+  EXPECT_THAT(run("pulses " + at_case + " --json").output, HasSubstr("\"note\": \"coil moved\""));
+  EXPECT_EQ(run("pulses " + at_case + " --exclude 99 --reason why").status, 1);
+  EXPECT_EQ(run("pulses " + at_case + " --exclude 5").status, 1) << "without a reason";
+
+  const fs::path page = folder_.path() / "report.html";
+  ASSERT_EQ(run("report " + at_case + " -o '" + page.string() + "'").status, 0);
+  EXPECT_THAT(readText(page), HasSubstr("coil moved"));
+  EXPECT_THAT(readText(page), HasSubstr("figure-8 70 mm"));
+  EXPECT_THAT(readText(page), Not(HasSubstr("Jane")));
+  ASSERT_EQ(run("report " + at_case + " " + name + " --with-name").status, 0);
+  EXPECT_THAT(readText(session_ / "report.html"), HasSubstr("Jane Doe"));
+}
+
+TEST_F(Review, ASessionThatIsNotThereIsOneLineOfError) {
+  const auto missing = run("pulses '" + case_.string() + "' 19990101T000000Z");
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_EQ(std::count(missing.errors.begin(), missing.errors.end(), '\n'), 1) << missing.errors;
+  EXPECT_THAT(missing.errors, HasSubstr(session_.filename().string())) << "those that exist are named";
+}
+
+}  // namespace
+}  // namespace facenav::testing
