@@ -85,7 +85,7 @@ class ModelHeadTracker : public HeadTracker {
     lost_face_ = std::make_unique<LostFace>(
         std::make_shared<FaceRecovery>(rig, reference.frame, region, surface, face, detector_),
         LostFace::Learnt{&camera_.rig(), &model_, &both_cameras_, &camera_}, pace_);
-    lost_face_->add(reference.comparisons);
+    lost_face_->add(reference.key_frames);
   }
 
   HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) override {
