@@ -171,7 +171,7 @@ void addSeries(CLI::App& app, Context& context) {
   verb->add_option("DIR", options->folder, "a folder (with all below it), a DICOMDIR, or one DICOM file")
       ->required();
   verb->add_flag("--json", options->is_json, "everything known about each series, as JSON");
-  verb->add_flag("--patients", options->are_patients_named, "show whose they are: name, birth date, sex, ID");
+  verb->add_flag("--patients", options->are_patients_named, "show each patient: name, birth date, sex, ID");
   verb->add_option("--thumbnails", options->thumbnails,
                    "folder for a PNG of each series' middle image: 01.png is the first of the list, ..");
   verb->callback([options, &context] {

@@ -143,7 +143,7 @@ CaseStore CaseStore::open(const fs::path& folder) {
   for (const std::string& file : readCaseJson(folder / "case.json").files)
     if (!fs::is_regular_file(folder / file))
       throw Error("the case is incomplete, a file is missing", (folder / file).string(),
-                  "prepare the case anew");
+                  "prepare the case again");
   return CaseStore(cleaned(folder));
 }
 

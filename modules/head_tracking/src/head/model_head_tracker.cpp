@@ -56,7 +56,7 @@ class ModelHeadTracker : public HeadTracker {
     const auto face = face::findStereoFace(*detector_, rig, reference.frame);
     if (!face && reference.surface.empty())
       throw Error("no face is found in both images of the reference frame", {},
-                  "let the face look towards the cameras, lit evenly");
+                  "turn the face towards the cameras and light it evenly");
     const cv::Size size = reference.frame.left.size();
     const FaceRegion region =
         face ? FaceRegion(face->left, size) : FaceRegion(reference.surface_left_px, size);
