@@ -124,6 +124,7 @@ nlohmann::json toJson(const dicom::SeriesInfo& info) {
           {"plane", info.plane},
           {"loadable", info.is_loadable},
           {"problem", info.problem},
+          {"problem_id", dicom::idOf(info.problem_kind)},
           {"problem_file", info.problem_file.string()},
           {"notes", info.notes},
           {"fit_for_navigation", info.is_fit_for_navigation},
