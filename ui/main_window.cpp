@@ -8,7 +8,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -19,9 +18,8 @@
 #include <utility>
 
 #include "appearance.h"
-#include "widgets/elided_label.h"
-#include "widgets/status_chip.h"
 #include "widgets/task_bar.h"
+#include "widgets/window_header.h"
 #include "workspaces/plan_workspace.h"
 #include "workspaces/prepare/prepare_workspace.h"
 #include "workspaces/treat_workspace.h"
@@ -62,11 +60,12 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   stack_->addWidget(new PlanWorkspace(plan_, place_, cortex_, model_, stack_));
   stack_->addWidget(treat_workspace);
   task_bar_ = new TaskBar(tasks_, this);
+  header_ = new WindowHeader(this);
   auto* centre = new QWidget(this);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(makeHeader());
+  column->addWidget(header_);
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
   row->addWidget(makeNavigation());
@@ -77,12 +76,33 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   addMenus();
   const QSize room = QApplication::primaryScreen()->availableSize();
   resize(std::min(1480, room.width()), std::min(920, room.height()));
+  connectWords();
+  connectPrepare();
+  connectSteps(*treat_workspace);
+  setWorkspace(Workspace::prepare);
+  showCaseWords();
+  is_remembering_ = true;
+  task_bar_->showMessage(tr("Drop DICOM folders, NIfTI files or a case anywhere."), false);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::connectWords() {
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
   connect(&worklist_, &WorklistPresenter::refused, this,
           [this](const QString& why) { task_bar_->showMessage(why, true); });
+  connect(&treat_, &TreatPresenter::refused, this,
+          [this](const QString& words) { task_bar_->showMessage(words, true); });
+  connect(&plan_, &PlanPresenter::refused, this,
+          [this](const QString& words) { task_bar_->showMessage(words, true); });
+  connect(&edit_, &EditPresenter::refused, this,
+          [this](const QString& words) { task_bar_->showMessage(words, true); });
+}
+
+void MainWindow::connectPrepare() {
   connect(
       &worklist_, &WorklistPresenter::labelled, this, [this](const QString& folder, const QString& label) {
         if (model_.isOpen() &&
@@ -98,11 +118,13 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       task_bar_->showNotice(
           tr("%1: %2, choose one").arg(queue_.job(id)->title, choiceWords(*queue_.job(id))));
   });
+}
+
+/// After connectWords(): what is shown comes first, what is remembered and restored after it.
+void MainWindow::connectSteps(TreatWorkspace& treat_workspace) {
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::remember);
   connect(prepare_workspace_, &PrepareWorkspace::stepChanged, this, &MainWindow::remember);
-  connect(&treat_, &TreatPresenter::refused, this,
-          [this](const QString& words) { task_bar_->showMessage(words, true); });
   connect(&model_, &CaseModel::opened, this, [this] {
     const auto step = step_to_restore_ ? step_to_restore_ : step_on_open_;
     step_to_restore_.reset();  // first: setStep() remembers the new step
@@ -110,11 +132,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
     if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
     to_override_.reset();
   });
-  connect(&plan_, &PlanPresenter::refused, this,
-          [this](const QString& words) { task_bar_->showMessage(words, true); });
-  connect(&edit_, &EditPresenter::refused, this,
-          [this](const QString& words) { task_bar_->showMessage(words, true); });
-  connect(treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
+  connect(&treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnPlaying);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnRestoring);
   connect(&tasks_, &TaskRunner::failed, this, [this] {
@@ -122,39 +140,6 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
     recording_to_restore_.clear();
     is_starting_ = false;
   });
-  setWorkspace(Workspace::prepare);
-  showCaseWords();
-  is_remembering_ = true;
-  task_bar_->showMessage(tr("Drop DICOM folders, NIfTI files or a case anywhere."), false);
-}
-
-MainWindow::~MainWindow() = default;
-
-QWidget* MainWindow::makeHeader() {
-  auto* header = new QFrame(this);
-  header->setObjectName("header");
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(16, 8, 16, 8);
-  auto* name = new QLabel(tr("FaceNav"), header);
-  name->setObjectName("name");
-  case_words_ = new ElidedLabel(header);
-  case_words_->setObjectName("muted");
-  timing_ = new QLabel(header);
-  timing_->setObjectName("muted");
-  timing_->setMinimumWidth(sized(170));
-  timing_->setToolTip(
-      tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
-  cameras_ = new StatusChip(tr("CAMERAS no images"), header);
-  face_ = new StatusChip(tr("FACE tracked"), header);
-  coil_ = new StatusChip(tr("COIL tracked"), header);
-  row->addWidget(name);
-  row->addSpacing(12);
-  row->addWidget(case_words_, 1);
-  for (QWidget* widget :
-       {static_cast<QWidget*>(cameras_), static_cast<QWidget*>(face_), static_cast<QWidget*>(coil_)})
-    row->addWidget(widget);
-  row->addWidget(timing_);
-  return header;
 }
 
 QWidget* MainWindow::makeNavigation() {
@@ -208,9 +193,7 @@ void MainWindow::addMenus() {
 void MainWindow::setWorkspace(Workspace workspace) {
   stack_->setCurrentIndex(int(workspace));
   navigation_->button(int(workspace))->setChecked(true);
-  for (QWidget* widget : {static_cast<QWidget*>(cameras_), static_cast<QWidget*>(face_),
-                          static_cast<QWidget*>(coil_), static_cast<QWidget*>(timing_)})
-    widget->setVisible(workspace == Workspace::treat);
+  header_->showLiveStates(workspace == Workspace::treat);
   remember();
 }
 
@@ -310,22 +293,19 @@ void MainWindow::remember() {
 
 void MainWindow::showCaseWords() {
   if (!model_.isOpen()) {
-    case_words_->set(tr("no case open"));
+    header_->setCaseWords(tr("no case open"));
     return;
   }
   const auto& c = model_.current();
   QString words = (c.label.isEmpty() ? tr("case %1").arg(c.id) : tr("%1 (case %2)").arg(c.label, c.id)) +
                   "  \u00b7  " + signOffWords(c.sign_off);
   if (model_.override() && !c.sign_off.holds()) words += tr(" (override by %1)").arg(model_.override()->by);
-  case_words_->set(words + "  \u00b7  " + treat_.alignmentWords());
+  header_->setCaseWords(words + "  \u00b7  " + treat_.alignmentWords());
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {
   holdQueue();
-  cameras_->set(read_out.cameras);
-  face_->set(read_out.face);
-  coil_->set(read_out.coil);
-  timing_->setText(read_out.timing);
+  header_->setLive(read_out);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

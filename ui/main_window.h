@@ -15,16 +15,15 @@
 #include "presenters/treat_presenter.h"
 #include "presenters/worklist_presenter.h"
 
-class QLabel;
 class QStackedWidget;
 class QButtonGroup;
 
 namespace facenav::ui {
 
-class ElidedLabel;
-class StatusChip;
+class WindowHeader;
 class TaskBar;
 class PrepareWorkspace;
+class TreatWorkspace;
 
 enum class PrepareStep;
 enum class Workspace { prepare, plan, treat };
@@ -66,7 +65,9 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  QWidget* makeHeader();
+  void connectWords();
+  void connectPrepare();
+  void connectSteps(TreatWorkspace& treat_workspace);
   QWidget* makeNavigation();
   void addMenus();
   void showCaseWords();
@@ -93,9 +94,7 @@ class MainWindow : public QMainWindow {
   PrepareWorkspace* prepare_workspace_;
   QStackedWidget* stack_;
   QButtonGroup* navigation_;
-  ElidedLabel* case_words_;
-  QLabel* timing_;
-  StatusChip *cameras_, *face_, *coil_;
+  WindowHeader* header_;
   TaskBar* task_bar_;
   QString to_play_, recording_to_restore_, target_to_restore_;
   std::optional<PrepareStep> step_to_restore_, step_on_open_;

@@ -63,7 +63,7 @@ void print(const workflow::CorrectedBrain& result) {
   if (result.had_draft) std::printf("went on from the unfinished correction\n");
   if (!result.isChanged()) return void(std::printf("brain: %.0f ml, unchanged\n", result.after_ml));
   std::printf(
-      "brain: %.0f ml (before %.0f ml), %zu voxels added, %zu removed; the case must be checked anew\n",
+      "brain: %.0f ml (before %.0f ml), %zu voxels added, %zu removed; the case must be checked again\n",
       result.after_ml, result.before_ml, result.added_voxels, result.removed_voxels);
 }
 
@@ -86,11 +86,12 @@ void runBrain(Context& context, BrainRequest request) {
 
 void addBrain(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
-      "brain", "show or correct a case's brain mask; the brain's surfaces are made anew, a sign-off is void");
+      "brain",
+      "show or correct a case's brain mask; a correction rebuilds the surfaces and voids the sign-off");
   auto request = std::make_shared<BrainRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_flag("--discard", request->edits.discards_draft,
-                 "throw an unfinished correction away; without it the edits go on from there");
+                 "discard an unfinished correction; otherwise the edits continue from it");
   verb->add_flag("--automatic", request->edits.starts_automatic, "back to the mask that prepare made");
   verb->add_option("--import", request->edits.drawn,
                    "a mask drawn elsewhere (NIfTI, on the grid of the case's mri.nii.gz)");
@@ -99,7 +100,7 @@ void addBrain(CLI::App& app, Context& context) {
   verb->add_option("--remove-sphere", request->removed, "R,A,S,RADIUS in mm; may be given more than once")
       ->allow_extra_args(false);
   verb->add_option("--grow", request->grown,
-                   "R,A,S in mm: add what hangs together with this place and looks like it, within 20 mm")
+                   "R,A,S in mm: add the connected region of similar values within 20 mm")
       ->allow_extra_args(false);
   verb->add_flag("--fill-holes", request->edits.fills_holes, "holes inside the mask become brain");
   verb->add_flag("--smooth", request->edits.smooths, "take spikes off and fill notches (1.5 mm)");

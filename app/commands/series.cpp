@@ -124,6 +124,7 @@ nlohmann::json toJson(const dicom::SeriesInfo& info) {
           {"plane", info.plane},
           {"loadable", info.is_loadable},
           {"problem", info.problem},
+          {"problem_id", dicom::idOf(info.problem_kind)},
           {"problem_file", info.problem_file.string()},
           {"notes", info.notes},
           {"fit_for_navigation", info.is_fit_for_navigation},
@@ -171,7 +172,7 @@ void addSeries(CLI::App& app, Context& context) {
   verb->add_option("DIR", options->folder, "a folder (with all below it), a DICOMDIR, or one DICOM file")
       ->required();
   verb->add_flag("--json", options->is_json, "everything known about each series, as JSON");
-  verb->add_flag("--patients", options->are_patients_named, "show whose they are: name, birth date, sex, ID");
+  verb->add_flag("--patients", options->are_patients_named, "show each patient: name, birth date, sex, ID");
   verb->add_option("--thumbnails", options->thumbnails,
                    "folder for a PNG of each series' middle image: 01.png is the first of the list, ..");
   verb->callback([options, &context] {

@@ -31,7 +31,7 @@ Eigen::Vector3d toVector(const std::vector<double>& p) { return {p[0], p[1], p[2
 atlas::AtlasMap atlasOf(const casefile::CaseStore& store) {
   if (const auto map = store.atlas()) return *map;
   throw Error("the case has no atlas registration", store.folder().string(),
-              "prepare it anew with --replace (its targets are kept), or give --ras");
+              "prepare it again with --replace (its targets are kept), or give --ras");
 }
 
 Point<Mri> toMri(const casefile::CaseStore& store, const Place& place) {

@@ -17,6 +17,7 @@
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
+#include "views/scene_view.h"
 #include "widgets/scroll_column.h"
 #include "workspaces/prepare/prepare_workspace.h"
 #include "workspaces/treat_workspace.h"
@@ -194,6 +195,23 @@ TEST(SmallWindow, AllTextFollowsTheOneSetting) {
   ASSERT_EQ(usual.size(), twice.size());
   ASSERT_GT(usual.size(), 50u);
   for (std::size_t i = 0; i < usual.size(); ++i) EXPECT_NEAR(twice[i], 2.0 * usual[i], 0.01) << i;
+}
+
+TEST(SmallWindow, TheScenesTextFollowsTheSameSetting) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto whitePixelsAt = [](double scale) {
+    applyAppearance(*qApp, scale);
+    SceneView view;
+    view.scene().setBanner("COIL LOST");
+    const RgbImage picture = view.scene().render(1200, 800);
+    int n = 0;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) n += picture.rgb[i] > 200;
+    applyAppearance(*qApp);
+    return n;
+  };
+  const int usual = whitePixelsAt(1.0);
+  ASSERT_GT(usual, 300);
+  EXPECT_NEAR(whitePixelsAt(2.0), 4.0 * usual, usual);
 }
 
 }  // namespace

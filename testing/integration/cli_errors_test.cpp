@@ -128,7 +128,7 @@ TEST_F(CommandLine, BrainIsCorrectedAndTheCorrectionTakenBack) {
   const auto result =
       runFacenav(brain + " --add-sphere -42,2,2,10 --add-sphere 42,2,2,10 --remove-sphere=2,2,2,6");
   EXPECT_EQ(result.status, 0) << result.errors;
-  EXPECT_THAT(result.output, HasSubstr("must be checked anew"));
+  EXPECT_THAT(result.output, HasSubstr("must be checked again"));
   EXPECT_NE(store.brainMask()->voxels, prepared);
   EXPECT_THAT(runFacenav(brain).output, HasSubstr("corrected by hand"));
   EXPECT_EQ(runFacenav(brain + " --automatic").status, 0);

@@ -6,6 +6,8 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "appearance.h"
+
 namespace facenav::ui {
 
 LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new SceneView(this)) {
@@ -45,6 +47,7 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
 
 void LinkedViews::show(const LoadedCase& loaded) {
   slice_scene_ = std::make_shared<scene::SliceScene>();
+  slice_scene_->text_scale = sized(100) / 100.0;
   slice_scene_->mri = loaded.mri;
   scene::setUsualWindow(*slice_scene_);
   contours_ = {{loaded.head_mask, scene::palette::kOrange}};

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QScrollBar>
 
+#include "appearance.h"
 #include "views/image_view.h"
 
 namespace facenav::ui {
@@ -29,6 +30,7 @@ MontageView::MontageView(QWidget* parent) : QScrollArea(parent), sheet_(new QLab
 void MontageView::show(const LoadedCase& loaded) {
   scene_ = {};
   scene_.mri = loaded.mri;
+  scene_.text_scale = sized(100) / 100.0;
   scene::setUsualWindow(scene_);
   scene_.contours = {{loaded.head_mask, scene::palette::kOrange}};
   const auto& brain = loaded.shownBrain();

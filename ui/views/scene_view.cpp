@@ -10,6 +10,8 @@
 #include <QPainter>
 #include <utility>
 
+#include "appearance.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -23,6 +25,7 @@ SceneView::SceneView(QWidget* parent)
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   setRenderWindow(window);
+  scene_->setTextScale(sized(100) / 100.0);
   scene_->attach(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor()->SetInteractorStyle(style);

@@ -132,7 +132,7 @@ void CamerasPanel::showState() {
   }
   state_->setText(fault.isEmpty() ? cameras_.words() : fault);
   open_->setEnabled(cameras_.canOpen() && !presenter_.isRunning());
-  setWords(*open_, cameras_.isLive() ? tr("Open the cameras anew") : tr("Open the cameras"));
+  setWords(*open_, cameras_.isLive() ? tr("Open the cameras again") : tr("Open the cameras"));
   const bool is_live = cameras_.isLive() && !presenter_.isRunning();
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());

@@ -78,8 +78,8 @@ void EditPanel::addTools(QGridLayout& grid) {
       {EditTool::threshold, tr("Threshold"), tr("brush that takes only what looks like the place pressed"),
        Qt::Key_H},
       {EditTool::lasso, tr("Lasso"), tr("draw round what is to be added; Shift cuts it off"), Qt::Key_L},
-      {EditTool::grow, tr("Grow"),
-       tr("add what hangs together with the place clicked and looks like it; Shift takes away"), Qt::Key_G},
+      {EditTool::grow, tr("Grow"), tr("add the connected region of similar values; Shift removes it"),
+       Qt::Key_G},
       {EditTool::scalpel, tr("Scalpel"),
        tr("draw round a part on the 3-D view: what lies behind it, down to the depth, is cut off"),
        Qt::Key_X}};

@@ -21,7 +21,7 @@ OverridePanel::OverridePanel(TreatPresenter& presenter, CaseModel& model, QWidge
   reason_->setPlaceholderText(tr("reason"));
   name_->setMaximumWidth(sized(170));
   reason_->setMaximumWidth(sized(300));
-  name_->setToolTip(tr("who takes it upon them to treat; kept with the case"));
+  name_->setToolTip(tr("who decides to treat; kept with the case"));
   reason_->setToolTip(tr("why it cannot wait for the sign-off; kept with the case"));
   override_ = new QPushButton(tr("Treat nevertheless"), this);
   override_->setToolTip(tr("recorded with name and reason in the case and in the session's log"));
@@ -51,7 +51,7 @@ void OverridePanel::showState() {
   const QString words = signOffWords(model_.current().sign_off);
   const QString status = given ? words : words.left(1).toUpper() + words.mid(1);
   words_->setText(
-      given ? tr("!  OVERRIDE (%1): treated on the word of %2: %3").arg(status, given->by, given->reason)
+      given ? tr("!  OVERRIDE (%1): treated on the decision of %2: %3").arg(status, given->by, given->reason)
             : tr("!  %1: this case is not offered for treatment. Have it checked "
                  "(Prepare, step 4), or give name and reason.")
                   .arg(status));

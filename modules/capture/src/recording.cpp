@@ -81,9 +81,16 @@ cameras::StereoFrame readStill(const fs::path& folder, const std::string& kind,
   return frame;
 }
 
+void refuseEmpty(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_empty(folder, ignored))
+    throw Error("the recording's folder is empty", folder.string(), "choose another recording");
+}
+
 Recording openFolder(const fs::path& folder) {
   if (!fs::exists(folder)) throw Error("recording does not exist", folder.string(), "check the path");
   if (!fs::is_directory(folder)) throw Error("is no folder", folder.string(), "give the recording's folder");
+  refuseEmpty(folder);
   Recording recording;
   recording.folder = folder;
   recording.rig = cameras::readRig(folder / "stereo.yml");
@@ -138,13 +145,22 @@ RecordingFrames openFrames(const fs::path& folder) {
   return frames;
 }
 
-Recording openRecording(const fs::path& folder) {
-  Recording recording = openFolder(folder);
-  RecordingFrames frames = openFrames(folder);
+void requireFrames(const RecordingFrames& frames, const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored))
+    throw Error("the recording's folder is missing", folder.string(),
+                "connect its disk or open another recording");
+  refuseEmpty(folder);
   if (!frames.pairs)
     throw Error("has neither left/ and right/ nor left.mkv and right.mkv", folder.string(),
                 "is it a recording?");
   if (frames.numbers.empty()) throw Error("the recording holds 0 frames", folder.string(), "record it again");
+}
+
+Recording openRecording(const fs::path& folder) {
+  Recording recording = openFolder(folder);
+  RecordingFrames frames = openFrames(folder);
+  requireFrames(frames, folder);
   describeFrames(recording, frames);
   return recording;
 }

@@ -24,6 +24,10 @@ struct RecordingFrames {
 /// Throws the same Errors as openRecording.
 RecordingFrames openFrames(const std::filesystem::path& folder);
 
+/// Throws Error that says why there are no frames: the folder is missing or empty, it is no recording, or it
+/// holds 0 frames.
+void requireFrames(const RecordingFrames& frames, const std::filesystem::path& folder);
+
 /// Throws Error that names `where`, unless both images have the rig's size.
 void requireRigSize(const cameras::StereoRig& rig, const cv::Mat& left, const cv::Mat& right,
                     const std::string& where);

@@ -1,4 +1,3 @@
-#include "facenav/core/error.h"
 #include "recording_frames.h"
 
 namespace facenav::capture {
@@ -8,8 +7,7 @@ class RecordingSource : public FrameSource {
  public:
   explicit RecordingSource(const Recording& recording)
       : rig_(recording.rig), frames_(openFrames(recording.folder)) {
-    if (!frames_.pairs || frames_.numbers.empty())
-      throw Error("the recording holds 0 frames", recording.folder.string(), "record it again");
+    requireFrames(frames_, recording.folder);
   }
   const cameras::StereoRig& rig() const override { return rig_; }
   std::optional<std::int64_t> frameCount() const override { return std::int64_t(frames_.numbers.size()); }

@@ -73,7 +73,7 @@ void requireVersion(const JsonReader& json) {
   if (version == kSchemaVersion) return;
   json.at("schema_version")
       .refuse("schema version " + std::to_string(version) + " is not known, this FaceNav reads " +
-              std::to_string(kSchemaVersion) + "; prepare the case anew or update FaceNav");
+              std::to_string(kSchemaVersion) + "; prepare the case again or update FaceNav");
 }
 
 /// Throws Error unless each name is a file inside the case; no path may lead out of it.

@@ -6,6 +6,7 @@
 
 #include "case_json.h"
 #include "facenav/casefile/edited_brain.h"
+#include "facenav/casefile/file_group.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_folder.h"
@@ -140,10 +141,11 @@ CaseStore CaseStore::open(const fs::path& folder) {
     throw Error("no such case folder", folder.string(), "prepare the case first");
   if (!isCase(folder))
     throw Error("is no case (no case.json in it)", folder.string(), "prepare the case first");
+  removeAbandonedGroups(folder);
   for (const std::string& file : readCaseJson(folder / "case.json").files)
     if (!fs::is_regular_file(folder / file))
       throw Error("the case is incomplete, a file is missing", (folder / file).string(),
-                  "prepare the case anew");
+                  "prepare the case again");
   return CaseStore(cleaned(folder));
 }
 

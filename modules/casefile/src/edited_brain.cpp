@@ -38,7 +38,7 @@ std::optional<volume::Mask> automaticBrainMask(const CaseStore& store) {
 void saveEditedBrainMask(const CaseStore& store, const volume::Mask& mask) {
   const auto present = store.brainMask();
   if (!present)
-    throw Error("the case has no brain mask to correct", store.folder().string(), "prepare the case anew");
+    throw Error("the case has no brain mask to correct", store.folder().string(), "prepare the case again");
   if (!present->grid.matches(mask.grid))
     throw Error("the corrected mask lies on another grid than the scan", store.folder().string(),
                 "correct this case's own mask");

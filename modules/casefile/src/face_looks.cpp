@@ -27,7 +27,7 @@ cv::Mat readPicture(const fs::path& path, const cameras::StereoRig& rig) {
   const cv::Mat picture = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
   if (picture.cols != rig.width_px || picture.rows != rig.height_px)
     throw Error("this picture of the face is missing, or not of its rig's size", path.string(),
-                "delete the folder face_looks; the next session learns the face anew");
+                "delete the folder face_looks; the next session makes new key frames");
   return picture;
 }
 

@@ -1,11 +1,8 @@
 #include "facenav/casefile/file_group.h"
 
-#include <unistd.h>
-
-#include <atomic>
-
 #include "facenav/core/error.h"
 #include "facenav/core/whole_folder.h"
+#include "group_folder.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
@@ -23,11 +20,12 @@ bool isThere(const fs::path& path) { return fs::exists(fs::symlink_status(path))
 }  // namespace
 
 FileGroup::FileGroup(fs::path folder) : folder_(std::move(folder)) {
-  static std::atomic<int> counter{0};
-  root_ = folder_ / (".tmp" + std::to_string(::getpid()) + "_" + std::to_string(counter++) + "_group");
+  removeAbandonedGroups(folder_);
+  root_ = folder_ / newGroupName();
   fresh_ = root_ / "new";
   old_ = root_ / "old";
   makePrivateFolder(root_);
+  lock_ = std::make_unique<GroupLock>(root_);
   makePrivateFolder(fresh_);
   makePrivateFolder(old_);
 }

@@ -17,7 +17,8 @@ namespace {
 constexpr char kFile[] = "sign_off.json";
 
 void requireWillingness(const SignOffRequest& request, const std::vector<std::string>& findings) {
-  if (request.by.empty()) throw Error("nobody is named who checked the case", {}, "give a name or initials");
+  if (request.by.empty())
+    throw Error("no name given: say who checked the case", {}, "give a name or initials");
   if (findings.empty() || request.acknowledges_findings) return;
   throw Error(
       std::to_string(findings.size()) + " finding(s) are not acknowledged, the first: " + findings.front(),
@@ -26,7 +27,8 @@ void requireWillingness(const SignOffRequest& request, const std::vector<std::st
 
 void requireUnchanged(const SignOffRequest& request, const std::map<std::string, std::string>& now) {
   if (!request.shown_sha256 || *request.shown_sha256 == now) return;
-  throw Error("the case's files changed since they were shown", {}, "open the case again and look anew");
+  throw Error("the case's files changed since they were shown", {},
+              "open the case again and check it once more");
 }
 
 SignOff readSignOff(const fs::path& path) {

@@ -69,7 +69,7 @@ void requireDifferent(const std::vector<MarkerModel>& markers, const JsonReader&
     const auto key = marker.pattern ? std::make_pair(marker.pattern->string(), -1)
                                     : std::make_pair(marker.dictionary, marker.id);
     if (!seen.insert(key).second)
-      json.refuse("the same marker is given twice, so which one is seen cannot be told");
+      json.refuse("the same marker is given twice, so the one that is seen cannot be identified");
   }
 }
 

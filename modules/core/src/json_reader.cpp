@@ -35,10 +35,10 @@ JsonReader JsonReader::readText(const std::string& text, const std::filesystem::
     document->root = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& fault) {
     throw Error("is not valid JSON (at byte " + std::to_string(fault.byte) + ")", path.string(),
-                "restore the file or write it anew");
+                "restore the file or write it again");
   } catch (const nlohmann::json::exception&) {
     throw Error("is not valid JSON (a number out of range)", path.string(),
-                "restore the file or write it anew");
+                "restore the file or write it again");
   }
   if (!document->root.is_object()) throw Error("a JSON object was expected", path.string());
   const void* root = &document->root;

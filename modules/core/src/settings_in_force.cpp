@@ -31,7 +31,7 @@ void freeze() {
 
 void begin(const SettingsTable& table) {
   if (g_is_frozen.exchange(true))
-    throw Error("settings can be put in force only once, before any work", {}, "start the program anew");
+    throw Error("settings can be put in force only once, before any work", {}, "restart the program");
   changed().values = table.changed();
   for (const SettingEntry& entry : table.entries())
     if (entry.isChanged())

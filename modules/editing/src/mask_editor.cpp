@@ -12,7 +12,7 @@ MaskEditor::MaskEditor(volume::Mask automatic, std::optional<volume::Mask> edite
   if (automatic_.voxels.size() > std::numeric_limits<std::uint32_t>::max())
     throw Error("the mask has too many voxels to be edited", {}, "resample it");
   if (!mask_.grid.matches(automatic_.grid))
-    throw Error("the edited mask lies on another grid than the automatic one", {}, "prepare the case anew");
+    throw Error("the edited mask lies on another grid than the automatic one", {}, "prepare the case again");
   for (auto& voxel : mask_.voxels) voxel = voxel != 0;  // flipping needs values 0 and 1
 }
 

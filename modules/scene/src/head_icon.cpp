@@ -1,7 +1,6 @@
 #include "head_icon.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
 #include <vtkConeSource.h>
 #include <vtkPolyDataMapper.h>
@@ -17,6 +16,8 @@
 namespace facenav::scene {
 namespace {
 
+constexpr int kLetter = 15;  // font size
+
 vtkSmartPointer<vtkActor> ellipsoid(double x, double y, double z, double rx, double ry, double rz) {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);
@@ -31,18 +32,6 @@ vtkSmartPointer<vtkActor> ellipsoid(double x, double y, double z, double rx, dou
   actor->GetProperty()->SetColor(0.66, 0.69, 0.73);
   actor->GetProperty()->SetAmbient(0.2);
   return actor;
-}
-
-void addLetter(vtkRenderer* renderer, const char* letter, double x, double y, double z) {
-  vtkNew<vtkBillboardTextActor3D> text;
-  text->SetInput(letter);
-  text->SetPosition(x, y, z);
-  text->GetTextProperty()->SetFontSize(15);
-  text->GetTextProperty()->BoldOn();
-  text->GetTextProperty()->SetJustificationToCentered();
-  text->GetTextProperty()->SetVerticalJustificationToCentered();
-  text->GetTextProperty()->SetColor(palette::kText[0], palette::kText[1], palette::kText[2]);
-  renderer->AddActor(text);
 }
 
 }  // namespace
@@ -61,11 +50,28 @@ HeadIcon::HeadIcon() {
     eye->GetProperty()->SetColor(0.12, 0.14, 0.18);
     renderer_->AddActor(eye);
   }
-  addLetter(renderer_, "R", 1.45, 0, 0);
-  addLetter(renderer_, "L", -1.45, 0, 0);
-  addLetter(renderer_, "A", 0, 1.62, 0);
-  addLetter(renderer_, "P", 0, -1.55, 0);
-  addLetter(renderer_, "S", 0, 0, 1.5);
+  addLetter("R", 1.45, 0, 0);
+  addLetter("L", -1.45, 0, 0);
+  addLetter("A", 0, 1.62, 0);
+  addLetter("P", 0, -1.55, 0);
+  addLetter("S", 0, 0, 1.5);
+}
+
+void HeadIcon::addLetter(const char* letter, double x, double y, double z) {
+  auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
+  text->SetInput(letter);
+  text->SetPosition(x, y, z);
+  text->GetTextProperty()->SetFontSize(kLetter);
+  text->GetTextProperty()->BoldOn();
+  text->GetTextProperty()->SetJustificationToCentered();
+  text->GetTextProperty()->SetVerticalJustificationToCentered();
+  text->GetTextProperty()->SetColor(palette::kText[0], palette::kText[1], palette::kText[2]);
+  renderer_->AddActor(text);
+  letters_.push_back(text);
+}
+
+void HeadIcon::setTextScale(double scale) {
+  for (auto& text : letters_) text->GetTextProperty()->SetFontSize(int(std::lround(kLetter * scale)));
 }
 
 void HeadIcon::follow(vtkRenderer* main, const double world_R_mri[3][3]) {

@@ -8,7 +8,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
 #include <vtkTransform.h>
 
 #include <array>
@@ -19,12 +18,19 @@
 #include "facenav/volume/vtk_image.h"
 #include "head_icon.h"
 #include "image_bridge.h"
+#include "scene_banner.h"
 #include "scene_camera.h"
 #include "scene_setting.h"
 #include "skin_layer.h"
 #include "target_layer.h"
 
 namespace facenav::scene {
+namespace {
+
+constexpr double kIconForText_px = 64.0;  // of the head icon, so that its letters are whole
+
+}  // namespace
+
 struct NavigationScene::Implementation {
   vtkNew<vtkRenderer> renderer, on_top;
   HeadIcon icon;
@@ -36,10 +42,11 @@ struct NavigationScene::Implementation {
   CoilActors coil, ghost;
   TargetLayer targets{renderer, on_top, head_transform};
   SceneCamera viewpoint{renderer->GetActiveCamera()};
-  vtkNew<vtkTextActor> banner;
+  SceneBanner banner;
   vtkSmartPointer<vtkRenderWindow> offscreen;
   SceneLayers layers;
   ViewFrame view_frame = ViewFrame::head_fixed;
+  double text_scale = 1.0;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
   bool has_ghost = false, is_live = false, is_on_target = false, is_grey = false, is_quick = false,
@@ -63,8 +70,7 @@ NavigationScene::Implementation::Implementation() {
   on_top->SetActiveCamera(renderer->GetActiveCamera());
   renderer->UseFXAAOn();  // smooth edges at a tenth of the cost of multi-sampling in software rendering
   addLights(renderer);
-  setUpBanner(banner);
-  on_top->AddActor2D(banner);
+  on_top->AddActor2D(banner.actor());
   vtkNew<vtkCallbackCommand> before_render;
   before_render->SetClientData(this);
   before_render->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
@@ -72,6 +78,7 @@ NavigationScene::Implementation::Implementation() {
     scene->on_top->ResetCameraClippingRange(scene->renderer->ComputeVisiblePropBounds());
     scene->renderer->ResetCameraClippingRange();
     scene->syncIcon();
+    scene->banner.fit(scene->on_top);
   });
   renderer->AddObserver(vtkCommand::StartEvent, before_render);
 }
@@ -255,10 +262,13 @@ void NavigationScene::setOnTarget(bool is_on_target) {
   s.targets.setColours(s.is_grey, is_on_target);
 }
 
-void NavigationScene::setBanner(const std::string& words) {
+void NavigationScene::setBanner(const std::string& words) { implementation_->banner.setWords(words); }
+
+void NavigationScene::setTextScale(double scale) {
   auto& s = *implementation_;
-  s.banner->SetInput((words.empty() ? "" : "  " + words + "  ").c_str());
-  s.banner->SetVisibility(!words.empty());
+  s.text_scale = scale;
+  s.banner.setTextScale(scale);
+  s.icon.setTextScale(scale);
 }
 
 void NavigationScene::setLive(bool is_live) {
@@ -279,7 +289,8 @@ void NavigationScene::attach(vtkRenderWindow* window, double x0, double y0, doub
   s.on_top->SetViewport(x0, y0, x1, y1);
   const int* size = window->GetSize();
   const double width = std::max(1, size[0]) * (x1 - x0), height = std::max(1, size[1]) * (y1 - y0);
-  const double side = 0.24 * std::min(width, height);
+  const double smaller = std::min(width, height);
+  const double side = std::min(0.5 * smaller, std::max(0.24 * smaller, kIconForText_px * s.text_scale));
   s.icon.renderer()->SetViewport(x0, y0, x0 + (x1 - x0) * side / width, y0 + (y1 - y0) * side / height);
   for (vtkRenderer* r : {s.renderer.Get(), s.on_top.Get(), s.icon.renderer()})
     if (!window->HasRenderer(r)) window->AddRenderer(r);

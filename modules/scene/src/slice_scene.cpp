@@ -75,8 +75,9 @@ void paintCrosshair(RgbImage& image, const Point<Mri>& at, const volume::SlicePl
   }
 }
 
-void paintLetters(RgbImage& image, const volume::SlicePlane& plane) {
-  const double w = image.width_px, h = image.height_px, size = std::clamp(0.045 * h, 9.0, 18.0);
+void paintLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale) {
+  const double w = image.width_px, h = image.height_px;
+  const double size = std::clamp(0.045 * h * text_scale, 9.0 * text_scale, 18.0 * text_scale);
   const Direction<Mri> left(-plane.right.v), up(-plane.down.v);
   letter(image, sideLetter(left), {size, h / 2}, size, palette::kText);
   letter(image, sideLetter(plane.right), {w - size, h / 2}, size, palette::kText);
@@ -119,7 +120,7 @@ RgbImage SliceScene::picture(const volume::SlicePlane& plane) const {
   }
   paintTargets(image, *this, plane);
   if (crosshair) paintCrosshair(image, *crosshair, plane);
-  if (has_letters) paintLetters(image, plane);
+  if (has_letters) paintLetters(image, plane, text_scale);
   return image;
 }
 

@@ -93,7 +93,7 @@ BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Vol
 CorrectedBrain correctBrain(const casefile::CaseStore& store, const BrainEdits& edits, TaskMonitor& monitor) {
   const auto before = store.brainMask();
   if (!before)
-    throw Error("the case has no brain mask to correct", store.folder().string(), "prepare the case anew");
+    throw Error("the case has no brain mask to correct", store.folder().string(), "prepare the case again");
   if (edits.discards_draft) casefile::removeBrainDraft(store);
   const auto mri = store.mri();
   const auto correction = beginCorrection(store, mri.grid, &*before);

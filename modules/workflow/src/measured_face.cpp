@@ -36,7 +36,7 @@ stereo::FaceCloud measureNear(const cameras::StereoRig& rig, const cameras::Ster
 
 [[noreturn]] void refuseEmpty() {
   throw Error("no point of a face was measured", {},
-              "let the face look towards both cameras, or choose another frame");
+              "turn the face towards both cameras, or choose another frame");
 }
 
 std::shared_ptr<const cameras::StereoFrame> frameOf(capture::FrameSource& film, std::int64_t number) {

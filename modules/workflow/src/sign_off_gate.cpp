@@ -26,7 +26,7 @@ casefile::SignOff signOffChecked(const casefile::CaseStore& store, const casefil
     return std::find_if(missing.begin(), missing.end(), [&](const auto& m) { return m.gap == gap; });
   };
   if (find(SignOffGap::no_name) != missing.end())
-    throw Error("nobody is named who checked the case", {}, "give a name or initials with --by");
+    throw Error("no name given: say who checked the case", {}, "give a name or initials with --by");
   if (const auto unseen = find(SignOffGap::unseen); unseen != missing.end())
     throw Error(
         std::to_string(unseen->open) + " finding(s) are not acknowledged, the first: " + findings.front(), {},

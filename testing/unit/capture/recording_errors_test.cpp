@@ -50,6 +50,33 @@ TEST(RecordingErrors, NameWhatIsMissing) {
               HasSubstr("plain_right"));
 }
 
+// The folder goes after the recording was opened: its disk was unplugged, or somebody emptied it.
+TEST(RecordingErrors, AFolderThatHasVanishedIsSaidToBeMissing) {
+  const auto messageOfStart = [](const std::function<void(const fs::path&)>& damage) {
+    support::TemporaryFolder folder;
+    const fs::path rec = folder.path() / "rec";
+    support::writeSmallRecording(rec);
+    const Recording recording = openRecording(rec);
+    damage(rec);
+    try {
+      makeSource(recording);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const auto emptied = [](const fs::path& rec) {
+    fs::remove_all(rec);
+    fs::create_directory(rec);
+  };
+  EXPECT_EQ(messageOfStart([](const fs::path&) {}), "no error");
+  EXPECT_THAT(messageOfStart([](const fs::path& rec) { fs::remove_all(rec); }),
+              AllOf(HasSubstr("folder is missing"), HasSubstr("/rec"), Not(HasSubstr("0 frames"))));
+  EXPECT_THAT(messageOfStart(emptied),
+              AllOf(HasSubstr("folder is empty"), HasSubstr("/rec"), Not(HasSubstr("0 frames"))));
+  EXPECT_THAT(messageAfter(emptied), HasSubstr("folder is empty")) << "before it was opened";
+}
+
 TEST(RecordingErrors, CountsAndNumbersMustAgree) {
   EXPECT_THAT(messageAfter([](const fs::path& rec) { fs::remove(rec / "right" / "000003.png"); }),
               AllOf(HasSubstr("counts differ"), HasSubstr("4 images"), HasSubstr("3 in right")));

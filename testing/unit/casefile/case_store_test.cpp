@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "made_case.h"
@@ -226,6 +228,20 @@ TEST(CaseStore, TakesATrailingSlashAndAnEmptyFolder) {
   CaseStore::create(folder.path().string() + "/case/", preparedCase(), {}, false);
   EXPECT_NO_THROW(CaseStore::open(folder.path().string() + "/case/"));
   EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(CaseStore, OpeningRemovesWhatAProgramLeftThatWasKilledWhileAligning) {
+  facenav::testing::TemporaryFolder folder;
+  const auto path = folder.path() / "case";
+  CaseStore::create(path, preparedCase(), provenance(), false);
+  const auto group = path / ".tmp999999999_0_group";
+  fs::create_directories(group / "new");
+  CaseStore::open(path);
+  EXPECT_TRUE(fs::exists(group)) << "it may belong to a program on another machine";
+  for (const auto& place : {group, group / "new"})
+    fs::last_write_time(place, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  CaseStore::open(path);
+  EXPECT_FALSE(fs::exists(group));
 }
 
 TEST(CaseStore, OpenNamesWhatIsWrong) {

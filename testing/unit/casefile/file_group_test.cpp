@@ -1,8 +1,12 @@
 #include "facenav/casefile/file_group.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 
 #include "facenav/core/error.h"
@@ -81,6 +85,104 @@ TEST_F(FileGroupTest, LeavesNothingBehindWhereItIsNotCommitted) {
   EXPECT_EQ(text("key.json"), "old");
   EXPECT_EQ(entries(), 2);
   EXPECT_THROW(FileGroup(folder_.path() / "nowhere"), Error);
+}
+
+/// Another program that writes an alignment; it waits with the group open until it is killed.
+class OtherProgram {
+ public:
+  explicit OtherProgram(const fs::path& folder) {
+    int ready[2];
+    if (::pipe(ready) != 0) throw std::runtime_error("no pipe");
+    process_ = ::fork();
+    if (process_ == 0) {
+      FileGroup group(folder);
+      std::ofstream(group.staging() / "photo.png") << "a face";
+      if (::write(ready[1], "1", 1) != 1) ::_exit(1);
+      for (;;) ::pause();
+    }
+    ::close(ready[1]);
+    char one = 0;
+    is_writing_ = ::read(ready[0], &one, 1) == 1;
+    ::close(ready[0]);
+  }
+  ~OtherProgram() { kill(); }
+  bool isWriting() const { return is_writing_; }
+  void kill() {
+    if (process_ > 0) ::kill(process_, SIGKILL), ::waitpid(process_, nullptr, 0);
+    process_ = 0;
+  }
+
+ private:
+  pid_t process_ = 0;
+  bool is_writing_ = false;
+};
+
+TEST_F(FileGroupTest, WhatAKilledProgramLeftIsRemovedAndWhatALivingOneWritesIsNot) {
+  OtherProgram other(folder_.path());
+  ASSERT_TRUE(other.isWriting());
+  const FileGroup own(folder_.path());
+  EXPECT_EQ(entries(), 4) << "the two files, the other program's folder and this one's";
+  removeAbandonedGroups(folder_.path());
+  EXPECT_EQ(entries(), 4);
+  other.kill();
+  removeAbandonedGroups(folder_.path());
+  EXPECT_EQ(entries(), 3);
+  EXPECT_TRUE(fs::is_directory(own.staging()));
+  EXPECT_EQ(text("key.json"), "old");
+}
+
+TEST_F(FileGroupTest, TheNextGroupRemovesWhatAKilledProgramLeft) {
+  {
+    OtherProgram other(folder_.path());
+    ASSERT_TRUE(other.isWriting());
+  }
+  EXPECT_EQ(entries(), 3);
+  { const FileGroup next(folder_.path()); }
+  EXPECT_EQ(entries(), 2);
+}
+
+// A process of this number may run on the other machine.
+TEST_F(FileGroupTest, WhatAnotherMachineMayBeWritingStaysForADay) {
+  const fs::path group = folder_.path() / ".tmp999999999_0_0123abcd_group";
+  write(group / "new" / "photo.png", "a face");
+  removeAbandonedGroups(folder_.path());
+  EXPECT_TRUE(fs::exists(group / "new" / "photo.png"));
+  const auto before = fs::file_time_type::clock::now() - std::chrono::hours(25);
+  fs::last_write_time(group, before);
+  removeAbandonedGroups(folder_.path());
+  EXPECT_TRUE(fs::exists(group)) << "a file was added to new/ a moment ago";
+  fs::last_write_time(group / "new", before);
+  removeAbandonedGroups(folder_.path());
+  EXPECT_FALSE(fs::exists(group));
+}
+
+TEST_F(FileGroupTest, FoldersWithOtherNamesStay) {
+  const auto before = fs::file_time_type::clock::now() - std::chrono::hours(100);
+  for (const char* name :
+       {".tmp_group", ".tmp12_0_group2", ".tmpab_0_group", "12_0_group", ".tmp0_0_group"}) {
+    fs::create_directory(folder_.path() / name);
+    fs::last_write_time(folder_.path() / name, before);
+  }
+  removeAbandonedGroups(folder_.path());
+  EXPECT_EQ(entries(), 7);
+  removeAbandonedGroups(folder_.path() / "nowhere");
+}
+
+// Killed between removing the old key file and placing the new one.
+TEST_F(FileGroupTest, TheOnlyCopyOfAFileIsNeverRemoved) {
+  const fs::path group = folder_.path() / ".tmp999999999_0_group";
+  write(group / "new" / "key.json", "half");
+  write(group / "old" / "photo.png", "older");
+  write(group / "old" / "gone.png", "only copy");
+  for (const fs::path& place : {group, group / "new", group / "old"})
+    fs::last_write_time(place, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  removeAbandonedGroups(folder_.path());
+  EXPECT_FALSE(fs::exists(group / "new"));
+  EXPECT_EQ(readWholeFile(group / "old" / "gone.png"), "only copy");
+  write(folder_.path() / "gone.png", "new");  // the next alignment has one
+  fs::last_write_time(group, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  removeAbandonedGroups(folder_.path());
+  EXPECT_FALSE(fs::exists(group));
 }
 
 }  // namespace

@@ -1,14 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <opencv2/aruco.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include "coil_scene.h"
-#include "facenav/coil_tracking/coil_tracker.h"
-#include "facenav/core/whole_file.h"
 #include "facenav/geometry/pose_error.h"
 #include "support/matchers.h"
-#include "support/test_data.h"
+#include "tracked_once.h"
 
 namespace facenav::coil_tracking {
 namespace {
@@ -16,15 +10,6 @@ using namespace testing;
 using facenav::testing::PoseNear;
 
 constexpr double kDegree = M_PI / 180;
-
-Print id7() { return arucoPrint(cv::aruco::DICT_4X4_50, 7); }
-
-Tracked<CoilPose> trackOnce(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                            const CoilModel& coil = defaultCoil()) {
-  const auto tracker = makeMarkerCoilTracker();
-  tracker->start(rig, coil);
-  return tracker->track(frame);
-}
 
 struct Errors {
   double rotation_squares = 0, translation_squares = 0;
@@ -157,24 +142,6 @@ TEST(CoilTracker, AxesAreThoseOfTheFormat) {
   EXPECT_GT(quarter->camera_T_marker.rotation()(1, 0), 0.99);  // rotated clockwise: its x points down
 }
 
-TEST(CoilTracker, AnotherIdIsNotTaken) {
-  for (const int id : {0, 3, 8, 23, 49})
-    for (const double turn_deg : {0.0, 90.0, 200.0}) {
-      const auto frame = renderMarkers(
-          roomRig(), {{arucoPrint(cv::aruco::DICT_4X4_50, id), 60, markerPose(550, 20, 70, turn_deg)}});
-      const auto pose = trackOnce(roomRig(), frame);
-      ASSERT_FALSE(pose.isTracked()) << "id " << id;
-      EXPECT_EQ(pose.reason(), LostReason::no_marker);
-    }
-}
-
-TEST(CoilTracker, AMirroredPrintIsNotTaken) {
-  for (const double turn_deg : {0.0, 90.0, 180.0, 270.0}) {
-    const auto frame = renderMarkers(roomRig(), {{mirrored(id7()), 60, markerPose(550, 15, 70, turn_deg)}});
-    EXPECT_FALSE(trackOnce(roomRig(), frame).isTracked());
-  }
-}
-
 TEST(CoilTracker, FindsItsMarkerBesideAnother) {
   const auto truth = markerPose(600, 25, 120, 33, {45, 0});
   const auto pose =
@@ -183,66 +150,6 @@ TEST(CoilTracker, FindsItsMarkerBesideAnother) {
                                                      {id7(), 60, truth}}));
   ASSERT_TRUE(pose);
   EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.2));
-}
-
-TEST(CoilTracker, SwappedImagesAreLost) {
-  for (const double distance_mm : {450.0, 600.0, 680.0, 800.0})
-    for (const double tilt_deg : {0.0, 30.0}) {
-      auto frame =
-          renderMarkers(roomRig(), {{id7(), 60, markerPose(distance_mm, tilt_deg, 70, 10, {30, 20})}});
-      std::swap(frame.left, frame.right);
-      EXPECT_FALSE(trackOnce(roomRig(), frame).isTracked()) << distance_mm << " mm, " << tilt_deg << " deg";
-    }
-}
-
-TEST(CoilTracker, AMovedCameraIsLost) {
-  auto moved = roomRig();
-  const auto frame = renderMarkers(moved, {{id7(), 60, markerPose(600, 20, 70, 10)}});
-  Eigen::Isometry3d pose = moved.right_T_left.isometry();
-  pose.prerotate(
-      Eigen::AngleAxisd(0.4 * kDegree, Eigen::Vector3d::UnitX()));  // 5 px across the epipolar lines
-  moved.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
-  const auto lost = trackOnce(moved, frame);
-  ASSERT_FALSE(lost.isTracked());
-  EXPECT_EQ(lost.reason(), LostReason::camera);
-}
-
-TEST(CoilTracker, OneImageAloneIsNotEnough) {
-  for (const bool is_left : {true, false}) {
-    auto frame = renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 20, 70, 10)}});
-    const auto empty = renderMarkers(roomRig(), {});
-    (is_left ? frame.right : frame.left) = is_left ? empty.right : empty.left;
-    const auto lost = trackOnce(roomRig(), frame);
-    ASSERT_FALSE(lost.isTracked());
-    EXPECT_EQ(lost.reason(), LostReason::no_marker);
-  }
-}
-
-TEST(CoilTracker, BlackOrWrongImagesAreTheCamerasFault) {
-  const auto rig = roomRig();
-  const auto good = renderMarkers(rig, {{id7(), 60, markerPose(600, 20, 70, 10)}});
-  auto black = good, small = good;
-  black.right = cv::Mat::zeros(good.right.size(), CV_8U);
-  small.left = good.left(cv::Rect(0, 0, 320, 240));
-  for (const auto& frame : {black, small, cameras::StereoFrame{}}) {
-    const auto lost = trackOnce(rig, frame);
-    ASSERT_FALSE(lost.isTracked());
-    EXPECT_EQ(lost.reason(), LostReason::camera);
-  }
-}
-
-TEST(CoilTracker, TheMarkerTwiceIsLostRatherThanGuessed) {
-  const auto frame = renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 15, 70, 10, {-60, 0})},
-                                               {id7(), 60, markerPose(600, 15, 70, 10, {60, 0})}});
-  EXPECT_FALSE(trackOnce(roomRig(), frame).isTracked());
-}
-
-TEST(CoilTracker, ClutterAloneIsNeverAMarker) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
-    SceneOptions options;
-    options.seed = seed;
-    EXPECT_FALSE(trackOnce(roomRig(), renderMarkers(roomRig(), {}, options)).isTracked());
-  }
 }
 
 TEST(CoilTracker, FollowsMotionAndComesBackAfterALoss) {
@@ -338,79 +245,6 @@ TEST(CoilTracker, TheFramesWorkKeepsItsLimitWhateverIsShown) {
         EXPECT_LE(pose.work.comparisons, FrameWork::kMost) << prints << " prints";
       }
     }
-}
-
-CoilModel twoMarkers() {
-  CoilModel coil = defaultCoil();
-  coil.markers[0].coil_T_marker = {Eigen::Quaterniond::Identity(), {-40, 0, 0}};
-  coil.markers.push_back(
-      {"5x5_100",
-       31,
-       {},
-       45.0,
-       0.1,
-       {Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY())), {40, 0, 10}}});
-  return coil;
-}
-
-TEST(CoilTracker, AnyOfSeveralMarkersGivesTheFirstOnesPose) {
-  const auto rig = roomRig();
-  const CoilModel coil = twoMarkers();
-  const auto camera_T_coil =
-      markerPose(600, 15, 70, 10).reframe<Camera, Coil>();  // the pose that the scene uses
-  const auto first = camera_T_coil * coil.markers[0].coil_T_marker,
-             second = camera_T_coil * coil.markers[1].coil_T_marker;
-  const PlacedPrint print_a{id7(), 60, first}, print_b{arucoPrint(cv::aruco::DICT_5X5_100, 31), 45, second};
-  for (const auto& prints : std::vector<std::vector<PlacedPrint>>{{print_a}, {print_b}, {print_a, print_b}}) {
-    const auto pose = trackOnce(rig, renderMarkers(rig, prints), coil);
-    ASSERT_TRUE(pose);
-    EXPECT_THAT(pose->camera_T_marker, PoseNear(first, 0.35, 0.5));
-  }
-}
-
-/// A 16 x 16 picture without symmetry, as a .patt file and as a print (border a quarter of the side).
-struct Picture {
-  Print print;
-  std::string patt;
-};
-
-Picture picture(unsigned seed) {
-  cv::RNG random(seed);
-  cv::Mat_<float> small(4, 4), inner;
-  random.fill(small, cv::RNG::UNIFORM, 0.0, 1.0);
-  cv::resize(small, inner, {16, 16}, 0, 0, cv::INTER_CUBIC);
-  inner = cv::max(cv::min(inner, 1.0), 0.0);
-  Picture made;
-  made.print = Print::zeros(32, 32);
-  inner.copyTo(made.print(cv::Rect(8, 8, 16, 16)));
-  for (int turn = 0; turn < 4; ++turn) {
-    for (int plane = 0; plane < 3; ++plane)
-      for (int y = 0; y < 16; ++y) {
-        for (int x = 0; x < 16; ++x) made.patt += std::to_string(int(std::lround(255 * inner(y, x)))) + " ";
-        made.patt += "\n";
-      }
-    made.patt += "\n";
-    cv::rotate(inner, inner, cv::ROTATE_90_COUNTERCLOCKWISE);
-  }
-  return made;
-}
-
-TEST(CoilTracker, RecognisesArToolKitPatterns) {
-  const facenav::testing::TemporaryFolder folder;
-  const Picture mine = picture(5), other = picture(9);
-  writeWholeFile(folder.path() / "coil.patt", mine.patt);
-  CoilModel coil = defaultCoil();
-  coil.markers[0].pattern = folder.path() / "coil.patt";
-  const auto rig = roomRig();
-  for (const double turn_deg : {0.0, 95.0, 180.0, 260.0}) {
-    const auto truth = markerPose(600, 25, 70, turn_deg);
-    const auto pose = trackOnce(rig, renderMarkers(rig, {{mine.print, 60, truth, 4.0}}), coil);
-    ASSERT_TRUE(pose) << turn_deg;
-    EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.3));
-    EXPECT_FALSE(trackOnce(rig, renderMarkers(rig, {{other.print, 60, truth, 4.0}}), coil).isTracked());
-    EXPECT_FALSE(
-        trackOnce(rig, renderMarkers(rig, {{mirrored(mine.print), 60, truth, 4.0}}), coil).isTracked());
-  }
 }
 
 TEST(CoilTracker, StatesAnErrorThatHolds) {

@@ -27,6 +27,7 @@ bool survives(const std::filesystem::path& input) {
   try {
     for (const auto& info : dicom::listSeries(input, monitor)) {
       EXPECT_EQ(info.is_loadable, info.problem.empty());
+      EXPECT_EQ(info.is_loadable, info.problem_kind == dicom::SeriesProblem::none);
       if (!info.is_loadable) continue;
       try {
         has_volume |= !dicom::loadSeries(info, monitor).voxels.empty();

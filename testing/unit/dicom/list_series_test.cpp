@@ -77,6 +77,7 @@ TEST(ListSeries, EchoesAndPhaseUnderOneUidAreSplit) {
     EXPECT_EQ(info.slices, 8);
     EXPECT_FALSE(info.part.empty());
     EXPECT_EQ(info.problem_kind, dicom::SeriesProblem::none);
+    EXPECT_STREQ(dicom::idOf(info.problem_kind), "");
     EXPECT_EQ(info.is_magnitude_part, info.part.find("magnitude") != std::string::npos) << info.part;
     ids.push_back(info.id);
   }
@@ -93,6 +94,7 @@ TEST(ListSeries, ManyVolumesOfOnePlaceAreFourD) {
   ASSERT_EQ(series.size(), 1u);
   EXPECT_THAT(series[0].problem, HasSubstr("3 volumes of the same place (4-D)"));
   EXPECT_EQ(series[0].problem_kind, dicom::SeriesProblem::several_volumes);
+  EXPECT_STREQ(dicom::idOf(series[0].problem_kind), "several_volumes");
 }
 
 TEST(ListSeries, ContrastAgentIsKnownWithoutReadingWords) {

@@ -98,5 +98,27 @@ TEST(SlicePosition, IsTheDistanceFromTheOriginAndTheSide) {
   EXPECT_EQ(at(volume::Anatomical::sagittal, Point<Mri>(37, 0, 0)).side, 'R');
 }
 
+TEST(SliceScene, LettersFollowTheTextScale) {
+  SliceScene scene;
+  scene.mri = leftBlock();
+  auto plane = volume::anatomicalPlane(scene.mri->grid, volume::Anatomical::axial, scene.mri->grid.centre());
+  plane.origin = Point<Mri>(500, 500, 500);  // outside the scan: letters only
+  plane.width = plane.height = 400;
+  const auto brightRows = [&] {
+    const RgbImage image = scene.picture(plane);
+    int rows = 0;
+    for (int v = 100; v < 300; ++v) {
+      bool is_bright = false;
+      for (int u = 0; u < image.width_px; ++u) is_bright |= image.pixel(u, v)[0] > 120;
+      rows += is_bright;
+    }
+    return rows;  // height of the letters left and right
+  };
+  const int usual = brightRows();
+  ASSERT_GT(usual, 10);
+  scene.text_scale = 2.0;
+  EXPECT_NEAR(brightRows(), 2 * usual, 4);
+}
+
 }  // namespace
 }  // namespace facenav::scene

@@ -46,7 +46,7 @@ TEST(SignOffGate, TheCommandLineIsHeldToIt) {
       [&] {
         signOffChecked(store, {"", "", true});
       },
-      ThrowsMessage<Error>(HasSubstr("nobody is named")));
+      ThrowsMessage<Error>(HasSubstr("no name given")));
   EXPECT_THAT(
       [&] {
         signOffChecked(store, {"A. R.", "", false});

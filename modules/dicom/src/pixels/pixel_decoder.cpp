@@ -171,7 +171,7 @@ std::string PixelDecoder::frameStream(int frame) const {
   if (frames > 1 && count == frames) {
     first = last = 1 + std::size_t(frame);
   } else if (frames > 1) {
-    if (table.length != frames * 4) refuse("compressed frames cannot be told apart (no offset table)");
+    if (table.length != frames * 4) refuse("compressed frames cannot be separated (no offset table)");
     const auto offset = [&](std::size_t f) {
       return fragments_[1].offset - 8 + load<std::uint32_t>(&file_.bytes()[table.offset + 4 * f], false);
     };
@@ -181,7 +181,7 @@ std::string PixelDecoder::frameStream(int frame) const {
     last = first;
     while (last < count && fragments_[last + 1].offset - 8 < end) ++last;
     if (first > count || fragments_[first].offset - 8 != begin)
-      refuse("compressed frames cannot be told apart");
+      refuse("compressed frames cannot be separated");
   }
   std::string stream;
   for (std::size_t f = first; f <= last; ++f)

@@ -44,11 +44,11 @@ const SeriesInfo& chooseById(const std::vector<SeriesInfo>& series, const std::s
   throw Error("holds no series '" + id + "'", input.string(), "'facenav series' lists them");
 }
 
-/// Whose head is meant cannot be told from the images.
+/// The images do not say which patient is meant.
 void requireOnePatient(const std::vector<SeriesInfo>& series, const fs::path& input) {
   if (const int count = patientCount(series); count > 1)
     throw Error("holds images of " + std::to_string(count) + " patients", input.string(),
-                "choose one with --series ('facenav series --patients' shows whose they are)");
+                "choose one with --series ('facenav series --patients' shows the patients)");
 }
 
 /// Nor which of several readings of the same slices.

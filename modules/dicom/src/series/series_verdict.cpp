@@ -67,8 +67,10 @@ Problem imageProblem(const SliceHeader& header) {
   return {};
 }
 
+bool hasProblem(const SeriesInfo& info) { return info.problem_kind != SeriesProblem::none; }
+
 void setProblem(SeriesInfo& info, const Problem& problem, const std::filesystem::path& file) {
-  if (problem.kind == SeriesProblem::none || info.problem_kind != SeriesProblem::none) return;
+  if (problem.kind == SeriesProblem::none || hasProblem(info)) return;
   info.problem_kind = problem.kind;
   info.problem = problem.words;
   info.problem_file = file;
@@ -119,7 +121,7 @@ Problem stackProblem(const StackFault& fault, const SeriesInfo& info, const Seri
 
 /// Drops duplicates, names what else lies at one place.
 void settleCoincident(SeriesInfo& info, const std::vector<SliceHeader>& headers, const SliceStack& stack) {
-  if (stack.coincident.empty() || !info.problem.empty()) return;
+  if (stack.coincident.empty() || hasProblem(info)) return;
   for (const auto& [kept, other] : stack.coincident) {
     if (isSameImage(headers, kept, other)) continue;
     const std::size_t images = stack.order.size() + stack.coincident.size();
@@ -168,6 +170,28 @@ void addNotes(SeriesInfo& info, const SliceHeader& header) {
 }
 
 }  // namespace
+
+const char* idOf(SeriesProblem problem) {
+  switch (problem) {
+    case SeriesProblem::none:
+      return "";
+    case SeriesProblem::no_volume:
+      return "no_volume";
+    case SeriesProblem::unreadable:
+      return "unreadable";
+    case SeriesProblem::damaged:
+      return "damaged";
+    case SeriesProblem::geometry:
+      return "geometry";
+    case SeriesProblem::single_slice:
+      return "single_slice";
+    case SeriesProblem::several_volumes:
+      return "several_volumes";
+    case SeriesProblem::too_large:
+      return "too_large";
+  }
+  return "";
+}
 
 std::string contrastOf(const SliceHeader& header, double echo_time_ms) {
   if (header.modality == "CT") return "CT";
@@ -218,10 +242,10 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   for (const ImageRef image : group.images) {
     const SliceHeader& header = headers[std::size_t(image.header)];
     setProblem(info, imageProblem(header), header.file);
-    if (!info.problem.empty()) break;
+    if (hasProblem(info)) break;
   }
   std::vector<ImageRef> used = group.images;
-  if (info.problem.empty()) {
+  if (!hasProblem(info)) {
     const SliceStack stack = stackSlices(headers, group.images);
     if (!stack.order.empty()) {
       used = stack.order;
@@ -232,16 +256,16 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
     if (!stack.fault) describeGeometry(info, stack.grid);
     if (double(info.rows) * info.columns * double(used.size()) > kMostVoxels)
       setProblem(info, {SeriesProblem::too_large, "too large"}, first.file);
-    if (info.problem.empty()) info.slices = int(used.size());
+    if (!hasProblem(info)) info.slices = int(used.size());
   }
-  if (!info.problem.empty()) used = group.images;
+  if (hasProblem(info)) used = group.images;
   const ImageRef middle = used[used.size() / 2];
   if (headers[std::size_t(middle.header)].layout.has_pixels) {
     info.thumbnail_file = headers[std::size_t(middle.header)].file;
     info.thumbnail_frame = middle.frame;
   }
   collectFiles(info, headers, used);
-  info.is_loadable = info.problem.empty();
+  info.is_loadable = !hasProblem(info);
   addNotes(info, first);
   if (info.is_loadable) describeFitness(info);
   return info;

@@ -53,7 +53,7 @@ class FeatureHeadTracker : public HeadTracker {
     const auto face = face::findStereoFace(*detector_, rig, reference.frame);
     if (!face)
       throw Error("no face is found in both images of the reference frame", {},
-                  "let the face look towards the cameras, lit evenly");
+                  "turn the face towards the cameras and light it evenly");
     if (face->points_mm.size() != 68)
       throw Error("the head tracker 'features7' needs the face landmark model", {},
                   "install the package libdlib-data");

@@ -209,7 +209,7 @@ void requireLikeness(const FitEvidence& evidence) {
                " of it lies on the skin, median distance " + fixed(closeness.median_mm, 1) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
   if (evidence.mirror_log_odds < limits.least_unmirrored)
-    refuse("the face cannot be told from its mirror image",
+    refuse("the face cannot be distinguished from its mirror image",
            "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
   if (evidence.rival_log_odds < limits.rival)
     refuse("the pose is ambiguous: the face fits in two places", "show more of the face to both cameras");

@@ -8,7 +8,7 @@ using head_tracking::LossDetail;
 std::string detailWords(LossDetail detail) {
   switch (detail) {
     case LossDetail::not_found:
-      return "FACE NOT FOUND: let the face look towards the cameras";
+      return "FACE NOT FOUND: turn the face towards the cameras";
     case LossDetail::covered:
       return "FACE COVERED: move the coil or hand aside";
     case LossDetail::too_far:
@@ -43,7 +43,7 @@ std::string headWords(LostReason reason, LossDetail detail) {
   if (!words.empty()) return words;
   switch (reason) {
     case LostReason::no_face:
-      return "FACE NOT SEEN: let the face look towards the cameras";
+      return "FACE NOT SEEN: turn the face towards the cameras";
     case LostReason::few_features:
       return "FACE HIDDEN: move the coil or hand aside";
     case LostReason::high_residual:

@@ -1,16 +1,21 @@
 #pragma once
 // FileGroup: files and folders that belong together, such as an alignment and its photographs. They are
-// written into a private folder beside their final places and then moved there: all are replaced, or none.
+// written into a private folder beside their final places and then moved there: all are replaced, or none. A
+// program that is killed in between leaves that folder behind; removeAbandonedGroups() removes it later.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace facenav::casefile {
 
+class GroupLock;
+
 class FileGroup {
  public:
-  /// Makes the private folder (0700) inside `folder`. Throws Error if that fails.
+  /// Makes the private folder (0700) inside `folder`, and removes those that killed programs left there.
+  /// Throws Error if it cannot be made.
   explicit FileGroup(std::filesystem::path folder);
   /// Removes what was not committed.
   ~FileGroup();
@@ -37,6 +42,12 @@ class FileGroup {
   std::filesystem::path folder_, root_, fresh_, old_;
   std::vector<Move> moves_;
   bool keeps_old_ = false;  // moving them back failed
+  std::unique_ptr<GroupLock> lock_;
 };
+
+/// Removes the private folders that killed programs left in `folder`. It never touches one whose program may
+/// still run, on this machine or on another that shares the folder, nor the only copy of a file (an
+/// alignment that was being replaced). What cannot be removed is left without a word.
+void removeAbandonedGroups(const std::filesystem::path& folder);
 
 }  // namespace facenav::casefile

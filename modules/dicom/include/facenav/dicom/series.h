@@ -26,6 +26,9 @@ enum class SeriesProblem {
   several_volumes,  // at one place
   too_large,
 };
+/// "damaged", "single_slice", ..: for other programs; it stays the same when the words change. Empty for
+/// none.
+const char* idOf(SeriesProblem problem);
 
 /// One volume that a series holds, or would hold. A series whose UID covers several (echoes, magnitude and
 /// phase, stacks) gives one entry each, told apart by `part`.

@@ -9,7 +9,7 @@ namespace facenav::head_tracking {
 
 struct IdentityModel {
   static constexpr const char* kModule = "head_tracking";
-  static constexpr const char* kSubject = "identity of a face found anew";
+  static constexpr const char* kSubject = "identity of a face found again";
 
   double identity_rigid_mm = 0.6;
   double identity_in_place = 0.15;

@@ -8,7 +8,7 @@ namespace facenav::head_tracking {
 
 struct SkinFieldModel {
   static constexpr const char* kModule = "head_tracking";
-  static constexpr const char* kSubject = "pose of a face found anew";
+  static constexpr const char* kSubject = "pose of a face found again";
 
   double field_spacing_mm = 60.0;
   double field_shared_part = 0.3;

@@ -72,6 +72,8 @@ class NavigationScene {
   void setCoilGhost(const std::optional<RigidTransform<Mri, Target>>& mri_T_target);
 
   // Choices of the user.
+  /// Size of all text in the scene, as a factor of the usual one. Takes effect with attach() and render().
+  void setTextScale(double scale);
   void setLayers(const SceneLayers& layers);
   void setBrainLook(BrainLook look);
   /// For use while the view or the peel depth moves: larger triangles and rougher edges take a third of the
@@ -93,7 +95,8 @@ class NavigationScene {
   void setCoilPose(const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil);
   /// On target: ring and axis are blue.
   void setOnTarget(bool is_on_target);
-  /// Text over the scene; empty: none. It is shown whether or not a pose is lost.
+  /// Text over the scene; empty: none. It is shown whether or not a pose is lost. A long text is broken into
+  /// lines, so that it lies whole inside the view.
   void setBanner(const std::string& words);
   /// False: no live poses are expected (planning), so nothing is greyed.
   void setLive(bool is_live);

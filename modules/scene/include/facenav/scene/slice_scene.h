@@ -31,6 +31,7 @@ struct SliceScene {
   double point_reach_mm = 1.0;        // largest distance from the plane
   double black = 0.0, white = 255.0;  // window: the values shown black and white
   bool has_letters = true;
+  double text_scale = 1.0;  // of the letters, as a factor of their usual size
 
   /// The MRI's value under the crosshair; nullopt outside the MRI or without a crosshair.
   std::optional<float> valueAtCrosshair() const;

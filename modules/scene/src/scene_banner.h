@@ -1,0 +1,40 @@
+#pragma once
+// SceneBanner: a few words over the 3-D view, near its top. They lie whole inside the view: too long a line
+// is broken at its spaces, and only then made smaller. Private to scene.
+
+#include <vtkNew.h>
+#include <vtkTextActor.h>
+
+#include <array>
+#include <string>
+
+class vtkViewport;
+
+namespace facenav::scene {
+
+class SceneBanner {
+ public:
+  SceneBanner();
+  vtkTextActor* actor() { return actor_; }
+  /// Empty: hidden.
+  void setWords(const std::string& words);
+  /// Factor of the usual text size.
+  void setTextScale(double scale);
+  /// Lays the words out for the present size of `viewport`, which must belong to a window. Call it before
+  /// each rendering; it costs nothing while nothing has changed.
+  void fit(vtkViewport* viewport);
+
+ private:
+  bool fitsInto(vtkViewport* viewport, const std::string& lines, int font_size);
+
+  vtkNew<vtkTextActor> actor_;
+  std::string words_;
+  double text_scale_ = 1.0;
+  bool is_outdated_ = true;
+  std::array<int, 2> fitted_to_px_{0, 0};
+};
+
+/// `words` on at most `count` lines of about equal length, broken at spaces.
+std::string inLines(const std::string& words, int count);
+
+}  // namespace facenav::scene
