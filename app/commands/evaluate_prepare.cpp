@@ -5,6 +5,7 @@
 
 #include "commands/commands.h"
 #include "evaluate/prepare_evaluation.h"
+#include "evaluate/synthetic_prepare.h"
 #include "facenav/core/whole_file.h"
 #include "result_folder.h"
 
@@ -20,6 +21,7 @@ struct Request {
   bool has_no_whole = false;
   std::optional<fs::path> output;
   PrepareEvaluation evaluation;
+  SyntheticPrepare synthetic;
 };
 
 std::vector<PrepareTrial> trialsOf(const Request& request) {
@@ -30,7 +32,7 @@ std::vector<PrepareTrial> trialsOf(const Request& request) {
   for (const auto& volume : request.volumes) trials.push_back({volume, std::nullopt, false, 0});
   if (trials.empty())
     throw Error("no volume is given", {},
-                "add --tissue VOLUME MASK, --with-fluid VOLUME MASK or --volume VOLUME");
+                "add --tissue VOLUME MASK, --with-fluid VOLUME MASK, --volume VOLUME or --synthetic N");
   return trials;
 }
 
@@ -44,10 +46,13 @@ void write(const PrepareTables& tables, const std::string& markdown, const fs::p
 }
 
 void run(Context& context, Request request) {
-  request.evaluation.trials = trialsOf(request);
   request.evaluation.is_whole = !request.has_no_whole;
-  const auto tables = evaluatePrepare(context, request.evaluation);
+  const bool is_synthetic = request.synthetic.heads > 0;
+  if (!is_synthetic) request.evaluation.trials = trialsOf(request);
+  const auto tables = is_synthetic ? evaluateSynthetic(context, request.synthetic, request.evaluation)
+                                   : evaluatePrepare(context, request.evaluation);
   std::string markdown = evaluation::maskMarkdown(tables.masks);
+  if (is_synthetic) markdown += "\n" + evaluation::maskSummaryMarkdown(tables.masks);
   if (!tables.perturbations.empty())
     markdown += "\n" + evaluation::perturbationMarkdown(tables.perturbations);
   if (!tables.reliability.empty())
@@ -85,6 +90,19 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
                  "the head made another: long neck, child, big, low contrast, bias, noisy scalp");
   verb->add_option("--only", request->evaluation.only,
                    "of --perturb and --hard, those whose name contains this (\"mm\", \"noise\", ...)");
+  verb->add_option(
+          "--synthetic", request->synthetic.heads,
+          "this many heads made from labelled ones (shared data), each with its own seed from --seed on; "
+          "then a summary of each method")
+      ->check(CLI::Range(1, 1000));
+  verb->add_option("--labels", request->synthetic.labels,
+                   "folder of the labelled heads (else FACENAV_SHARED_DATA/head_labels)");
+  verb->add_option("--heads", request->synthetic.names, "of the labelled heads only these (\"02,07\")")
+      ->delimiter(',');
+  verb->add_option("--contrast", request->synthetic.contrast,
+                   "of the synthetic heads: t1 (published statistics) or any (drawn at random)")
+      ->check(CLI::IsMember({"t1", "any"}))
+      ->capture_default_str();
   verb->add_flag("--no-whole", request->has_no_whole, "leave out the run of 'facenav prepare' as a whole");
   verb->add_option("--seed", request->evaluation.seed, "of noise and bias fields")->capture_default_str();
   verb->add_option("-o,--output", request->output, "folder for prepare.md, masks.csv, perturbations.csv");

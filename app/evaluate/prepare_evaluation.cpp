@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "evaluate/measured_child.h"
+#include "evaluate/scratch_folder.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/evaluation/volume_perturbation.h"
 #include "facenav/segmentation/segmenter.h"
@@ -19,27 +20,6 @@ using evaluation::MaskRow;
 using evaluation::PerturbationRow;
 using volume::Mask;
 using volume::Volume;
-
-/// A temporary folder for files of the child processes.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "facenav_evaluate_XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw Error("no temporary folder can be made", name, "check free disk space");
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string nameOf(const PrepareTrial& trial) {
   const fs::path path = trial.volume.has_filename() ? trial.volume : trial.volume.parent_path();
@@ -77,7 +57,7 @@ void judge(const fs::path& found, const std::optional<Mask>& truth, MaskRow& row
 }
 
 MaskRow wholePrepare(Context& context, const PrepareTrial& trial, const std::optional<Mask>& truth) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   workflow::PrepareRequest request;
   request.input = trial.volume;
   request.case_folder = scratch.path() / "case";
@@ -111,7 +91,7 @@ std::vector<segmentation::BoundaryDoubt> readDoubts(const fs::path& file) {
 MaskRow segmenterAlone(Context& context, const PrepareTrial& trial, const std::string& method,
                        const Volume& volume, const std::optional<Mask>& truth,
                        std::optional<segmentation::SegmentationResult>& found) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const fs::path file = scratch.path() / "mask.nii.gz", doubts = scratch.path() / "doubts";
   const auto segmenter = context.registrations.brain_segmenters.create(method);
   auto row = rowOf(trial, method, measureInChild([&] {

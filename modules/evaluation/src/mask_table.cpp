@@ -1,6 +1,10 @@
 #include "facenav/evaluation/mask_table.h"
 
+#include <algorithm>
+#include <map>
+
 #include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::evaluation {
 namespace {
@@ -81,6 +85,26 @@ std::string maskCsv(const std::vector<MaskRow>& rows) {
   return csv({"volume", "truth", "method", "dice", "hausdorff95_mm", "mean_distance_mm", "inside_percent",
               "brain_ml", "wall_s", "processor_s", "peak_mib", "failure"},
              cells(rows));
+}
+
+std::string maskSummaryMarkdown(const std::vector<MaskRow>& rows) {
+  struct Summary {
+    std::vector<double> dice;
+    double least = 1;
+    int refused = 0;
+  };
+  std::map<std::string, Summary> by_method;
+  for (const auto& row : rows) {
+    Summary& summary = by_method[row.method];
+    summary.dice.push_back(row.agreement ? row.agreement->dice : 0);
+    if (row.agreement) summary.least = std::min(summary.least, row.agreement->dice);
+    summary.refused += !row.failure.empty();
+  }
+  std::vector<Row> table;
+  for (const auto& [method, s] : by_method)
+    table.push_back({method, std::to_string(s.dice.size()), std::to_string(s.refused),
+                     fixed(median(s.dice), 4), s.refused < int(s.dice.size()) ? fixed(s.least, 4) : ""});
+  return markdown({"method", "heads", "refused", "Dice median (refused: 0)", "Dice least (found)"}, table);
 }
 
 std::string perturbationMarkdown(const std::vector<PerturbationRow>& rows) {

@@ -145,5 +145,14 @@ TEST(MaskTable, SaysWhatWasNotMeasuredAndQuotesCommas) {
       << maskMarkdown({row});
 }
 
+TEST(MaskTable, SummaryCountsARefusalAsNothingFound) {
+  std::vector<MaskRow> rows(3);
+  for (auto& row : rows) row.method = "brain";
+  rows[0].agreement = MaskAgreement{0.9}, rows[1].agreement = MaskAgreement{0.97};
+  rows[2].failure = "no brain can be modelled";
+  EXPECT_NE(maskSummaryMarkdown(rows).find("| brain | 3 | 1 | 0.9000 | 0.9000 |"), std::string::npos)
+      << maskSummaryMarkdown(rows);
+}
+
 }  // namespace
 }  // namespace facenav::evaluation

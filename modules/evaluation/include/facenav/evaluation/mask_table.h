@@ -29,6 +29,9 @@ struct PerturbationRow {
 
 std::string maskMarkdown(const std::vector<MaskRow>& rows);
 std::string maskCsv(const std::vector<MaskRow>& rows);
+/// One row per method, over all volumes: how many, refused, Dice median (a refusal counts as 0) and the least
+/// Dice of those found.
+std::string maskSummaryMarkdown(const std::vector<MaskRow>& rows);
 std::string perturbationMarkdown(const std::vector<PerturbationRow>& rows);
 std::string perturbationCsv(const std::vector<PerturbationRow>& rows);
 
