@@ -1,0 +1,128 @@
+#include "recovery/sides.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "facenav/head_tracking/identity_model.h"
+#include "facenav/head_tracking/step_limits.h"
+#include "recovery/identity.h"
+#include "support/changed_settings.h"
+#include "support/stereo_rigs.h"
+
+namespace facenav::head_tracking {
+namespace {
+
+using facenav::testing::ChangedSettings;
+
+/// Points of a face at 600 mm as both cameras see them, the right picture shifted by `shift_px`, with noise.
+std::vector<SkinMatch> matchesOf(const cameras::StereoRig& rig, const Eigen::Vector2d& shift_px,
+                                 double noise_px, int points = 200) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::normal_distribution<double> normal;
+  std::vector<SkinMatch> matches;
+  for (int i = 0; i < points; ++i) {
+    const Eigen::Vector3d p_mm(60 * uniform(random), 70 * uniform(random), 600 + 25 * uniform(random));
+    SkinMatch left, right;
+    left.point = right.point = i, right.camera = 1;
+    left.px = cameras::project(rig.left, p_mm);
+    right.px = cameras::project(rig.right, rig.right_T_left.isometry() * p_mm) + shift_px +
+               noise_px * Eigen::Vector2d(normal(random), normal(random));
+    matches.push_back(left), matches.push_back(right);
+  }
+  return matches;
+}
+
+TEST(EpipolarOffset, OfAPairOfOneMomentIsNothing) {
+  for (const auto& rig : {facenav::testing::convergingRig(), facenav::testing::verticalRig()}) {
+    const EpipolarOffset offset = epipolarOffset(rig, matchesOf(rig, {0, 0}, 0));
+    EXPECT_EQ(offset.points, 200);
+    EXPECT_NEAR(offset.median_px, 0, 1e-3);
+    EXPECT_NEAR(offset.spread_px, 0, 1e-3);
+    EXPECT_FALSE(offset.isOutOfStep());
+  }
+}
+
+TEST(EpipolarOffset, IsTheShiftAcrossTheLinesAndBlindAlongThem) {
+  const auto rig = facenav::testing::convergingRig();  // side by side: lines run along x
+  EXPECT_NEAR(std::abs(epipolarOffset(rig, matchesOf(rig, {0, 0.8}, 0)).median_px), 0.8, 0.03);
+  EXPECT_NEAR(epipolarOffset(rig, matchesOf(rig, {5, 0}, 0)).median_px, 0, 0.15);
+  const auto above = facenav::testing::verticalRig();
+  EXPECT_NEAR(std::abs(epipolarOffset(above, matchesOf(above, {0.8, 0}, 0)).median_px), 0.8, 0.03);
+  const double down = epipolarOffset(rig, matchesOf(rig, {0, 0.8}, 0)).median_px,
+               up = epipolarOffset(rig, matchesOf(rig, {0, -0.8}, 0)).median_px;
+  EXPECT_NEAR(down, -up, 1e-2) << "it has a sign";
+}
+
+TEST(EpipolarOffset, TheSpreadIsTheNoiseAndFewOutliersChangeNeither) {
+  const auto rig = facenav::testing::convergingRig();
+  auto matches = matchesOf(rig, {0, 0.5}, 0.3, 600);
+  for (std::size_t m = 1; m < matches.size(); m += 20) matches[m].px.y() += 40;  // a tenth of the right ones
+  const EpipolarOffset offset = epipolarOffset(rig, matches);
+  EXPECT_NEAR(std::abs(offset.median_px), 0.5, 0.1);
+  EXPECT_NEAR(offset.spread_px, 0.3, 0.08);
+}
+
+TEST(EpipolarOffset, OnlyPointsInBothCamerasCount) {
+  const auto rig = facenav::testing::convergingRig();
+  auto matches = matchesOf(rig, {0, 0}, 0, 60);
+  for (auto& match : matches)
+    if (match.point >= 40 && match.camera == 1) match.point += 1000;
+  EXPECT_EQ(epipolarOffset(rig, matches).points, 40);
+  EXPECT_EQ(epipolarOffset(rig, {}).points, 0);
+  EXPECT_FALSE(epipolarOffset(rig, {}).isOutOfStep());
+}
+
+TEST(EpipolarOffset, LimitsDecideAndMayBeChanged) {
+  const EpipolarOffset offset{400, 0.3, 0.5};  // its median is known to 0.03 px
+  EXPECT_TRUE(offset.isOutOfStep());
+  EXPECT_FALSE(offset.isOutOfStep(0.2)) << "the head's own motion explains it";
+  EXPECT_FALSE((EpipolarOffset{39, 0.9, 0.1}.isOutOfStep())) << "too few points";
+  EXPECT_FALSE((EpipolarOffset{40, 0.3, 0.5}.isOutOfStep())) << "known to 0.1 px only";
+  EXPECT_TRUE((EpipolarOffset{400, -0.3, 0.5}.isOutOfStep())) << "either way";
+  ChangedSettings<StepLimits> limits;
+  limits->step_bias_px = 0.3;
+  EXPECT_FALSE(offset.isOutOfStep());
+  limits->step_bias_px = 0.2, limits->step_fewest = 500;
+  EXPECT_FALSE(offset.isOutOfStep());
+}
+
+TEST(EpipolarOffset, OfAStrangerMustBeClear) {
+  EXPECT_TRUE((EpipolarOffset{400, 1.5, 0.5}.isClearlyOutOfStep()));
+  EXPECT_FALSE((EpipolarOffset{400, 1.2, 0.5}.isClearlyOutOfStep())) << "1 px and 8 standard errors of 0.03";
+  EXPECT_FALSE((EpipolarOffset{400, 9.0, 2.5}.isClearlyOutOfStep())) << "chance matches lie anywhere";
+  EXPECT_FALSE((EpipolarOffset{30, 9.0, 0.5}.isClearlyOutOfStep()));
+}
+
+TEST(StepWatch, OffsetsThatChangeTheirSignAreChance) {
+  StepWatch watch;
+  for (int i = 0; i < 10; ++i) {
+    const EpipolarOffset offset{400, i % 2 ? 0.3 : -0.3, 0.5};
+    EXPECT_NE(watch.judge(offset, 0, Timestamp{0.1 * i}), StepVerdict::out_of_step) << i;
+  }
+}
+
+TEST(Identity, DecidesFromTheOddsAskedAndOnlyWhereEnoughIsSeen) {
+  Identity identity;
+  identity.windows = 200;
+  const auto at = [&](double log_ratio) {
+    identity.log_likelihood_ratio = log_ratio;
+    return identity.verdict();
+  };
+  EXPECT_EQ(at(4.7), Identity::Verdict::patient);
+  EXPECT_EQ(at(4.5), Identity::Verdict::undecided);
+  EXPECT_EQ(at(-4.5), Identity::Verdict::undecided);
+  EXPECT_EQ(at(-4.7), Identity::Verdict::other);
+  {
+    ChangedSettings<IdentityModel> model;
+    model->identity_sure = 6;
+    EXPECT_EQ(at(4.7), Identity::Verdict::undecided);
+  }
+  identity.windows = 59;
+  EXPECT_FALSE(identity.isAnswered());
+  EXPECT_EQ(at(50), Identity::Verdict::undecided) << "too little in view";
+}
+
+}  // namespace
+}  // namespace facenav::head_tracking
