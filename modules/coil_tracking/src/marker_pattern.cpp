@@ -52,7 +52,8 @@ cv::Mat_<float> pattCells(const std::filesystem::path& path) {
       cells(y + kPattSamples / 2, x + kPattSamples / 2) = float(grey / 255.0);
     }
   double low = 0, high = 0;
-  cv::minMaxLoc(cells, &low, &high);
+  const cv::Range middle(kPattSamples / 2, kPattSamples / 2 + kPattSamples);  // without the black border
+  cv::minMaxLoc(cells(middle, middle), &low, &high);
   if (high - low < 0.1) throw Error("holds no pattern (it is all of one grey)", path.string());
   return cells;
 }

@@ -7,6 +7,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/evaluation/error_statistics.h"
 #include "facenav/volume/mask_morphology.h"
+#include "markdown_cell.h"
 
 namespace facenav::evaluation {
 namespace {
@@ -71,7 +72,8 @@ std::string reliabilityMarkdown(const std::vector<ReliabilityRow>& rows) {
       "(mm) "
       "| > 2 mm off (%) |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const auto& row : rows) {
-    const std::string head = "| " + row.volume + " | " + row.method + " | " + row.against + " | ";
+    const std::string head = "| " + markdownCell(row.volume) + " | " + markdownCell(row.method) + " | " +
+                             markdownCell(row.against) + " | ";
     for (const auto& bin : row.bins) {
       if (!bin.places) continue;
       const std::string range =

@@ -8,6 +8,7 @@
 #include "facenav/evaluation/goals.h"
 #include "facenav/evaluation/html_report.h"
 #include "facenav/evaluation/run_table.h"
+#include "markdown_cell.h"
 
 namespace facenav::evaluation {
 namespace {
@@ -75,7 +76,7 @@ std::string markdown(const ReportTable& table) {
   text += "\n" + rule + "\n";
   for (const auto& row : table.rows) {
     text += "|";
-    for (const auto& cell : row) text += " " + cell + " |";
+    for (const auto& cell : row) text += " " + markdownCell(cell) + " |";
     text += "\n";
   }
   return text;

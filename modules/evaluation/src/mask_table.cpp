@@ -5,6 +5,7 @@
 
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
+#include "markdown_cell.h"
 
 namespace facenav::evaluation {
 namespace {
@@ -14,7 +15,7 @@ using Row = std::vector<std::string>;
 std::string markdown(const Row& header, const std::vector<Row>& rows) {
   const auto line = [](const Row& row) {
     std::string text = "|";
-    for (const auto& cell : row) text += " " + (cell.empty() ? std::string("-") : cell) + " |";
+    for (const auto& cell : row) text += " " + (cell.empty() ? std::string("-") : markdownCell(cell)) + " |";
     return text + "\n";
   };
   std::string text = line(header) + line(Row(header.size(), "---"));

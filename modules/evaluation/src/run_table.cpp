@@ -95,6 +95,11 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
+/// A scenario's name is written plainly. A recording may be named otherwise, by its folder.
+std::string quotedIfNeeded(const std::string& text) {
+  return text.find_first_of(",\"\n") == std::string::npos ? text : quoted(text);
+}
+
 }  // namespace
 
 Figures figuresOf(const RunRecord& run) {
@@ -121,8 +126,8 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
   csv << '\n';
   for (const RunRecord& run : runs) {
     const std::string failure = run.failure.empty() && run.alignment ? run.alignment->refusal : run.failure;
-    csv << run.scenario << ',' << quoted(run.head) << ',' << quoted(run.rig) << ',' << run.seed << ','
-        << (failure.empty() ? "" : quoted(failure));
+    csv << quotedIfNeeded(run.scenario) << ',' << quoted(run.head) << ',' << quoted(run.rig) << ','
+        << run.seed << ',' << (failure.empty() ? "" : quoted(failure));
     for (const auto& [ignored, value] : figuresOf(run)) {
       csv << ',';
       if (std::isfinite(value)) csv << value;

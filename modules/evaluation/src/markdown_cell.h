@@ -1,0 +1,18 @@
+#pragma once
+// The text of one cell of a Markdown table. Private to evaluation.
+
+#include <string>
+
+namespace facenav::evaluation {
+
+/// A bar is escaped and a line break becomes a blank, so that the row keeps its columns.
+inline std::string markdownCell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) {
+    if (c == '|') cell += '\\';
+    cell += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return cell;
+}
+
+}  // namespace facenav::evaluation
