@@ -65,7 +65,7 @@ const Verdict kVerdicts[] = {
     {"wrong_bare_mm", [](FitEvidence& e) { e.closeness.bare_share = 0.6, e.closeness.bare_mm = 0.5; },
      "the face does not fit this MRI", [](FitLimits& l) { l.wrong_bare_mm = 0.55; }},
     {"least_unmirrored", [](FitEvidence& e) { e.mirror_log_odds = 0.5; },
-     "cannot be told from its mirror image", [](FitLimits& l) { l.least_unmirrored = 0.2; }},
+     "cannot be distinguished from its mirror image", [](FitLimits& l) { l.least_unmirrored = 0.2; }},
     {"rival", [](FitEvidence& e) { e.rival_log_odds = 2; }, "fits in two places",
      [](FitLimits& l) { l.rival = 1.5; }},
     {"resized", [](FitEvidence& e) { e.fitting_scale = 1.06, e.scale_log_odds = 12; }, "106.0 % of its size",
@@ -113,11 +113,11 @@ TEST(FitChecks, AMirroredScanIsNamedOnlyWhereTheMirrorImageFits) {
   evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true;
   EXPECT_THAT(refusal(evidence), HasSubstr("left and right are swapped"));
   evidence.does_mirror_fit = false;
-  EXPECT_THAT(refusal(evidence), HasSubstr("cannot be told from its mirror image"));
+  EXPECT_THAT(refusal(evidence), HasSubstr("cannot be distinguished from its mirror image"));
   evidence.does_mirror_fit = true;
   ChangedSettings<FitLimits> limits;
   limits->mirrored = -10;
-  EXPECT_THAT(refusal(evidence), HasSubstr("cannot be told from its mirror image"));
+  EXPECT_THAT(refusal(evidence), HasSubstr("cannot be distinguished from its mirror image"));
 }
 
 TEST(FitChecks, AnErrorThatIsNoNumberIsNoSmallOne) {

@@ -60,26 +60,6 @@ TEST(StartSearch, AGuessNearbyIsEnoughForANarrowSearch) {
 
 TEST(StartSearch, FindsNoHeadInACloudWithoutPoints) { EXPECT_THROW(starts(PointCloud<Camera>()), Error); }
 
-TEST(StartSearch, DescendsFromAGuessAndFromNothingNotAtAll) {
-  const auto truth = facing(12, -6, 5);
-  const auto face = modelFace(truth);
-  EXPECT_FALSE(descend(modelField(), face, {}));
-  AlignmentStart start;
-  start.guess = RigidTransform<Camera, Mri>::fromIsometry(Eigen::Translation3d(25, 10, -30) *
-                                                          facing(0, 5, -8).isometry());
-  const auto led = descend(modelField(), face, start);
-  ASSERT_TRUE(led);
-  expectNear(led->mri_T_camera, truth, 1.5, 2.0);
-  AlignmentStart hints;
-  hints.patient_right = truth * Direction<Mri>(Eigen::Vector3d(1, 0.15, 0));
-  hints.patient_superior = truth * Direction<Mri>(Eigen::Vector3d(0, 0.15, 1));
-  EXPECT_FALSE(descend(modelField(), face, hints)) << "directions without a place";
-  hints.nose_tip = truth * Point<Mri>(modelField().noseTip_mm() + Eigen::Vector3d(8, 5, -10));
-  const auto hinted = descend(modelField(), face, hints);
-  ASSERT_TRUE(hinted);
-  expectNear(hinted->mri_T_camera, truth, 1.5, 2.0);
-}
-
 TEST(StartSearch, NearHeadKeepsTheNumbersOfThePointsAsked) {
   const auto truth = facing(0, 0, 0);
   auto face = modelFace(truth, 300);
