@@ -26,8 +26,9 @@ TEST(Interpolate, SteadyMotionIsMetInBetween) {
 }
 
 TEST(Interpolate, GoesTheShorterWayRound) {
-  const Pose a = turned(3.0, {}), b = turned(-3.0, {});  // 0.28 rad apart, through pi
-  EXPECT_THAT(interpolated(a, b, 0.5), PoseNear(turned(M_PI, {}), 1e-9, 1e-9));
+  const Eigen::Vector3d place_mm(4, 5, 6);
+  const Pose a = turned(3.0, place_mm), b = turned(-3.0, place_mm);  // 0.28 rad apart, through pi
+  EXPECT_THAT(interpolated(a, b, 0.5), PoseNear(turned(M_PI, place_mm), 1e-9, 1e-9));
 }
 
 }  // namespace
