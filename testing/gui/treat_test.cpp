@@ -3,16 +3,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QtTest/QTest>
-#include <fstream>
 #include <future>
 #include <mutex>
 #include <set>
+#include <thread>
 
-#include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
-#include "gui_fixtures.h"
 #include "main_window.h"
-#include "unit/session/session_fakes.h"
+#include "treat_fixtures.h"
 #include "views/scene_view.h"
 #include "widgets/camera_row.h"
 #include "widgets/figures_panel.h"
@@ -21,202 +19,7 @@
 namespace facenav::ui {
 namespace {
 
-namespace fakes = session::fakes;
-
-const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
-
-/// Trackers that always see head and coil; the coil is at the planned target.
-Services fakeServices() {
-  Services services;
-  services.align = [](const casefile::CaseStore&, const capture::Recording&, TaskMonitor&) {
-    workflow::AlignmentOutcome outcome;
-    outcome.result.camera_T_mri = fakes::cameraAtReference();
-    outcome.reference.frame = *fakes::frame(0, 0);
-    return outcome;
-  };
-  services.makeNavigator = [](const session::NavigatorSetup& setup) {
-    return std::make_unique<session::Navigator>(
-        setup, std::make_unique<fakes::Head>([](auto) { return RigidTransform<Camera, Head>(); }),
-        std::make_unique<fakes::Coil>(kMarker));
-  };
-  return services;
-}
-
-std::filesystem::path writeRecording(const std::filesystem::path& folder, int frames) {
-  capture::RecordingWriter writer(folder / "recording", fakes::rig());
-  for (int i = 0; i < frames; ++i) writer.add(*fakes::frame(i, i * 0.02));
-  writer.close();
-  return folder / "recording";
-}
-
-/// A ball case with a target under the coil; signed off on request.
-std::filesystem::path plannedCase(const std::filesystem::path& folder, bool is_signed_off) {
-  const auto case_folder = fixtures::writeBallCase(folder);
-  guidance::TreatmentPlan plan;
-  plan.targets.push_back(fakes::targetAt(kMarker.reframe<Camera, Coil>()).target);
-  const auto store = casefile::CaseStore::open(case_folder);
-  store.setTargets(plan);
-  if (is_signed_off) casefile::signOff(store, {"XY", "", true});
-  return case_folder;
-}
-
-/// The presenter alone: no window, no display.
-class TreatPresenterTest : public ::testing::Test {
- protected:
-  TreatPresenterTest() : services_(fakeServices()), treat_(services_, model_, tasks_) {
-    QObject::connect(&tasks_, &TaskRunner::failed, [this](const QString& words) { failure_ = words; });
-  }
-  void openAll(bool is_signed_off, int frames = 100) {
-    case_folder_ = plannedCase(folder_.path(), is_signed_off);
-    TaskMonitor monitor;
-    model_.open(loadCase(case_folder_, monitor));
-    treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), frames).string()));
-    settle();
-  }
-  void guide() {
-    treat_.align(true);
-    settle();  // aligned
-    settle();  // started
-    ASSERT_TRUE(treat_.isRunning());
-  }
-  void settle() {
-    fixtures::waitFor([&] { return !tasks_.isRunning(); });
-  }
-  std::string events() const {
-    std::string all;
-    for (const auto& item : std::filesystem::recursive_directory_iterator(case_folder_ / "sessions"))
-      if (item.path().filename() == "events.jsonl") {
-        std::ifstream file(item.path());
-        all.append(std::istreambuf_iterator<char>(file), {});
-      }
-    return all;
-  }
-  testing::TemporaryFolder folder_;
-  Services services_;
-  CaseModel model_;
-  TaskRunner tasks_;
-  TreatPresenter treat_;
-  std::filesystem::path case_folder_;
-  QString failure_;
-};
-
-TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride) {
-  openAll(false);
-  treat_.align(true);
-  EXPECT_FALSE(tasks_.isRunning());
-  EXPECT_FALSE(treat_.isAligned());
-  treat_.overrideSignOff("B. Clinician", "  ");  // an override needs a reason
-  EXPECT_FALSE(treat_.mayTreat());
-  treat_.overrideSignOff("B. Clinician", "emergency");
-  ASSERT_TRUE(treat_.mayTreat());
-  EXPECT_EQ(model_.current().store.provenance().back().step, "override");
-  treat_.align(true);
-  settle();
-  settle();
-  ASSERT_TRUE(treat_.isRunning());
-  treat_.countPulse();
-  EXPECT_TRUE(fixtures::waitFor([&] { return treat_.pulses() == 1; }));
-  treat_.stop();
-  for (const char* word : {"session started", "B. Clinician: emergency", "spot", "aligned: "})
-    EXPECT_NE(events().find(word), std::string::npos) << word;
-  const auto session = casefile::findSession(case_folder_, "");
-  ASSERT_EQ(casefile::readSessionPulses(session).pulses.size(), 1u);
-  EXPECT_TRUE(fixtures::waitFor([&] { return std::filesystem::exists(session / "report.html"); }));
-}
-
-TEST_F(TreatPresenterTest, AnOverrideEndsWithTheCaseBeingOpenedAgain) {
-  openAll(false);
-  treat_.overrideSignOff("B. Clinician", "emergency");
-  TaskMonitor monitor;
-  model_.open(loadCase(case_folder_, monitor));
-  EXPECT_FALSE(treat_.mayTreat());
-}
-
-TEST_F(TreatPresenterTest, AModelThatChangedOnDiskSinceItWasOpenedIsRefused) {
-  openAll(true);
-  ASSERT_TRUE(treat_.mayTreat());
-  std::ofstream(case_folder_ / "scalp.vtp", std::ios::app) << " ";
-  treat_.align(false);
-  settle();
-  EXPECT_FALSE(treat_.isAligned());
-  EXPECT_TRUE(failure_.contains("not signed off"));
-  EXPECT_TRUE(failure_.contains("scalp.vtp"));
-}
-
-/// Reports its destruction, which comes with that of its session.
-class WatchedHead : public fakes::Head {
- public:
-  explicit WatchedHead(std::function<void()> on_gone)
-      : Head([](auto) { return RigidTransform<Camera, facenav::Head>(); }), on_gone_(std::move(on_gone)) {}
-  ~WatchedHead() override { on_gone_(); }
-
- private:
-  std::function<void()> on_gone_;
-};
-
-TEST_F(TreatPresenterTest, AfterTheRecordingVanishedAndCameBackTheOldSessionEndsBeforeTheNextStarts) {
-  std::mutex mutex;
-  std::vector<bool> had_log_ended;  // one entry per session, at its end
-  services_.makeNavigator = [&](const session::NavigatorSetup& setup) {
-    return std::make_unique<session::Navigator>(
-        setup, std::make_unique<WatchedHead>([&] {
-          const std::lock_guard lock(mutex);
-          had_log_ended.push_back(events().find("session ended") != std::string::npos);
-        }),
-        std::make_unique<fakes::Coil>(kMarker));
-  };
-  openAll(true, 600);
-  guide();
-  const auto recording = folder_.path() / "recording", elsewhere = folder_.path() / "elsewhere";
-  std::filesystem::rename(recording, elsewhere);
-  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.hasEnded(); }));
-  EXPECT_NE(treat_.state()->failure, "");
-  treat_.start();
-  settle();
-  EXPECT_FALSE(treat_.isRunning());
-  EXPECT_NE(failure_, "");
-  std::filesystem::rename(elsewhere, recording);
-  had_log_ended.clear();  // the tracker of the failed start is already destroyed
-  treat_.start();
-  settle();
-  EXPECT_TRUE(treat_.isRunning());
-  {
-    const std::lock_guard lock(mutex);
-    ASSERT_EQ(had_log_ended.size(), 1u);
-    EXPECT_TRUE(had_log_ended[0]) << "the log still read a session that had gone";
-  }
-  treat_.stop();
-  EXPECT_TRUE(fixtures::waitFor([&] {
-    const std::lock_guard lock(mutex);
-    return had_log_ended.size() == 2;
-  }));
-  EXPECT_NE(events().find("fault"), std::string::npos);
-}
-
-TEST_F(TreatPresenterTest, WhereTheLogCannotBeWrittenNothingRunsAndItIsSaid) {
-  openAll(true, 600);
-  std::ofstream(case_folder_ / "sessions") << "no folder";
-  treat_.align(true);
-  settle();
-  settle();
-  EXPECT_FALSE(treat_.isRunning());
-  EXPECT_NE(failure_, "");
-  std::filesystem::remove(case_folder_ / "sessions");
-  treat_.start();
-  settle();
-  EXPECT_TRUE(treat_.isRunning());
-}
-
-TEST_F(TreatPresenterTest, TheSessionClockStopsWithTheRecordingWhichIsAnEvent) {
-  openAll(true, 50);
-  EXPECT_EQ(treat_.sessionTime(), "");
-  guide();
-  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.hasEnded(); }));
-  const QString at_end = treat_.sessionTime();
-  fixtures::waitFor([] { return false; }, 1300);  // the clock shows whole seconds
-  EXPECT_EQ(treat_.sessionTime(), at_end);
-  EXPECT_NE(events().find("recording ended"), std::string::npos);
-}
+using namespace treat_fixtures;
 
 TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";

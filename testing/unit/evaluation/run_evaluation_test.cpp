@@ -8,36 +8,15 @@
 #include "facenav/evaluation/frame_errors.h"
 #include "facenav/evaluation/goals.h"
 #include "facenav/evaluation/run_table.h"
+#include "made_runs.h"
 #include "support/test_data.h"
 
 namespace facenav::evaluation {
 namespace {
 
+using made::perfectRun;
+using made::shifted;
 using ::testing::HasSubstr;
-
-Eigen::Isometry3d shifted(double x_mm, double y_mm = 0.0, double z_mm = 0.0) {
-  return Eigen::Isometry3d(Eigen::Translation3d(x_mm, y_mm, z_mm));
-}
-
-/// `frames` frames of a head at z = 600 mm, tracked without error.
-RunRecord perfectRun(const std::string& scenario, int frames) {
-  RunRecord run;
-  run.scenario = scenario;
-  run.head = "egg";
-  run.rig = "one";
-  run.true_reference = shifted(0, 0, 600);
-  run.alignment.emplace();
-  run.alignment->estimated = run.alignment->truth = run.true_reference;
-  for (int i = 0; i < frames; ++i) {
-    FrameRecord frame;
-    frame.frame = i;
-    frame.t_s = i / 60.0;
-    frame.truth.head = run.true_reference;
-    frame.head_motion = Eigen::Isometry3d::Identity();
-    run.frames.push_back(frame);
-  }
-  return run;
-}
 
 GoalRow goalNamed(const std::vector<GoalRow>& rows, const std::string& start) {
   for (const auto& row : rows)
