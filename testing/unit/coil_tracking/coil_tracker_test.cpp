@@ -4,17 +4,17 @@
 #include "support/matchers.h"
 #include "tracked_once.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::coil_tracking {
 namespace {
 using namespace testing;
 using facenav::testing::PoseNear;
 
-constexpr double kDegree = M_PI / 180;
-
 struct Errors {
   double rotation_squares = 0, translation_squares = 0;
   int count = 0, lost = 0;
-  double rotation_deg() const { return std::sqrt(rotation_squares / count) / kDegree; }
+  double rotation_deg() const { return std::sqrt(rotation_squares / count) / kRadPerDeg; }
   double translation_mm() const { return std::sqrt(translation_squares / count); }
   void add(const Tracked<CoilPose>& pose, const RigidTransform<Camera, Marker>& truth) {
     if (!pose) {

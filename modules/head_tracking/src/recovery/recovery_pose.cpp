@@ -14,8 +14,8 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr int kFewestMatches = 24;
-constexpr double kFreedom = 3.0;       // of Student's t
-constexpr int kRounds = 12;            // of reweighting
+constexpr double kPoseFreedom = 3.0;   // of Student's t
+constexpr int kPoseRounds = 12;        // of reweighting
 constexpr double kUpperFace_mm = 1.3;  // mobility of skin that tells where the skull is
 constexpr double kLeastScale = 0.3;    // of the errors by those expected
 constexpr double kRig_rad = 0.15 * M_PI / 180, kRig_mm = 0.3;  // of each camera's own pose, by rig and lens
@@ -35,7 +35,7 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
   s.weight.assign(matches.size(), 1.0);
   s.residual.resize(matches.size());
   std::vector<double> distance(matches.size());
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kPoseRounds; ++round) {
     Matrix6d h = Matrix6d::Identity() * 1e-9;
     Vector6d g = Vector6d::Zero();
     for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -53,7 +53,7 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
     }
     s.scale = std::max(kLeastScale, upperMedian(distance) / 1.177);  // of a 2-D normal error's length
     for (std::size_t i = 0; i < matches.size(); ++i)
-      s.weight[i] = (kFreedom + 2) / (kFreedom + std::pow(distance[i] / s.scale, 2));
+      s.weight[i] = (kPoseFreedom + 2) / (kPoseFreedom + std::pow(distance[i] / s.scale, 2));
     if (round > 2 && (s.xi - before).norm() < 1e-6) break;
   }
   return s;

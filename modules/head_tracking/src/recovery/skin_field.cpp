@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMedianLength = 1.177;  // of a normal error in two dimensions, by its standard deviation
 constexpr double kNoPrior = 1e-9;        // of the head's motion
-constexpr int kRounds = 12;
+constexpr int kFieldRounds = 12;
 
 // How each point's skin follows the nodes (rows: points; unit length). A node has three unknowns.
 Eigen::MatrixXd shares(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
@@ -109,7 +109,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
   Eigen::VectorXd found = Eigen::VectorXd::Zero(seen.design.cols());
   Eigen::MatrixXd weighted(seen.design.rows(), seen.design.cols());
   SkinFieldPose pose;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kFieldRounds; ++round) {
     for (Eigen::Index i = 0; i < seen.count(); ++i)
       weighted.middleRows<2>(2 * i).noalias() =
           weight[std::size_t(i)] * seen.precision[std::size_t(i)] * seen.design.middleRows<2>(2 * i);
@@ -119,7 +119,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
     found = factor.solve(weighted.transpose() * seen.offset_px);
     if (!found.allFinite()) return std::nullopt;
     weight = weightsOf(seen, seen.offset_px - seen.design * found);
-    if (round == kRounds - 1)
+    if (round == kFieldRounds - 1)
       pose.covariance = factor.solve(Eigen::MatrixXd::Identity(normal.rows(), 6)).topRows<6>();
   }
   pose.xi = found.head<6>();

@@ -19,7 +19,7 @@ constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6},      
 
 constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
 constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncertain by
-constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
+constexpr double kSamePart_rad = 0.002, kSamePart_mm = 0.2;
 constexpr double kMet = 0.2;       // of these: as far as fits settle
 constexpr double kRuledOut = 8.0;  // logarithm of odds
 constexpr std::size_t kCores = 2;
@@ -85,7 +85,7 @@ class Followed {
 
   bool isNew(const Poses& met, const Eigen::Isometry3d& pose, double of_same) const {
     return std::all_of(met.begin(), met.end(), [&](const Eigen::Isometry3d& m) {
-      return areDistinct(m, pose, scalp_.middle_mm(), of_same * kSame_rad, of_same * kSame_mm);
+      return areDistinct(m, pose, scalp_.middle_mm(), of_same * kSamePart_rad, of_same * kSamePart_mm);
     });
   }
 

@@ -9,12 +9,11 @@
 #include "cloud/skin_patches.h"
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rotation.h"
 #include "start_poses.h"
 
 namespace facenav::registration {
 namespace {
-
-constexpr double kDeg = M_PI / 180.0;
 
 /// Which points of the cloud lie within a head's reach of each seed.
 struct Seeds {
@@ -103,7 +102,7 @@ void keepDistinct(std::vector<Candidate>& candidates, const Eigen::Vector3d& piv
   for (const Candidate& c : candidates) {
     if (kept.size() >= most) break;
     const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& k) {
-      return areDistinct(k.mri_T_camera, c.mri_T_camera, pivot, 6 * kDeg, 12.0);
+      return areDistinct(k.mri_T_camera, c.mri_T_camera, pivot, 6 * kRadPerDeg, 12.0);
     });
     if (is_new && seesTheFace(c.mri_T_camera, pivot)) kept.push_back(c);
   }
@@ -217,7 +216,7 @@ std::optional<Candidate> descend(const ScalpField& scalp, const PointCloud<Camer
                                 FitStage{20, 14, 6, false}, FitStage{10, 7, 5, false}})
     c.mri_T_camera = coarse.fit(c.mri_T_camera, stage);
   // Whoever gave the start knew which way is up: a head that ends on its crown was not led to.
-  constexpr double kFarthestTurn = 60 * kDeg;
+  constexpr double kFarthestTurn = 60 * kRadPerDeg;
   const Eigen::Isometry3d led = begun * c.mri_T_camera.inverse();
   if (rotationAngle(led.linear()) > kFarthestTurn || !isExplained(scalp, coarse, c.mri_T_camera))
     c = fromAround(scalp, face, dense, coarse, {begun, c.mri_T_camera});

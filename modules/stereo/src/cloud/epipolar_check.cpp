@@ -14,7 +14,7 @@ namespace facenav::stereo {
 namespace {
 
 constexpr int kHalf_px = 7, kLeastStep_px = 6, kMostWindows = 400;  // their median is sharp enough
-constexpr std::size_t kFewest = 30;
+constexpr std::size_t kFewestDifferences = 30;
 
 // Grey level between the pixels of a row (cubic convolution), 1 <= x < columns - 2.
 inline double betweenPixels(const float* row, double x) {
@@ -73,7 +73,7 @@ std::optional<double> epipolarMedian(const Rectification& rectification, const R
                         has_slopes ? map.slope_y.at<float>(y, x) : 0);
       if (difference) differences_px.push_back(std::abs(*difference));
     }
-  if (differences_px.size() < kFewest) return std::nullopt;
+  if (differences_px.size() < kFewestDifferences) return std::nullopt;
   return upperMedian(std::move(differences_px));
 }
 
