@@ -1,7 +1,7 @@
 #pragma once
-// BrainGrowth: how the brain is grown from white matter to the fluid around it (module's brain_refinement.h),
-// and at which sharpness and noise a scan is judged. Three heads are few: a change is to be judged by
-// `facenav evaluate prepare` on heads that are not among those named here.
+// BrainGrowth: how the brain is grown from white matter to the fluid around it (see brain_refinement.h), and
+// to which sharpness and noise a scan is brought first. Three heads are few: judge a change by `facenav
+// evaluate prepare` on heads that are not among those named here.
 
 #include "facenav/core/setting.h"
 
