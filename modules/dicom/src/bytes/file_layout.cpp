@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "damage_error.h"
 #include "deflated.h"
-#include "facenav/core/error.h"
 
 namespace facenav::dicom {
 namespace {
@@ -36,9 +36,7 @@ class Walker {
   Walker(FilePrefix& file, bool is_explicit, bool is_big_endian)
       : file_(file), is_explicit_(is_explicit), is_big_endian_(is_big_endian) {}
 
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(what, file_.path().string(), "copy or export it again");
-  }
+  [[noreturn]] void refuse(const std::string& what) const { throw DamageError(what, file_.path()); }
   std::uint32_t u16(std::uint64_t at) const {
     const auto* b = reinterpret_cast<const unsigned char*>(file_.bytes().data()) + at;
     return is_big_endian_ ? b[0] << 8 | b[1] : b[1] << 8 | b[0];

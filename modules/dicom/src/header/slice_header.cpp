@@ -9,7 +9,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "facenav/core/error.h"
+#include "bytes/damage_error.h"
 #include "tag_values.h"
 
 namespace facenav::dicom {
@@ -41,7 +41,7 @@ gdcm::DataSet parse(FilePrefix& file, const FileLayout& layout) {
     else
       data.Read<gdcm::ImplicitDataElement, gdcm::SwapperNoOp>(stream);
   } catch (const std::exception&) {
-    throw Error("DICOM header is damaged", file.path().string(), "copy or export it again");
+    throw DamageError("DICOM header is damaged", file.path());
   }
   return data;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "bytes/damage_error.h"
 #include "bytes/for_files.h"
 #include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
@@ -19,15 +20,6 @@ struct DamagedFile {
   fs::path file;
   std::string problem, start;  // `start`: first bytes, where its Series UID may still be readable
 };
-
-/// The error's text without the file's name and the remedy.
-std::string faultOf(const Error& error, const fs::path& file) {
-  std::string words = error.what();
-  const std::size_t at = words.find(file.string());
-  if (at == 0) words = words.substr(file.string().size());
-  while (!words.empty() && (words.front() == ':' || words.front() == ' ')) words.erase(0, 1);
-  return words.substr(0, words.rfind("; "));
-}
 
 /// By its meta header. A DICOMDIR lists files that are found anyway, so it is skipped, damaged or not.
 bool isDicomDir(FilePrefix& file) {
@@ -51,11 +43,12 @@ ScannedFile scanFile(const fs::path& path) {
     file.emplace(path);
     if (isDicomDir(*file)) return {};
     return {readSliceHeader(*file), {}};
-  } catch (const Error& error) {
-    if (!file) return {{}, DamagedFile{path, "cannot be read", ""}};
+  } catch (const DamageError& damage) {
     const std::string& bytes = file->bytes();
     if (bytes.size() < 132 || bytes.compare(128, 4, "DICM") != 0) return {};  // not DICOM
-    return {{}, DamagedFile{path, faultOf(error, path), bytes.substr(0, kStart)}};
+    return {{}, DamagedFile{path, damage.fault(), bytes.substr(0, kStart)}};
+  } catch (const Error&) {
+    return {{}, DamagedFile{path, "cannot be read", ""}};
   }
 }
 
