@@ -53,9 +53,9 @@ PoseFit FaceSearch::roughly(const KeyFrames& keys, const std::array<ImagePyramid
   return fit;
 }
 
-void FaceSearch::lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
-                          const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
-                          Found& found, HeadWork& work) const {
+void FaceSearch::searchFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
+                            const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
+                            Found& found, HeadWork& work) const {
   const CoarseSearch::Places places = coarse_.find(rig_, evened, from, turn_);
   work.comparisons += places.comparisons;
   for (const auto& start : places.starts) {
@@ -80,9 +80,9 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
   if (!is_there) {
     const EvenedPair evened(now);
     work.comparisons += kEvenedComparisons;
-    lookFrom(keys, now, evened, last, found, work);
+    searchFrom(keys, now, evened, last, found, work);
     if (last && is_first && found.best.likeness < kLikely)
-      lookFrom(keys, now, evened, std::nullopt, found, work);  // a fast motion, at a few frames per second
+      searchFrom(keys, now, evened, std::nullopt, found, work);  // a fast motion, at a few frames per second
     ++turn_;
     found.is_swapped = last && found.best.likeness < kLikely &&
                        roughly(keys, {now[1], now[0]}, *last, work).likeness >

@@ -44,7 +44,7 @@ void PatchTrack::start(const cameras::StereoRig& rig, const HeadReference& refer
   const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
                                            ImagePyramid(reference.frame.right)};
   model_ = learnPatches(rig, reference.frame, key, region, surface);
-  model_.shape_doubt = reference.surface.empty() ? 4.0 : 1.0;
+  model_.variance_factor = reference.surface.empty() ? 4.0 : 1.0;
   if (model_.level[0].patches.size() < 30)
     throw Error("no face with enough texture and depth is found in the reference frame", {},
                 "look for blur, darkness or a covered face");

@@ -49,7 +49,7 @@ RecoveredFace FaceRecovery::tryFrom(const cameras::StereoFrame& frame,
                                     const Eigen::Isometry3d& start) const {
   RecoveredFace best;
   std::vector<std::shared_ptr<const SkinView>> views = {reference_};
-  for (const auto& look : remembered_) views.push_back(look.view);
+  for (const auto& key : remembered_) views.push_back(key.view);
   for (const auto& view : views) {
     RecoveredFace found;
     found.pose = fitRecoveryPose(rig_, points_, *view, *now, start);
@@ -107,25 +107,25 @@ void FaceRecovery::remember(const RecoveredFace& found, const cameras::StereoFra
   view->pictures = *found.pictures;
   view->camera_T_head = found.pose.camera_T_head;
   view->covariance = found.pose.covariance;
-  Remembered look{view, std::nullopt};
+  Remembered key{view, std::nullopt};
   if (found.then == reference_)
-    look.learnt = FaceKeyFrame{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
-                               view->covariance};
-  add(std::move(look));
+    key.learnt = FaceKeyFrame{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
+                              view->covariance};
+  add(std::move(key));
 }
 
-void FaceRecovery::add(const FaceKeyFrame& look) {
+void FaceRecovery::add(const FaceKeyFrame& key) {
   auto view = std::make_shared<SkinView>();
-  view->rig = look.rig;
-  view->pictures = RecoveryPictures(look.frame);
-  view->camera_T_head = look.camera_T_head;
-  view->covariance = look.covariance, view->between_sessions = look.between_sessions;
+  view->rig = key.rig;
+  view->pictures = RecoveryPictures(key.frame);
+  view->camera_T_head = key.camera_T_head;
+  view->covariance = key.covariance, view->between_sessions = key.between_sessions;
   add(Remembered{view, std::nullopt, true});
 }
 
 // When full: removes the older of the two key frames with the most similar poses.
-void FaceRecovery::add(Remembered look) {
-  remembered_.push_back(std::move(look));
+void FaceRecovery::add(Remembered key) {
+  remembered_.push_back(std::move(key));
   if (remembered_.size() <= kMostRemembered) return;
   const auto apart = [&](std::size_t i, std::size_t j) {
     const Eigen::Isometry3d step =
@@ -142,15 +142,15 @@ void FaceRecovery::add(Remembered look) {
 }
 
 std::vector<FaceKeyFrame> FaceRecovery::learnt() const {
-  std::vector<FaceKeyFrame> looks;
-  for (const auto& look : remembered_)
-    if (look.learnt) looks.push_back(*look.learnt);
-  return looks;
+  std::vector<FaceKeyFrame> keys;
+  for (const auto& key : remembered_)
+    if (key.learnt) keys.push_back(*key.learnt);
+  return keys;
 }
 
 void FaceRecovery::forgetRemembered() {
   remembered_.erase(std::remove_if(remembered_.begin(), remembered_.end(),
-                                   [](const auto& look) { return !look.is_from_elsewhere; }),
+                                   [](const auto& key) { return !key.is_from_elsewhere; }),
                     remembered_.end());
 }
 

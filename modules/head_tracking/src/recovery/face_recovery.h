@@ -55,7 +55,7 @@ class FaceRecovery {
   /// Adds the found face as a key frame for later searches. Not while find() runs.
   void remember(const RecoveredFace& found, const cameras::StereoFrame& frame);
   /// Adds a key frame from another source. Not while find() runs.
-  void add(const FaceKeyFrame& look);
+  void add(const FaceKeyFrame& key);
   /// Key frames found in this session that depend on the reference alone, not on another key frame.
   std::vector<FaceKeyFrame> learnt() const;
   /// The key frames found since the reference are in doubt: removes them.
@@ -67,7 +67,7 @@ class FaceRecovery {
     std::optional<FaceKeyFrame> learnt;  // a key frame that was matched to the reference
     bool is_from_elsewhere = false;
   };
-  void add(Remembered look);
+  void add(Remembered key);
   SidesVerdict sidesOf(const RecoveredFace& found) const;
   RecoveredFace tryFrom(const cameras::StereoFrame& frame, const std::shared_ptr<const RecoveryPictures>& now,
                         const Eigen::Isometry3d& start) const;

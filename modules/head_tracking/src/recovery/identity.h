@@ -16,7 +16,7 @@ namespace facenav::head_tracking {
 
 struct Identity {
   std::array<double, 2> side_share = {0, 0};  // share of windows in place in each camera alone
-  double looks_share = 0.0;                   // 0..1, share of the windows in view that are in place
+  double in_place_share = 0.0;                // 0..1, share of the windows in view that are in place
   int windows = 0;                            // number in view
   std::optional<double> shape_rms_mm;         // robust; empty where the shape was not measured
   double log_likelihood_ratio = 0.0;          // patient to other person, natural logarithm

@@ -20,7 +20,7 @@ constexpr int kMostSteps = 12, kFirstLevel = 1;
 // not moved (room), 3 to 7 on a real face with another expression. Below this limit the patches are more
 // exact than recovery's windows.
 constexpr double kAsExpected = 2.0;
-constexpr double kKnownLook = 0.8;     // share of windows in place: 0.6-0.8 with another expression
+constexpr double kKnownShare = 0.8;    // share of windows in place: 0.6-0.8 with another expression
 constexpr double kSamePlace_mm = 3.0;  // both poses put the face at the same place
 // Agreement of both cameras on fine detail: 0.73 and more in uncompressed images of the room, 0.35 to 0.6 in
 // strongly compressed photographs.
@@ -142,16 +142,16 @@ void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen:
 
 // A face that looks as in the reference is not kept.
 void LostFace::remember(const Found& found) {
-  const bool is_new = found.moment || found.face.identity.looks_share < kKnownLook;
+  const bool is_new = found.moment || found.face.identity.in_place_share < kKnownShare;
   if (answers_.isBusy() || !found.is_patient || !is_new) return;
   RecoveredFace face = found.face;
   face.pose.camera_T_head = found.camera_T_head;
   recovery_->remember(face, found.frame);
 }
 
-void LostFace::add(const std::vector<FaceKeyFrame>& looks) {
-  FACENAV_EXPECT(!answers_.isBusy(), "looks are added before anything is asked");
-  for (const auto& look : looks) recovery_->add(look);
+void LostFace::add(const std::vector<FaceKeyFrame>& keys) {
+  FACENAV_EXPECT(!answers_.isBusy(), "key frames are added before anything is asked");
+  for (const auto& key : keys) recovery_->add(key);
 }
 
 void LostFace::forget() {

@@ -55,7 +55,7 @@ class LostFace {
   /// The found face is tracked: keeps it as a key frame if it looks new.
   void remember(const Found& found);
   /// Key frames from another source, used in the search.
-  void add(const std::vector<FaceKeyFrame>& looks);
+  void add(const std::vector<FaceKeyFrame>& keys);
   /// Key frames that are reliable enough to be saved.
   std::vector<FaceKeyFrame> learnt() const { return recovery_->learnt(); }
   /// The key frames and pending questions are in doubt: discards them.
