@@ -22,11 +22,11 @@ using volume::VoxelGrid;
 constexpr double kCoarse_mm = 2.0;
 constexpr double kNarrowOpening_mm = 4.0;  // ear canals, nostrils: closed with a ball of this radius
 constexpr double kThinAttachment_mm =
-    5.0;  // head holder shells, ghosts: opened away with a ball of this radius
+    5.0;  // head holder shells, ghosts: removed by opening with a ball of this radius
 constexpr int kMostOpenDirections =
-    4;  // of 26: a voxel that sees the outside in no more of them lies in a cavity
+    4;  // of 26: a voxel that sees the outside in at most this many lies in a cavity
 constexpr double kEarsAndNose_mm =
-    14.0;  // what the opening took off and tissue connects is given back as far as this
+    14.0;  // parts removed by the opening are restored this far if tissue connects them
 
 struct Coarse {
   std::array<int, 3> block;

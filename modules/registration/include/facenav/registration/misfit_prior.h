@@ -30,7 +30,7 @@ struct MisfitPrior {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    const char* share = "how often that is so, beside the other two";
+    const char* share = "probability of this size, relative to the other two";
     visitor(kSizes("offset_small_mm", 0.01, 5, "mm", "sigma of the whole skin's offset, small"),
             self.offsets_mm[0].first);
     visitor(kSizes("offset_usual_mm", 0.01, 5, "mm", "sigma of the whole skin's offset, usual"),
@@ -86,7 +86,7 @@ struct MisfitPrior {
       "6 heads, 3 rigs) that were not used all inside the bound, later 79 of 80"};
   static constexpr Evidence kWorking{
       Origin::chosen,
-      "weights that trust no long reach; which values were compared is not recorded; 53 captures of four "
+      "only near neighbours are correlated; which values were compared is not recorded; 53 captures of four "
       "heads in the virtual room: medians of 0.16 to 0.47 mm at the cortex"};
   static constexpr Evidence kNotRecorded{Origin::chosen, "origin not recorded"};
 };
