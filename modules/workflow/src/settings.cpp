@@ -1,7 +1,9 @@
 #include "facenav/workflow/settings.h"
 
+#include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/head_tracking/identity_model.h"
+#include "facenav/head_tracking/search_budget.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "facenav/head_tracking/step_limits.h"
@@ -18,9 +20,10 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
-                   head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
-                   head_tracking::SkinFieldModel, head_tracking::StepLimits>;
+using All =
+    Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
+           head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget>;
 
 }  // namespace
 

@@ -141,6 +141,25 @@ TEST(ListSeries, SaysInWordsWhyNot) {
   }
 }
 
+/// A path may hold the patient's name, so the list's problem is the fault alone. (It was cut out of the
+/// message, where a tab of the path had become a blank.)
+TEST(ListSeries, TheFaultOfADamagedFileIsNamedWithoutItsPath) {
+  for (const char* name : {"export", "Doe\tJane; export"}) {
+    SCOPED_TRACE(name);
+    const TemporaryFolder folder;
+    const auto where = folder.path() / name;
+    writeSlices(where, makeSlices(4));
+    std::filesystem::resize_file(where / fileName(2), 200);
+    for (const auto& info : list(where)) {
+      EXPECT_EQ(info.problem_kind, dicom::SeriesProblem::damaged);
+      EXPECT_EQ(info.problem_file, where / fileName(2));
+      EXPECT_THAT(info.problem, HasSubstr("DICOM header is damaged"));
+      EXPECT_EQ(info.problem.find("Jane"), std::string::npos) << info.problem;
+      EXPECT_EQ(info.problem.find("again"), std::string::npos) << info.problem;
+    }
+  }
+}
+
 TEST(ListSeries, CtGivesTheScalpOnly) {
   const TemporaryFolder folder;
   auto first = headSlice("1.5");

@@ -70,7 +70,7 @@ TEST_F(CompressedFace, ThatIsBackIsShownByTheFirstAnswer) {
     SyntheticView view = later(i, 2.0);
     view.time_s = 2.0 + i / 60.0;
     // The coil has reserved the first frame: no time for a fit in it.
-    const FrameWork reserved{i == 0 ? FrameWork::kMost : 0};
+    const FrameWork reserved{i == 0 ? FrameWork::most() : 0};
     if (tracker->track(compressed(face_->render(rig_, view)), {reserved, false})) found_s = view.time_s - 2.0;
   }
   EXPECT_LT(found_s, 0.11);

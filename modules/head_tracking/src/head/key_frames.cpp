@@ -203,8 +203,8 @@ void KeyFrames::learnPatch(const cameras::StereoRig& rig, const PatchModel& mode
     const BlurredImage& image = fresh.pyramid[c].level[fresh.level];
     PatchAppearance appearance_now;
     if ((fresh.level > 0 || fresh.is_good[i][c]) && !image.pixels.empty())
-      appearance_now = look(camera, camera_T_head, image, points, fresh.level,
-                            noiseBeforeBlur(model.noise_grey, fresh.level));
+      appearance_now = appearanceOf(camera, camera_T_head, image, points, fresh.level,
+                                    noiseBeforeBlur(model.noise_grey, fresh.level));
     if (appearance_now.view.is_usable) {
       addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, fresh.level, appearance_now.view);
       fresh.usable += fresh.level == 0;

@@ -12,11 +12,11 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kMedianLength = 1.177;  // of a normal error in two dimensions, by its standard deviation
-constexpr double kNoPrior = 1e-9;        // of the head's motion
+constexpr double kMedianLength = 1.177;  // median length of a 2-D normal error, in its standard deviation
+constexpr double kNoPrior = 1e-9;        // weak prior of the head's motion
 constexpr int kFieldRounds = 12;
 
-// How each point's skin follows the nodes (rows: points; unit length). A node has three unknowns.
+// Influence of the nodes on each point's skin (rows: points; unit length). A node has three unknowns.
 Eigen::MatrixXd shares(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
   const SkinFieldModel& model = settingsOf<SkinFieldModel>();
   const double spacing_mm = model.field_spacing_mm;
@@ -76,7 +76,7 @@ Observations observationsOf(const SkinPoints& points, const std::vector<SkinMatc
   return seen;
 }
 
-// Cauchy weights of the matches, by their residuals in units of the errors that this frame shows.
+// Cauchy weights of the matches from their residuals, in units of the errors of this frame.
 std::vector<double> weightsOf(const Observations& seen, const Eigen::VectorXd& residual_px) {
   const SkinFieldModel& model = settingsOf<SkinFieldModel>();
   const double freedom = model.field_freedom;
@@ -90,7 +90,7 @@ std::vector<double> weightsOf(const Observations& seen, const Eigen::VectorXd& r
   return weight;
 }
 
-// Most of the skin stays, a part of it moves far: each node's prior is Student's t, too.
+// Most of the skin stays, part of it moves far. Therefore each node's prior is Student's t too.
 Eigen::VectorXd priorOf(const Eigen::VectorXd& found) {
   const double freedom = settingsOf<SkinFieldModel>().field_freedom;
   Eigen::VectorXd prior = Eigen::VectorXd::Constant(found.size(), kNoPrior);

@@ -67,7 +67,7 @@ std::vector<Eigen::Matrix3d> orientationsAround(const Eigen::Matrix3d& base, dou
 }
 
 Eigen::Vector3d foremostSkin(const ScalpField& scalp, const Eigen::Vector3d& towards_camera) {
-  // Mean of the most advanced hundredth: one vertex could be a ghost.
+  // Mean of the most advanced hundredth: a single vertex could be an outlier.
   const auto& vertices = scalp.skin().points.points_mm;
   std::vector<std::pair<double, int>> advance;
   const std::size_t stride = std::max<std::size_t>(1, vertices.size() / 3000);

@@ -37,7 +37,8 @@ cv::Mat agreeing(const cv::Mat& found) {
   return kept;
 }
 
-// Means of what is known over 2 x 2, again and again; then back, filling holes from the coarser level.
+// Fills holes: repeated means of the known values over 2 x 2, then back from the coarser level to the finer
+// one.
 cv::Mat filled(const cv::Mat& holed) {
   if (holed.rows <= 1 && holed.cols <= 1) return holed;
   cv::Mat half((holed.rows + 1) / 2, (holed.cols + 1) / 2, CV_32F);
