@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-fs::path fileIn(const fs::path& case_folder) { return case_folder / "protocol.json"; }
+fs::path protocolFile(const fs::path& case_folder) { return case_folder / "protocol.json"; }
 
 /// Its own words, and whether they fit: a protocol is named by people.
 void requireNamed(const Protocol& protocol) {
@@ -56,8 +56,8 @@ void writeProtocol(const Protocol& protocol, const fs::path& path, FileAccess ac
 }
 
 std::optional<Protocol> protocolOf(const fs::path& case_folder) {
-  if (!fs::exists(fileIn(case_folder))) return std::nullopt;
-  return readProtocol(fileIn(case_folder));
+  if (!fs::exists(protocolFile(case_folder))) return std::nullopt;
+  return readProtocol(protocolFile(case_folder));
 }
 
 void setProtocol(const fs::path& case_folder, const Protocol& protocol) {
@@ -65,16 +65,16 @@ void setProtocol(const fs::path& case_folder, const Protocol& protocol) {
   if (old && old->name == protocol.name && old->version == protocol.version && *old != protocol)
     throw Error(
         "the case has version " + std::to_string(old->version) + " of '" + old->name + "' with other numbers",
-        fileIn(case_folder).string(), "give the changed protocol a new version");
-  writeProtocol(protocol, fileIn(case_folder), FileAccess::owner_only);
+        protocolFile(case_folder).string(), "give the changed protocol a new version");
+  writeProtocol(protocol, protocolFile(case_folder), FileAccess::owner_only);
 }
 
 void removeProtocol(const fs::path& case_folder) {
   std::error_code fault;
-  fs::remove(fileIn(case_folder), fault);
+  fs::remove(protocolFile(case_folder), fault);
   if (fault)
-    throw Error("the protocol cannot be removed (" + fault.message() + ")", fileIn(case_folder).string(),
-                "check the folder's permissions");
+    throw Error("the protocol cannot be removed (" + fault.message() + ")",
+                protocolFile(case_folder).string(), "check the folder's permissions");
 }
 
 }  // namespace facenav::casefile

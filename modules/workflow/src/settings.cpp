@@ -1,6 +1,7 @@
 #include "facenav/workflow/settings.h"
 
 #include "facenav/core/settings_in_force.h"
+#include "facenav/guidance/coil_plate.h"
 #include "facenav/head_tracking/identity_model.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
@@ -20,7 +21,7 @@ struct Groups {
 
 using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
                    head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
-                   head_tracking::SkinFieldModel, head_tracking::StepLimits>;
+                   head_tracking::SkinFieldModel, head_tracking::StepLimits, guidance::PlateRest>;
 
 }  // namespace
 
