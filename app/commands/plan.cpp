@@ -253,9 +253,11 @@ void addPlan(CLI::App& app, Context& context) {
   verb->add_flag("--list-presets", request->lists_presets, "the presets");
   addTargetOptions(*verb, *request);
   verb->add_flag("--landmarks", request->lists_landmarks, "nasion, inion, tragi: place, error, origin");
-  verb->add_option("--set", request->set_landmarks, "sets a landmark by hand: nasion=X,Y,Z (RAS mm)");
-  verb->add_option("--find", request->find_landmarks,
-                   "finds a landmark again: nasion, inion, tragus-left, ..");
+  verb->add_option("--set-landmark", request->set_landmarks, "sets a landmark by hand: nasion=X,Y,Z (RAS mm)")
+      ->allow_extra_args(false);
+  verb->add_option("--find-landmark", request->find_landmarks,
+                   "finds a landmark again: nasion, inion, tragus-left, ..")
+      ->allow_extra_args(false);
   verb->add_flag("--measures", request->measures, "tape measures, EEG sites and Beam F3");
   verb->add_option("--picture", request->picture, "PNG of the head with landmarks, EEG sites and coils");
   verb->add_option("--compare", request->compare, "two targets: how they differ")->expected(2);

@@ -40,7 +40,8 @@ void printLandmarks(const surface::ScalpLandmarks& landmarks, bool is_json) {
     const auto& landmark = landmarks[which];
     const std::string name = toString(which);
     if (!landmark) {
-      if (!is_json) std::printf("%-13s not known: set it with --set %s=X,Y,Z\n", name.c_str(), name.c_str());
+      if (!is_json)
+        std::printf("%-13s not known: set it with --set-landmark %s=X,Y,Z\n", name.c_str(), name.c_str());
       continue;
     }
     const Eigen::Vector3d& p = landmark->point.mm;

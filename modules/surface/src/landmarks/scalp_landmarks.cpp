@@ -69,9 +69,9 @@ bool ScalpLandmarks::isComplete() const {
 
 const ScalpLandmark& ScalpLandmarks::known(Landmark which) const {
   if (const auto& landmark = (*this)[which]) return *landmark;
-  throw Error(
-      "the " + toString(which) + " is not known", {},
-      "set it by hand: in Plan at the crosshair, or facenav plan --set " + toString(which) + "=X,Y,Z");
+  throw Error("the " + toString(which) + " is not known", {},
+              "set it by hand: in Plan at the crosshair, or facenav plan CASE --set-landmark " +
+                  toString(which) + "=X,Y,Z");
 }
 
 ScalpLandmarks findScalpLandmarks(const ScalpSurface& scalp) {
