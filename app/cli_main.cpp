@@ -90,6 +90,7 @@ int runCommandLine(int argc, char** argv) {
   app::addSimulate(cli, context);
   app::addLocate(cli, context);
   app::addTarget(cli, context);
+  app::addPlan(cli, context);
   app::addExport(cli, context);
   app::addMarker(cli, context);
   app::addEvaluate(cli, context);

@@ -27,6 +27,7 @@ void addCheck(CLI::App& app, Context& context);
 void addBrain(CLI::App& app, Context& context);
 void addLocate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);
+void addPlan(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);

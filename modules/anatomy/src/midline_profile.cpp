@@ -166,6 +166,24 @@ std::optional<Vector2d> backOfHead(const MidlineProfile& profile, const Vector2d
   return best;
 }
 
+/// The point below the back of the head that stands out most from the chord to the nape. Nothing when the
+/// scan ends too soon below it.
+std::optional<Vector2d> bendToTheNeck(const Outline& back, const Vector2d& opisthocranion) {
+  constexpr double kNearest_mm = 12, kFurthest_mm = 62, kNape_mm = 75, kLeastNape_mm = 55, kLeast_mm = 1.0;
+  Outline line = back;
+  for (Vector2d& p : line) p.x() = -p.x();  // runs down as a face does
+  const Vector2d start(-opisthocranion.x(), opisthocranion.y());
+  const auto nearer = [&](const Vector2d& a, const Vector2d& b) {
+    return (a - start).squaredNorm() < (b - start).squaredNorm();
+  };
+  const int from = int(std::min_element(line.begin(), line.end(), nearer) - line.begin());
+  const int nape = std::min(int(line.size()) - 1, from + steps(kNape_mm));
+  if (nape < from + steps(kLeastNape_mm)) return std::nullopt;
+  const auto bend = furthest(line, from + steps(kNearest_mm), std::min(nape, from + steps(kFurthest_mm)),
+                             line[std::size_t(from)], line[std::size_t(nape)], 1, kLeast_mm);
+  return bend ? std::optional(back[std::size_t(*bend)]) : std::nullopt;
+}
+
 }  // namespace
 
 MidlineProfile midlineProfile(const std::vector<Vector3d>& head_mm,
@@ -206,6 +224,7 @@ MidlineLandmarks midlineLandmarks(const MidlineProfile& profile) {
         found.pogonion = at(*chin);
   }
   found.opisthocranion = backOfHead(profile, found.glabella.value_or(at(*brow)));
+  if (found.opisthocranion) found.inion = bendToTheNeck(profile.back, *found.opisthocranion);
   return found;
 }
 

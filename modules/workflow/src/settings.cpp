@@ -2,6 +2,7 @@
 
 #include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/guidance/coil_plate.h"
 #include "facenav/head_tracking/identity_model.h"
 #include "facenav/head_tracking/search_budget.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
@@ -23,7 +24,7 @@ struct Groups {
 using All =
     Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
-           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget>;
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest>;
 
 }  // namespace
 

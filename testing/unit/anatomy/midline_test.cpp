@@ -144,6 +144,24 @@ TEST(MidlineLandmarks, BelowTheScansEndThereAreNone) {
   EXPECT_FALSE(forehead.pronasale || forehead.nasion || forehead.subnasale);
 }
 
+TEST(MidlineLandmarks, TheInionIsWhereTheBackOfTheHeadBendsIntoTheNeck) {
+  const Mesh mesh = strip();
+  MidlineProfile profile = midlineProfile(mesh.head_mm, mesh.triangles);
+  const double bend_rad = 1.9;  // 39 mm below the middle of the ellipse
+  const Vector2d bend(-95 * std::sin(bend_rad), 120 * std::cos(bend_rad));
+  profile.back.clear();
+  for (double turn = 0; turn < bend_rad; turn += 0.006)
+    profile.back.emplace_back(-95 * std::sin(turn), 120 * std::cos(turn));
+  const auto skull = profile.back;
+  for (double along = 0.7; along < 70; along += 0.7)
+    profile.back.push_back(bend + along * Vector2d(0.6, -0.8));
+  const auto found = midlineLandmarks(profile);
+  ASSERT_TRUE(found.opisthocranion && found.inion);
+  EXPECT_LT((*found.inion - bend).norm(), 6.0) << found.inion->transpose();
+  profile.back = skull;  // the scan ends at the bend: nothing shows where the neck begins
+  EXPECT_FALSE(midlineLandmarks(profile).inion);
+}
+
 TEST(MidlineProfile, OfNothingIsEmpty) {
   EXPECT_TRUE(
       midlineProfile({Vector3d(5, 0, 0), Vector3d(6, 0, 0), Vector3d(5, 1, 0)}, {Eigen::Vector3i(0, 1, 2)})
