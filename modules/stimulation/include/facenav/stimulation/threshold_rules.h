@@ -45,7 +45,7 @@ struct ThresholdRules {
   static constexpr Evidence kPrior{
       Origin::fitted,
       "published table of 350 hotspots of the left first dorsal interosseous muscle "
-      "(TMSMultiLab): median 52 %, standard deviation 13.7 %; no other data"};
+      "(TMSMultiLab): median 52 %, standard deviation 13.7 %; none held out"};
   static constexpr Evidence kStop{
       Origin::chosen,
       "a stimulator is set in whole %, so +-2 % is what a treatment at 80 to 120 % of "
