@@ -1,23 +1,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "normal_curve.h"
 #include "searches.h"
 
 namespace facenav::stimulation {
 namespace {
 
 // Thresholds above the stimulator's output are possible, and must not be pressed below it.
-constexpr double kLowest_pct = 1, kHighest_pct = 150, kStep_pct = 0.25;
+constexpr double kLowestCell_pct = 1, kHighestCell_pct = 150, kStep_pct = 0.25;
 constexpr double kLeastProbability = 1e-12;  // one answer alone never excludes a threshold for good
 constexpr double kTail = 0.025;
 
-double normalBelow(double z) { return 0.5 * std::erfc(-z * M_SQRT1_2); }
-
-double thresholdAt(std::size_t cell) { return kLowest_pct + double(cell) * kStep_pct; }
+double thresholdAt(std::size_t cell) { return kLowestCell_pct + double(cell) * kStep_pct; }
 
 /// Probabilities of the grid's thresholds, together 1.
 std::vector<double> posterior(const std::vector<ThresholdAnswer>& answers, const ThresholdRules& rules) {
-  std::vector<double> logs(std::size_t(std::lround((kHighest_pct - kLowest_pct) / kStep_pct)) + 1);
+  std::vector<double> logs(std::size_t(std::lround((kHighestCell_pct - kLowestCell_pct) / kStep_pct)) + 1);
   for (std::size_t cell = 0; cell < logs.size(); ++cell) {
     const double threshold = thresholdAt(cell), spread = rules.spread_share * threshold;
     const double z = (threshold - rules.prior_mean_pct) / rules.prior_spread_pct;
@@ -49,7 +48,7 @@ double quantileOf(const std::vector<double>& probabilities, double share) {
     if (sum >= share)  // a cell's probability is spread evenly over its width
       return thresholdAt(cell) + kStep_pct * ((share - before) / probabilities[cell] - 0.5);
   }
-  return kHighest_pct;
+  return kHighestCell_pct;
 }
 
 }  // namespace

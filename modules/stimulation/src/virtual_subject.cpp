@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "normal_curve.h"
+
 namespace facenav::stimulation {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double kLeastShown_v = 1e-8;  // no amplitude is smaller
 constexpr double kSmallest_pct = 1e-9;  // distance from the onset; below it nothing is evoked
 constexpr int kExcitabilityNodes = 41, kNoiseNodes = 9;
 constexpr double kLowest_pct = 30, kHighest_pct = 100;
-
-double normalBelow(double z) { return 0.5 * std::erfc(-z * M_SQRT1_2); }
 
 /// z with the given share below it, by bisection.
 double normalQuantile(double share) {

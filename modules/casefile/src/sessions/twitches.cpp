@@ -10,7 +10,7 @@
 namespace facenav::casefile {
 namespace {
 
-constexpr const char* kEdits = "pulse_edits.jsonl";
+constexpr const char* kPulseEdits = "pulse_edits.jsonl";
 
 }  // namespace
 
@@ -19,14 +19,14 @@ void keepTwitch(const std::filesystem::path& session_folder, int pulse, bool has
                                     {"pulse", pulse},
                                     {"change", "twitch"},
                                     {"twitch", has_twitched ? 1 : 0}};
-  AppendedFile file(session_folder / kEdits, "", AppendedFile::Start::old_or_fresh);
+  AppendedFile file(session_folder / kPulseEdits, "", AppendedFile::Start::old_or_fresh);
   file.append(line.dump() + "\n");
   file.sync();
 }
 
 std::map<int, bool> readTwitches(const std::filesystem::path& session_folder) {
   std::map<int, bool> twitches;
-  for (const JsonReader& line : readJsonLines(session_folder / kEdits).lines) {
+  for (const JsonReader& line : readJsonLines(session_folder / kPulseEdits).lines) {
     try {
       if (line.at("change").text() == "twitch")
         twitches[line.at("pulse").integer()] = line.at("twitch").integer() != 0;
