@@ -139,11 +139,11 @@ void showPulses(const PulsesRequest& request, const std::filesystem::path& folde
 
 void addSessions(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("sessions", "the sessions of a case, one a line, with their quality");
-  struct Request {
+  struct ReviewRequest {
     std::filesystem::path case_folder;
     bool is_json = false;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ReviewRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {
@@ -191,13 +191,13 @@ void addPulses(CLI::App& app, Context& context) {
 
 void addReport(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("report", "a session as one page for the chart, to read and to print");
-  struct Request {
+  struct ReviewRequest {
     std::filesystem::path case_folder;
     std::string session;
     std::optional<std::filesystem::path> output;
     workflow::ReportOptions options;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ReviewRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("SESSION", request->session, "its name, or how it begins; default: the newest");
   verb->add_option("-o,--output", request->output, "report.html to write; default: in the session's folder");

@@ -74,12 +74,12 @@ void addLocate(CLI::App& app, Context&) {
 void addTarget(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "target", "adds a target to a case, typed in MNI or MRI coordinates; the coil tangent over it");
-  struct Request {
+  struct TargetRequest {
     std::string name;
     double handle_deg = 45, gap_mm = 0;
   };
   auto place = std::make_shared<Place>();
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<TargetRequest>();
   addPlaceOptions(*verb, place);
   verb->add_option("--name", request->name, "name of the target; one of the same name is replaced")
       ->required();

@@ -14,18 +14,18 @@ using Eigen::Vector3d;
 constexpr double kPixelsPerMm = 2.0;
 
 /// One orthographic view: image right, image down, towards the viewer; Mri directions.
-struct View {
+struct FaceSide {
   const char* title;
   Vector3d right, down, toward;
 };
 
-std::vector<View> viewsOf(const surface::FaceLandmarks& landmarks) {
+std::vector<FaceSide> viewsOf(const surface::FaceLandmarks& landmarks) {
   const Vector3d r = landmarks.right.v, f = landmarks.front.v, u = landmarks.up.v;
   return {{"right side", f, -u, r}, {"front", -r, -u, f}, {"left side", -f, -u, -r}};
 }
 
 struct Canvas {
-  View view;
+  FaceSide view;
   cv::Mat image;  // 8-bit, 3 channels, R G B
   Vector3d corner_mm;
 
@@ -66,7 +66,7 @@ void drawSkin(Canvas& canvas, const surface::TriangleMesh& mesh) {
   }
 }
 
-Canvas makeCanvas(const View& view, const surface::TriangleMesh& mesh) {
+Canvas makeCanvas(const FaceSide& view, const surface::TriangleMesh& mesh) {
   constexpr double kMargin_mm = 30, kHeadHeight_mm = 260;
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
   for (const auto& v : mesh.vertices_mm) {
@@ -84,7 +84,7 @@ Canvas makeCanvas(const View& view, const surface::TriangleMesh& mesh) {
 }
 
 /// True if the landmark is visible in this view: on its side of the head, or near the midline and in front.
-bool isSeen(const View& view, const surface::FaceLandmark& landmark, const surface::FaceLandmarks& all) {
+bool isSeen(const FaceSide& view, const surface::FaceLandmark& landmark, const surface::FaceLandmarks& all) {
   const std::string& name = landmark.name;
   const bool is_right = name.size() > 2 && name.substr(name.size() - 2) == " R";
   const bool is_left = name.size() > 2 && name.substr(name.size() - 2) == " L";
@@ -124,7 +124,7 @@ RgbImage drawFaceMeasures(const surface::ScalpSurface& scalp, const surface::Fac
                           const std::vector<surface::FaceMeasure>& measures) {
   std::vector<Canvas> canvases;
   int width = 0, height = 0;
-  for (const View& view : viewsOf(landmarks)) {
+  for (const FaceSide& view : viewsOf(landmarks)) {
     canvases.push_back(makeCanvas(view, scalp.mesh));
     drawMeasures(canvases.back(), landmarks, measures);
     width += canvases.back().image.cols;

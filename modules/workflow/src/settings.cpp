@@ -1,8 +1,10 @@
 #include "facenav/workflow/settings.h"
 
+#include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/guidance/mep_map.h"
 #include "facenav/head_tracking/identity_model.h"
+#include "facenav/head_tracking/search_budget.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "facenav/head_tracking/step_limits.h"
@@ -21,10 +23,11 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
-                   head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
-                   head_tracking::SkinFieldModel, head_tracking::StepLimits, stimulation::ThresholdRules,
-                   links::PulseDeadTimes, guidance::MepMapOptions>;
+using All =
+    Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
+           head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, stimulation::ThresholdRules,
+           links::PulseDeadTimes, guidance::MepMapOptions>;
 
 }  // namespace
 

@@ -113,6 +113,23 @@ TEST(MidlineLandmarks, OfANoddingHeadAreTheSame) {
   }
 }
 
+/// Tilted back by 75 degrees the nose lies at the start of the outline. It may be missing then, but a chin
+/// may not be taken for it.
+TEST(MidlineLandmarks, TheChinOfAHeadTiltedFarBackIsNoNose) {
+  for (double pitch_deg = -40; pitch_deg <= 90; pitch_deg += 2.5) {
+    const Eigen::Isometry3d nod(Eigen::AngleAxisd(pitch_deg * M_PI / 180, Vector3d::UnitX()));
+    const MidlineLandmarks found = landmarksOf(strip(true, -112, nod));
+    EXPECT_TRUE(found.pronasale || pitch_deg > 50) << pitch_deg << " degrees";
+    if (!found.pronasale) {
+      EXPECT_FALSE(found.nasion || found.subnasale || found.pogonion) << pitch_deg << " degrees";
+      continue;
+    }
+    const Vector2d tip = onFace(kTip_mm);
+    const Vector3d moved = nod * Vector3d(0, tip.x(), tip.y());
+    EXPECT_LT((moved.tail<2>() - *found.pronasale).norm(), 4.0) << pitch_deg << " degrees";
+  }
+}
+
 TEST(MidlineLandmarks, AFaceWithoutANoseHasNone) {
   const MidlineLandmarks found = landmarksOf(strip(false));
   EXPECT_FALSE(found.pronasale);

@@ -7,12 +7,11 @@
 #include "facenav/casefile/utc_time.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/interpolate.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 
 namespace facenav::session {
 namespace {
-
-constexpr double kDegree = 180.0 / M_PI;
 
 /// "FACE COVERED: move the coil or hand aside" -> "face covered": what was, not what to do.
 std::string titleOf(const std::string& words) {
@@ -32,11 +31,11 @@ std::string outsideWords(const guidance::GuidanceValues& values, const guidance:
       formatted("%.1f mm too %s (%.1f allowed)", std::abs(values.depth_mm),
                 values.depth_mm > 0 ? "deep" : "high", tolerance.depth_mm));
   add(values.tilt_rad > tolerance.tilt_rad,
-      formatted("tilted by %.1f deg (%.1f allowed)", values.tilt_rad * kDegree,
-                tolerance.tilt_rad * kDegree));
+      formatted("tilted by %.1f deg (%.1f allowed)", values.tilt_rad * kDegPerRad,
+                tolerance.tilt_rad * kDegPerRad));
   add(std::abs(values.twist_rad) > tolerance.twist_rad,
-      formatted("turned by %.1f deg (%.1f allowed)", std::abs(values.twist_rad) * kDegree,
-                tolerance.twist_rad * kDegree));
+      formatted("turned by %.1f deg (%.1f allowed)", std::abs(values.twist_rad) * kDegPerRad,
+                tolerance.twist_rad * kDegPerRad));
   return words;
 }
 
@@ -92,8 +91,8 @@ void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
     return;
   }
   const auto values = guidance::evaluate(frame.chosen->target, *pulse.mri_T_coil());
-  pulse.offset = {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegree,
-                  values.twist_rad * kDegree};
+  pulse.offset = {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegPerRad,
+                  values.twist_rad * kDegPerRad};
   pulse.reason = outsideWords(values, frame.tolerance);
   if (pulse.reason.empty()) pulse.reason = doubtWords(pulse, frame.chosen->target);
   pulse.status = pulse.reason.empty() ? casefile::PulseStatus::on_target : casefile::PulseStatus::outside;

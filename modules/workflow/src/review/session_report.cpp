@@ -7,6 +7,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/workflow/session_review.h"
 #include "facenav/workflow/software_version.h"
@@ -20,7 +21,6 @@ namespace {
 constexpr const char* kNotRecorded = "not recorded";
 constexpr std::size_t kMostRows = 60;  // of a table on paper; pulses.csv and events.jsonl hold all
 constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // the share of pulses that published sheets state
-constexpr double kDegree = 180.0 / M_PI;
 constexpr double kDistanceBin_mm = 0.5, kTiltBin_deg = 1.0;
 
 /// Words with a path: without its folders, whose names may be the patient's.
@@ -164,7 +164,7 @@ std::string figuresPart(const casefile::KeptSession& session) {
   const guidance::Tolerance tolerance{};
   return headingHtml("Pulses against their targets") +
          histogramSvg("Distance", "mm", distance_mm, kDistanceBin_mm, kNear_mm) +
-         histogramSvg("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegree) +
+         histogramSvg("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegPerRad) +
          placesSvg("Where the coil's centre was", places, tolerance.lateral_mm) +
          paragraphHtml(
              "Filled circle: on target. Open square: outside the tolerance. Grey cross: excluded, in "

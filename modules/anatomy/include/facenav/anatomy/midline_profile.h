@@ -25,7 +25,8 @@ MidlineProfile midlineProfile(const std::vector<Eigen::Vector3d>& head_mm,
 struct MidlineLandmarks {
   std::optional<Eigen::Vector2d> glabella, nasion, pronasale, subnasale, pogonion, opisthocranion;
 };
-/// Empty when the outline has no nose, or ends above a landmark.
+/// Empty when the outline has no nose, ends above a landmark, or the head is tilted back by more than
+/// 50 degrees.
 MidlineLandmarks midlineLandmarks(const MidlineProfile& profile);
 
 }  // namespace facenav::anatomy
