@@ -3,14 +3,17 @@
 #include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/guidance/coil_plate.h"
+#include "facenav/guidance/mep_map.h"
 #include "facenav/head_tracking/identity_model.h"
 #include "facenav/head_tracking/search_budget.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "facenav/head_tracking/step_limits.h"
+#include "facenav/links/pulse_dead_times.h"
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/stimulation/threshold_rules.h"
 
 namespace facenav::workflow {
 namespace {
@@ -24,7 +27,8 @@ struct Groups {
 using All =
     Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
-           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest>;
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
+           stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions>;
 
 }  // namespace
 
