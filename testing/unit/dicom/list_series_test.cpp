@@ -154,7 +154,7 @@ TEST(ListSeries, TheFaultOfADamagedFileIsNamedWithoutItsPath) {
     for (const auto& info : listFolder(where)) {
       EXPECT_EQ(info.problem_kind, dicom::SeriesProblem::damaged);
       EXPECT_EQ(info.problem_file, damaged);
-      EXPECT_THAT(info.problem, HasSubstr("DICOM header is damaged"));
+      EXPECT_THAT(info.problem, HasSubstr("DICOM header is cut off or damaged"));
       EXPECT_EQ(info.problem.find("Jane"), std::string::npos) << info.problem;
       EXPECT_EQ(info.problem.find("again"), std::string::npos) << info.problem;
     }

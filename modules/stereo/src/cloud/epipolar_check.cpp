@@ -24,7 +24,7 @@ inline double betweenPixels(const float* row, double x) {
 }
 
 // Sums of one step of least squares: unknowns row shift, disparity, gain and offset.
-struct Step {
+struct RowFit {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
   double squares = 0;  // of the left grey values
@@ -34,14 +34,14 @@ struct Step {
 // must exceed that of noise: for independent noise in both images it is half the residual at most
 // (differences of rows: variance 1/2 of an image's, residuals: 2). Without texture the least squares would
 // return 0, which is no measurement.
-bool fixesRowShift(const Step& step, const Eigen::Vector4d& solution) {
+bool fixesRowShift(const RowFit& fit, const Eigen::Vector4d& solution) {
   constexpr double kLeastGradient_grey = 0.05, kNoiseGradient = 0.65;
   constexpr double kPixels = (2 * kHalf_px + 1) * (2 * kHalf_px + 1);
-  const Eigen::Vector3d mixed = step.normal.block<3, 1>(1, 0);
+  const Eigen::Vector3d mixed = fit.normal.block<3, 1>(1, 0);
   const Eigen::Vector3d explained =
-      step.normal.bottomRightCorner<3, 3>().completeOrthogonalDecomposition().solve(mixed);
-  const double gradient = std::sqrt(std::max(0.0, step.normal(0, 0) - mixed.dot(explained)) / kPixels);
-  const double residual = std::sqrt(std::max(0.0, step.squares - solution.dot(step.rhs)) / kPixels);
+      fit.normal.bottomRightCorner<3, 3>().completeOrthogonalDecomposition().solve(mixed);
+  const double gradient = std::sqrt(std::max(0.0, fit.normal(0, 0) - mixed.dot(explained)) / kPixels);
+  const double residual = std::sqrt(std::max(0.0, fit.squares - solution.dot(fit.rhs)) / kPixels);
   return gradient > std::max(kLeastGradient_grey, kNoiseGradient * residual);
 }
 
@@ -51,7 +51,7 @@ std::optional<double> rowDifference(const RectifiedPair& pair, const Rectificati
                                     float disparity, float slope_x, float slope_y) {
   double shift = 0, along = 0;
   for (int step = 0; step < 2; ++step) {
-    Step sums;
+    RowFit sums;
     const int whole = int(std::floor(shift));
     const double part = shift - whole;
     if (y - kHalf_px - 1 + whole < 0 || y + kHalf_px + 2 + whole >= pair.right.rows) return std::nullopt;
