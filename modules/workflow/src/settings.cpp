@@ -1,6 +1,7 @@
 #include "facenav/workflow/settings.h"
 
 #include "facenav/core/settings_in_force.h"
+#include "facenav/guidance/mep_map.h"
 #include "facenav/head_tracking/identity_model.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
@@ -8,6 +9,7 @@
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/workflow/mep_import.h"
 
 namespace facenav::workflow {
 namespace {
@@ -18,9 +20,10 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
-                   head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
-                   head_tracking::SkinFieldModel, head_tracking::StepLimits>;
+using All =
+    Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
+           head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
+           head_tracking::StepLimits, guidance::MepMapOptions, MepImportLimits>;
 
 }  // namespace
 
