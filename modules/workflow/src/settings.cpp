@@ -14,6 +14,7 @@
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
 #include "facenav/stimulation/threshold_rules.h"
+#include "facenav/workflow/mep_import.h"
 
 namespace facenav::workflow {
 namespace {
@@ -28,7 +29,7 @@ using All =
     Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
            head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
-           stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions>;
+           stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits>;
 
 }  // namespace
 
