@@ -20,8 +20,8 @@ namespace {
 
 using namespace facenav;
 
-constexpr const char* kVerbsWithSettings[] = {"prepare",  "align", "track",   "cloud",
-                                              "evaluate", "demo",  "settings"};
+constexpr const char* kVerbsWithSettings[] = {"prepare", "align",    "track",  "cloud", "evaluate",
+                                              "demo",    "settings", "pulses", "report"};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 
