@@ -19,14 +19,14 @@ using volume::Mask;
 using volume::Volume;
 using volume::VoxelGrid;
 
-constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
-constexpr double kCore_mm = 4;     // this deep in the first mask there is nothing but brain
+constexpr double kMargin_mm = 16;  // around the first mask: for the search and for the closing's ball
+constexpr double kCore_mm = 4;     // deeper in the first mask there is only brain
 
-constexpr float kMostDoubt_mm = 30;  // where another limit finds no brain at all
+constexpr float kMostDoubt_mm = 30;  // where another limit finds no brain
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
-constexpr double kSafeShare = 0.8;  // of the first guess's ball: nothing but brain, its fluid and ventricles
+constexpr double kSafeShare = 0.8;  // of the first ball: only brain, its fluid and ventricles
 
-/// The part of the grid that holds the mask, with a margin.
+/// The part of the grid with the mask, plus a margin.
 VoxelGrid gridAround(const Mask& mask, double margin_mm) {
   const auto& n = mask.grid.size;
   std::array<int, 3> low = n, high{-1, -1, -1};
@@ -44,7 +44,7 @@ VoxelGrid gridAround(const Mask& mask, double margin_mm) {
   return grid;
 }
 
-/// BET's one median and threshold for the whole head need a field that is about even.
+/// BET uses one median and one threshold for the whole head, so the field must be about even.
 Volume withoutRoughBias(const Volume& working) {
   const Volume coarse = halved(working);
   const BrainStart start = findBrainStart(coarse);
@@ -52,7 +52,7 @@ Volume withoutRoughBias(const Volume& working) {
                                          start.intensities.t));
 }
 
-/// BET's threshold as a share of white matter, set between this scan's own fluid and grey matter: where grey
+/// BET's threshold as a share of white matter, between this scan's own fluid and grey matter. Where grey
 /// matter is dark, Smith's 0.5 would stop inside it.
 double fractionalThreshold(const TissueModel& tissue, float dark) {
   const double level = 0.5 * (tissue.fluid.mean + tissue.grey.mean);
@@ -60,10 +60,10 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
                     kSmithsThreshold);
 }
 
-/// The value of fluid where it is wide open (ventricles): the darkest fiftieth of the core. The fluid's
-/// class, most of which lies in narrow sulci, turns brighter with the size of the voxels and darker with
-/// noise. Only where the core holds next to no fluid (the darkest fiftieth comes near the class' mean) it is
-/// told from the class: as far below it as on 1 mm scans of adults, yet fluid is brighter than air.
+/// Value of open fluid (ventricles): the darkest fiftieth of the core. The class of fluid is mostly in narrow
+/// sulci: its mean rises with the size of the voxels and falls with noise. Where the core has hardly any
+/// fluid (its darkest fiftieth is near the class mean), the value is derived from the class: as far below its
+/// mean as on 1 mm scans of adults, but brighter than air.
 float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue) {
   constexpr double kDarkest = 0.02;
   constexpr double kBelowClass = 0.54, kLeastOfClass = 0.4;  // per distance to grey matter, per mean
@@ -74,19 +74,21 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
     if (core.voxels[v]) values.push_back(flat.voxels[v]);
   if (values.empty()) return float(by_class);
   const float at = selectRank(values, std::size_t(kDarkest * double(values.size())));
-  // From halfway between both on, the class counts more and more.
+  // Between the value from the class and the class mean, from their midpoint on: the value from the class
+  // gets more and more weight.
   const double away = (at - by_class) / std::max(1e-6, tissue.fluid.mean - by_class);
   return float(at + (by_class - at) * std::clamp(2 * away - 1, 0.0, 1.0));
 }
 
-/// What the surface is sought in: coarse voxels show crowns and thin films of fluid as little as this does.
-/// The classes are told apart better without: where sulci are few, theirs of fluid would be lost.
+/// The image in which the surface is searched: blurred so that it shows crowns and thin films of fluid as
+/// little as coarse voxels do. The classes are fitted without this blur: where sulci are few, it would remove
+/// the class of fluid.
 Volume softened(const Volume& image) {
   return volume::spread(image, Eigen::Vector3d::Constant(settingsOf<BrainGrowth>().softening_mm2));
 }
 
-/// By the level of the smoothed mask: the steps of the working grid, which lies anyhow against the scan's,
-/// would leave their pattern in the scan's own.
+/// Thresholds the smoothed mask. The steps of the working grid, which is at an angle to the scan's, would
+/// otherwise leave a pattern in the scan's grid.
 Mask onGrid(const Mask& brain, const VoxelGrid& grid) {
   const Volume level = volume::smoothed({brain.grid, {brain.voxels.begin(), brain.voxels.end()}, {}, {}});
   Mask out{grid, std::vector<std::uint8_t>(grid.count())};
@@ -95,10 +97,10 @@ Mask onGrid(const Mask& brain, const VoxelGrid& grid) {
   return out;
 }
 
-constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
+constexpr int kDoubtStep = 2;  // voxels between the places with a stated uncertainty
 
-/// Where a stricter and a more generous limit of tissue would put the surface: from the mean of the fluid in
-/// sulci to where grey matter's class begins; the generous one may also pass into sinuses and dura.
+/// Distance to the surfaces of a stricter and of a more generous limit of tissue: from the mean of the fluid
+/// in sulci to the start of grey matter's class. The generous one may also enter sinuses and dura.
 std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement,
                                     const BrainGrowth& growth) {
   const auto awayOf = [&](double stricter, double rise) {
@@ -128,7 +130,7 @@ class BrainSegmenter : public Segmenter {
     const Volume working = withoutRoughBias(workingVolume(volume, 1.0)), coarse = halved(working);
     const BrainStart by_head = findBrainStart(coarse);
     requireTissueSpread(coarse, by_head.sphere);
-    // The classes from the first ball: it reaches into the fluid, which the brain's own may hold none of.
+    // The classes come from the first ball: it includes fluid, which the brain's own ball may lack.
     const TissueModel rough = fitTissue(
         coarse, ballOf(coarse.grid, by_head.sphere.centre_mm, kSafeShare * by_head.sphere.radius_mm));
     BetOptions bet;
@@ -141,8 +143,7 @@ class BrainSegmenter : public Segmenter {
     const Mask core = erode(first, kCore_mm);
     const Volume image = atCommonSharpness(volume::resample(working, grid), volume.grid, core, rough);
     monitor.report("measuring grey and white matter", 0.6);
-    // Without the voxels' noise, which would spread the fluid's class down into air and with it the limit of
-    // tissue.
+    // Without noise, which would widen the fluid's class towards air and lower the limit of tissue.
     const Volume calm = smoothed(image);
     const TissueModel tissue = fitTissue(calm, core, &rough);
     requireTissueContrast(tissue);

@@ -1,14 +1,19 @@
 #include "facenav/workflow/settings.h"
 
+#include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/guidance/coil_plate.h"
 #include "facenav/guidance/mep_map.h"
 #include "facenav/head_tracking/identity_model.h"
+#include "facenav/head_tracking/search_budget.h"
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "facenav/head_tracking/step_limits.h"
+#include "facenav/links/pulse_dead_times.h"
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/stimulation/threshold_rules.h"
 #include "facenav/workflow/mep_import.h"
 
 namespace facenav::workflow {
@@ -23,7 +28,8 @@ struct Groups {
 using All =
     Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
-           head_tracking::StepLimits, guidance::MepMapOptions, MepImportLimits>;
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
+           stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits>;
 
 }  // namespace
 
