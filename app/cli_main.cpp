@@ -21,7 +21,7 @@ namespace {
 using namespace facenav;
 
 constexpr const char* kVerbsWithSettings[] = {"prepare", "align",    "track",     "cloud",  "evaluate",
-                                              "demo",    "settings", "threshold", "hotspot"};
+                                              "demo",    "settings", "threshold", "hotspot", "pulses", "report"};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 

@@ -224,7 +224,7 @@ std::string figuresPart(const casefile::KeptSession& session, SessionReport& rep
   const auto chart = [&](Chart drawn) { return placed({std::move(drawn), {}}, report); };
   return headingHtml("Pulses against their targets") +
          chart(histogramChart("Distance", "mm", distance_mm, kDistanceBin_mm, kNear_mm)) +
-         chart(histogramChart("Tilt", "deg", tilt_deg, kTiltBin_deg, *limitOf(PulseColumn::tilt))) +
+         chart(histogramChart("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegPerRad)) +
          chart(placesChart("Where the coil's centre was", places, tolerance.lateral_mm)) +
          chart(driftChart(session.pulses.pulses, PulseColumn::distance)) +
          paragraphHtml(
