@@ -109,10 +109,12 @@ class PlanSteps {
     if (!request_.preset.empty()) addPreset(editor);
     if (!request_.map.empty()) addPeak(editor);
     if (!request_.target.empty()) editor.setActive(store_.targets().find(request_.target).name);
-    has_edited_ |= !request_.preset.empty() || !request_.map.empty();
+    const bool has_added = !request_.preset.empty() || !request_.map.empty();
+    has_edited_ |= has_added;
     const auto step = [&](bool is_wanted, auto edit) {
       if (!is_wanted) return;
-      if (!editor.active()) throw Error("no target is named", {}, "give --target NAME");
+      const bool is_named = !request_.target.empty() || has_added;
+      if (!is_named || !editor.active()) throw Error("no target is named", {}, "give --target NAME");
       edit();
       has_edited_ = true;
     };

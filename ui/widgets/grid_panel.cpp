@@ -34,6 +34,7 @@ GridPanel::GridPanel(PlanPresenter& presenter, QWidget* parent) : QFrame(parent)
   make_ = new QPushButton(tr("Make the grid"), this);
   make_->setToolTip(tr("targets round the active one, handles along the curvature; edited ones stay"));
   remove_ = new QPushButton(tr("Remove the grid"), this);
+  remove_->setToolTip(tr("removes its targets; those that were edited by hand stay"));
   form->addRow(make_);
   form->addRow(remove_);
   connect(make_, &QPushButton::clicked, this, &GridPanel::make);

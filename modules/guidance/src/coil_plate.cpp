@@ -79,17 +79,20 @@ class RestingPlate {
   void findTangent() {
     const Matrix3d planned = axes_;
     constexpr int kMostRounds = 40;
-    constexpr double kStill_rad = 1e-4, kNearby_rad = 35 * M_PI / 180;
+    constexpr double kStill_rad = 1e-4, kSettled_rad = 0.01, kNearby_rad = 35 * M_PI / 180;
     const double patch_mm = settingsOf<PlateRest>().patch_mm;
-    for (int round = 0; round < kMostRounds; ++round) {
+    double step_rad = kNearby_rad;
+    for (int round = 0; round < kMostRounds && step_rad > kStill_rad; ++round) {
       const auto normal = normalRound(under_axis_, axes_, pivot_mm_, skinHeight(), patch_mm);
       if (!normal) break;
-      const double step_rad = angleBetween_rad(axes_.col(2), -*normal);
+      step_rad = angleBetween_rad(axes_.col(2), -*normal);
       axes_ = carried(axes_, -*normal);
-      if (angleBetween_rad(axes_.col(2), planned.col(2)) > kNearby_rad) break;
-      if (step_rad < kStill_rad) return;
+      if (angleBetween_rad(axes_.col(2), planned.col(2)) > kNearby_rad) {
+        step_rad = kNearby_rad;
+        break;
+      }
     }
-    axes_ = planned;
+    if (step_rad > kSettled_rad) axes_ = planned;
   }
 
   /// Slopes, in the present axes, of the plate nearest to the tangent one whose centre is low enough.

@@ -75,6 +75,7 @@ const ScalpLandmark& ScalpLandmarks::known(Landmark which) const {
 }
 
 ScalpLandmarks findScalpLandmarks(const ScalpSurface& scalp) {
+  if (!scalp.has_face) return {};  // a defaced scan shows false ones
   const FaceLandmarks face = findFaceLandmarks(scalp);
   ScalpLandmarks found;
   for (const Landmark landmark : kLandmarks)

@@ -49,12 +49,12 @@ bool isOnEdge(const surface::ScalpSurface& scalp, const Point<Mri>& p) {
 
 surface::ScalpLandmarks findLandmarks(const surface::ScalpSurface& scalp, const atlas::AtlasMap* atlas) {
   surface::ScalpLandmarks landmarks = surface::findScalpLandmarks(scalp);
-  if (!atlas || landmarks.isComplete()) return landmarks;
+  if (!atlas) return landmarks;
   const surface::ClosestPoint skin(scalp.mesh);
   for (const Landmark which : surface::kLandmarks) {
-    if (landmarks[which]) continue;
     const auto place = skin.nearest(atlas->toMri(templateLandmark(which)));
     const double sd_mm = std::hypot(kThroughAtlas_mm, place.distance_mm);
+    if (landmarks[which] && landmarks[which]->sd_mm <= sd_mm) continue;
     landmarks[which] =
         ScalpLandmark{place.point, sd_mm, LandmarkSource::atlas, isOnEdge(scalp, place.point), {}, {}};
   }

@@ -48,7 +48,7 @@ class ScalpLandmarks {
   std::array<std::optional<ScalpLandmark>, 4> all_;
 };
 
-/// Those that the skin's shape shows: none without a nose, no tragi where the scan cuts the ears. Takes about
+/// Those that the skin's shape shows: none without a face, no tragi where the scan cuts the ears. Takes about
 /// a second.
 ScalpLandmarks findScalpLandmarks(const ScalpSurface& scalp);
 

@@ -9,8 +9,8 @@
 
 namespace facenav::workflow {
 
-/// As the skin shows them; those that it does not show come from the template: its landmark carried to this
-/// head by the atlas and put on the nearest skin. `atlas` may be null.
+/// Of two ways the one with the smaller error: as the skin shows it, or the template's landmark carried to
+/// this head by the atlas and put on the nearest skin. `atlas` may be null.
 surface::ScalpLandmarks findLandmarks(const surface::ScalpSurface& scalp, const atlas::AtlasMap* atlas);
 
 /// Those of the case; found and kept at the first call. Takes a second or two then.
