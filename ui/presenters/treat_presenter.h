@@ -64,6 +64,8 @@ class TreatPresenter : public QObject {
   bool note(const QString& event, const QString& detail);
 
   session::PulseCounts pulseCounts() const;
+  /// Of the target's dose or the case's protocol; nothing: no goal.
+  std::optional<int> plannedPulses() const { return treatment_ ? treatment_->plannedPulses() : std::nullopt; }
   /// The newest pulse with a verdict; nothing without one.
   std::optional<session::JudgedPulse> lastPulse() const;
 

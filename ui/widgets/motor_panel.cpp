@@ -93,6 +93,7 @@ QWidget* MotorPanel::makeSearch() {
   muscle_->setPlaceholderText(tr("muscle"));
   muscle_->setToolTip(tr("muscle and side, as the report shall name it"));
   search_ = new QPushButton(bar);
+  search_->setToolTip(tr("begins a search for the motor threshold, or goes on with an unfinished one"));
   back_ = new QPushButton(tr("Undo"), bar);
   back_->setToolTip(tr("takes the search's last answer back"));
   connect(search_, &QPushButton::clicked, this, [this] {

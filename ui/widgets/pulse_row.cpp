@@ -63,10 +63,11 @@ void PulseRow::refresh() {
   showLastPulse();
 }
 
-/// "pulses 12: 10 on target, 1 outside, 1 lost"; only what there is.
+/// "pulses 12 of 3000: 10 on target, 1 outside, 1 lost"; only what there is.
 QString PulseRow::pulseWords() const {
   const auto counts = treat_.pulseCounts();
   QString words = tr("pulses %1").arg(treat_.pulses());
+  if (const auto planned = treat_.plannedPulses()) words += tr(" of %1").arg(*planned);
   if (counts.outside + counts.lost == 0) return words;
   words += tr(": %1 on target").arg(counts.on_target);
   if (counts.outside > 0) words += tr(", %1 outside").arg(counts.outside);

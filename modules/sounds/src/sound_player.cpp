@@ -144,6 +144,7 @@ void SoundPlayer::Implementation::run() {
   {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return is_stopping || asked.has_value(); });
+    if (is_stopping) return;
   }
   for (const PlayCommand& player : players) {
     try {

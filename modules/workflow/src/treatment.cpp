@@ -28,6 +28,22 @@ void keepKeyFrames(const session::Session& session, const std::filesystem::path&
   }
 }
 
+/// Nothing without one, or where it cannot be read: the session then counts without a goal, and that is
+/// logged.
+std::optional<casefile::Protocol> protocolFor(const std::filesystem::path& case_folder,
+                                              session::TreatmentLog& log) {
+  try {
+    auto protocol = casefile::protocolOf(case_folder);
+    if (protocol)
+      log.addEvent("protocol", protocol->name + formatted(", version %d: %d pulses", protocol->version,
+                                                          protocol->dose.pulses));
+    return protocol;
+  } catch (const Error& error) {
+    log.addEvent("protocol", std::string("cannot be read, no goal: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const guidance::Target* target) {
   if (const auto& given = request.override) log.addEvent("override", given->by + ": " + given->reason);
   log.addEvent("target", target ? target->name : "");
@@ -83,6 +99,8 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, prepared.request.alignment->scalp);
   session_folder_ = log_->folder();
   logStart(*log_, prepared.request, target ? &target->target : nullptr);
+  protocol_ = protocolFor(case_folder_, *log_);
+  plan(target ? &target->target : nullptr);
   keyboard_.start(listenerFor(keyboard_.name()));
   session_->start();
 }
@@ -103,6 +121,13 @@ void Treatment::listen(std::unique_ptr<links::PulseSource> source) {
   source->start(listenerFor(source->name()));
   log_->addEvent(session_events::kSource, source->name() + ": listening");
   sources_.push_back(std::move(source));
+}
+
+/// The target's own dose wins.
+void Treatment::plan(const guidance::Target* target) {
+  planned_pulses_.reset();
+  if (protocol_) planned_pulses_ = protocol_->dose.pulses;
+  if (target && target->dose) planned_pulses_ = target->dose->pulses;
 }
 
 void Treatment::stopListening() {
@@ -132,6 +157,7 @@ Treatment::~Treatment() { end(); }
 void Treatment::chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name) {
   session_->setTarget(target);
   log_->addEvent("target", name);
+  plan(target ? &target->target : nullptr);
 }
 
 void Treatment::end() {

@@ -135,6 +135,26 @@ TEST_F(TreatmentTest, TheMusclesAnswersAreKeptWithTheirPulses) {
   EXPECT_EQ(casefile::readTwitches(session.folder), (std::map<int, bool>{{2, true}}));
 }
 
+TEST_F(TreatmentTest, PulsesCountAgainstTheProtocolUnlessTheTargetHasADoseOfItsOwn) {
+  casefile::Protocol protocol;
+  protocol.name = "M1 10 Hz";
+  protocol.dose.pulses = 3000;
+  casefile::setProtocol(store_.folder(), protocol);
+  auto treatment = start();
+  EXPECT_EQ(treatment->plannedPulses(), 3000);
+  auto other = fakes::targetAt(kMarker.reframe<Camera, Coil>());
+  other.target.dose = guidance::Dose{};
+  other.target.dose->pulses = 600;
+  treatment->chooseTarget(other, "other");
+  EXPECT_EQ(treatment->plannedPulses(), 600);
+  treatment->end();
+  std::string events;
+  for (const auto& event : kept().events) events += event.event + ": " + event.detail + "\n";
+  EXPECT_THAT(events, HasSubstr("protocol: M1 10 Hz, version 1: 3000 pulses"));
+}
+
+TEST_F(TreatmentTest, WithoutAProtocolThereIsNoGoal) { EXPECT_FALSE(start()->plannedPulses()); }
+
 TEST_F(TreatmentTest, ASourceThatCannotBeOpenedLeavesTheSessionAlone) {
   auto treatment = start();
   EXPECT_THROW(treatment->listen(links::openPulseSource("serial:/dev/facenav-no-such-port")), Error);

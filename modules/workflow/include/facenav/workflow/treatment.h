@@ -11,6 +11,7 @@
 
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/casefile/protocol.h"
 #include "facenav/links/pulse_source.h"
 #include "facenav/session/treatment_log.h"
 #include "facenav/workflow/align_from_capture.h"
@@ -70,6 +71,9 @@ class Treatment {
   Treatment(const Treatment&) = delete;
   Treatment& operator=(const Treatment&) = delete;
 
+  /// Pulses that the target's own dose, else the case's protocol, wants in this session; nothing: not stated.
+  std::optional<int> plannedPulses() const { return planned_pulses_; }
+
   // Until end():
   session::Session& session() { return *session_; }
   const session::Session& session() const { return *session_; }
@@ -100,11 +104,14 @@ class Treatment {
 
  private:
   links::PulseListener listenerFor(const std::string& source);
+  void plan(const guidance::Target* target);
 
   std::filesystem::path case_folder_, session_folder_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;
   std::atomic<double> intensity_pct_{-1};  // < 0: not known; read by the sources' threads
+  std::optional<casefile::Protocol> protocol_;
+  std::optional<int> planned_pulses_;
   bool is_paused_ = false;
   links::KeyboardSource keyboard_;
   std::vector<std::unique_ptr<links::PulseSource>> sources_;  // they stop before the log ends
