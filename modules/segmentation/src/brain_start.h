@@ -16,8 +16,8 @@ struct BrainStart {
 /// voxels with some millimetres of air around it, through which all the working steps run. Values that are
 /// not finite count as air.
 volume::Volume workingVolume(const volume::Volume& volume, double spacing_mm);
-/// Mean of 2 x 2 x 2 voxels.
-volume::Volume halved(const volume::Volume& volume);
+/// Mean of 2 x 2 x 2 voxels, from voxel (first, first, first) on.
+volume::Volume halved(const volume::Volume& volume, int first = 0);
 
 /// Throws Error "no brain can be modelled: ..." where no head-sized object is there.
 BrainStart findBrainStart(const volume::Volume& working);

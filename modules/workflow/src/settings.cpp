@@ -8,6 +8,7 @@
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/segmentation/prior_use.h"
 
 namespace facenav::workflow {
 namespace {
@@ -18,8 +19,8 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, registration::FitLimits, registration::MisfitPrior,
-                   head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
+using All = Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
+                   registration::MisfitPrior, head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
                    head_tracking::SkinFieldModel, head_tracking::StepLimits>;
 
 }  // namespace
