@@ -19,6 +19,7 @@ constexpr int kMostOffCentre = 15;  // voxels of 4 mm, either way: as in trainin
 constexpr int kMoves = 3;
 constexpr double kSettled_mm = 6;
 constexpr double kLeastBrain_ml = 250;
+constexpr double kBorder_mm = 16;
 constexpr double kLeastShape = 0.1;  // of the variance left in voxels of 4 mm; of noise alone 0.02 is left
 
 /// Middles of windows along one axis, voxels.
@@ -48,11 +49,18 @@ Mask maskOf(const Volume& probability) {
   return volume::largestPart(mask);
 }
 
-double varianceOf(const std::vector<float>& values) {
-  double sum = 0, squares = 0;
-  for (const float v : values) sum += v, squares += double(v) * v;
-  const double n = double(std::max<std::size_t>(1, values.size()));
-  return squares / n - sum / n * sum / n;
+/// Of the voxels further than `margin_mm` from the grid's border: the air padded to a scan is no shape.
+double varianceWithin(const Volume& volume, double margin_mm) {
+  const int margin = int(std::lround(margin_mm / volume.grid.spacing_mm().mean()));
+  const auto& n = volume.grid.size;
+  double count = 0, sum = 0, squares = 0;
+  for (int k = margin; k < n[2] - margin; ++k)
+    for (int j = margin; j < n[1] - margin; ++j)
+      for (int i = margin; i < n[0] - margin; ++i) {
+        const double v = volume.at(i, j, k);
+        ++count, sum += v, squares += v * v;
+      }
+  return count > 0 ? squares / count - sum / count * sum / count : 0;
 }
 
 /// The middle of the brain, or nothing.
@@ -104,7 +112,8 @@ volume::Mask BrainPrior::mask() const { return volume::fillHoles(maskOf(brain));
 std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const Volume& working) {
   const Volume half = halved(working), coarse = halved(half);
   // The network was never shown a scan without a head: in plain noise it sees one.
-  if (!(varianceOf(coarse.voxels) > kLeastShape * varianceOf(working.voxels))) return std::nullopt;
+  if (!(varianceWithin(coarse, kBorder_mm) > kLeastShape * varianceWithin(working, kBorder_mm)))
+    return std::nullopt;
   const auto centre = placeOf(network, coarse);
   if (!centre) return std::nullopt;
   // Twice, half a voxel apart: where the voxels of 4 mm lie must not show in the outline.
