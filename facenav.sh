@@ -13,7 +13,7 @@ caller=$PWD
 cd "$root" || exit 1
 export FACENAV_CACHE="${FACENAV_CACHE:-$root/build/cache}"
 # One compiler cache for all checkouts of FaceNav: paths below the root are made relative.
-export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$root}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$root}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 log="$root/build/setup.log"
 binaries="$root/build/release/bin"
 

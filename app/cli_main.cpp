@@ -20,8 +20,8 @@ namespace {
 
 using namespace facenav;
 
-constexpr const char* kVerbsWithSettings[] = {"prepare",  "align", "track",   "cloud",
-                                              "evaluate", "demo",  "settings"};
+constexpr const char* kVerbsWithSettings[] = {"prepare", "align",    "track",     "cloud",  "evaluate",
+                                              "demo",    "settings", "threshold", "hotspot", "pulses", "report"};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 
@@ -87,9 +87,13 @@ int runCommandLine(int argc, char** argv) {
   app::addSessions(cli, context);
   app::addPulses(cli, context);
   app::addReport(cli, context);
+  app::addThreshold(cli, context);
+  app::addHotspot(cli, context);
+  app::addNote(cli, context);
   app::addSimulate(cli, context);
   app::addLocate(cli, context);
   app::addTarget(cli, context);
+  app::addPlan(cli, context);
   app::addExport(cli, context);
   app::addMarker(cli, context);
   app::addEvaluate(cli, context);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QFile>
+#include <QGuiApplication>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -14,9 +15,11 @@
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/scene/display.h"
+#include "facenav/workflow/pulse_pictures.h"
 #include "main_window.h"
 #include "presenters/worklist_presenter.h"
 #include "registrations.h"
+#include "report_pdf.h"
 #include "settings_flags.h"
 #include "workspaces/prepare/prepare_workspace.h"
 
@@ -29,6 +32,8 @@ constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
 struct Arguments {
   workflow::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
+  std::string report_pdf, session;
+  bool has_name = false, has_no_pictures = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
 
@@ -77,6 +82,19 @@ double rememberedTextScale(double asked_for) {
   return std::clamp(QSettings().value(key, 1.0).toDouble(), kLeastTextScale, kMostTextScale);
 }
 
+/// The report of a session as PDF, without a window. With an X display the report has pictures.
+int printReport(int argc, char** argv, const Arguments& arguments) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  QGuiApplication application(argc, argv);
+  const auto store = casefile::CaseStore::open(arguments.case_folder);
+  const auto session = casefile::readSession(casefile::findSession(store.folder(), arguments.session));
+  workflow::ReportOptions options;
+  options.has_name = arguments.has_name;
+  if (!arguments.has_no_pictures) options.pictures = workflow::pulsePictures(store, session);
+  ui::writeReportPdf(workflow::makeSessionReport(store, session, options), arguments.report_pdf);
+  return 0;
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!scene::hasDisplay()) {
     std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
@@ -102,6 +120,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   openWhatIsAsked(window, arguments);
   if (!arguments.recording.empty()) window.play(QString::fromStdString(arguments.recording));
   if (arguments.workspace == "plan") window.setWorkspace(ui::Workspace::plan);
+  if (arguments.workspace == "review") window.setWorkspace(ui::Workspace::review);
   if (arguments.workspace == "treat" || (arguments.workspace.empty() && !arguments.recording.empty()))
     window.setWorkspace(ui::Workspace::treat);
   window.show();
@@ -123,14 +142,20 @@ int main(int argc, char** argv) {
   auto* by = cli.add_option("--by", arguments.by, "who overrides");
   reason->needs(by);
   cli.add_option("--play", arguments.recording, "recording to align with and to play live");
-  cli.add_option("--workspace", arguments.workspace, "prepare, plan or treat")
-      ->check(CLI::IsMember({"prepare", "plan", "treat"}));
+  cli.add_option("--workspace", arguments.workspace, "prepare, plan, treat or review")
+      ->check(CLI::IsMember({"prepare", "plan", "treat", "review"}));
   cli.add_option("--screenshot", arguments.screenshot, "save a picture of the window (PNG) and quit");
   cli.add_option("--after", arguments.after_s,
                  "seconds to wait before the screenshot, from when case and recording are shown")
       ->check(CLI::Range(0.1, 600.0));
   cli.add_option("--text-scale", arguments.text_scale, "all text larger or smaller, 2: twice; remembered")
       ->check(CLI::Range(kLeastTextScale, kMostTextScale));
+  cli.add_option("--report-pdf", arguments.report_pdf,
+                 "write the report of a session of --case as PDF and quit, without a window");
+  cli.add_option("--session", arguments.session, "for --report-pdf: its name; default: the newest");
+  cli.add_flag("--no-pictures", arguments.has_no_pictures,
+               "for --report-pdf: without pictures of the pulses on the cortex");
+  cli.add_flag("--with-name", arguments.has_name, "for --report-pdf: adds the case's label");
   app::addSettingsFlags(cli, arguments.settings);
   try {
     cli.parse(argc, argv);
@@ -139,6 +164,7 @@ int main(int argc, char** argv) {
   }
   try {
     workflow::useSettings(arguments.settings);
+    if (!arguments.report_pdf.empty()) return printReport(argc, argv, arguments);
     return runWindow(argc, argv, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "facenav-gui: %s\n", error.what());

@@ -22,6 +22,7 @@
 #include "widgets/window_header.h"
 #include "workspaces/plan_workspace.h"
 #include "workspaces/prepare/prepare_workspace.h"
+#include "workspaces/review/review_workspace.h"
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
@@ -50,6 +51,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       place_(services_, model_),
       plan_(model_),
       treat_(services_, model_, tasks_),
+      review_(model_),
+      replay_(review_, model_),
       stack_(new QStackedWidget(this)) {
   setWindowTitle(tr("FaceNav"));
   setAcceptDrops(true);
@@ -59,6 +62,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   stack_->addWidget(prepare_workspace_);
   stack_->addWidget(new PlanWorkspace(plan_, place_, cortex_, model_, stack_));
   stack_->addWidget(treat_workspace);
+  stack_->addWidget(new ReviewWorkspace(review_, replay_, model_, stack_));
   task_bar_ = new TaskBar(tasks_, this);
   header_ = new WindowHeader(this);
   auto* centre = new QWidget(this);
@@ -92,14 +96,15 @@ void MainWindow::connectWords() {
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
-  connect(&worklist_, &WorklistPresenter::refused, this,
-          [this](const QString& why) { task_bar_->showMessage(why, true); });
-  connect(&treat_, &TreatPresenter::refused, this,
-          [this](const QString& words) { task_bar_->showMessage(words, true); });
-  connect(&plan_, &PlanPresenter::refused, this,
-          [this](const QString& words) { task_bar_->showMessage(words, true); });
-  connect(&edit_, &EditPresenter::refused, this,
-          [this](const QString& words) { task_bar_->showMessage(words, true); });
+  const auto refuse = [this](const QString& words) { task_bar_->showMessage(words, true); };
+  connect(&worklist_, &WorklistPresenter::refused, this, refuse);
+  connect(&treat_, &TreatPresenter::refused, this, refuse);
+  connect(&plan_, &PlanPresenter::refused, this, refuse);
+  connect(&edit_, &EditPresenter::refused, this, refuse);
+  connect(&review_, &ReviewPresenter::refused, this, refuse);
+  connect(&replay_, &ReplayPresenter::refused, this, refuse);
+  connect(&review_, &ReviewPresenter::said, this,
+          [this](const QString& words) { task_bar_->showMessage(words, false); });
 }
 
 void MainWindow::connectPrepare() {
@@ -148,10 +153,12 @@ QWidget* MainWindow::makeNavigation() {
   auto* column = new QVBoxLayout(bar);
   column->setContentsMargins(8, 12, 8, 12);
   navigation_ = new QButtonGroup(this);
-  const QString names[3] = {tr("\u25a3\nPrepare"), tr("\u25ce\nPlan"), tr("\u271a\nTreat")};
-  const QString tips[3] = {tr("MRI to case: series, masks, brain (Ctrl+1)"),
-                           tr("targets on the cortex (Ctrl+2)"), tr("align and guide the coil (Ctrl+3)")};
-  for (int i = 0; i < 3; ++i) {
+  const QString names[4] = {tr("\u25a3\nPrepare"), tr("\u25ce\nPlan"), tr("\u271a\nTreat"),
+                            tr("\u2261\nReview")};
+  const QString tips[4] = {tr("MRI to case: series, masks, brain (Ctrl+1)"),
+                           tr("targets on the cortex (Ctrl+2)"), tr("align and guide the coil (Ctrl+3)"),
+                           tr("what was given, replay, report (Ctrl+4)")};
+  for (int i = 0; i < 4; ++i) {
     auto* button = new QToolButton(bar);
     button->setText(names[i]);
     button->setToolTip(tips[i]);
@@ -252,7 +259,7 @@ void MainWindow::restoreLast() {
   restoreGeometry(settings.value(kGeometry).toByteArray());
   queue_.restore();
   const QString folder = settings.value(kCase).toString();
-  const auto workspace = Workspace(std::clamp(settings.value(kWorkspace, 0).toInt(), 0, 2));
+  const auto workspace = Workspace(std::clamp(settings.value(kWorkspace, 0).toInt(), 0, 3));
   const auto step = PrepareStep(std::clamp(settings.value(kStep, 0).toInt(), 0, int(PrepareStep::archive)));
   recording_to_restore_ = settings.value(kRecording).toString();
   target_to_restore_ = settings.value(kTarget).toString();

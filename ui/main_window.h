@@ -1,5 +1,5 @@
 #pragma once
-// MainWindow: the workstation: header (case, state), three workspaces, task bar. After a restart it restores
+// MainWindow: the workstation: header (case, state), four workspaces, task bar. After a restart it restores
 // case, workspace, step, how the brain is drawn, recording and target; never an alignment.
 
 #include <QMainWindow>
@@ -11,6 +11,8 @@
 #include "presenters/plan_presenter.h"
 #include "presenters/prepare_presenter.h"
 #include "presenters/prepare_queue.h"
+#include "presenters/replay_presenter.h"
+#include "presenters/review_presenter.h"
 #include "presenters/sign_off_presenter.h"
 #include "presenters/treat_presenter.h"
 #include "presenters/worklist_presenter.h"
@@ -26,7 +28,7 @@ class PrepareWorkspace;
 class TreatWorkspace;
 
 enum class PrepareStep;
-enum class Workspace { prepare, plan, treat };
+enum class Workspace { prepare, plan, treat, review };
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -58,6 +60,8 @@ class MainWindow : public QMainWindow {
   const TaskRunner& tasks() const { return tasks_; }
   PrepareQueue& queue() { return queue_; }
   const WorklistPresenter& worklist() const { return worklist_; }
+  ReviewPresenter& review() { return review_; }
+  ReplayPresenter& replay() { return replay_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -91,6 +95,8 @@ class MainWindow : public QMainWindow {
   PlacePresenter place_;
   PlanPresenter plan_;
   TreatPresenter treat_;
+  ReviewPresenter review_;
+  ReplayPresenter replay_;
   PrepareWorkspace* prepare_workspace_;
   QStackedWidget* stack_;
   QButtonGroup* navigation_;

@@ -9,7 +9,7 @@
 namespace facenav::app {
 namespace {
 
-struct Request {
+struct CalibrateCoilRequest {
   std::filesystem::path recording, jig, centre, handle, side, coil, output;
 };
 
@@ -34,7 +34,7 @@ std::vector<MarkerPoses> trackMarkers(Context& context, const std::filesystem::p
   return poses;
 }
 
-coil_tracking::CoilCalibration fromJig(Context& context, const Request& request,
+coil_tracking::CoilCalibration fromJig(Context& context, const CalibrateCoilRequest& request,
                                        const coil_tracking::CoilModel& coil) {
   const auto jig = coil_tracking::readCoil(request.jig);
   const auto poses = trackMarkers(context, request.recording, {coil, jig});
@@ -53,7 +53,7 @@ coil_tracking::Pivot pivot(Context& context, const std::filesystem::path& folder
   return coil_tracking::fitPivot(poses);
 }
 
-void run(Context& context, const Request& request) {
+void run(Context& context, const CalibrateCoilRequest& request) {
   const auto coil =
       request.coil.empty() ? coil_tracking::defaultCoil() : coil_tracking::readCoil(request.coil);
   const bool has_pivots = !request.centre.empty() && !request.handle.empty() && !request.side.empty();
@@ -76,7 +76,7 @@ void run(Context& context, const Request& request) {
 void addCalibrateCoil(CLI::App& app, Context& context) {
   auto* verb =
       app.add_subcommand("calibrate-coil", "where the coil's face lies relative to its marker -> coil.json");
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<CalibrateCoilRequest>();
   verb->add_option("RECORDING", request->recording, "coil and jig, both markers in view");
   verb->add_option("--jig", request->jig,
                    "the jig's marker and its place on the coil: as coil.json, with the jig's marker");

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Request {
+struct EvaluatePrepareRequest {
   std::vector<fs::path> volumes;
   std::vector<std::pair<fs::path, fs::path>> tissue, with_fluid;
   double closing_voxels = 2;
@@ -24,7 +24,7 @@ struct Request {
   SyntheticPrepare synthetic;
 };
 
-std::vector<PrepareTrial> trialsOf(const Request& request) {
+std::vector<PrepareTrial> trialsOf(const EvaluatePrepareRequest& request) {
   std::vector<PrepareTrial> trials;
   for (const auto& [volume, mask] : request.tissue)
     trials.push_back({volume, mask, false, request.closing_voxels});
@@ -45,7 +45,7 @@ void write(const PrepareTables& tables, const std::string& markdown, const fs::p
   result.finish();
 }
 
-void run(Context& context, Request request) {
+void run(Context& context, EvaluatePrepareRequest request) {
   request.evaluation.is_whole = !request.has_no_whole;
   const bool is_synthetic = request.synthetic.heads > 0;
   if (!is_synthetic) request.evaluation.trials = trialsOf(request);
@@ -67,7 +67,7 @@ void run(Context& context, Request request) {
 void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
   auto* verb =
       evaluate.add_subcommand("prepare", "brain masks against true ones: Dice, Hausdorff, time, memory");
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<EvaluatePrepareRequest>();
   for (const auto& entry : context.registrations.brain_segmenters.entries())
     request->evaluation.methods.push_back(entry.name);
   verb->add_option("--tissue", request->tissue,

@@ -10,14 +10,15 @@ namespace facenav::app {
 void addExport(CLI::App& app, Context& context) {
   auto* verb =
       app.add_subcommand("export", "surfaces and masks of a case as files for other programs (RAS mm)");
-  struct Request {
+  struct ExportRequest {
     std::filesystem::path case_folder, output;
     std::vector<std::string> formats;
     bool replace = false;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ExportRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
-  verb->add_option("--as", request->formats, "one or more of: " + workflow::namesOf(context.registrations.exporters))
+  verb->add_option("--as", request->formats,
+                   "one or more of: " + workflow::namesOf(context.registrations.exporters))
       ->required();
   verb->add_option("-o,--output", request->output, "folder to write into")->required();
   verb->add_flag("--replace", request->replace, "overwrite files of the same name");

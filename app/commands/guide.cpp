@@ -11,11 +11,11 @@ namespace facenav::app {
 void addGuide(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "guide", "poses of head and coil -> distance, tilt and twist to a target, frame by frame");
-  struct Request {
+  struct GuideRequest {
     std::filesystem::path case_folder, poses, output;
     std::string target;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<GuideRequest>();
   verb->add_option("CASE", request->case_folder, "case folder with targets.json")->required();
   verb->add_option("POSES", request->poses, "poses.csv, tracked with --case and --coil")->required();
   verb->add_option("--target", request->target, "name of the target")->required();

@@ -11,11 +11,11 @@ namespace facenav::app {
 void addMarker(CLI::App& app, Context& context) {
   auto* verb =
       app.add_subcommand("marker", "a page with the coil's markers at true size, to print (SVG, A4)");
-  struct Request {
+  struct MarkerRequest {
     std::filesystem::path coil, output;
     coil_tracking::MarkerModel marker;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<MarkerRequest>();
   auto* coil = verb->add_option("--coil", request->coil, "coil.json with the markers; else one marker:");
   verb->add_option("--dictionary", request->marker.dictionary, "ArUco dictionary")
       ->capture_default_str()

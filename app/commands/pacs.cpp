@@ -11,7 +11,7 @@
 namespace facenav::app {
 namespace {
 
-struct Request {
+struct PacsRequest {
   pacs::PacsNode node;
   pacs::Tls tls;
   pacs::PacsQuery query;
@@ -26,7 +26,7 @@ struct Request {
   }
 };
 
-void addNode(CLI::App* verb, const std::shared_ptr<Request>& request) {
+void addNode(CLI::App* verb, const std::shared_ptr<PacsRequest>& request) {
   pacs::PacsNode& node = request->node;
   verb->add_option("--host", node.host, "the archive's name or address")->required();
   verb->add_option("--port", node.port, "its DICOM port")->capture_default_str();
@@ -61,7 +61,7 @@ void print(const pacs::PacsSeries& series, bool shows_patient) {
 
 void addEcho(CLI::App& pacs_verb, Context& context) {
   auto* verb = pacs_verb.add_subcommand("echo", "is the archive there, and does it know us (C-ECHO)");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PacsRequest>();
   addNode(verb, request);
   verb->callback([&context, request] {
     pacs::echo(request->connection());
@@ -71,7 +71,7 @@ void addEcho(CLI::App& pacs_verb, Context& context) {
 
 void addFind(CLI::App& pacs_verb, Context& context) {
   auto* verb = pacs_verb.add_subcommand("find", "series in the archive (C-FIND)");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PacsRequest>();
   addNode(verb, request);
   verb->add_option("--patient-id", request->query.patient_id, "* and ? are wildcards");
   verb->add_option("--patient-name", request->query.patient_name, "as the archive writes it, FAMILY^GIVEN");
@@ -98,7 +98,7 @@ void addFind(CLI::App& pacs_verb, Context& context) {
 
 void addGet(CLI::App& pacs_verb, Context& context) {
   auto* verb = pacs_verb.add_subcommand("get", "fetch a series into a folder (C-GET or C-MOVE)");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PacsRequest>();
   addNode(verb, request);
   verb->add_option("--study", request->study_uid, "study UID")->required();
   verb->add_option("--series", request->series_uid, "series UID")->required();
@@ -119,7 +119,7 @@ void addGet(CLI::App& pacs_verb, Context& context) {
 
 void addStore(CLI::App& pacs_verb, Context& context) {
   auto* verb = pacs_verb.add_subcommand("store", "send DICOM files to the archive (C-STORE)");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PacsRequest>();
   addNode(verb, request);
   verb->add_option("INPUT", request->folder, "a DICOM file, or a folder with all below it")->required();
   verb->callback([&context, request] {

@@ -1,15 +1,17 @@
-// facenav sessions CASE, facenav pulses CASE and facenav report CASE: what was kept of a case's sessions.
+// facenav sessions CASE and facenav pulses CASE: what was kept of a case's sessions.
 
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "commands/compare_sessions.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/workflow/session_report.h"
+#include "facenav/workflow/mep_import.h"
 #include "facenav/workflow/session_review.h"
 
 namespace facenav::app {
@@ -48,6 +50,9 @@ Json toJson(const workflow::SessionSummary& s) {
           {"adverse_events", s.adverse_events},
           {"has_ended", s.has_ended},
           {"clock_set_s", known(s.clock_set_s)},
+          {"predicted_error_mm", known(s.predicted_error_mm)},
+          {"alignment", s.alignment ? Json(*s.alignment) : Json()},
+          {"meps", s.meps},
           {"problems", s.problems}};
 }
 
@@ -107,17 +112,54 @@ struct PulsesRequest {
   std::string session, reason, by;
   std::optional<std::filesystem::path> output;
   std::vector<int> exclude, include;
+  std::vector<std::string> set_meps;  // "12=350"
+  std::optional<std::filesystem::path> mep_file;
+  std::optional<double> offset_s;
   bool is_json = false;
 
-  bool edits() const { return !exclude.empty() || !include.empty(); }
+  bool edits() const { return !exclude.empty() || !include.empty() || !set_meps.empty() || mep_file; }
 };
 
+/// "12=350": pulse 12, 350 uV; "12=": not known.
+casefile::MepEdit mepFrom(const std::string& words, const std::string& by) {
+  int number = 0, read = 0;
+  double value_uv = 0;
+  const auto end = int(words.size());
+  if (std::sscanf(words.c_str(), "%d=%lf%n", &number, &value_uv, &read) == 2 && read == end)
+    return {number, value_uv, {}, "typed", by};
+  if (std::sscanf(words.c_str(), "%d=%n", &number, &read) == 1 && read == end)
+    return {number, {}, {}, "typed", by};
+  throw Error("'" + words + "' is no MEP", "--set-mep", "PULSE=MICROVOLTS is expected, as 12=350");
+}
+
+void enterMeps(const PulsesRequest& request, const std::filesystem::path& folder, const Context& context) {
+  std::vector<casefile::MepEdit> typed;
+  for (const auto& words : request.set_meps) typed.push_back(mepFrom(words, request.by));
+  if (request.mep_file) {
+    const auto file = workflow::readMepFile(*request.mep_file);
+    const auto session = casefile::readSessionPulses(folder);
+    auto match =
+        workflow::matchMeps(file, session.pulses, request.offset_s, settingsOf<workflow::MepImportLimits>());
+    for (const auto& words : match.left_out)
+      if (!context.is_quiet)
+        std::fprintf(stderr, "note: %s, %s: left out\n", file.name.c_str(), words.c_str());
+    if (match.edits.empty())
+      throw Error("no MEP is at the time of a pulse", request.mep_file->string(),
+                  "is it this session's file?");
+    for (auto& edit : match.edits) edit.by = request.by;
+    typed.insert(typed.end(), match.edits.begin(), match.edits.end());
+    if (!context.is_quiet) std::printf("%s\n", workflow::mepMatchWords(match, file).c_str());
+  }
+  casefile::editMeps(folder, typed);
+}
+
 void editPulses(const PulsesRequest& request, const std::filesystem::path& folder, const Context& context) {
-  for (const int number : request.exclude)
-    casefile::editPulse(folder, {number, true, request.reason, request.by});
-  for (const int number : request.include)
-    casefile::editPulse(folder, {number, false, request.reason, request.by});
-  if (!context.is_quiet)
+  std::vector<casefile::PulseEdit> edits;
+  for (const int number : request.exclude) edits.push_back({number, true, request.reason, request.by});
+  for (const int number : request.include) edits.push_back({number, false, request.reason, request.by});
+  casefile::editPulses(folder, edits);
+  enterMeps(request, folder, context);
+  if (!context.is_quiet && !edits.empty())
     std::printf("%zu excluded, %zu taken in again; nothing was deleted\n", request.exclude.size(),
                 request.include.size());
 }
@@ -139,14 +181,21 @@ void showPulses(const PulsesRequest& request, const std::filesystem::path& folde
 
 void addSessions(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("sessions", "the sessions of a case, one a line, with their quality");
-  struct Request {
+  struct ReviewRequest {
     std::filesystem::path case_folder;
+    std::vector<std::string> compared;
     bool is_json = false;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ReviewRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_flag("--json", request->is_json, "as JSON");
+  verb->add_option("--compare", request->compared,
+                   "two sessions A B: how far the coil of B came back to where it was in A (mm, deg)")
+      ->expected(2);
   verb->callback([&context, request] {
+    if (!request->compared.empty())
+      return compareSessions(request->case_folder, request->compared[0], request->compared[1],
+                             request->is_json);
     const auto store = casefile::CaseStore::open(request->case_folder);
     const auto sessions = workflow::summariseSessions(store.folder());
     if (request->is_json) {
@@ -180,36 +229,21 @@ void addPulses(CLI::App& app, Context& context) {
   verb->add_option("--include", request->include, "number of an excluded pulse that shall count again")
       ->allow_extra_args(false);
   verb->add_option("--reason", request->reason, "why it is excluded; kept with it");
-  verb->add_option("--by", request->by, "who excludes it: name or initials (not the patient's)");
+  verb->add_option("--by", request->by, "who changes it: name or initials (not the patient's)");
+  auto* mep = verb->add_option(
+      "--mep", request->mep_file,
+      "CSV with utc or t_s, and mep_uv: each MEP goes to the pulse at its time; the history stays");
+  verb->add_option("--offset", request->offset_s,
+                   "with --mep: seconds from the file's clock to the session's; default: found, and said")
+      ->needs(mep);
+  verb->add_option("--set-mep", request->set_meps,
+                   "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
+      ->allow_extra_args(false);
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
     const auto folder = casefile::findSession(store.folder(), request->session);
     if (request->edits()) editPulses(*request, folder, context);
     if (!request->edits() || request->output || request->is_json) showPulses(*request, folder, context);
-  });
-}
-
-void addReport(CLI::App& app, Context& context) {
-  auto* verb = app.add_subcommand("report", "a session as one page for the chart, to read and to print");
-  struct Request {
-    std::filesystem::path case_folder;
-    std::string session;
-    std::optional<std::filesystem::path> output;
-    workflow::ReportOptions options;
-  };
-  auto request = std::make_shared<Request>();
-  verb->add_option("CASE", request->case_folder, "case folder")->required();
-  verb->add_option("SESSION", request->session, "its name, or how it begins; default: the newest");
-  verb->add_option("-o,--output", request->output, "report.html to write; default: in the session's folder");
-  verb->add_flag("--with-name", request->options.has_name, "adds the case's label (it may be a name)");
-  verb->callback([&context, request] {
-    const auto store = casefile::CaseStore::open(request->case_folder);
-    const auto folder = casefile::findSession(store.folder(), request->session);
-    const auto session = casefile::readSession(folder);
-    printNotes(session.pulses.problems, context);
-    const auto path = request->output.value_or(folder / "report.html");
-    writeWholeFile(path, workflow::sessionReport(store, session, request->options), FileAccess::owner_only);
-    if (!context.is_quiet) std::printf("%s\n", path.c_str());
   });
 }
 

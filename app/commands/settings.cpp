@@ -50,11 +50,11 @@ std::vector<SettingEntry> entriesOf(const SettingsTable& table, const std::strin
 void addSettings(CLI::App& app, Context& context) {
   auto* verb =
       app.add_subcommand("settings", "the numbers that were fitted or chosen, and where they come from");
-  struct Request {
+  struct SettingsRequest {
     std::string module;
     bool is_json = false;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<SettingsRequest>();
   verb->add_option("MODULE", request->module, "only its settings");
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {

@@ -73,13 +73,14 @@ void addLocate(CLI::App& app, Context&) {
 
 void addTarget(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
-      "target", "adds a target to a case, typed in MNI or MRI coordinates; the coil tangent over it");
-  struct Request {
+      "target",
+      "adds a target to a case, typed in MNI or MRI coordinates; the coil rests on the scalp over it");
+  struct TargetRequest {
     std::string name;
     double handle_deg = 45, gap_mm = 0;
   };
   auto place = std::make_shared<Place>();
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<TargetRequest>();
   addPlaceOptions(*verb, place);
   verb->add_option("--name", request->name, "name of the target; one of the same name is replaced")
       ->required();
@@ -91,10 +92,14 @@ void addTarget(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->callback([&context, place, request] {
     const auto store = casefile::CaseStore::open(place->case_folder);
-    const auto cortex_point = workflow::cortexNear(workflow::plannedHead(store), toMri(store, *place));
-    const auto target = guidance::planTarget(request->name, store.scalp(), cortex_point,
-                                             request->handle_deg * M_PI / 180, request->gap_mm);
-    store.setTargets(workflow::with(store.targets(), target.name, target));
+    const auto plan = store.targets();
+    if (const auto* old = workflow::find(plan, request->name); old && old->is_locked)
+      throw Error("the target '" + old->name + "' is locked", store.folder().string(), "unlock it first");
+    const auto head = workflow::plannedHead(store);
+    const auto target =
+        workflow::targetOverCortex(head, request->name, workflow::cortexNear(head, toMri(store, *place)),
+                                   {request->handle_deg * M_PI / 180, request->gap_mm});
+    store.setTargets(workflow::with(plan, target.name, target));
     if (context.is_quiet) return;
     print(store, target.cortex_point);
     std::printf("scalp     %.1f mm above it\n", (target.scalp_point.mm - target.cortex_point.mm).norm());

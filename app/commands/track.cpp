@@ -1,12 +1,42 @@
-// facenav track RECORDING [--case CASE] [--coil coil.json] -o poses.csv
+// facenav track RECORDING [--case CASE] [--coil coil.json] -o poses.csv; with --pulses as a session of the
+// case
 
 #include <cmath>
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "facenav/core/error.h"
 #include "facenav/workflow/track_recording.h"
+#include "facenav/workflow/treat_recording.h"
 
 namespace facenav::app {
+namespace {
+
+/// What makes a session of it.
+struct Treated {
+  std::vector<std::string> sources;
+  std::string target, by, reason;
+  std::optional<double> intensity_pct;
+};
+
+void treat(const workflow::TrackRequest& track, const Treated& treated, const std::filesystem::path& output,
+           Context& context) {
+  if (!track.case_folder) throw Error("pulses belong to a case", {}, "give it with --case");
+  workflow::TreatRecordingRequest request{
+      track.recording,    *track.case_folder, track.coil_file, track.aligner,         track.head_tracker,
+      track.coil_tracker, treated.target,     treated.sources, treated.intensity_pct, {}};
+  if (!treated.reason.empty()) request.override = {treated.by, treated.reason};
+  const auto outcome = workflow::treatRecording(context.registrations, request, context.monitor);
+  casefile::writePoses(casefile::readPoses(outcome.session / "poses.csv"), output);
+  if (context.is_quiet) return;
+  const auto& pulses = outcome.pulses;
+  std::printf("session %s: %d pulses on target, %d outside, %d with head or coil lost\n",
+              outcome.session.filename().c_str(), pulses.on_target, pulses.outside, pulses.lost);
+  std::printf("%d frames; %.1f ms a frame (median), %.1f ms (p99)\n", outcome.frames,
+              outcome.processing_ms_median, outcome.processing_ms_p99);
+}
+
+}  // namespace
 
 void addTrack(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("track", "recording -> poses of head and coil, frame by frame");
@@ -31,7 +61,21 @@ void addTrack(CLI::App& app, Context& context) {
   verb->add_option("--aligner", request->aligner,
                    "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();
-  verb->callback([&context, request, output] {
+  auto treated = std::make_shared<Treated>();
+  verb->add_option(
+          "--pulses", treated->sources,
+          "plays the recording as if live and logs a session in the case, with the pulses of this source: " +
+              links::pulseSourceWords() + "; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_option("--target", treated->target, "with --pulses: the target; default: the case's first one");
+  verb->add_option("--intensity", treated->intensity_pct,
+                   "with --pulses: % of the maximal output, where the source does not know it")
+      ->check(CLI::Range(0.0, 100.0));
+  auto* by = verb->add_option("--by", treated->by, "who overrides a missing sign-off");
+  verb->add_option("--override", treated->reason, "with --pulses: treats a case without a sign-off; why")
+      ->needs(by);
+  verb->callback([&context, request, output, treated] {
+    if (!treated->sources.empty()) return treat(*request, *treated, *output, context);
     const auto outcome = workflow::trackRecording(context.registrations, *request, context.monitor);
     casefile::writePoses(outcome.poses, *output);
     if (context.is_quiet) return;

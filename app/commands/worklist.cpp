@@ -38,11 +38,11 @@ void print(const casefile::WorklistEntry& entry) {
 
 void addWorklist(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("worklist", "the cases in a folder: state, age, findings, one a line");
-  struct Request {
+  struct WorklistRequest {
     std::filesystem::path folder;
     bool is_json = false;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<WorklistRequest>();
   verb->add_option("DIR", request->folder, "folder that holds case folders")->required();
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([request] {
@@ -60,11 +60,11 @@ void addWorklist(CLI::App& app, Context& context) {
 
 void addLabel(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("label", "show or set what a case is called in lists");
-  struct Request {
+  struct WorklistRequest {
     std::filesystem::path case_folder;
     std::optional<std::string> label;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<WorklistRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("LABEL", request->label, "its new label; '' takes it away");
   verb->callback([&context, request] {
@@ -76,11 +76,11 @@ void addLabel(CLI::App& app, Context& context) {
 
 void addCheck(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("check", "show a case's import check and, with --by, sign the case off");
-  struct Request {
+  struct WorklistRequest {
     std::filesystem::path case_folder;
     casefile::SignOffRequest sign_off;
   };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<WorklistRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("--by", request->sign_off.by,
                    "sign off: name or initials of who looked at the model (not the patient's)");

@@ -84,7 +84,6 @@ evaluation::ReportTable outcome(const DemoFigures& f) {
 void writeProtractorPlot(const evaluation::TrackingEvaluation& protractor,
                          const std::map<std::int64_t, Eigen::Isometry3d>& truth,
                          const std::filesystem::path& svg) {
-  constexpr double kDegPerRad = 180.0 / M_PI;
   std::array<evaluation::Curve, 3> translation{
       {{"about x (pitch), mm", {}}, {"about y (yaw), mm", {}}, {"about z (roll), mm", {}}}};
   evaluation::Curve paper_mm{"paper's mean: 5.0 mm", {{-12.5, 5.0}, {12.5, 5.0}}, true, true};

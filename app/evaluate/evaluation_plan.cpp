@@ -10,7 +10,7 @@ namespace facenav::app {
 namespace {
 
 constexpr const char* kCapture = "capture";
-// At a capture the patient may sit anywhere. During treatment nobody sits turned by 30 degrees.
+// At a capture the patient may sit anywhere. During treatment no patient sits turned by 30 degrees.
 constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
 constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90;
 

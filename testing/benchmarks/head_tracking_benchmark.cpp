@@ -12,6 +12,7 @@
 #include "facenav/core/processor_time.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rigid_fit.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/head_tracking/head_tracker.h"
 #include "support/stopwatch.h"
 #include "support/synthetic_face.h"
@@ -21,7 +22,6 @@ namespace support = facenav::testing;
 
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 constexpr int kFrames = 20;
 const Point<Head> kCortex(0, -60, 690);
 
@@ -38,8 +38,8 @@ struct Motion {
 support::SyntheticView viewAt(int frame, double yaw_deg) {
   const double phase = 2 * M_PI * frame / 60.0;
   Vector6d xi;
-  xi << 0.4 * yaw_deg * kDegree * std::sin(phase), yaw_deg * kDegree * std::sin(phase + 0.3),
-      0.3 * yaw_deg * kDegree * std::cos(phase), 20 * std::sin(phase), 10 * std::cos(phase) - 10,
+  xi << 0.4 * yaw_deg * kRadPerDeg * std::sin(phase), yaw_deg * kRadPerDeg * std::sin(phase + 0.3),
+      0.3 * yaw_deg * kRadPerDeg * std::cos(phase), 20 * std::sin(phase), 10 * std::cos(phase) - 10,
       15 * std::sin(2 * phase);
   support::SyntheticView view;
   view.motion = Eigen::Translation3d(0, 0, 640) * expRigid(xi) * Eigen::Translation3d(0, 0, -640);
@@ -135,7 +135,7 @@ Result run(const Frames& frames, const Track& track) {
     const auto error = poseError(RigidTransform<Camera, Head>::fromIsometry(*motion),
                                  RigidTransform<Camera, Head>::fromIsometry(view.motion), kCortex);
     result.error_mm.push_back(error.at_point_mm);
-    result.rotation_deg.push_back(error.rotation_rad / kDegree);
+    result.rotation_deg.push_back(error.rotation_rad / kRadPerDeg);
   }
   return result;
 }
@@ -216,7 +216,7 @@ int main() {
     std::printf("left out: no portrait (python3-skimage)\n");
     return 0;
   }
-  const auto rig = support::convergingRig();
+  const auto rig = support::faceRig();
   const auto face = support::SyntheticFace::astronaut();
   const std::shared_ptr<const face::FaceDetector> detector = face::makeFaceDetector();
   std::printf("# Head tracking, VGA stereo, noise 1.5 grey levels, %d frames at 30 a second, one core\n\n",

@@ -9,6 +9,7 @@
 #include "facenav/guidance/handle.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
+#include "presenters/head_presenter.h"
 #include "widgets/handle_panel.h"
 
 namespace facenav::ui {
@@ -238,6 +239,75 @@ TEST_F(PlanPresenterTest, APlaceOutsideTheHeadBecomesNoTargetAndIsSaidInOneLine)
   presenter_.addTargetNear(Point<Mri>(110, 0, 0));  // a little outside: the nearest cortex is used
   ASSERT_EQ(presenter_.plan().targets.size(), 1u) << refusal_.toStdString();
   EXPECT_NEAR(presenter_.plan().targets[0].cortex_point.mm.x(), 40.0, 4.0);
+}
+
+/// The same on a case with a brain, and a head whose landmarks are set by hand.
+class PlannedHeadTest : public PlanPresenterTest {
+ protected:
+  PlannedHeadTest() : head_(model_) {
+    TaskMonitor monitor;
+    casefile::CaseStore::create(folder_.path() / "brain", fixtures::ballWithBrain(), {}, false);
+    model_.open(loadCase(folder_.path() / "brain", monitor));
+    QObject::connect(&head_, &HeadPresenter::refused, [this](const QString& words) { refusal_ = words; });
+  }
+  void setLandmarks() {
+    head_.setLandmark(surface::Landmark::nasion, Point<Mri>(0, 92, 0));
+    head_.setLandmark(surface::Landmark::inion, Point<Mri>(0, -92, 0));
+    head_.setLandmark(surface::Landmark::tragus_left, Point<Mri>(-92, 0, 0));
+    head_.setLandmark(surface::Landmark::tragus_right, Point<Mri>(92, 0, 0));
+  }
+  HeadPresenter head_;
+};
+
+TEST_F(PlannedHeadTest, AnEegSiteNeedsLandmarksAndIsThenATargetOfItsName) {
+  presenter_.addPreset("eeg:C3", *head_.measures());
+  EXPECT_TRUE(refusal_.contains("nasion is not known")) << refusal_.toStdString();
+  EXPECT_TRUE(presenter_.plan().targets.empty());
+  refusal_.clear();
+  setLandmarks();
+  EXPECT_TRUE(head_.describe().contains("nasion: by hand")) << head_.describe().toStdString();
+  presenter_.addPreset("eeg:C3", *head_.measures());
+  EXPECT_TRUE(refusal_.isEmpty()) << refusal_.toStdString();
+  EXPECT_EQ(storedNames(), std::vector<std::string>{"eeg:C3"});
+  ASSERT_TRUE(head_.site("C3"));
+  EXPECT_LT((head_.site("C3")->mm - presenter_.active()->scalp_point.mm).norm(), 0.5);
+}
+
+TEST_F(PlannedHeadTest, ALandmarkFarFromTheSkinIsRefusedInOneLine) {
+  head_.setLandmark(surface::Landmark::nasion, Point<Mri>(0, 0, 0));
+  EXPECT_TRUE(refusal_.contains("from the skin")) << refusal_.toStdString();
+}
+
+TEST_F(PlannedHeadTest, LockGridCopyAndOrderAreStepsThatUndo) {
+  presenter_.addTarget(Point<Mri>(-40, 5, 60));
+  presenter_.lockActive(true);
+  presenter_.turnActive(5);
+  EXPECT_TRUE(refusal_.contains("locked"));
+  presenter_.undo();
+  presenter_.setGrid(guidance::GridSpec{3, 3, 8, guidance::GridOn::scalp});
+  EXPECT_EQ(storedNames().size(), 9u) << refusal_.toStdString();
+  presenter_.undo();
+  EXPECT_EQ(storedNames().size(), 1u);
+  presenter_.duplicateActive();
+  EXPECT_EQ(storedNames().size(), 2u);
+  EXPECT_TRUE(presenter_.compareWords(QString::fromStdString(storedNames()[0])).contains("0.0 mm"));
+  presenter_.moveActive(-1);
+  EXPECT_EQ(storedNames()[0], presenter_.activeName().toStdString());
+  presenter_.setNote("  hotspot ");
+  EXPECT_EQ(model_.current().store.targets().targets[0].note, "hotspot");
+}
+
+TEST_F(PlannedHeadTest, SaysHowTheCoilStandsOnTheHead) {
+  presenter_.addTarget(Point<Mri>(-40, 5, 60));
+  EXPECT_TRUE(presenter_.describe(*presenter_.active()).contains("rests flat on the head"))
+      << presenter_.describe(*presenter_.active()).toStdString();
+  auto deep = *presenter_.active();
+  deep.mri_T_target = RigidTransform<Mri, frames::Target>(
+      deep.mri_T_target.quaternion(),
+      deep.mri_T_target.translation_mm() + 3 * deep.mri_T_target.rotation().col(2));
+  deep.scalp_point = Point<Mri>(deep.mri_T_target.translation_mm());
+  EXPECT_TRUE(presenter_.contactWords(deep).contains("through the skin"))
+      << presenter_.contactWords(deep).toStdString();
 }
 
 }  // namespace

@@ -17,9 +17,11 @@
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
+#include "support/made_session.h"
 #include "views/scene_view.h"
 #include "widgets/scroll_column.h"
 #include "workspaces/prepare/prepare_workspace.h"
+#include "workspaces/review/review_workspace.h"
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
@@ -45,6 +47,14 @@ std::vector<Page> pages() {
       if (cameras->isChecked() == has_figures) cameras->click();
     };
   };
+  const auto review = [](ReviewPage page) {
+    return [page](MainWindow& window) {
+      window.setWorkspace(Workspace::review);
+      window.findChild<ReviewWorkspace*>()->setPage(page);
+      fixtures::waitFor([&] { return window.review().session() && !window.review().isReading(); }, 5000);
+      if (page == ReviewPage::replay) fixtures::waitFor([&] { return window.replay().isOpen(); }, 5000);
+    };
+  };
   return {{"1_worklist", step(PrepareStep::worklist)},
           {"2_series", step(PrepareStep::series)},
           {"2_archive", step(PrepareStep::archive)},
@@ -58,7 +68,10 @@ std::vector<Page> pages() {
              fixtures::waitFor([&] { return !w.cortex().isMaking() && w.cortex().cortex(); }, 30000);
            }},
           {"6_treat_cameras", treat(false)},
-          {"6_treat_figures", treat(true)}};
+          {"6_treat_figures", treat(true)},
+          {"8_review_pulses", review(ReviewPage::pulses)},
+          {"8_review_replay", review(ReviewPage::replay)},
+          {"8_review_compare", review(ReviewPage::compare)}};
 }
 
 ScrollColumn* scrollAround(const QWidget& widget) {
@@ -137,6 +150,9 @@ std::filesystem::path someCase(const std::filesystem::path& folder) {
   for (const char* name : {"M1 hand L", "M1 hand R", "DLPFC left, by Beam F3, second try"})
     plan.targets.push_back(guidance::planTarget(name, prepared.scalp, Point<Mri>(-30, 5, 30), 0.8, 4.0));
   store.setTargets(plan);
+  testing::MadeSession made;
+  made.has_meps = true;
+  for (int i = 0; i < 2; ++i) testing::writeMadeSession(store.folder(), plan.targets[0], made);
   return store.folder();
 }
 

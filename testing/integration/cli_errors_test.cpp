@@ -49,9 +49,9 @@ TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare
 
 TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
   for (const char* verb :
-       {"series", "pacs",   "prepare",   "check",  "brain",    "worklist", "label", "locate",
-        "target", "export", "calibrate", "align",  "cloud",    "track",    "guide", "sessions",
-        "pulses", "report", "simulate",  "marker", "settings", "demo"}) {
+       {"series", "pacs",      "prepare", "check",  "brain",    "worklist",  "label",    "locate", "target",
+        "plan",   "threshold", "hotspot", "note",   "export",   "calibrate", "align",    "cloud",  "track",
+        "guide",  "sessions",  "pulses",  "report", "simulate", "marker",    "settings", "demo"}) {
     const auto result = runFacenav(std::string(verb) + " --help");
     EXPECT_EQ(result.status, 0) << verb;
     EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWrong_mm = 3.0;
 
-struct Head {
+struct Patient {
   const char* name;
   std::filesystem::path mri;
   double skin_brightness;
@@ -23,9 +23,9 @@ struct Head {
   double focal_px, baseline_mm;
 };
 
-class HeadMotion : public ::testing::TestWithParam<Head> {};
+class HeadMotion : public ::testing::TestWithParam<Patient> {};
 
-RoomFilm turning(const Head& head, const face::FaceDetector& detector) {
+RoomFilm turning(const Patient& head, const face::FaceDetector& detector) {
   TaskMonitor monitor;
   room::PatientOptions skin;
   skin.skin_brightness = head.skin_brightness, skin.seed = head.seed;
@@ -70,8 +70,8 @@ TEST_P(HeadMotion, IsHeldWithinThreeTenthsOfAMillimetreAndFoundFromTheSide) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Room, HeadMotion,
-                         ::testing::Values(Head{"Dark", virtualPatientMri(), 0.35, 43, 914, 124},
-                                           Head{"Colin27", colin27(), 1.0, 21, 800, 120}),
+                         ::testing::Values(Patient{"Dark", virtualPatientMri(), 0.35, 43, 914, 124},
+                                           Patient{"Colin27", colin27(), 1.0, 21, 800, 120}),
                          [](const auto& head) { return std::string(head.param.name); });
 
 // Ordinary cameras are not triggered together. Without correction, 12 ms cause an error of a millimetre and

@@ -103,6 +103,53 @@ TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
   EXPECT_THAT(readText(session_ / "report.html"), HasSubstr("Jane Doe"));
 }
 
+TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
+  const std::string pulses = "pulses '" + case_.string() + "' ";
+  const fs::path csv = folder_.path() / "emg.csv";
+  {
+    const auto session = casefile::readSessionPulses(session_);
+    std::ofstream file(csv);
+    file << "t_s,mep_uv\n";
+    for (int i : {0, 5}) file << *session.pulses[std::size_t(i)].pulse.t_s + 60.0 << "," << 100 + i << "\n";
+  }
+  const auto unclear = run(pulses + "--mep '" + csv.string() + "'");
+  EXPECT_EQ(unclear.status, 1) << "two rows do not tell the offset of the clocks";
+  EXPECT_EQ(std::count(unclear.errors.begin(), unclear.errors.end(), '\n'), 1) << unclear.errors;
+  EXPECT_FALSE(fs::exists(session_ / "pulse_edits.jsonl"));
+  const auto typed = run(pulses + "--set-mep 2=350 --by AB");
+  EXPECT_EQ(typed.status, 0) << typed.errors;
+  EXPECT_EQ(casefile::readSessionPulses(session_).pulses[1].pulse.mep_uv, 350);
+  EXPECT_EQ(run(pulses + "--set-mep 2=").status, 0);
+  EXPECT_FALSE(casefile::readSessionPulses(session_).pulses[1].pulse.mep_uv);
+  for (const char* wrong : {"2:350", "two=350", "99=350", "2=-4"})
+    EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 1) << wrong;
+}
+
+TEST_F(Review, TwoSessionsAreComparedByTheirMeanCoilPose) {
+  const fs::path second = treat(case_);
+  const auto compared = run("sessions '" + case_.string() + "' --compare " + session_.filename().string() +
+                            " " + second.filename().string() + " --json");
+  ASSERT_EQ(compared.status, 0) << compared.errors;
+  EXPECT_THAT(compared.output, HasSubstr("\"pulses\": 12"));
+  const auto at = compared.output.find("\"distance_mm\": ");
+  ASSERT_NE(at, std::string::npos) << compared.output;
+  EXPECT_LT(std::stod(compared.output.substr(at + 15)), 1e-6) << "the coil stood still in both";
+  EXPECT_EQ(run("sessions '" + case_.string() + "' --compare " + second.filename().string()).status, 2);
+}
+
+TEST_F(Review, TheReportIsAlsoAPdf) {
+  if (!fs::exists(fs::path(FACENAV_CLI).parent_path() / "facenav-gui"))
+    GTEST_SKIP() << "built without the window";
+  const fs::path page = folder_.path() / "page.html", pdf = folder_.path() / "page.pdf";
+  const auto made = run("report '" + case_.string() + "' --pdf --no-pictures -o '" + page.string() + "'");
+  ASSERT_EQ(made.status, 0) << made.errors;
+  const std::string content = readText(pdf);
+  EXPECT_EQ(content.substr(0, 5), "%PDF-");
+  EXPECT_GT(content.size(), 20000u) << "with its charts";
+  EXPECT_THAT(content, Not(HasSubstr("Jane")));
+  EXPECT_EQ(fs::status(pdf).permissions() & fs::perms::mask, fs::perms::owner_read | fs::perms::owner_write);
+}
+
 TEST_F(Review, ASessionThatIsNotThereIsOneLineOfError) {
   const auto missing = run("pulses '" + case_.string() + "' 19990101T000000Z");
   EXPECT_EQ(missing.status, 1);

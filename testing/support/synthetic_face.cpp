@@ -189,7 +189,7 @@ head_tracking::HeadReference SyntheticFace::reference(const cameras::StereoRig& 
   return reference;
 }
 
-cameras::StereoRig convergingRig() {
+cameras::StereoRig faceRig() {
   cameras::StereoRig rig;
   rig.width_px = 640, rig.height_px = 480;
   rig.left.k = cv::Matx33d(800, 0, 318, 0, 802, 242, 0, 0, 1);

@@ -56,6 +56,6 @@ class SyntheticFace {
 };
 
 /// Converging pair: f 800 px, 640 x 480, baseline 120 mm, 10 degrees, mild distortion; the face at 600 mm.
-cameras::StereoRig convergingRig();
+cameras::StereoRig faceRig();
 
 }  // namespace facenav::testing

@@ -42,7 +42,7 @@ void expectSame(const Result& a, const Result& b, std::size_t frame) {
 /// No pose without a covariance that is one, and no frame beyond its budget.
 template <class Result>
 void expectSound(const Result& result, std::size_t frame) {
-  EXPECT_LE(result.work.comparisons, FrameWork::kMost) << frame;
+  EXPECT_LE(result.work.comparisons, FrameWork::most()) << frame;
   if (!result) return;
   const Matrix6d& covariance = result->covariance;
   EXPECT_TRUE(covariance.allFinite()) << frame;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/guidance/compare_targets.h"
 #include "facenav/guidance/handle.h"
 #include "presenters/typed_coordinates.h"
 
@@ -19,6 +20,8 @@ QString wordsOf(const workflow::PlanRefused& refused, const QString& name) {
       return PlanPresenter::tr("there is a target '%1' already").arg(name);
     case workflow::PlanRefusal::no_brain:
       return PlanPresenter::tr("no brain model: click on the slice where the target lies");
+    case workflow::PlanRefusal::locked:
+      return PlanPresenter::tr("the target is locked; unlock it first");
   }
   return {};
 }
@@ -49,7 +52,8 @@ workflow::PlannedCase PlanPresenter::planned() {
             return workflow::PlannedHead{c.scalp, c.head_mask, c.brain};
           },
           [this](const guidance::TreatmentPlan& next) { model_.setPlan(next); },
-          [](int n) { return tr("Target %1").arg(n).toStdString(); }};
+          [](int n) { return tr("Target %1").arg(n).toStdString(); },
+          [] { return qgetenv("USER").toStdString(); }};
 }
 
 const guidance::TreatmentPlan& PlanPresenter::plan() const {
@@ -89,6 +93,14 @@ void PlanPresenter::addTargetAtScalp(const Point<Mri>& scalp_point) {
 
 void PlanPresenter::addTargetNear(const Point<Mri>& point) {
   attempt([&] { editor_.addTargetNear(point); });
+}
+
+void PlanPresenter::addPreset(const QString& preset, const workflow::HeadMeasures& measures) {
+  attempt([&] {
+    const auto& atlas = model_.current().atlas;
+    const auto& named = workflow::presetNamed(preset.toStdString());
+    editor_.addTarget(workflow::placeOf(named, atlas ? &*atlas : nullptr, measures), named.name);
+  });
 }
 
 void PlanPresenter::removeActive() {
@@ -138,6 +150,39 @@ void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
   if (active()) attempt([&] { editor_.nudge(x_mm, y_mm); });
 }
 
+void PlanPresenter::duplicateActive() {
+  if (active()) attempt([&] { editor_.duplicate(); });
+}
+
+void PlanPresenter::mirrorActive() {
+  if (!active()) return;
+  const auto& atlas = model_.current().atlas;
+  if (!atlas) return void(emit refused(tr("the case has no atlas, which the other side is found with")));
+  attempt([&] {
+    editor_.mirror([&](const Point<Mri>& p) {
+      Point<Mni> there = atlas->toMni(p);
+      there.mm.x() = -there.mm.x();
+      return atlas->toMri(there);
+    });
+  });
+}
+
+void PlanPresenter::lockActive(bool is_locked) {
+  if (active()) attempt([&] { editor_.setLocked(is_locked); });
+}
+
+void PlanPresenter::setNote(const QString& note) {
+  if (active()) attempt([&] { editor_.setNote(note.trimmed().toStdString()); });
+}
+
+void PlanPresenter::setGrid(const std::optional<guidance::GridSpec>& grid) {
+  if (active()) attempt([&] { editor_.setGrid(grid); });
+}
+
+void PlanPresenter::moveActive(int places) {
+  if (active()) attempt([&] { editor_.move(places); });
+}
+
 void PlanPresenter::undo() {
   if (canUndo()) attempt([&] { editor_.undo(); });
 }
@@ -166,16 +211,42 @@ QString PlanPresenter::handleWords(const guidance::Target& target) const {
       .arg(is_anterior ? tr("anterior") : tr("superior"));
 }
 
+QString PlanPresenter::contactWords(const guidance::Target& target) const {
+  try {
+    const auto contact = guidance::contactOf(target, *model_.current().scalp, workflow::PlannedHead{}.plate);
+    if (contact.through_mm >= 0.5)
+      return tr("the coil passes %1 mm through the skin").arg(contact.through_mm, 0, 'f', 1);
+    if (contact.isTangent()) return tr("rests flat on the head");
+    return tr("stands %1 mm over the skin, tilted %2\u00b0")
+        .arg(contact.lift_mm, 0, 'f', 1)
+        .arg(std::lround(contact.tilt_rad * 180.0 / M_PI));
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  }
+}
+
+QString PlanPresenter::compareWords(const QString& other) const {
+  const auto* from = workflow::find(plan(), other.toStdString());
+  if (!from || !active()) return {};
+  const auto d = guidance::compareTargets(*from, *active());
+  return tr("from '%1': %2 mm, cortex %3 mm, tilt %4\u00b0, twist %5\u00b0")
+      .arg(other)
+      .arg(d.centres_mm, 0, 'f', 1)
+      .arg(d.cortex_mm, 0, 'f', 1)
+      .arg(std::lround(d.tilt_rad * 180.0 / M_PI))
+      .arg(std::lround(d.twist_rad * 180.0 / M_PI));
+}
+
 QString PlanPresenter::describe(const guidance::Target& target) const {
   const Eigen::Vector3d& c = target.cortex_point.mm;
   const auto side = [](double mm, const QString& positive, const QString& negative) {
     return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
   };
-  return tr("%1 %2 %3\n%4 mm below the skin, gap %5 mm\n%6")
+  return tr("%1 %2 %3\n%4 mm below the skin, gap %5 mm\n%6\n%7")
       .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
       .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
       .arg(gapWords(target))
-      .arg(handleWords(target));
+      .arg(handleWords(target), contactWords(target));
 }
 
 }  // namespace facenav::ui

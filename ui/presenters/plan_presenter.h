@@ -23,6 +23,9 @@ class PlanPresenter : public QObject {
   /// Adds a target at the point itself if it lies in the brain, else at the nearest point of the cortex.
   /// Refused if the point lies more than surface::kFarthestOutside_mm outside the head.
   void addTargetNear(const Point<Mri>& point);
+  /// Adds a target at a preset (workflow/presets.h), with its name; one of the same name is replaced. Refused
+  /// where the head has no such place.
+  void addPreset(const QString& preset, const workflow::HeadMeasures& measures);
   void removeActive();
   void renameActive(const QString& name);
   /// Turns the handle; > 0 is clockwise when seen along the coil's z.
@@ -33,6 +36,16 @@ class PlanPresenter : public QObject {
   void setGap(const QString& typed);
   /// Moves the active target along the scalp (Coil x and y, mm). The handle's direction and the gap stay.
   void nudgeActive(double x_mm, double y_mm);
+  /// A copy, and the same on the other side of the head (through the atlas); each becomes the active one.
+  void duplicateActive();
+  void mirrorActive();
+  /// A locked target can be neither changed nor removed.
+  void lockActive(bool is_locked);
+  void setNote(const QString& note);
+  /// A grid round the active target; nothing removes it. Targets of it that were edited by hand stay.
+  void setGrid(const std::optional<guidance::GridSpec>& grid);
+  /// Up (-1) or down (1) in the list.
+  void moveActive(int places);
   /// The target of the undone step becomes the active one. If the case cannot be written nothing changes,
   /// refused() says why, and the step can be tried again.
   void undo();
@@ -52,7 +65,12 @@ class PlanPresenter : public QObject {
   double handleAngle_deg(const guidance::Target& target) const;
   /// "handle +45° from anterior (+ to the midline)".
   QString handleWords(const guidance::Target& target) const;
-  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", and the handle; one per line.
+  /// "rests flat on the head", or how far its centre is from the skin, its tilt, its contacts.
+  QString contactWords(const guidance::Target& target) const;
+  /// How the active target differs from another one, in mm and degrees.
+  QString compareWords(const QString& other) const;
+  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", the handle, and the contact; one per
+  /// line.
   QString describe(const guidance::Target& target) const;
 
  signals:

@@ -1,51 +1,21 @@
 #include "presenters/treat_presenter.h"
 
 #include <QFileInfo>
+#include <QSettings>
 #include <QTime>
 #include <future>
 
+#include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
-#include "facenav/core/log.h"
 #include "facenav/workflow/session_report.h"
+#include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
 
 namespace facenav::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
-
-/// Checks again right before use, because files may have changed on the disk since the case was opened.
-void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
-  if (is_overridden || casefile::signOffStatus(store).holds()) return;
-  throw Error("the case is not signed off", signOffWords(casefile::signOffStatus(store)).toStdString(),
-              "have it checked (Prepare, step 4)");
-}
-
-/// Key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without them.
-std::vector<casefile::StoredKeyFrame> storedKeyFrames(const std::filesystem::path& case_folder) {
-  try {
-    return casefile::readKeyFrames(case_folder);
-  } catch (const Error& error) {
-    logWarning(error.what());
-    return {};
-  }
-}
-
-void storeKeyFrames(const session::Session& session, const std::filesystem::path& case_folder) {
-  try {
-    casefile::addKeyFrames(case_folder, session.learntKeyFrames());
-  } catch (const std::exception& error) {  // no caller to report to
-    logWarning(std::string("the looks of the face were not kept: ") + error.what());
-  }
-}
-
-void keepReport(const std::filesystem::path& case_folder, const std::filesystem::path& session_folder) {
-  try {
-    workflow::writeSessionReport(case_folder, session_folder);
-  } catch (const std::exception& error) {  // no caller to report to; `facenav report` can make it again
-    logWarning(std::string("the session's report was not written: ") + error.what());
-  }
-}
+const char* const kPulseSource = "treat/pulses";
 
 }  // namespace
 
@@ -57,6 +27,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
       tasks_(tasks),
       cameras_(services, tasks),
       coil_(coil_tracking::defaultCoil()),
+      pulse_source_(QSettings().value(kPulseSource).toString()),
       overlays_(
           [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
             QMetaObject::invokeMethod(
@@ -66,6 +37,8 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
   connect(&model_, &CaseModel::opened, this, [this] {
     stop();
     outcome_.reset();
+    site_.reset();
+    last_session_.clear();
     const auto& targets = model_.current().plan.targets;
     target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
     emit changed();
@@ -87,26 +60,22 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
 }
 
 TreatPresenter::~TreatPresenter() {
-  if (session_) endSession();
+  if (treatment_) endSession();
 }
 
 void TreatPresenter::openRecording(const QString& folder) {
   tasks_.start(tr("Opening the recording"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
-    const std::filesystem::path path(folder.toStdString());
-    auto recording = std::make_shared<capture::Recording>(capture::openRecording(path));
-    const auto coil_file = path / "coil.json";
-    auto coil = std::make_shared<coil_tracking::CoilModel>(std::filesystem::exists(coil_file)
-                                                               ? coil_tracking::readCoil(coil_file)
-                                                               : coil_tracking::defaultCoil());
-    return [this, recording, coil] {
+    auto film = std::make_shared<workflow::TreatmentFilm>(
+        workflow::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
+    return [this, film] {
       stop();
-      recording_ = *recording;
+      recording_ = film->recording;
       is_live_ = false;
       rig_fault_.clear();
-      coil_ = *coil;
+      coil_ = film->coil;
       outcome_.reset();
       emit changed();
-      cameras_.show(*recording);  // last, because it throws if the folder has vanished meanwhile
+      cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
     };
   });
 }
@@ -135,7 +104,7 @@ void TreatPresenter::align(bool then_start) {
       tr("Aligning the head"),
       [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
        recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
-        requireSignOff(store, is_overridden);
+        workflow::requireSignOff(store, is_overridden);
         auto outcome =
             std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
         return [this, outcome, then_start] {
@@ -148,47 +117,117 @@ void TreatPresenter::align(bool then_start) {
 
 void TreatPresenter::start() {
   if (!recording_ || !outcome_ || isRunning() || tasks_.isRunning() || !mayTreat()) return;
-  session::NavigatorSetup setup;
-  setup.rig = recording_->rig;
-  setup.reference = outcome_->reference;
-  setup.camera_T_mri_at_reference = outcome_->result.camera_T_mri;
-  setup.coil = coil_;
-  setup.scalp = outcome_->scalp;
-  setup.pace = head_tracking::Pace::live;
-  tasks_.start(
-      tr("Starting the trackers"),
-      [this, setup, recording = *recording_, is_live = is_live_, left = cameras_.left(),
-       right = cameras_.right(), seen = cameras_.release(), store = model_.current().store,
-       is_overridden = model_.override().has_value()](TaskMonitor&) mutable -> TaskRunner::Delivery {
-        requireSignOff(store, is_overridden);
-        seen.reset();  // first: a camera can be opened only once
-        setup.key_frames = storedKeyFrames(store.folder());
-        std::shared_ptr<session::Navigator> navigator = services_.makeNavigator(setup);
-        auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(
-            is_live ? services_.openCameras(setup.rig, left, right) : capture::makeSource(recording));
-        return [this, navigator, source] { startNavigator(navigator, std::move(*source)); };
-      });
+  workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_, outcome_};
+  if (const auto& given = model_.override())
+    request.override = {given->by.toStdString(), given->reason.toStdString()};
+  tasks_.start(tr("Starting the trackers"),
+               [this, request, left = cameras_.left(), right = cameras_.right(),
+                seen = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+                 const workflow::TreatmentDevices devices{
+                     services_.makeNavigator, [&] {
+                       seen.reset();  // first: a camera can be opened only once
+                       return request.is_live ? services_.openCameras(request.recording.rig, left, right)
+                                              : capture::makeSource(request.recording);
+                     }};
+                 auto prepared = std::make_shared<workflow::PreparedTreatment>(
+                     workflow::prepareTreatment(request, devices));
+                 return [this, prepared] { begin(*prepared); };
+               });
 }
 
 /// A session that ended by itself still exists, with its log. It is ended first.
-void TreatPresenter::startNavigator(std::shared_ptr<session::Navigator> navigator,
-                                    std::unique_ptr<capture::FrameSource> source) {
-  if (session_) endSession();
-  navigator->setTarget(chosen());
-  session::SessionOptions options;
-  options.is_paced = !is_live_;
-  auto session = std::make_shared<session::Session>(
-      std::move(source), std::make_unique<session::Navigator>(std::move(*navigator)), options);
-  const auto folder = model_.current().store.folder();
-  log_ = std::make_unique<session::TreatmentLog>(session, folder);  // if this throws, nothing has started
-  session_ = std::move(session);
-  treated_ = folder;
-  if (const auto& given = model_.override())
-    log_->addEvent("override", (given->by + ": " + given->reason).toStdString());
-  log_->addEvent("target", target_.toStdString());
-  log_->addEvent("coil", coil_.name);
-  log_->addEvent("alignment", alignmentWords().toStdString());
-  session_->start();
+void TreatPresenter::begin(workflow::PreparedTreatment& prepared) {
+  if (treatment_) endSession();
+  treatment_ = std::make_shared<workflow::Treatment>(std::move(prepared), chosen());
+  last_session_ = treatment_->log().folder();
+  treatment_->setIntensity(intensity_pct_);
+  emit changed();
+  listen();
+}
+
+/// A session goes on without a source that cannot be opened; that is said.
+void TreatPresenter::listen() {
+  if (pulse_source_.isEmpty() || !isRunning()) return;
+  try {
+    treatment_->listen(links::openPulseSource(pulse_source_.toStdString()));
+  } catch (const Error& error) {
+    treatment_->log().addEvent(workflow::session_events::kSource, error.what());
+    emit refused(tr("no pulses from outside: %1").arg(QString::fromUtf8(error.what())));
+  }
+}
+
+bool TreatPresenter::setPulseSource(const QString& words) {
+  try {
+    if (!words.trimmed().isEmpty()) links::openPulseSource(words.trimmed().toStdString());
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+  pulse_source_ = words.trimmed();
+  QSettings().setValue(kPulseSource, pulse_source_);
+  if (isRunning()) treatment_->stopListening();
+  listen();
+  emit changed();
+  return true;
+}
+
+void TreatPresenter::setIntensity(std::optional<double> intensity_pct) {
+  intensity_pct_ = intensity_pct;
+  if (treatment_) treatment_->setIntensity(intensity_pct);
+  emit changed();
+}
+
+bool TreatPresenter::answerPulse(double mep_uv) {
+  return isRunning() && treatment_->log().answerPulse(mep_uv);
+}
+
+bool TreatPresenter::answerPulse(bool has_twitched) {
+  return isRunning() && treatment_->log().answerPulse(has_twitched);
+}
+
+void TreatPresenter::pause(const QString& reason) {
+  if (isRunning()) treatment_->pause(reason.trimmed().toStdString());
+  emit changed();
+}
+
+void TreatPresenter::resume() {
+  if (isRunning()) treatment_->resume();
+  emit changed();
+}
+
+bool TreatPresenter::note(const QString& event, const QString& detail) {
+  if (last_session_.empty()) {
+    emit refused(tr("there is no session yet: start guidance first"));
+    return false;
+  }
+  try {
+    const auto words = workflow::noteWords(detail.toStdString(), event.toStdString());
+    if (treatment_) {
+      treatment_->log().addEvent(event.toStdString(), words);
+      return true;
+    }
+    casefile::addNote(last_session_, event.toStdString(), words);
+    retirement_.add([folder = model_.current().store.folder(),
+                     session = last_session_] { workflow::writeSessionReport(folder, session); },
+                    std::chrono::milliseconds(0));
+    return true;
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+session::PulseCounts TreatPresenter::pulseCounts() const {
+  return treatment_ ? treatment_->log().counts() : session::PulseCounts();
+}
+
+std::optional<session::JudgedPulse> TreatPresenter::lastPulse() const {
+  return treatment_ ? treatment_->log().lastPulse() : std::nullopt;
+}
+
+void TreatPresenter::guideTo(const std::optional<guidance::Target>& site) {
+  site_ = site;
+  if (treatment_) treatment_->chooseTarget(chosen(), site ? site->name : target_.toStdString());
   emit changed();
 }
 
@@ -205,40 +244,37 @@ void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
 }
 
 void TreatPresenter::countPulse() {
-  if (log_ && isRunning()) log_->addPulse();
+  if (isRunning()) treatment_->pressPulse();
 }
 
 QString TreatPresenter::sessionTime() const {
-  if (!session_) return {};
-  return QTime(0, 0).addMSecs(int(1e3 * session_->elapsed_s())).toString("hh:mm:ss");
+  if (!treatment_) return {};
+  return QTime(0, 0).addMSecs(int(1e3 * treatment_->session().elapsed_s())).toString("hh:mm:ss");
 }
 
 QString TreatPresenter::logFailure() const {
-  return log_ ? QString::fromStdString(log_->failure()) : QString();
+  return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
 }
 
 void TreatPresenter::stop() {
-  if (session_) endSession();
+  if (treatment_) endSession();
   emit changed();
 }
 
 /// Nothing of the session is shown from here on. A good camera ends within one frame, the log when all is
 /// written; the report follows without the window waiting for it.
 void TreatPresenter::endSession() {
+  const std::shared_ptr<workflow::Treatment> treatment = std::move(treatment_);
   auto has_ended = std::make_shared<std::promise<void>>();
   retirement_.add(
-      [folder = treated_, session_folder = log_->folder(), ended = has_ended->get_future().share()] {
+      [treatment, ended = has_ended->get_future().share()] {
         ended.wait();
-        keepReport(folder, session_folder);
+        treatment->keepReport();
       },
       std::chrono::milliseconds(0));
   retirement_.add(
-      [session = std::move(session_), log = std::shared_ptr(std::move(log_)), folder = treated_,
-       has_ended]() mutable {
-        session->stop();
-        storeKeyFrames(*session, folder);
-        log.reset();
-        session.reset();
+      [treatment, has_ended] {
+        treatment->end();
         has_ended->set_value();
       },
       kPatience);
@@ -246,13 +282,14 @@ void TreatPresenter::endSession() {
 
 void TreatPresenter::chooseTarget(const QString& name) {
   target_ = name;
-  if (session_) session_->setTarget(chosen());
-  if (log_) log_->addEvent("target", name.toStdString());
+  site_.reset();
+  if (treatment_) treatment_->chooseTarget(chosen(), name.toStdString());
   emit changed();
 }
 
 const guidance::Target* TreatPresenter::target() const {
   if (!model_.isOpen()) return nullptr;
+  if (site_) return &*site_;
   for (const auto& t : model_.current().plan.targets)
     if (t.name == target_.toStdString()) return &t;
   return nullptr;
@@ -261,7 +298,7 @@ const guidance::Target* TreatPresenter::target() const {
 std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
   const auto* t = target();
   if (!t) return std::nullopt;
-  return session::ChosenTarget{*t, outcome_ ? outcome_->result.predictedError_mm(t->cortex_point) : 0.0};
+  return workflow::chosenTarget(*t, outcome_.get());
 }
 
 QString TreatPresenter::recordingFolder() const {
@@ -280,21 +317,14 @@ QString TreatPresenter::recordingWords() const {
 
 QString TreatPresenter::alignmentWords() const {
   if (!outcome_) return tr("not aligned in this session");
-  QString words = tr("aligned: %1 mm rms over %2 points")
-                      .arg(outcome_->result.rms_mm, 0, 'f', 2)
-                      .arg(outcome_->result.points);
-  if (const auto* t = target())
-    words += tr(", \u00b1%1 mm at %2")
-                 .arg(outcome_->result.predictedError_mm(t->cortex_point), 0, 'f', 1)
-                 .arg(target_);
-  return words;
+  return QString::fromStdString(workflow::alignmentWords(*outcome_, target()));
 }
 
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
-  if (session_) {
-    const auto latest = session_->latest();
+  if (treatment_) {
+    const auto latest = treatment_->session().latest();
     if (!latest->rig_fault.empty()) rig_fault_ = QString::fromStdString(latest->rig_fault);
-    if (!session_->hasEnded() || !latest->failure.empty()) return latest;
+    if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));
   }
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));

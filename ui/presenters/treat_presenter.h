@@ -1,13 +1,14 @@
 #pragma once
-// TreatPresenter: cameras (or a recording), align, guide. Runs the Session, keeps its log and says what to
-// show. Only a case with a valid sign-off, or an override with name and reason, can be treated.
+// TreatPresenter: cameras (or a recording), align, guide: what the Treat page shows of a treatment
+// (workflow/treatment.h). Only a case with a valid sign-off, or an override with name and reason, can be
+// treated.
 
 #include <QObject>
 #include <filesystem>
 #include <memory>
 
 #include "facenav/pictures/overlay_worker.h"
-#include "facenav/session/treatment_log.h"
+#include "facenav/workflow/treatment.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
 #include "presenters/read_out.h"
@@ -38,12 +39,39 @@ class TreatPresenter : public QObject {
   void chooseTarget(const QString& name);
   /// Recorded in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
-  /// Keeps a TMS pulse with where the coil was. Only while guidance runs.
+  /// Guides to a place that is not in the plan (a site of a hunting grid); nothing: to the chosen target
+  /// again.
+  void guideTo(const std::optional<guidance::Target>& site);
+
+  // While guidance runs; else they do nothing, or return false.
+  /// Keeps a TMS pulse with where the coil was.
   void countPulse();
+  /// What the muscle did at the newest pulse.
+  bool answerPulse(double mep_uv);
+  bool answerPulse(bool has_twitched);
+  void pause(const QString& reason);
+  void resume();
+  bool isPaused() const { return isRunning() && treatment_->isPaused(); }
+
+  /// Of the following pulses; remembered until the window closes. % of the maximal output.
+  void setIntensity(std::optional<double> intensity_pct);
+  std::optional<double> intensity() const { return intensity_pct_; }
+  /// Where pulses come from beside the keyboard, as links::openPulseSource reads it; empty: nowhere.
+  /// Remembered. Used at once by a running session. False: refused, with words.
+  bool setPulseSource(const QString& words);
+  QString pulseSource() const { return pulse_source_; }
+  /// An event of the session that runs, or of the last one of this window. False: there is none.
+  bool note(const QString& event, const QString& detail);
+
+  session::PulseCounts pulseCounts() const;
+  /// Of the target's dose or the case's protocol; nothing: no goal.
+  std::optional<int> plannedPulses() const { return treatment_ ? treatment_->plannedPulses() : std::nullopt; }
+  /// The newest pulse with a verdict; nothing without one.
+  std::optional<session::JudgedPulse> lastPulse() const;
 
   bool mayTreat() const { return model_.mayBeTreated(); }
   /// Pulses that are kept in the session's file; a pulse gets there within about a tenth of a second.
-  int pulses() const { return log_ ? log_->pulses() : 0; }
+  int pulses() const { return treatment_ ? treatment_->log().pulses() : 0; }
   /// Time from the start of guidance until its end, "00:07:31"; empty before.
   QString sessionTime() const;
   /// Why the session's log stopped; empty if it did not.
@@ -56,9 +84,9 @@ class TreatPresenter : public QObject {
   /// The fault of the cameras that the last session found; empty: none.
   QString rigFault() const { return rig_fault_; }
   bool isAligned() const { return outcome_ != nullptr; }
-  bool isRunning() const { return session_ != nullptr && !session_->hasEnded(); }
+  bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
   /// The recording reached its end, or a fault stopped the session.
-  bool hasEnded() const { return session_ != nullptr && session_->hasEnded(); }
+  bool hasEnded() const { return treatment_ && treatment_->session().hasEnded(); }
   /// The recording used in place of cameras; empty: none.
   QString recordingFolder() const;
   QString recordingWords() const;
@@ -66,7 +94,7 @@ class TreatPresenter : public QObject {
   /// the same.
   QString alignmentWords() const;
   QString targetName() const { return target_; }
-  /// The chosen target, or null.
+  /// The place that is guided to: the chosen target, or the site of a hunting grid. May be null.
   const guidance::Target* target() const;
 
   /// The newest state; everything is lost if nothing runs.
@@ -80,9 +108,9 @@ class TreatPresenter : public QObject {
   void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);
 
  private:
-  void startNavigator(std::shared_ptr<session::Navigator> navigator,
-                      std::unique_ptr<capture::FrameSource> source);
+  void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
+  void listen();
   void endSession();
   std::optional<session::ChosenTarget> chosen() const;
 
@@ -95,11 +123,12 @@ class TreatPresenter : public QObject {
   mutable QString rig_fault_;
   coil_tracking::CoilModel coil_;
   std::shared_ptr<const workflow::AlignmentOutcome> outcome_;
-  std::shared_ptr<session::Session> session_;
-  std::unique_ptr<session::TreatmentLog> log_;
-  std::filesystem::path treated_;  // the case of the session
+  std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
-  QString target_;
+  std::filesystem::path last_session_;
+  QString target_, pulse_source_;
+  std::optional<guidance::Target> site_;
+  std::optional<double> intensity_pct_;
   pictures::OverlayWorker overlays_;
 };
 

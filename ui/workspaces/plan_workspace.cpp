@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QShortcut>
@@ -16,6 +17,7 @@
 #include "widgets/narrow_label.h"
 #include "widgets/place_panel.h"
 #include "widgets/scroll_column.h"
+#include "widgets/target_tools.h"
 
 namespace facenav::ui {
 
@@ -26,6 +28,7 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
       place_(place),
       cortex_(cortex),
       model_(model),
+      head_(new HeadPresenter(model, this)),
       views_(new LinkedViews(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 10, 10, 10);
@@ -60,9 +63,62 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
     presenter_.addTargetNear({x, y, z});
   });
   connect(&presenter_, &PlanPresenter::changed, this, &PlanWorkspace::showPlan);
+  connect(head_, &HeadPresenter::refused, &presenter_, &PlanPresenter::refused);
   connect(views_, &LinkedViews::chosen, this, [this](double x, double y, double z, bool is_scalp) {
     is_scalp ? presenter_.addTargetAtScalp({x, y, z}) : presenter_.addTarget({x, y, z});
   });
+}
+
+TargetTools* PlanWorkspace::makeTools(QWidget* parent) {
+  auto* tools = new TargetTools(presenter_, *head_, parent);
+  connect(tools, &TargetTools::landmarkWanted, this,
+          [this](surface::Landmark which) { head_->setLandmark(which, views_->crosshair()); });
+  connect(tools, &TargetTools::goTo, this, [this](double x, double y, double z) {
+    views_->setCrosshair({x, y, z});
+  });
+  connect(tools, &TargetTools::compareWith, this, [this](const QString& target) {
+    compared_with_ = target;
+    showPlan();
+  });
+  return tools;
+}
+
+/// A search over the list, and the active target's note.
+QWidget* PlanWorkspace::makeFields(QWidget* parent) {
+  search_ = new QLineEdit(parent);
+  search_->setPlaceholderText(tr("search"));
+  search_->setToolTip(tr("shows the targets whose name or note holds these words"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textChanged, this, &PlanWorkspace::filterTargets);
+  note_ = new QLineEdit(parent);
+  note_->setPlaceholderText(tr("note"));
+  note_->setToolTip(tr("note of the active target (Return)"));
+  connect(note_, &QLineEdit::editingFinished, this, [this] {
+    if (!note_->isModified()) return;
+    note_->setModified(false);
+    presenter_.setNote(note_->text());
+  });
+  return search_;
+}
+
+void PlanWorkspace::filterTargets() {
+  const QString words = search_->text().trimmed();
+  for (int i = 0; i < targets_->count(); ++i) {
+    auto* item = targets_->item(i);
+    const auto* target = workflow::find(presenter_.plan(), item->text().toStdString());
+    const bool has_words =
+        item->text().contains(words, Qt::CaseInsensitive) ||
+        (target && QString::fromStdString(target->note).contains(words, Qt::CaseInsensitive));
+    item->setHidden(!has_words);
+  }
+}
+
+void PlanWorkspace::showFields() {
+  const auto* active = presenter_.active();
+  note_->setEnabled(active != nullptr);
+  if (!note_->hasFocus()) note_->setText(active ? QString::fromStdString(active->note) : QString());
+  search_->setVisible(presenter_.plan().targets.size() > 5);
+  filterTargets();
 }
 
 QWidget* PlanWorkspace::makeTargetsPanel() {
@@ -90,8 +146,11 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   within->setContentsMargins(0, 0, 0, 0);
   targets_->setMinimumHeight(sized(90));
   targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
+  within->addWidget(makeTools(body));
+  within->addWidget(makeFields(body));
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
+  within->addWidget(note_);
   within->addWidget(new HandlePanel(presenter_, panel));
   auto* edit = new QHBoxLayout;
   undo_ = new QPushButton(tr("Undo"), panel);
@@ -130,10 +189,14 @@ void PlanWorkspace::addKeys() {
   key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
   key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
   // Seen from above the coil, its +x points left.
-  key(Qt::ALT + Qt::Key_Left, [this] { presenter_.nudgeActive(1, 0); });
-  key(Qt::ALT + Qt::Key_Right, [this] { presenter_.nudgeActive(-1, 0); });
-  key(Qt::ALT + Qt::Key_Up, [this] { presenter_.nudgeActive(0, 1); });
-  key(Qt::ALT + Qt::Key_Down, [this] { presenter_.nudgeActive(0, -1); });
+  for (const auto& [modifier, mm] : {std::pair(0, 1.0), std::pair(int(Qt::SHIFT), 5.0)}) {
+    const int held = Qt::ALT + modifier;
+    const double step_mm = mm;
+    key(held + Qt::Key_Left, [this, step_mm] { presenter_.nudgeActive(step_mm, 0); });
+    key(held + Qt::Key_Right, [this, step_mm] { presenter_.nudgeActive(-step_mm, 0); });
+    key(held + Qt::Key_Up, [this, step_mm] { presenter_.nudgeActive(0, step_mm); });
+    key(held + Qt::Key_Down, [this, step_mm] { presenter_.nudgeActive(0, -step_mm); });
+  }
 }
 
 void PlanWorkspace::showCase() {
@@ -170,16 +233,20 @@ void PlanWorkspace::showPlan() {
   targets_->clear();
   for (const auto& target : presenter_.plan().targets) {
     auto* item = new QListWidgetItem(QString::fromStdString(target.name), targets_);
-    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    if (!target.is_locked) item->setFlags(item->flags() | Qt::ItemIsEditable);
+    if (target.is_locked) item->setToolTip(tr("locked"));
     if (item->text() == presenter_.activeName()) targets_->setCurrentItem(item);
   }
   is_filling_ = false;
   const auto* active = presenter_.active();
   detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + presenter_.describe(*active)
                           : tr("no target chosen"));
+  const QString compared = presenter_.compareWords(compared_with_);
+  if (!compared.isEmpty()) detail_->setText(detail_->text() + "\n" + compared);
+  showFields();
   undo_->setEnabled(presenter_.canUndo());
   redo_->setEnabled(presenter_.canRedo());
-  remove_->setEnabled(active != nullptr);
+  remove_->setEnabled(active && !active->is_locked);
   if (is_outdated_ || !model_.isOpen()) return;
   auto& scene = views_->sceneView().scene();
   scene.setCoilGhost(active ? std::optional(active->mri_T_target) : std::nullopt);

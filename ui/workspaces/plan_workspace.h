@@ -4,10 +4,12 @@
 #include <QWidget>
 
 #include "presenters/cortex_presenter.h"
+#include "presenters/head_presenter.h"
 #include "presenters/place_presenter.h"
 #include "presenters/plan_presenter.h"
 
 class QLabel;
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 
@@ -15,6 +17,7 @@ namespace facenav::ui {
 
 class LinkedViews;
 class PlacePanel;
+class TargetTools;
 
 class PlanWorkspace : public QWidget {
   Q_OBJECT
@@ -28,6 +31,10 @@ class PlanWorkspace : public QWidget {
 
  private:
   QWidget* makeTargetsPanel();
+  TargetTools* makeTools(QWidget* parent);
+  QWidget* makeFields(QWidget* parent);
+  void showFields();
+  void filterTargets();
   void addKeys();
   void showCase();
   void showPlan();
@@ -38,11 +45,14 @@ class PlanWorkspace : public QWidget {
   PlacePresenter& place_;
   CortexPresenter& cortex_;
   CaseModel& model_;
+  HeadPresenter* head_;
   std::shared_ptr<const scene::CortexPicture> shown_cortex_;
   LinkedViews* views_;
   PlacePanel* place_panel_;
   QListWidget* targets_;
   QLabel* detail_;
+  QLineEdit *search_, *note_;
+  QString compared_with_;
   QPushButton *undo_, *redo_, *remove_;
   bool is_drawing_brain_ = false;
   double shown_peel_mm_ = -1.0;

@@ -1,12 +1,11 @@
 #include "workspaces/treat_workspace.h"
 
-#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "appearance.h"
@@ -16,8 +15,11 @@
 #include "widgets/cameras_panel.h"
 #include "widgets/elided_label.h"
 #include "widgets/figures_panel.h"
+#include "widgets/motor_panel.h"
 #include "widgets/override_panel.h"
+#include "widgets/pulse_row.h"
 #include "widgets/scroll_column.h"
+#include "widgets/session_panel.h"
 #include "widgets/words_of_button.h"
 
 namespace facenav::ui {
@@ -33,6 +35,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
     : QWidget(parent),
       presenter_(presenter),
       model_(model),
+      motor_(presenter, model),
       scene_(new SceneView(this)),
       pictures_(new CameraRow(this)) {
   setObjectName("treat");  // the style sheet makes its text legible from two metres
@@ -50,6 +53,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   timer_.setInterval(kRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, &TreatWorkspace::refresh);
   connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
+  connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
   const auto markOutdated = [this] {
     is_outdated_ = true;
@@ -67,35 +71,47 @@ QWidget* TreatWorkspace::makeSide() {
   auto* side = new QWidget(side_);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
-  bulls_eye_ = new BullsEyeView(side);
+  tools_ = new QStackedWidget(side);
+  bulls_eye_ = new BullsEyeView(tools_);
+  tools_->addWidget(bulls_eye_);
+  tools_->addWidget(new ScrollColumn(new MotorPanel(motor_, presenter_, tools_), 0, tools_));
+  tools_->addWidget(new ScrollColumn(new SessionPanel(presenter_, sounds_, tools_), 0, tools_));
   figures_ = new FiguresPanel(side);
   bulls_eye_and_figures_ = new QBoxLayout(QBoxLayout::TopToBottom);
-  bulls_eye_and_figures_->addWidget(bulls_eye_, 4);
+  bulls_eye_and_figures_->addWidget(tools_, 4);
   bulls_eye_and_figures_->addWidget(figures_, 5);
+  column->addWidget(makeTabs(side));
   column->addLayout(bulls_eye_and_figures_, 1);
-  auto* session = new QHBoxLayout;
-  pulses_ = new QLabel(side);
-  pulses_->setObjectName("session");
-  pulses_->setToolTip(tr("pulses given and time since guidance was started; both go into the session's log"));
-  pulse_ = new QPushButton(tr("Pulse given"), side);
-  pulse_->setToolTip(tr("counts a TMS pulse and keeps where the coil was (P)"));
+  pulses_ = new PulseRow(presenter_, sounds_, side);
+  column->addWidget(pulses_);
   auto* key = new QShortcut(Qt::Key_P, this);
   key->setAutoRepeat(false);  // a key that is held down is one pulse
-  session->addWidget(pulses_, 1);
-  session->addWidget(pulse_);
-  column->addLayout(session);
+  connect(key, &QShortcut::activated, pulses_, &PulseRow::take);
   side_->addWidget(new ScrollColumn(side, sized(kFigures_px), side_));
   side_->addWidget(new ScrollColumn(new CamerasPanel(presenter_, side_), sized(kFigures_px), side_));
-  const auto take = [this] {
-    presenter_.countPulse();
-    showSession();
-  };
-  // Pressed, not clicked: a pulse's time is when the key goes down. A button's own shortcut clicks 0.1 s
-  // later.
-  connect(pulse_, &QPushButton::pressed, this, take);
-  connect(key, &QShortcut::activated, this, take);
   return side_;
 }
+
+/// Aim, Motor, Session.
+QWidget* TreatWorkspace::makeTabs(QWidget* parent) {
+  auto* tabs = new QTabBar(parent);
+  tabs->setExpanding(false);
+  tabs->setDrawBase(false);
+  tabs->addTab(tr("Aim"));
+  tabs->addTab(tr("Motor"));
+  tabs->addTab(tr("Session"));
+  tabs->setTabToolTip(0, tr("where the coil is against the target"));
+  tabs->setTabToolTip(1, tr("motor hotspot and threshold: the muscle's answers"));
+  tabs->setTabToolTip(2, tr("pause, pain, adverse events, source of the pulses, sound"));
+  connect(tabs, &QTabBar::currentChanged, this, [this](int tool) {
+    tools_->setCurrentIndex(tool);
+    arrange();
+  });
+  connect(this, &TreatWorkspace::toolShown, tabs, &QTabBar::setCurrentIndex);
+  return tabs;
+}
+
+void TreatWorkspace::showTool(Tool tool) { emit toolShown(int(tool)); }
 
 QWidget* TreatWorkspace::makeSteps() {
   auto* bar = new QFrame(this);
@@ -151,15 +167,6 @@ void TreatWorkspace::showPreview() {
   pictures_->showPlain(*frame);
 }
 
-void TreatWorkspace::showSession() {
-  const QString failure = presenter_.logFailure();
-  const QString time = presenter_.sessionTime();
-  pulses_->setText(!failure.isEmpty() ? tr("NOT LOGGED: %1").arg(failure)
-                   : time.isEmpty()   ? tr("no session")
-                                      : tr("pulses %1   %2").arg(presenter_.pulses()).arg(time));
-  pulse_->setEnabled(presenter_.isRunning());
-}
-
 void TreatWorkspace::showSteps() {
   const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
   setWords(*cameras_, tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
@@ -193,7 +200,7 @@ void TreatWorkspace::showCase() {
 
 void TreatWorkspace::refresh() {
   const auto state = presenter_.state();
-  showSession();
+  pulses_->refresh();
   if (presenter_.isRunning() != shows_running_) showSteps();
   ReadOut read_out = makeReadOut(*state);
   const bool was_started = presenter_.isRunning() || state->frame >= 0;
@@ -247,10 +254,7 @@ void TreatWorkspace::refresh() {
     presenter_.askOverlay(state);
     bulls_eye_->set(state->guidance);
     figures_->set(read_out);
-    const bool has_just_lost =
-        was_started && read_out.level == Level::lost && read_out.instruction != last_instruction_;
-    if (has_just_lost) QApplication::beep();
-    last_instruction_ = read_out.instruction;
+    presenter_.isRunning() ? sounds_.follow(state->guidance) : sounds_.forget();
   }
   emit shown(read_out);
 }
@@ -260,9 +264,11 @@ void TreatWorkspace::showEvent(QShowEvent*) {
   timer_.start();
 }
 
-/// In a low window the bull's eye moves beside the figures.
-void TreatWorkspace::resizeEvent(QResizeEvent*) {
-  const bool is_low = height() < sized(kLow_px);
+void TreatWorkspace::resizeEvent(QResizeEvent*) { arrange(); }
+
+/// In a low window the bull's eye moves beside the figures. The other panels are too wide for that.
+void TreatWorkspace::arrange() {
+  const bool is_low = height() < sized(kLow_px) && tools_->currentWidget() == bulls_eye_;
   bulls_eye_and_figures_->setDirection(is_low ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 

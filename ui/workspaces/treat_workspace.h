@@ -6,11 +6,11 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "presenters/treat_presenter.h"
+#include "presenters/motor_presenter.h"
+#include "presenters/session_sounds.h"
 
 class QBoxLayout;
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QStackedWidget;
 
@@ -20,19 +20,25 @@ class BullsEyeView;
 class CameraRow;
 class ElidedLabel;
 class FiguresPanel;
+class PulseRow;
 class SceneView;
 
 class TreatWorkspace : public QWidget {
   Q_OBJECT
 
  public:
+  /// Which panel stands beside the figures.
+  enum class Tool { aim, motor, session };
   TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent = nullptr);
 
   TreatPresenter& presenter() { return presenter_; }
+  MotorPresenter& motor() { return motor_; }
+  void showTool(Tool tool);
 
  signals:
   /// Emitted after each refresh, for the window's header.
   void shown(const facenav::ui::ReadOut& read_out);
+  void toolShown(int tool);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -41,30 +47,33 @@ class TreatWorkspace : public QWidget {
 
  private:
   QWidget* makeSide();
+  QWidget* makeTabs(QWidget* parent);
   QWidget* makeSteps();
   void showCase();
   void showSteps();
   void refresh();
   void showStage(bool shows_cameras);
   void showPreview();
-  void showSession();
+  void arrange();
 
   TreatPresenter& presenter_;
   CaseModel& model_;
+  MotorPresenter motor_;
+  SessionSounds sounds_;
   SceneView* scene_;
   CameraRow* pictures_;
   BullsEyeView* bulls_eye_;
   QBoxLayout* bulls_eye_and_figures_;
   FiguresPanel* figures_;
   QComboBox* target_;
-  QStackedWidget* side_;
-  QPushButton *cameras_, *align_, *guide_, *pulse_;
+  QStackedWidget *side_, *tools_;  // tools_: bull's eye, motor, session
+  QPushButton *cameras_, *align_, *guide_;
   ElidedLabel* words_;
-  QLabel* pulses_;
+  PulseRow* pulses_;
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false;
   std::int64_t previewed_ = -1;
-  QString signature_, last_instruction_;
+  QString signature_;
 };
 
 }  // namespace facenav::ui

@@ -65,6 +65,7 @@ Outline evenly(const Outline& line, double step_mm) {
 }
 
 constexpr double kStep_mm = 0.7;
+constexpr double kCrown_mm = 60;  // no nose this near to the outline's start
 int steps(double mm) { return int(std::lround(mm / kStep_mm)); }
 
 /// Distance of `p` from the line a-b towards its outer side, for a line that runs down the face.
@@ -97,13 +98,13 @@ std::vector<double> prominences(const Outline& line) {
 }
 
 /// The nose tip: from above, the first point that stands out enough and has a hollow above it (the nose's
-/// root). Forehead and brow have no such hollow; mouth and chin lie below. Nothing when no point qualifies,
-/// or the scan ends above it.
+/// root). Forehead and brow have no such hollow; mouth and chin lie below. Empty when no point qualifies, or
+/// the scan ends above it.
 std::optional<int> noseTip(const Outline& line) {
   constexpr double kLength_mm = 60, kLeast_mm = 7, kHollow_mm = 2.5, kNext_mm = 25;
   const std::vector<double> out_mm = prominences(line);
   std::optional<int> best;
-  for (int i = steps(60); i + steps(12) < int(line.size()); ++i) {
+  for (int i = steps(kCrown_mm); i + steps(12) < int(line.size()); ++i) {
     if (best && i > *best + steps(kNext_mm)) break;
     const double least_mm = best ? out_mm[std::size_t(*best)] : kLeast_mm;
     if (out_mm[std::size_t(i)] <= least_mm) continue;
@@ -111,6 +112,16 @@ std::optional<int> noseTip(const Outline& line) {
     if (*std::min_element(from, out_mm.begin() + i) < -kHollow_mm) best = i;
   }
   return best;
+}
+
+/// Whether the head is tilted so far back (some 70 degrees) that its nose lies on the outline's first part,
+/// where it is not searched: `tip` is then the chin. An upright head's crown stands out a third as far as its
+/// nose.
+bool hasNoseAtCrown(const Outline& line, int tip) {
+  constexpr double kCrownShare = 0.8;
+  const std::vector<double> out_mm = prominences(line);
+  const double crown_mm = *std::max_element(out_mm.begin(), out_mm.begin() + steps(kCrown_mm));
+  return crown_mm > kCrownShare * out_mm[std::size_t(tip)];
 }
 
 /// Where the nose meets the lip: the deepest corner below the tip, within the depth of a nose.
@@ -155,6 +166,24 @@ std::optional<Vector2d> backOfHead(const MidlineProfile& profile, const Vector2d
   return best;
 }
 
+/// The point below the back of the head that stands out most from the chord to the nape. Nothing when the
+/// scan ends too soon below it.
+std::optional<Vector2d> bendToTheNeck(const Outline& back, const Vector2d& opisthocranion) {
+  constexpr double kNearest_mm = 12, kFurthest_mm = 62, kNape_mm = 75, kLeastNape_mm = 55, kLeast_mm = 1.0;
+  Outline line = back;
+  for (Vector2d& p : line) p.x() = -p.x();  // runs down as a face does
+  const Vector2d start(-opisthocranion.x(), opisthocranion.y());
+  const auto nearer = [&](const Vector2d& a, const Vector2d& b) {
+    return (a - start).squaredNorm() < (b - start).squaredNorm();
+  };
+  const int from = int(std::min_element(line.begin(), line.end(), nearer) - line.begin());
+  const int nape = std::min(int(line.size()) - 1, from + steps(kNape_mm));
+  if (nape < from + steps(kLeastNape_mm)) return std::nullopt;
+  const auto bend = furthest(line, from + steps(kNearest_mm), std::min(nape, from + steps(kFurthest_mm)),
+                             line[std::size_t(from)], line[std::size_t(nape)], 1, kLeast_mm);
+  return bend ? std::optional(back[std::size_t(*bend)]) : std::nullopt;
+}
+
 }  // namespace
 
 MidlineProfile midlineProfile(const std::vector<Vector3d>& head_mm,
@@ -174,6 +203,7 @@ MidlineLandmarks midlineLandmarks(const MidlineProfile& profile) {
   const Outline& line = profile.front;
   MidlineLandmarks found;
   const std::optional<int> nose_tip = noseTip(line);
+  if (nose_tip && hasNoseAtCrown(line, *nose_tip)) return found;
   const int tip = nose_tip.value_or(int(line.size()) - 1);  // the scan may end on the nose's bridge
   if (tip < steps(90)) return found;
   const auto at = [&](int i) { return line[std::size_t(i)]; };
@@ -194,6 +224,7 @@ MidlineLandmarks midlineLandmarks(const MidlineProfile& profile) {
         found.pogonion = at(*chin);
   }
   found.opisthocranion = backOfHead(profile, found.glabella.value_or(at(*brow)));
+  if (found.opisthocranion) found.inion = bendToTheNeck(profile.back, *found.opisthocranion);
   return found;
 }
 

@@ -67,6 +67,7 @@ class ImagePairs : public FramePairs {
     ++at_;
     return ImagePair{toGrey8(left_image, bits_), toGrey8(right_image, bits_), left.string()};
   }
+  void goTo(std::size_t index) override { at_ = index; }
 
  private:
   std::vector<NumberedImage> left_, right_;

@@ -66,6 +66,19 @@ class VideoPairs : public FramePairs {
     ++at_;
     return ImagePair{read(left_, left_path_), read(right_, right_path_), where};
   }
+  /// Frame by frame: a container's own index is often wrong by some frames.
+  void goTo(std::size_t index) override {
+    if (index < at_) {
+      left_ = openVideo(left_path_);
+      right_ = openVideo(right_path_);
+      at_ = 0;
+    }
+    for (; at_ < index; ++at_)
+      if (!left_.grab() || !right_.grab())
+        throw Error("video ends or is damaged at frame " + std::to_string(at_) + " of " +
+                        std::to_string(numbers_.size()),
+                    left_path_.string(), "copy or record it again");
+  }
 
  private:
   cv::Mat read(cv::VideoCapture& video, const fs::path& path) const {

@@ -25,7 +25,7 @@ struct CaseJson {
 /// Throws Error naming file and key. Another schema version is refused, and the error says what to do.
 CaseJson readCaseJson(const std::filesystem::path& path);
 void writeCaseJson(const CaseJson& content, const std::filesystem::path& path);
-/// Of what differed from the defaults, by key; of settings that this version does not know, too.
+/// Settings that differed from the defaults, by key, including those that this version does not know.
 SettingValues readSettings(const JsonReader& json);
 /// 16 random hex digits.
 std::string makeCaseId();

@@ -96,10 +96,14 @@ bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   return (n * sum_ab - sum_a * sum_b) / spread > kSame;
 }
 
-/// Copies targets and sessions to the new case. Session files are hard-linked: recordings are large, and the
-/// swap stays atomic.
-void keepFromOld(const fs::path& old_case, const fs::path& fresh) {
-  if (fs::exists(old_case / "targets.json")) fs::copy_file(old_case / "targets.json", fresh / "targets.json");
+/// Copies targets, protocol, landmarks (of the same scan) and sessions to the new case. Session files are
+/// hard-linked: recordings are large, and the swap stays atomic.
+void keepFromOld(const fs::path& old_case, const fs::path& fresh, const volume::Volume& mri) {
+  for (const char* file : {"targets.json", "protocol.json"})
+    if (fs::exists(old_case / file)) fs::copy_file(old_case / file, fresh / file);
+  if (fs::exists(old_case / "landmarks.json") &&
+      isSameScan(volume::readNifti(old_case / "mri.nii.gz").volume, mri))
+    fs::copy_file(old_case / "landmarks.json", fresh / "landmarks.json");
   if (!fs::is_directory(old_case / "sessions")) return;
   std::error_code fault;
   const auto how = fs::copy_options::recursive | fs::copy_options::create_hard_links;
@@ -169,7 +173,7 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
     content.brain_quality = prepared.brain_quality;
     content.provenance = provenance;
     writeCaseJson(content, fresh.temporaryPath() / "case.json");
-    if (isCase(place)) keepFromOld(place, fresh.temporaryPath());
+    if (isCase(place)) keepFromOld(place, fresh.temporaryPath(), prepared.mri);
     fresh.commit();
   } catch (const fs::filesystem_error& fault) {
     throw Error("cannot be written (" + fault.code().message() + ")", place.string(),

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
 #include "facenav/core/whole_file.h"
 
@@ -48,7 +49,11 @@ surface::FaceMeasure readMeasure(const JsonReader& json) {
 
 surface::CheckFinding readFinding(const JsonReader& json) {
   surface::CheckFinding finding;
-  finding.topic = json.at("topic").text();
+  try {
+    finding.topic = surface::topicFrom(json.at("topic").text());
+  } catch (const Error&) {
+    json.at("topic").refuse("a topic of the import check was expected");
+  }
   const std::string words = json.at("verdict").text();
   if (words != "fine" && words != "caution" && words != "not usable")
     json.at("verdict").refuse("fine, caution or not usable was expected");
@@ -65,8 +70,10 @@ void writeNavigationCheck(const surface::NavigationCheck& check, const std::file
   json["verdict"] = toString(check.verdict());
   json["findings"] = Json::array();
   for (const auto& f : check.findings)
-    json["findings"].push_back(
-        {{"topic", f.topic}, {"verdict", toString(f.verdict)}, {"finding", f.finding}, {"ask", f.ask}});
+    json["findings"].push_back({{"topic", toString(f.topic)},
+                                {"verdict", toString(f.verdict)},
+                                {"finding", f.finding},
+                                {"ask", f.ask}});
   json["landmarks"] = Json::array();
   for (const auto& p : check.landmarks.points) {
     Json landmark{{"name", p.name}, {"mm", triple(p.point.mm)}, {"sd_mm", p.sd_mm}};

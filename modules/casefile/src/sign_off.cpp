@@ -14,7 +14,7 @@ namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr char kFile[] = "sign_off.json";
+constexpr char kSignOffFile[] = "sign_off.json";
 
 void requireWillingness(const SignOffRequest& request, const std::vector<std::string>& findings) {
   if (request.by.empty())
@@ -142,14 +142,14 @@ SignOff signOff(const CaseStore& store, const SignOffRequest& request) {
   SignOff sign_off{request.by, utcNow(), request.note, findings, std::nullopt, seenFiles(store)};
   requireUnchanged(request, sign_off.seen_sha256);
   if (const auto brain = store.brainMask()) sign_off.brain_ml = brain->volume_ml();
-  write(sign_off, store.folder() / kFile);
+  write(sign_off, store.folder() / kSignOffFile);
   return sign_off;
 }
 
 SignOffStatus signOffStatus(const CaseStore& store) {
   SignOffStatus status;
   status.has_draft = hasBrainDraft(store);
-  const fs::path path = store.folder() / kFile;
+  const fs::path path = store.folder() / kSignOffFile;
   if (!fs::exists(path)) return status;
   status.last = readSignOff(path);
   status.changed = differences(status.last->seen_sha256, seenFiles(store));

@@ -27,6 +27,27 @@ Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
+/// The rotation with the least sum of angles to all (Hartley, Aftab and Trumpf 2011, by Weiszfeld steps):
+/// fewer than half of the poses cannot move it far.
+Eigen::Matrix3d medianRotation(const std::vector<Eigen::Isometry3d>& poses) {
+  constexpr int kMostSteps = 50;
+  constexpr double kLeastAngle_rad = 1e-6, kSettled_rad = 1e-7;
+  Eigen::Matrix3d median = meanRotation(poses);
+  for (int step = 0; step < kMostSteps; ++step) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double weights = 0;
+    for (const auto& pose : poses) {
+      const Eigen::Vector3d turn = logRotation(median.transpose() * pose.linear());
+      const double weight = 1 / std::max(kLeastAngle_rad, turn.norm());
+      sum += weight * turn, weights += weight;
+    }
+    const Eigen::Vector3d turn = sum / weights;
+    median = median * expRotation(turn);
+    if (turn.norm() < kSettled_rad) break;
+  }
+  return median;
+}
+
 Eigen::Isometry3d meanPose(const std::vector<Eigen::Isometry3d>& poses) {
   Eigen::Isometry3d mean = Eigen::Isometry3d::Identity();
   mean.linear() = meanRotation(poses);
@@ -107,7 +128,7 @@ CoilCalibration calibrateWithJig(const std::vector<JigObservation>& observations
     z.push_back(pose.translation().z());
   }
   const Eigen::Vector3d middle(upperMedian(x), upperMedian(y), upperMedian(z));
-  const Eigen::Matrix3d turned = meanRotation(poses);
+  const Eigen::Matrix3d turned = medianRotation(poses);
   const auto kept = withoutOutliers(poses, [&](const Eigen::Isometry3d& pose) {
     return (pose.translation() - middle).norm() + 100 * rotationAngle(turned.transpose() * pose.linear());
   });

@@ -11,7 +11,7 @@ namespace {
 constexpr double kCornerGap_px =
     1.5;  // blur extends this far round a corner, besides the taps of a slanted row
 constexpr double kLeastLength_px = 3.0;
-constexpr double kLeastContrast_grey = 8.0;
+constexpr double kLeastStep_grey = 8.0;
 constexpr double kNoise_grey = 2.0;  // of a common camera; only reduces the weight of edges with low contrast
 constexpr double kFloor_px = 0.02;   // left by lens and print, at any noise
 constexpr double kFirstSigma_px = 0.4;  // of an edge found by search
@@ -142,8 +142,8 @@ class LineSampler {
     const std::ptrdiff_t step = is_by_row ? 1 : std::ptrdiff_t(grey.step[0]);
     const auto found =
         sampling_.search_px > 0
-            ? searchEdge(first, step, place, by_normal > 0, sampling_.search_px, kLeastContrast_grey)
-            : locateEdge(*weights_, first, step, place, by_normal > 0, kLeastContrast_grey);
+            ? searchEdge(first, step, place, by_normal > 0, sampling_.search_px, kLeastStep_grey)
+            : locateEdge(*weights_, first, step, place, by_normal > 0, kLeastStep_grey);
     if (!found) return;
     ++line.found;
     const double shrink_px = state_.shrink_px[sight_.image];

@@ -13,8 +13,6 @@
 namespace facenav::evaluation {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / M_PI;
-
 class Album {
  public:
   explicit Album(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -9,8 +9,6 @@
 namespace facenav::evaluation {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / M_PI;
-
 ErrorAt between(const Eigen::Isometry3d& estimated, const Eigen::Isometry3d& truth,
                 const Eigen::Vector3d& point_mm) {
   return {(estimated * point_mm - truth * point_mm).norm(),

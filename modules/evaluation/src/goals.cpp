@@ -13,7 +13,6 @@
 namespace facenav::evaluation {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / M_PI;
 constexpr double kNear_mm = 700.0, kTilt_deg = 50.0;  // limits of the coil's stricter goal
 
 /// Runs with the errors of their frames, computed once.

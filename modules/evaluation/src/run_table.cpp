@@ -13,7 +13,6 @@ namespace {
 
 using Figures = std::vector<std::pair<std::string, double>>;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDegPerRad = 180.0 / M_PI;
 
 void addCloud(const RunRecord& run, Figures& figures) {
   const bool has = run.cloud.has_value();

@@ -1,12 +1,10 @@
 #include "facenav/evaluation/tracking_evaluation.h"
 
+#include "facenav/evaluation/frame_errors.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::evaluation {
 namespace {
-
-constexpr double kWrong_mm = 3.0, kWrong_deg = 2.0;
-constexpr double kDegPerRad = 180.0 / M_PI;
 
 FrameError errorOf(const PoseEstimate& estimate, const Eigen::Isometry3d& truth,
                    const Eigen::Vector3d& point_mm) {

@@ -8,11 +8,11 @@
 #include "facenav/core/error.h"
 #include "facenav/face/face_landmarks.h"
 #include "facenav/face/landmark_model.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::face {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 // Rolls in the order tried, upright first; the last three: cameras on their side or upside down.
 constexpr double kRolls_deg[] = {0, 20, -20, 40, -40, 60, -60, 90, -90, 180};
 constexpr int kDetectionEdge_px = 400;  // the cascade runs on an image reduced to about this
@@ -84,7 +84,7 @@ class HaarFaceDetector : public FaceDetector {
     for (double pass_scale : {scale, 1.0}) {
       std::optional<Candidate> best;
       for (double roll_deg : kRolls_deg) {
-        const auto found = search(grey, roll_deg * kDegree, pass_scale, kSmallestFace_px, 0);
+        const auto found = search(grey, roll_deg * kRadPerDeg, pass_scale, kSmallestFace_px, 0);
         if (found && (!best || found->support > best->support)) best = found;
         if (best && best->support >= kSureSupport) break;
       }

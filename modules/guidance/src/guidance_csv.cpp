@@ -3,6 +3,7 @@
 #include "facenav/core/csv_table.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::guidance {
 std::string guidanceCsvHeader() {
@@ -15,10 +16,9 @@ std::string toCsvLine(const GuidanceRow& row) {
                      toString(row.state.state);
   if (!row.state.values) return line + ",,,,,,,\n";
   const GuidanceValues& values = *row.state.values;
-  constexpr double kDegree = 180.0 / M_PI;
   for (const double value :
-       {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegree,
-        values.twist_rad * kDegree, values.beam_miss_mm, row.state.predicted_error_mm})
+       {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegPerRad,
+        values.twist_rad * kDegPerRad, values.beam_miss_mm, row.state.predicted_error_mm})
     line += "," + fixed(value, 4);
   return line + "\n";
 }

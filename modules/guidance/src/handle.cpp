@@ -46,7 +46,8 @@ HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp
 
 double hairGap_mm(const Target& target) {
   return (target.scalp_point.mm - target.mri_T_target.translation_mm())
-      .dot(target.mri_T_target.rotation().col(2));
+             .dot(target.mri_T_target.rotation().col(2)) -
+         target.lift_mm;
 }
 
 Target withHandleAngle(const Target& target, const surface::ScalpSurface& scalp, double angle_rad) {
@@ -76,13 +77,16 @@ Target withHairGap(const Target& target, double gap_mm) {
 Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp, double x_mm, double y_mm) {
   const Eigen::Matrix3d axes = target.mri_T_target.rotation();
   const Eigen::Vector3d step = axes * Eigen::Vector3d(x_mm, y_mm, 0.0);
-  Target moved =
+  const Target there =
       planTarget(target.name, scalp, Point<Mri>(target.cortex_point.mm + step), 0.0, hairGap_mm(target));
   const Eigen::Quaterniond transport =
-      Eigen::Quaterniond::FromTwoVectors(axes.col(2), Eigen::Vector3d(moved.mri_T_target.rotation().col(2)));
+      Eigen::Quaterniond::FromTwoVectors(axes.col(2), Eigen::Vector3d(there.mri_T_target.rotation().col(2)));
+  Target moved = target;
+  moved.cortex_point = there.cortex_point;
+  moved.scalp_point = there.scalp_point;
+  moved.lift_mm = 0;
   moved.mri_T_target = RigidTransform<Mri, frames::Target>(transport * Eigen::Quaterniond(axes),
-                                                           moved.mri_T_target.translation_mm());
-  moved.note = target.note;
+                                                           there.mri_T_target.translation_mm());
   return moved;
 }
 

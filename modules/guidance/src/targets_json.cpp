@@ -3,12 +3,89 @@
 
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
+#include "facenav/guidance/dose_json.h"
 #include "facenav/guidance/target.h"
 
 namespace facenav::guidance {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+GridSpec readGrid(const JsonReader& json) {
+  GridSpec grid;
+  grid.rows = json.at("rows").integer();
+  grid.columns = json.at("columns").integer();
+  grid.spacing_mm = json.at("spacing_mm").number();
+  const std::string on = json.at("on").text();
+  if (on != "scalp" && on != "cortex") json.at("on").refuse("\"scalp\" or \"cortex\" was expected");
+  grid.on = on == "scalp" ? GridOn::scalp : GridOn::cortex;
+  return grid;
+}
+
+Json toJson(const GridSpec& grid) {
+  return {{"rows", grid.rows},
+          {"columns", grid.columns},
+          {"spacing_mm", grid.spacing_mm},
+          {"on", grid.on == GridOn::scalp ? "scalp" : "cortex"}};
+}
+
+GridPlace readGridPlace(const JsonReader& json) {
+  GridPlace place;
+  place.seed = json.at("seed").text();
+  place.row = json.at("row").integer();
+  place.column = json.at("column").integer();
+  place.is_edited = json.has("edited");
+  return place;
+}
+
+std::vector<Change> readChanges(const JsonReader& json) {
+  std::vector<Change> changes;
+  for (const JsonReader& change : json.elements())
+    changes.push_back({change.at("utc").text(), change.at("by").text(), change.at("what").text()});
+  return changes;
+}
+
+/// The members that older files lack.
+void readRecord(const JsonReader& json, Target& target) {
+  if (json.has("lift_mm")) target.lift_mm = json.at("lift_mm").number();
+  target.is_locked = json.has("locked");
+  if (json.has("dose")) target.dose = readDose(json.at("dose"));
+  if (json.has("grid")) target.grid = readGrid(json.at("grid"));
+  if (json.has("grid_place")) target.grid_place = readGridPlace(json.at("grid_place"));
+  if (json.has("changes")) target.changes = readChanges(json.at("changes"));
+}
+
+/// A member that is absent says what a default says.
+void setOrErase(Json& json, const char* key, const std::optional<Json>& value) {
+  if (value)
+    json[key] = *value;
+  else
+    json.erase(key);
+}
+
+Json doseJson(const Dose& dose) {
+  Json json = Json::object();
+  for (const auto& [key, value] : doseNumbers(dose))
+    value == double(int(value)) ? json[key] = int(value) : json[key] = value;
+  return json;
+}
+
+void writeRecord(const Target& target, Json& json) {
+  using Value = std::optional<Json>;
+  setOrErase(json, "lift_mm", target.lift_mm > 0 ? Value(target.lift_mm) : std::nullopt);
+  setOrErase(json, "locked", target.is_locked ? Value(true) : std::nullopt);
+  setOrErase(json, "dose", target.dose ? Value(doseJson(*target.dose)) : std::nullopt);
+  setOrErase(json, "grid", target.grid ? Value(toJson(*target.grid)) : std::nullopt);
+  Value place, changes;
+  if (const auto& p = target.grid_place)
+    place = Json{{"seed", p->seed}, {"row", p->row}, {"column", p->column}};
+  if (place && target.grid_place->is_edited) (*place)["edited"] = true;
+  setOrErase(json, "grid_place", place);
+  if (!target.changes.empty()) changes = Json::array();
+  for (const Change& change : target.changes)
+    changes->push_back({{"utc", change.utc}, {"by", change.by}, {"what", change.what}});
+  setOrErase(json, "changes", changes);
+}
 
 Target readTarget(const JsonReader& json) {
   Target target;
@@ -18,6 +95,7 @@ Target readTarget(const JsonReader& json) {
   target.cortex_point = readPoint<Mri>(json.at("cortex_point_mm"));
   target.scalp_point = readPoint<Mri>(json.at("scalp_point_mm"));
   if (json.has("note")) target.note = json.at("note").text();
+  readRecord(json, target);
   return target;
 }
 
@@ -70,6 +148,7 @@ void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path, 
     json["cortex_point_mm"] = rowMajor(target.cortex_point);
     json["scalp_point_mm"] = rowMajor(target.scalp_point);
     json["note"] = target.note;
+    writeRecord(target, json);
     targets.push_back(json);
   }
   file["targets"] = targets;

@@ -9,6 +9,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::monitoring {
 namespace {
@@ -28,7 +29,6 @@ constexpr double kLeastFacing = 0.4;
 constexpr int kTile_px = 32;  // stereo errors within a tile are correlated
 constexpr int kIterations = 10;
 constexpr double kBiweight = 4.685;  // 95 % efficiency for normal errors (Huber 1981)
-constexpr double kDegree = M_PI / 180;
 constexpr double kHalfFace_mm = 70.0;
 // Limits of an alarm: the check's own error aside, less than half of what counts as a wrong pose (3 mm, 2
 // degrees).
@@ -205,13 +205,13 @@ DriftFinding DriftCheck::measure(const cameras::StereoFrame& frame,
   const Vector6d drift = offset->xi - bias_;
   finding.points = offset->points;
   finding.shift_mm = drift.tail<3>().norm();
-  finding.turn_deg = drift.head<3>().norm() / kDegree;
+  finding.turn_deg = drift.head<3>().norm() / kRadPerDeg;
   const double common_mm = kCommonError_px * depthPerPixel_mm((motion * centre_mm_).z());
   finding.shift_sigma_mm =
       std::hypot(std::sqrt(offset->covariance.bottomRightCorner<3, 3>().trace()), common_mm);
   finding.turn_sigma_deg =
       std::hypot(std::sqrt(offset->covariance.topLeftCorner<3, 3>().trace()), common_mm / kHalfFace_mm) /
-      kDegree;
+      kRadPerDeg;
   finding.verdict = verdictOn(finding);
   return finding;
 }

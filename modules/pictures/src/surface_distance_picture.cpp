@@ -13,33 +13,33 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPixelsPerMm = 2.0;
+constexpr double kDistancePixelsPerMm = 2.0;
 constexpr int kFiner = 2;    // drawn at this scale, then averaged
 constexpr int kDisc_px = 2;  // half width of a vertex' square; vertices are up to 1.4 mm apart
 constexpr int kMargin_px = 12, kTitle_px = 16, kLegendHeight_px = 74;
 
 /// One orthographic view: image right, image down, towards the viewer; Mri directions.
-struct View {
+struct BrainSide {
   const char* title;
   Vector3d right, down, toward;
 };
 
-const std::array<View, 6>& views() {
+const std::array<BrainSide, 6>& views() {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-  static const std::array<View, 6> all{{{"left side", -y, -z, -x},
-                                        {"right side", y, -z, x},
-                                        {"from above (right on the right)", x, -y, z},
-                                        {"front (right on the left)", -x, -z, y},
-                                        {"back (right on the right)", x, -z, -y},
-                                        {"from below (right on the left)", -x, -y, -z}}};
+  static const std::array<BrainSide, 6> all{{{"left side", -y, -z, -x},
+                                             {"right side", y, -z, x},
+                                             {"from above (right on the right)", x, -y, z},
+                                             {"front (right on the left)", -x, -z, y},
+                                             {"back (right on the right)", x, -z, -y},
+                                             {"from below (right on the left)", -x, -y, -z}}};
   return all;
 }
 
 /// Draws vertices as small squares shaded by their normals; the nearest to the viewer wins.
-cv::Mat drawn(const View& view, const surface::DetailedCortex& cortex,
+cv::Mat drawn(const BrainSide& view, const surface::DetailedCortex& cortex,
               const std::vector<cv::Vec3b>& colours) {
   const auto& mesh = cortex.mesh;
-  const double scale = kPixelsPerMm * kFiner;
+  const double scale = kDistancePixelsPerMm * kFiner;
   Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const Vector3d& p : mesh.vertices_mm) {
     const Eigen::Array2d at(view.right.dot(p), view.down.dot(p));

@@ -45,6 +45,18 @@ surface::TriangleMesh handMesh() {
 
 }  // namespace
 
+bool Cast::operator==(const Cast& other) const {
+  const auto isSame = [](const auto& a, const auto& b) {
+    return a.has_value() == b.has_value() && (!a || a->matrix() == b->matrix());
+  };
+  return room_T_mri.matrix() == other.room_T_mri.matrix() && isSame(room_T_coil, other.room_T_coil) &&
+         isSame(room_T_hand, other.room_T_hand) && lamp_scale == other.lamp_scale &&
+         ambient_scale == other.ambient_scale && lamp_shift_mm == other.lamp_shift_mm &&
+         has_dots == other.has_dots && wetness == other.wetness && gloss == other.gloss &&
+         has_mask == other.has_mask && stranger == other.stranger && jaw_mm == other.jaw_mm &&
+         lids == other.lids && expression == other.expression && hair == other.hair;
+}
+
 struct Stage::Implementation {
   cameras::StereoRig rig;
   RigidTransform<Camera, Room> camera_T_room;
@@ -72,6 +84,8 @@ struct Stage::Implementation {
   std::array<CameraRays, 2> rays;
   std::array<Renderer, 2> renderers;
   Lighting lighting;
+  std::optional<Cast> shown;                 // as set
+  std::array<std::optional<View>, 2> views;  // of that cast, once rendered
 
   Implementation(const cameras::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p)
       : rig(r),
@@ -181,6 +195,9 @@ Stage::~Stage() = default;
 
 void Stage::set(const Cast& cast) {
   auto& all = *implementation_;
+  if (all.shown && *all.shown == cast) return;
+  all.shown = cast;
+  all.views = {};
   if (all.face.set(cast.jaw_mm, cast.lids, cast.expression, cast.hair))
     all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
@@ -201,26 +218,27 @@ void Stage::set(const Cast& cast) {
   all.scene.commit();
 }
 
-std::array<View, 2> Stage::view() const {
-  const auto& all = *implementation_;
-  return {all.renderers[0].render(all.scene, all.looks, all.lighting),
-          all.renderers[1].render(all.scene, all.looks, all.lighting)};
+const View& Stage::view(std::size_t camera) const {
+  auto& all = *implementation_;
+  if (!all.views[camera])
+    all.views[camera] = all.renderers[camera].render(all.scene, all.looks, all.lighting);
+  return *all.views[camera];
 }
 
-cameras::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
-                                       bool is_left_open, bool is_right_open) const {
-  const auto views = view();
+cv::Mat Stage::picture(std::size_t camera, std::uint64_t noise_seed, bool is_open) const {
+  const auto& all = *implementation_;
+  const FilmOptions& film = all.films[camera];
+  if (is_open) return develop(view(camera).radiance, film, 2 * noise_seed + camera, view(camera).red);
+  const cv::Mat dark = cv::Mat::zeros(all.rig.height_px, all.rig.width_px, CV_32F);
+  return develop(dark, film, 2 * noise_seed + camera, all.lighting.has_colour ? dark : cv::Mat());
+}
+
+cameras::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::uint64_t noise_seed) const {
   cameras::StereoFrame frame;
   frame.number = number;
   frame.captured = Timestamp{time_s};
-  const auto& films = implementation_->films;
-  const auto picture = [&](std::size_t camera, bool is_open) {
-    const double open = is_open ? 1.0 : 0.0;
-    const cv::Mat red = views[camera].red.empty() ? cv::Mat() : cv::Mat(views[camera].red * open);
-    return develop(views[camera].radiance * open, films[camera], 2 * noise_seed + camera, red);
-  };
-  frame.left = picture(0, is_left_open);
-  frame.right = picture(1, is_right_open);
+  frame.left = picture(0, noise_seed);
+  frame.right = picture(1, noise_seed);
   return frame;
 }
 

@@ -34,6 +34,9 @@ struct Cast {
   double jaw_mm = 0.0, lids = 0.0;  // how far the chin is lowered; 0 eyes open .. 1 closed
   Expression expression;            // of the person present
   HairPose hair;                    // of the person present
+
+  /// The same in every detail: gives the same images.
+  bool operator==(const Cast& other) const;
 };
 
 class Stage {
@@ -43,11 +46,12 @@ class Stage {
   ~Stage();
 
   void set(const Cast& cast);
-  /// Left and right in linear light, with depth and object maps.
-  std::array<View, 2> view() const;
-  /// A camera with a closed shutter gives black with noise.
-  cameras::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed,
-                                  bool is_left_open = true, bool is_right_open = true) const;
+  /// Left (0) or right (1) in linear light, with depth and object maps. Rendered once until another cast is
+  /// set.
+  const View& view(std::size_t camera) const;
+  /// The image of one camera. A closed shutter gives black with noise.
+  cv::Mat picture(std::size_t camera, std::uint64_t noise_seed, bool is_open = true) const;
+  cameras::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed) const;
   /// Share of the face's skin that both cameras see, 0..1.
   double faceVisibleFraction() const;
 

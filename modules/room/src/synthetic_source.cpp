@@ -67,17 +67,15 @@ struct SyntheticSource::Implementation {
     const CameraFault fault = moment.fault;
     if (fault == CameraFault::frozen && !last.left.empty())
       return {last.left.clone(), last.right.clone(), number, {}};
-    const auto expose = [&] {
-      return stage.photograph(number, 0.0, options.seed * kFramesPerSeed + std::uint64_t(number),
-                              fault != CameraFault::black_left && fault != CameraFault::black_both,
-                              fault != CameraFault::black_both);
-    };
-    auto frame = expose();
+    const std::uint64_t seed = options.seed * kFramesPerSeed + std::uint64_t(number);
+    const bool is_black = fault == CameraFault::black_both;
+    cameras::StereoFrame frame;
+    frame.left = stage.picture(0, seed, !is_black && fault != CameraFault::black_left);
     if (isRightApart(moment)) {
       const double late = 1e-3 * options.right_late_ms * options.frames_per_s - moment.right_behind;
       stage.set(script->at(double(number) + late).cast);
-      frame.right = expose().right;
     }
+    frame.right = stage.picture(1, seed, !is_black);
     if (fault == CameraFault::swapped) std::swap(frame.left, frame.right);
     return frame;
   }
@@ -155,8 +153,8 @@ RigidTransform<Camera, Mri> SyntheticSource::captureTruth() const {
 const GroundTruth& SyntheticSource::truth() const { return implementation_->truth; }
 
 DepthMaps SyntheticSource::depth() const {
-  auto views = implementation_->stage.view();
-  return {views[0].depth_mm, views[1].depth_mm, views[0].object, views[1].object};
+  const View &left = implementation_->stage.view(0), &right = implementation_->stage.view(1);
+  return {left.depth_mm.clone(), right.depth_mm.clone(), left.object.clone(), right.object.clone()};
 }
 
 const RoomCoil& SyntheticSource::coil() const { return implementation_->stage.coil(); }

@@ -44,7 +44,7 @@ volume::SlicePlane tilePlane(const SliceScene& scene, volume::Anatomical orienta
   return plane;
 }
 
-void copyInto(RgbImage& sheet, const RgbImage& tile, int u, int v) {
+void pasteTile(RgbImage& sheet, const RgbImage& tile, int u, int v) {
   for (int row = 0; row < tile.height_px; ++row)
     std::copy_n(tile.pixel(0, row), 3 * std::size_t(tile.width_px), sheet.pixel(u, v + row));
 }
@@ -93,7 +93,7 @@ Montage contourMontage(const SliceScene& scene, const volume::Mask& content, con
       MontageTile tile{i % options.columns * pitch, (first_row + i / options.columns) * pitch,
                        orientations[o], centre};
       plain.has_letters = i == 0;
-      copyInto(montage.picture,
+      pasteTile(montage.picture,
                plain.picture(tilePlane(scene, orientations[o], centre, side_mm, options.tile_px)), tile.u,
                tile.v);
       montage.tiles.push_back(tile);

@@ -46,7 +46,7 @@ BetSurface icosphere(int subdivisions) {
   return s;
 }
 
-/// Neighbours of every vertex, flat with a fixed stride of 6 (repeated for the twelve that have 5).
+/// Neighbours of each vertex in rows of 6 (one is repeated for the twelve vertices with 5).
 std::vector<std::array<int, 6>> neighbourTable(const BetSurface& s) {
   std::vector<std::vector<int>> found(s.vertices_mm.size());
   for (const auto& t : s.triangles)
@@ -68,14 +68,14 @@ std::vector<Vector3d> normalsOf(const BetSurface& s) {
   return normals;
 }
 
-/// Nearest-voxel look-up along a ray in an image whose voxels are cubes along the axes of Mri.
+/// Nearest-voxel look-up along a ray, for an image of cubic voxels along the axes of Mri.
 struct Sampler {
   explicit Sampler(const Volume& v)
       : image(v),
         origin(v.grid.mri_from_voxel.translation()),
         per_mm(float(1.0 / v.grid.spacing_mm().mean())),
         stride{1, v.grid.size[0], v.grid.size[0] * v.grid.size[1]} {}
-  /// Voxel coordinates plus a half, so that cutting off the decimals rounds.
+  /// Voxel coordinates plus a half, so that truncation rounds.
   Eigen::Array3f toVoxel(const Vector3d& p_mm) const {
     return (p_mm - origin).cast<float>().array() * per_mm + 0.5f;
   }
@@ -95,10 +95,10 @@ struct Sampler {
 };
 
 constexpr int kMinDepth_mm = 20,
-              kMaxDepth_mm = 10;  // how far in the minimum and the maximum are sought (Smith 2002)
+              kMaxDepth_mm = 10;  // search depth of minimum and maximum (Smith 2002)
 constexpr double kMinRadius_mm = 3.33, kMaxRadius_mm = 10;  // of curvature (Smith 2002)
 
-/// The pull along the normal, as a share of the mean edge length: Smith's equation 13.
+/// Force along the normal, as a share of the mean edge length: Smith's equation 13.
 double intensityPull(const Sampler& sample, const Vector3d& p, const Vector3d& n, const BetIntensities& t,
                      double bt) {
   float lowest = t.median, highest = t.t;
@@ -182,8 +182,8 @@ BetSurface evolveBet(const Volume& image, const BetSphere& start, const BetInten
 }
 
 Mask enclosed(const BetSurface& surface, const volume::VoxelGrid& grid) {
-  // The surface's voxels are marked densely, then what cannot be reached from outside is the inside: no
-  // trouble with folds.
+  // The surface's voxels are marked densely. Everything that cannot be reached from outside is then inside,
+  // also with folds.
   Mask wall{grid, std::vector<std::uint8_t>(grid.count())};
   const Eigen::Affine3d to_voxel = grid.mri_from_voxel.inverse();
   for (const auto& t : surface.triangles) {

@@ -1,7 +1,7 @@
 #pragma once
 // The deformable surface of S. M. Smith, "Fast robust automated brain extraction", Human Brain Mapping 17
-// (2002) 143-155: a tessellated sphere inside the brain grows outwards under smoothness and a local threshold
-// between brain and what lies under it along the inward normal.
+// (2002) 143-155. A tessellated sphere inside the brain grows outwards under smoothness and a local threshold
+// between brain and the tissue along the inward normal.
 
 #include <Eigen/Core>
 #include <vector>
@@ -18,11 +18,11 @@ struct BetSphere {
 
 struct BetIntensities {
   float t2 = 0, t = 0, t98 = 0;  // robust minimum, brain/background threshold, robust maximum
-  float median = 0;              // within the sphere: about grey and white matter
+  float median = 0;              // within the sphere: between grey and white matter
 };
 
 struct BetOptions {
-  double fractional_threshold = 0.5;  // b_t: smaller gives a larger brain
+  double fractional_threshold = 0.5;  // b_t: a smaller value gives a larger brain
   int iterations = 1000;
   int subdivisions = 4;           // 10 * 4^n + 2 vertices
   double smoothing_factor = 1.0;  // > 1: stiffer

@@ -16,9 +16,9 @@ using volume::Mask;
 
 constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
 constexpr double kThickSlice_mm = 3;
-constexpr double kCutArea_mm2 = 100;   // of the brain in the scan's outermost slice
-constexpr double kMiddle = 0.6;        // of the brain's ball
-constexpr double kLeastSpread = 0.06;  // 20th to 80th percentile, per median
+constexpr double kCutArea_mm2 = 100;   // area of the brain in the scan's outermost slice
+constexpr double kMiddle = 0.6;        // radius, as a share of the brain's ball
+constexpr double kLeastSpread = 0.06;  // 20th to 80th percentile, divided by the median
 
 [[noreturn]] void noBrain(const std::string& reason) {
   throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");

@@ -1,5 +1,5 @@
 #pragma once
-// When a brain mask can be believed, and what the radiographer should look at.
+// When a brain mask is refused, and what the radiographer must check.
 
 #include <string>
 #include <vector>
@@ -13,13 +13,12 @@ namespace facenav::segmentation {
 void requireBrainScan(const volume::Volume& volume);
 /// Throws Error "no brain can be modelled: ..." where the tissues have no contrast.
 void requireTissueContrast(const TissueModel& tissue);
-/// Throws Error "no brain can be modelled: ..." where the middle of the head has one value throughout: a CT
-/// that came without its modality, in which soft tissues differ by a few parts in a hundred of their distance
-/// from air.
+/// Throws Error "no brain can be modelled: ..." where the middle of the head has nearly one value: a CT
+/// without its modality, in which soft tissues differ by a few percent of their distance from air.
 void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere);
-/// Throws Error "no brain can be modelled: ..." for volumes that no brain has; else warnings in plain words.
-/// `brain` lies on the scan's own grid; `by_head`: the ball that the head's top and girth let expect, which
-/// grants more to a head that is itself larger than any other (MNI's template is).
+/// Throws Error "no brain can be modelled: ..." for a volume that no brain has; otherwise returns warnings in
+/// plain words. `brain` is on the scan's own grid. `by_head`: the brain's ball estimated from the head's top
+/// and girth; it raises the limit for a head that is larger than any other (MNI's template is).
 std::vector<std::string> checkBrain(const volume::Mask& brain, const BetSphere& by_head);
 
 }  // namespace facenav::segmentation

@@ -12,7 +12,7 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-/// What looks like white matter within the first surface.
+/// Voxels within the first surface with the intensity of white matter.
 Mask whiteMatter(const Volume& calm, const Mask& first, const TissueModel& tissue) {
   const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
   const float high =
@@ -29,7 +29,7 @@ Refinement::Refinement(const Volume& flat, const Volume& calm, const Mask& first
                        float open_fluid, const BrainGrowth& growth)
     : flat_(flat), calm_(calm), tissue_(tissue), open_fluid_(open_fluid), growth_(growth) {
   const Mask white = whiteMatter(calm, first, tissue);
-  // The connected body of white matter: what the neck's muscles, which look like grey matter, do not have.
+  // The connected body of white matter. The neck's muscles look like grey matter but are not near it.
   region_ = intersection(dilate(first, growth.search_mm),
                          dilate(largestPart(erode(white, growth.white_tear_mm)), growth.white_reach_mm));
   white_ = largestPart(white);
@@ -47,8 +47,9 @@ Mask Refinement::tissueAbove(double share) const {
 
 Mask Refinement::brain(double stricter, double rise) const {
   const Mask bright = tissueAbove(growth_.core_share + stricter);
-  // Through the smoothed image: in single voxels noise rises everywhere. Up to white matter: the skull's
-  // marrow, where it touches a crown, is brighter than that crown's grey matter.
+  // Uses the smoothed image, since noise makes single voxels brighter everywhere. Values above white matter
+  // count as white matter: where the skull's marrow touches a crown, it is brighter than that crown's grey
+  // matter.
   const Mask tissue = growDownhill(calm_, white_, tissueAbove(growth_.tissue_share + stricter),
                                    {open_fluid_, float(tissue_.white.mean), rise});
   const Mask torn = intersection(erode(intersection(tissue, bright), growth_.tear_mm), near_white_);

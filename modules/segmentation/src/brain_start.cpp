@@ -17,20 +17,20 @@ using volume::Mask;
 using volume::Volume;
 using volume::VoxelGrid;
 
-constexpr double kPad_mm = 6;          // room around the scan, so that nothing touches the border
+constexpr double kPad_mm = 6;          // margin around the scan, so that nothing touches the border
 constexpr double kFine = 0.95;         // of the working spacing
-constexpr double kTopArea_mm2 = 2500;  // a slice this large belongs to the head, not to hair or noise
+constexpr double kTopArea_mm2 = 2500;  // a slice this large is head, not hair or noise
 constexpr double kGirthFrom_mm = 100,
-                 kGirthTo_mm = 20;  // below the top: the slices that give girth and centre
+                 kGirthTo_mm = 20;  // below the top: slices that give girth and centre
 constexpr double kRoundness = 0.98,
-                 kBrainShare = 0.81;  // height of the centre, radius of the brain's ball, per girth
-constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same where a head fills 0.4 of its scan
+                 kBrainShare = 0.81;  // per girth: height of the centre, radius of the brain's ball
+constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same value where a head fills 0.4 of its scan
 constexpr float kHeadShare = 0.1f;                      // of the robust maximum: brighter than air
-constexpr double kSkull_mm = 6;                         // closes the skull where the scalp over it is missed
+constexpr double kSkull_mm = 6;                         // closes the skull where the scalp over it is missing
 constexpr int kRoughIterations = 400, kRoughSubdivisions = 3;  // of the surface that only places the ball
 constexpr double kBallInBrain_mm = 20;                         // wider than leaks, narrower than the brain
 constexpr double kSkullShare = 1.2,
-                 kDarkest = 0.03;  // where the darkest share of values is sought, per brain radius
+                 kDarkest = 0.03;  // radius of the region in brain radii; share of its values
 
 [[noreturn]] void noBrain(const std::string& reason) {
   throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
@@ -62,8 +62,8 @@ Mask headOf(const Volume& working, float threshold) {
   return largestPart(open(head, 3.0));
 }
 
-/// BET's robust maximum, of the head alone: a share of the whole scan would depend on how much air it holds.
-/// What counts as head follows from it; two rounds settle that.
+/// BET's robust maximum, of the head alone: as a share of the whole scan it would depend on the amount of
+/// air. The head's threshold depends on it in turn; two rounds are enough.
 float robustMaximum(const Volume& working) {
   float bright = volume::percentile(working, kRobust);
   for (int round = 0; round < 2; ++round) {
@@ -76,9 +76,8 @@ float robustMaximum(const Volume& working) {
   return bright;
 }
 
-/// The value of the skull: what is darkest within the head around the brain. BET's robust minimum of the
-/// whole scan is that of air, which says nothing about how dark the gap between brain and scalp is where
-/// contrast is low.
+/// Value of the skull: the darkest values in the head around the brain. BET's robust minimum of the whole
+/// scan is that of air; at low contrast the gap between brain and scalp is brighter than air.
 float darkest(const Volume& working, const Mask& head, const BetSphere& sphere) {
   const Mask filled = fillHoles(close(head, kSkull_mm));
   std::vector<float> values;
@@ -94,7 +93,7 @@ float darkest(const Volume& working, const Mask& head, const BetSphere& sphere) 
   return std::max(0.f, selectRank(values, std::size_t(kDarkest * double(values.size()))));
 }
 
-/// Brain and skull within the ball, whose place is known.
+/// Intensities of brain and skull, once the ball is known.
 BetIntensities intensitiesIn(const Volume& working, const Mask& head, const BetSphere& sphere, float t98) {
   const BetIntensities found = betIntensities(working, sphere, darkest(working, head, sphere), t98);
   if (!(found.median > 0)) noBrain("there is nothing where the brain should be");
@@ -111,8 +110,8 @@ Volume workingVolume(const Volume& volume, double spacing_mm) {
   const int pad = int(std::ceil(kPad_mm / spacing_mm));
   for (int a = 0; a < 3; ++a) grid.size[a] += 2 * pad;
   grid.mri_from_voxel.translate(Eigen::Vector3d::Constant(-pad));
-  // A coarse scan keeps its edges (thin bone between brain and muscle would close under trilinear sampling);
-  // of a fine one the means of neighbours are wanted, against noise.
+  // A coarse scan is interpolated by a cubic, which keeps its edges: trilinear interpolation would close thin
+  // bone between brain and muscle. A fine one is averaged over neighbours against noise.
   const bool is_fine = volume.grid.spacing_mm().minCoeff() < kFine * spacing_mm;
   return is_fine ? volume::resample(above, grid) : volume::resampleCubic(above, grid);
 }
@@ -147,7 +146,7 @@ BrainStart centredOnBrain(const Volume& working, const BrainStart& start, double
   rough.subdivisions = kRoughSubdivisions;
   const Mask brain =
       enclosed(evolveBet(working, start.sphere, start.intensities, rough, monitor), working.grid);
-  // What a ball this large fits into is brain; what leaked into the neck or an orbit is not.
+  // A place where a ball of this size fits is brain; a leak into the neck or an orbit is too narrow.
   const Mask core = largestPart(erode(brain, kBallInBrain_mm));
   if (core.volume_ml() == 0) return start;
   BrainStart out;
@@ -181,8 +180,8 @@ BrainStart findBrainStart(const Volume& working) {
   const double girth_mm = std::sqrt(valueAtRank(areas, areas.size() * 3 / 4) / M_PI);
   if (!anatomy::kGirthRadius.contains(girth_mm))
     noBrain("the largest object is " + std::to_string(int(2 * girth_mm)) + " mm across, which is no head");
-  // On a ball of that girth the first slice's own size tells how far above the centre it lies, also where the
-  // scan cuts the top.
+  // The first slice's area gives its height above the centre of a ball of that girth, also where the scan
+  // cuts the top.
   const double below_top_mm =
       kRoundness * std::sqrt(std::max(0.0, girth_mm * girth_mm - slices.area_mm2[top] / M_PI));
   centre /= weight;

@@ -17,11 +17,11 @@ using Basis = Eigen::Matrix<double, 20, 1>;
 
 constexpr double kBiasScale_mm = 80;  // half a head: keeps the polynomial's terms near 1
 constexpr int kRounds = 4, kEmSteps = 40;
-constexpr double kMaxLogGain = 1.2;  // outside the brain the polynomial is not trusted further than this
+constexpr double kMaxLogGain = 1.2;  // limit of the polynomial outside the brain, where it extrapolates
 
 Eigen::Vector4d powers(double x) { return {1, x, x * x, x * x * x}; }
 
-/// x^i y^j z^k with i + j + k <= 3, in the order in which `alongRow` reads them.
+/// x^i y^j z^k with i + j + k <= 3, in the order of `alongRow`.
 Basis basis(const Eigen::Vector3d& p) {
   const Eigen::Vector4d x = powers(p.x()), y = powers(p.y()), z = powers(p.z());
   Basis b;
@@ -51,7 +51,7 @@ struct Sample {
 std::vector<Sample> samplesOf(const Volume& image, const Mask& core, const TissueModel& model) {
   std::vector<Sample> samples;
   const auto& n = image.grid.size;
-  const int step = 2;  // every eighth voxel says as much
+  const int step = 2;  // every eighth voxel is enough
   for (int k = 0; k < n[2]; k += step)
     for (int j = 0; j < n[1]; j += step)
       for (int i = 0; i < n[0]; i += step) {
@@ -153,7 +153,7 @@ Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre_mm, dou
 TissueModel fitRoughBias(const Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm, float air) {
   constexpr int kTrims = 12, kWide = 3;
   constexpr double kWide_log = 0.8, kBelow_log = 0.15,
-                   kAbove_log = 0.3;  // the last trims keep white matter alone
+                   kAbove_log = 0.3;  // the last trims keep only white matter
   TissueModel model;
   model.centre_mm = centre_mm;
   Mask ball = ballOf(image.grid, centre_mm, radius_mm);
@@ -181,7 +181,7 @@ TissueModel fitRoughBias(const Volume& image, const Eigen::Vector3d& centre_mm, 
           normal(term, term) += scale * (i + j + k == 3 ? 1e3 : 1e-3);
     model.bias = normal.ldlt().solve(right);
   }
-  model.bias[0] = 0;  // the overall gain stays as it is
+  model.bias[0] = 0;  // keeps the overall gain
   return model;
 }
 
@@ -211,7 +211,7 @@ TissueModel fitTissue(const Volume& image, const Mask& core, const TissueModel* 
       right += w * std::log(samples[i].value / mean) * samples[i].at;
     }
     normal.diagonal().array() +=
-        1e-3 * normal.trace() / 20;  // keeps the high orders small where nothing asks for them
+        1e-3 * normal.trace() / 20;  // keeps the high orders small where the samples do not fix them
     model.bias = normal.ldlt().solve(right);
   }
   model.fluid = c[0], model.grey = c[1], model.white = c[2];

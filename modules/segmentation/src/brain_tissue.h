@@ -1,8 +1,8 @@
 #pragma once
-// What fluid, grey and white matter look like in this scan: three Gaussian classes by expectation
-// maximisation over the inside of a first brain mask, in turns with a smooth multiplicative bias field (after
-// Wells 1996, van Leemput 1999: a polynomial of the third order fitted to the logarithm of value over class
-// mean).
+// Tissue classes of this scan: fluid, grey and white matter as three Gaussians, fitted by expectation
+// maximisation within a first brain mask. Alternates with the fit of a smooth multiplicative bias field
+// (after Wells 1996, van Leemput 1999: a polynomial of the third order, fitted to the logarithm of value over
+// class mean).
 
 #include <Eigen/Core>
 
@@ -25,18 +25,17 @@ struct TissueModel {
 
 volume::Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre_mm, double radius_mm);
 
-/// Only the bias, before any mask is known: a polynomial of the second order fitted to the logarithm of the
-/// values within a ball that lies well inside the brain, fluid and bright vessels rejected by their
-/// residuals.
+/// Only the bias, before any mask is known: a polynomial of the second order, fitted to the logarithm of the
+/// values within a ball well inside the brain. Fluid and bright vessels are rejected by their residuals.
 TissueModel fitRoughBias(const volume::Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm,
                          float air);
 
-/// `core`: safely inside the brain (a first mask, eroded). Air must be 0. `start`: classes
-/// to start from, where they are known roughly (a core without fluid would otherwise have grey matter shared
-/// out as fluid).
+/// `core`: safely inside the brain (a first mask, eroded). Air must be 0. `start`: initial classes, where
+/// they are known roughly; without them, a core without fluid would have part of its grey matter classified
+/// as fluid.
 TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core,
                       const TissueModel* start = nullptr);
-/// The image (axis-aligned, cubic voxels) with the bias taken off.
+/// The image (axis-aligned, cubic voxels) without the bias.
 volume::Volume corrected(const volume::Volume& image, const TissueModel& model);
 
 }  // namespace facenav::segmentation

@@ -14,8 +14,8 @@ using volume::Volume;
 
 constexpr int kLevels = 256;  // steps of 0.004 of the range, far below noise
 
-/// The image in levels from 1 up; 0 where the growth must not go, the grid's outermost voxels included, so
-/// that all neighbours of the others lie in the grid.
+/// The image in levels from 1; 0 where growth is forbidden. The grid's outermost voxels are 0, so that all
+/// neighbours of the others lie in the grid.
 std::vector<std::uint16_t> levelsOf(const Volume& image, const Mask& within, const DownhillRange& range) {
   std::vector<std::uint16_t> levels(image.voxels.size());
   const auto& n = image.grid.size;
@@ -44,8 +44,8 @@ Mask growDownhill(const Volume& image, const Mask& seed, const Mask& within, con
     if (seed.voxels[v]) reach(v, levels[v]);
   const std::size_t row = image.grid.size[0], slab = row * image.grid.size[1];
   const int rise = int(range.rise * (kLevels - 1));
-  // From the highest level down: a path's lowest value only falls, so each voxel is settled when its turn
-  // comes.
+  // From the highest level down: a path's lowest value only falls, so each voxel is final when its level is
+  // processed.
   for (int level = kLevels; level > 0; --level)
     for (std::size_t at = 0; at < front[level].size(); ++at) {
       const std::size_t v = front[level][at];

@@ -23,7 +23,8 @@ void forNeighbours(const Mask& mask, std::size_t v, Visit&& visit) {
   if (k + 1 < mask.grid.size[2]) visit(v + nxy);
 }
 
-/// Voxels of one face of the grid as a 2-D flood from the face's rim: those reached are outside.
+/// Flood of one face of the grid, in 2-D, from the face's border. Returns the reached voxels: they are
+/// outside.
 std::vector<std::size_t> outsideOnFace(const Mask& mask, int axis, int at) {
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
   const int na = mask.grid.size[a], nb = mask.grid.size[b];
@@ -53,8 +54,8 @@ std::vector<std::size_t> outsideOnFace(const Mask& mask, int axis, int at) {
   return outside;
 }
 
-/// One row of rays: is_open where the voxel is no mask and the next one along its ray, `di` voxels along
-/// `next`, is open; without a `next` row, and beyond a row's ends, lies the outside.
+/// One row of rays: is_open where the voxel is not in the mask and the next one on its ray, `di` voxels along
+/// `next`, is open. Without a `next` row, and beyond a row's ends, the ray has reached the outside.
 void castRow(const std::uint8_t* mask, const std::uint8_t* next, int di, int n, std::uint8_t* is_open) {
   if (!next) {
     for (int i = 0; i < n; ++i) is_open[i] = !mask[i];
@@ -71,7 +72,7 @@ void castRow(const std::uint8_t* mask, const std::uint8_t* next, int di, int n, 
     for (int i = first; i < last; ++i) is_open[i] = (!mask[i]) & next[i - 1];
 }
 
-/// Counts up `open_directions` where the ray from the voxel along (di, dj, dk) leaves the grid unhindered.
+/// Increments `open_directions` where the ray from the voxel along (di, dj, dk) leaves the grid.
 void castRays(const Mask& mask, int di, int dj, int dk, std::vector<std::uint8_t>& open_directions) {
   std::vector<std::uint8_t> is_open(mask.voxels.size());
   const auto [nx, ny, nz] = mask.grid.size;

@@ -1,6 +1,6 @@
-// Head mask: air is told from tissue on block means of about 2 mm, where noise and ghosts lose their
-// strength; cavities are closed and thin attachments (head holders, ghosts, wrap-around) opened away there;
-// the voxels near that coarse outline are then decided at full resolution.
+// Head mask. Air and tissue are separated on block means of about 2 mm, where noise and ghosts are weak.
+// Cavities are closed, and thin attachments (head holders, ghosts, wrap-around) are removed by an opening.
+// Voxels near that coarse outline are then decided at full resolution.
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,11 @@ using volume::VoxelGrid;
 constexpr double kCoarse_mm = 2.0;
 constexpr double kNarrowOpening_mm = 4.0;  // ear canals, nostrils: closed with a ball of this radius
 constexpr double kThinAttachment_mm =
-    5.0;  // head holder shells, ghosts: opened away with a ball of this radius
+    5.0;  // head holder shells, ghosts: removed by opening with a ball of this radius
 constexpr int kMostOpenDirections =
-    4;  // of 26: a voxel that sees the outside in no more of them lies in a cavity
+    4;  // of 26: a voxel that sees the outside in at most this many lies in a cavity
 constexpr double kEarsAndNose_mm =
-    14.0;  // what the opening took off and tissue connects is given back as far as this
+    14.0;  // parts removed by the opening are restored this far if tissue connects them
 
 struct Coarse {
   std::array<int, 3> block;
@@ -68,8 +68,8 @@ Mask above(const Coarse& coarse, double threshold) {
   return out;
 }
 
-/// Tissue plus the cavities within it; what only fills creases of the outer surface (between ear and head,
-/// beside the nose) is left out again.
+/// Tissue plus the cavities within it. Filled creases of the outer surface (between ear and head, beside the
+/// nose) are removed again.
 Mask withoutCavities(const Mask& tissue) {
   const Mask closed = close(fillOccluded(tissue, kMostOpenDirections), kNarrowOpening_mm);
   const Mask filled = fillCavities(closed);
@@ -89,8 +89,8 @@ Mask coarseHead(const Coarse& coarse, const HeadThreshold& threshold) {
   return fillCavities(growInside(core, threshold.is_ct ? open(solid, 1.5) : solid, steps));
 }
 
-/// Is this a head and not noise or a phantom bottle? Sizes are generous: from a child's to a scan with
-/// shoulders.
+/// Is this a head, and not noise or a phantom bottle? Size limits are generous: from a child's head to a scan
+/// with shoulders.
 void requireHead(const Mask& head) {
   std::array<int, 3> low = head.grid.size, high{-1, -1, -1};
   std::size_t count = 0, v = 0;
@@ -116,7 +116,7 @@ void requireHead(const Mask& head) {
     throw Error("no head in this volume: there is no air around it", {}, remedy);
 }
 
-/// Mean of the voxel and its 6 neighbours: noise at full resolution must not fray the outline.
+/// Mean of the voxel and its 6 neighbours, so that noise at full resolution does not roughen the outline.
 float crossMean(const Volume& volume, int i, int j, int k) {
   const auto& size = volume.grid.size;
   double sum = volume.at(i, j, k);
@@ -130,7 +130,7 @@ float crossMean(const Volume& volume, int i, int j, int k) {
   return float(sum / n);
 }
 
-/// Each voxel of the shell takes the value that most of its 27-neighbourhood has: no frayed outline.
+/// Each voxel of the shell takes the majority value of its 27-neighbourhood, for a smooth outline.
 Mask majority(const Mask& fine, const Mask& outer, const Mask& inner, const Coarse& coarse) {
   Mask out = fine;
   const std::size_t nx = fine.grid.size[0], nxy = nx * fine.grid.size[1];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kCtSkin_hu = -300.0;  // air -1000, skin and fat -100..50, pillows below -700
 
-// Noise alone, split in two classes, shows 1.5; heads on 2 mm blocks show 15 and more.
+// Noise alone, split in two classes, gives 1.5; heads on 2 mm blocks give 15 and more.
 constexpr double kLeastContrastToNoise = 4.0;
 
 double share(const std::vector<float>& sorted, double low, double high) {
@@ -24,15 +24,15 @@ double quantile(const std::vector<float>& sorted, std::size_t begin, std::size_t
   return sorted[begin + std::size_t(fraction * double(end - begin - 1))];
 }
 
-/// Hounsfield units show: much at air, much at soft tissue and fat, next to nothing between.
+/// Recognises Hounsfield units: many values at air, many at soft tissue and fat, hardly any between.
 bool looksLikeCt(const std::vector<float>& sorted) {
   const double air = share(sorted, -1e9, -850), between = share(sorted, -800, -250),
                soft = share(sorted, -180, 250);
   return air > 0.08 && soft > 0.05 && between < 0.5 * soft && air + between + soft > 0.75;
 }
 
-/// The split of the greatest variance between the classes (Otsu 1979) as an index into the sorted values. The
-/// upper tail counts no more than the 98th percentile, so that bright fat does not draw the split up.
+/// The split with the greatest variance between the classes (Otsu 1979), as an index into the sorted values.
+/// Values above the 98th percentile count as that percentile, so that bright fat does not raise the split.
 std::size_t otsuSplit(const std::vector<float>& sorted) {
   const float cap = sorted[std::size_t(0.98 * double(sorted.size() - 1))];
   double total = 0;
@@ -48,7 +48,7 @@ std::size_t otsuSplit(const std::vector<float>& sorted) {
   return split;
 }
 
-/// Mode by the half-sample method (Robertson and Cryer 1974): the densest half of the densest half of ...
+/// Mode by the half-sample method (Robertson and Cryer 1974): repeatedly takes the densest half.
 double halfSampleMode(const std::vector<float>& sorted, std::size_t begin, std::size_t end) {
   while (end - begin > 16) {
     const std::size_t half = (end - begin) / 2;
@@ -75,8 +75,7 @@ HeadThreshold findHeadThreshold(std::vector<float> sorted, const std::string& mo
   const std::size_t split = otsuSplit(sorted);
   out.air = halfSampleMode(sorted, 0, split);
   out.tissue = quantile(sorted, split, sorted.size(), 0.5);
-  // The spread on the lower side of the mode and, since many scanners zero the air, up to the median of the
-  // darker side.
+  // Spread below the mode and, since many scanners set air to zero, up to the median of the darker class.
   const std::size_t mode_at =
       std::size_t(std::lower_bound(sorted.begin(), sorted.end(), float(out.air)) - sorted.begin());
   const double lower = mode_at > 10 ? out.air - quantile(sorted, 0, mode_at, 0.32) : 0.0;

@@ -17,17 +17,17 @@ using volume::Mask;
 using volume::Volume;
 
 constexpr double kSpread = 0.26;  // variance of MR's point spread (FWHM 1.21 voxels), per voxel edge squared
-constexpr double kCoarsest_mm = 1.5;  // whose point spread can be brought back
+constexpr double kCoarsest_mm = 1.5;  // coarsest voxel whose point spread can be sharpened
 constexpr double kBrightest = 1.15;   // times white matter: vessels are brighter
-constexpr double kDeep_mm = 3.2;      // this deep in white matter there is nothing but noise
-constexpr double kPass_mm2 = 0.5;     // what one pass of `smoothed` adds on a grid of 1 mm
+constexpr double kDeep_mm = 3.2;      // deeper in white matter there is only noise
+constexpr double kPass_mm2 = 0.5;     // variance added by one pass of `smoothed` on a grid of 1 mm
 constexpr double kMostVariance = 0.5;
 
 float laplacian(const float* at, std::size_t row, std::size_t slab) {
   return at[-1] + at[1] + at[row] + *(at - row) + at[slab] + *(at - slab) - 6 * *at;
 }
 
-/// Mean square of the Laplacian over `core`, less the noise's: the scaled median of that over `deep`.
+/// Mean square of the Laplacian over `core` minus that of the noise (scaled median over `deep`).
 double edgeEnergy(const Volume& image, const Mask& core, const Mask& deep) {
   const std::size_t row = image.grid.size[0], slab = row * image.grid.size[1];
   double sum = 0, count = 0;
@@ -58,7 +58,7 @@ double pointSpread_mm2(const Volume& image, const Mask& core, const TissueModel&
   const float most = float(kBrightest * tissue.white.mean);
   for (float& value : once.voxels) value = std::clamp(value, 0.f, most);
   const Mask deep = deepWhiteMatter(once, core, tissue);
-  once = volume::smoothed(std::move(once));  // a single pass first: against noise
+  once = volume::smoothed(std::move(once));  // one pass against noise
   const double fine = edgeEnergy(once, core, deep);
   const double coarse = edgeEnergy(volume::smoothed(once), core, deep);
   if (!(coarse > 0) || !(fine > coarse)) return 0;
@@ -82,7 +82,7 @@ Volume atCommonSharpness(const Volume& image, const volume::VoxelGrid& scan, con
 }
 
 double noiseOf(const Volume& flat, const Volume& calm, const Mask& core, const TissueModel& tissue) {
-  constexpr double kWithNeighbours = 7.0 / 6;  // variance of a difference
+  constexpr double kWithNeighbours = 7.0 / 6;  // variance of the difference over that of one voxel
   const float low = float(0.5 * (tissue.grey.mean + tissue.white.mean));
   const std::size_t row = flat.grid.size[0], slab = row * flat.grid.size[1];
   std::vector<float> differences;
@@ -98,7 +98,7 @@ double noiseOf(const Volume& flat, const Volume& calm, const Mask& core, const T
 
 Volume calmed(const Volume& flat, double noise, double contrast) {
   const double wanted = settingsOf<BrainGrowth>().calm_noise * contrast /
-                        std::max(noise, 1e-9);  // of the noise that may be left
+                        std::max(noise, 1e-9);  // share of the noise that may remain
   if (wanted >= 1) return flat;
   // The kernel (v/2, 1 - v, v/2) leaves (1 - v)^2 + v^2 / 2 of the variance along each axis.
   const double along = std::pow(wanted, 2.0 / 3);

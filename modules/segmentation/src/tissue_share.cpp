@@ -19,9 +19,9 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kMargin_mm = 4;  // so that the field falls to 0 within the grid
-constexpr double kRim_mm = 1.5;   // beyond the mask: fluid, not yet skull
-constexpr double kCore_mm = 4;    // this deep within the mask there is nothing but brain
+constexpr double kMargin_mm = 4;  // so that the field reaches 0 within the grid
+constexpr double kRim_mm = 1.5;   // around the mask: fluid, not yet skull
+constexpr double kCore_mm = 4;    // deeper within the mask there is only brain
 
 Volume shareOf(const Volume& flat, const TissueModel& tissue) {
   Volume share = flat;
@@ -63,14 +63,15 @@ Volume tissueShare(const Volume& mri, const Mask& brain, double spacing_mm, Task
   const Mask inside = volume::resample(brain, grid);
   requireWhiteAboveGrey(image, inside);
   monitor.report("opening the sulci", 0.3);
-  // A core without fluid would have grey matter shared out as fluid: first with the fluid around the brain.
+  // In a core without fluid, part of the grey matter would be classified as fluid. Therefore the first fit
+  // includes the fluid around the brain.
   const Volume calm = smoothed(image);
   const TissueModel rough = fitTissue(calm, dilate(inside, kRim_mm));
   const TissueModel tissue = fitTissue(calm, erode(inside, kCore_mm), &rough);
   requireTissueContrast(tissue);
   monitor.report("opening the sulci", 0.6);
   Volume share = shareOf(corrected(image, tissue), tissue);
-  // The mask's own edge, where it cuts through tissue (dura, brainstem), as a slope.
+  // A slope at the mask's own edge where it cuts through tissue (dura, brainstem).
   Volume slope{grid, std::vector<float>(inside.voxels.begin(), inside.voxels.end()), {}, {}};
   slope = smoothed(slope);
   for (std::size_t v = 0; v < share.voxels.size(); ++v)

@@ -54,8 +54,9 @@ HeadPart prepareHead(const volume::Volume& mri, const segmentation::Segmenter& s
 std::vector<std::string> worthAcknowledging(const surface::NavigationCheck& check) {
   std::vector<std::string> lines;
   for (const auto& finding : check.findings) {
-    const bool is_said =
-        finding.topic == "face" || finding.topic == "ears" || finding.topic == "left and right";
+    const bool is_said = finding.topic == surface::CheckTopic::face ||
+                         finding.topic == surface::CheckTopic::ears ||
+                         finding.topic == surface::CheckTopic::left_and_right;
     if (!is_said && finding.verdict != surface::Verdict::fine) lines.push_back(inWords(finding));
   }
   return lines;

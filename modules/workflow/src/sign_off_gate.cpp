@@ -5,6 +5,26 @@
 #include "facenav/core/error.h"
 
 namespace facenav::workflow {
+namespace {
+
+/// Why the sign-off does not hold.
+std::string missingWords(const casefile::SignOffStatus& status) {
+  const std::string not_saved = "a correction of the brain is not saved";
+  if (!status.last) return status.has_draft ? not_saved : "nobody has signed it off";
+  std::string why = status.has_draft ? not_saved : "";
+  if (!status.has_draft)
+    for (const auto& name : status.changed) why += (why.empty() ? "" : ", ") + name;
+  return "sign-off of " + status.last->by + " void: " + why + (status.has_draft ? "" : " changed");
+}
+
+}  // namespace
+
+void requireSignOff(const casefile::CaseStore& store, bool is_overridden) {
+  if (is_overridden) return;
+  const auto status = casefile::signOffStatus(store);
+  if (status.holds()) return;
+  throw Error("the case is not signed off", missingWords(status), "have it checked (Prepare, step 4)");
+}
 
 std::vector<MissingForSignOff> missingForSignOff(const SignOffClaim& claim) {
   std::vector<MissingForSignOff> missing;

@@ -113,6 +113,23 @@ TEST(MidlineLandmarks, OfANoddingHeadAreTheSame) {
   }
 }
 
+/// Tilted back by 75 degrees the nose lies at the start of the outline. It may be missing then, but a chin
+/// may not be taken for it.
+TEST(MidlineLandmarks, TheChinOfAHeadTiltedFarBackIsNoNose) {
+  for (double pitch_deg = -40; pitch_deg <= 90; pitch_deg += 2.5) {
+    const Eigen::Isometry3d nod(Eigen::AngleAxisd(pitch_deg * M_PI / 180, Vector3d::UnitX()));
+    const MidlineLandmarks found = landmarksOf(strip(true, -112, nod));
+    EXPECT_TRUE(found.pronasale || pitch_deg > 50) << pitch_deg << " degrees";
+    if (!found.pronasale) {
+      EXPECT_FALSE(found.nasion || found.subnasale || found.pogonion) << pitch_deg << " degrees";
+      continue;
+    }
+    const Vector2d tip = onFace(kTip_mm);
+    const Vector3d moved = nod * Vector3d(0, tip.x(), tip.y());
+    EXPECT_LT((moved.tail<2>() - *found.pronasale).norm(), 4.0) << pitch_deg << " degrees";
+  }
+}
+
 TEST(MidlineLandmarks, AFaceWithoutANoseHasNone) {
   const MidlineLandmarks found = landmarksOf(strip(false));
   EXPECT_FALSE(found.pronasale);
@@ -125,6 +142,24 @@ TEST(MidlineLandmarks, BelowTheScansEndThereAreNone) {
   EXPECT_FALSE(without_chin.pogonion);
   const MidlineLandmarks forehead = landmarksOf(strip(true, 60));
   EXPECT_FALSE(forehead.pronasale || forehead.nasion || forehead.subnasale);
+}
+
+TEST(MidlineLandmarks, TheInionIsWhereTheBackOfTheHeadBendsIntoTheNeck) {
+  const Mesh mesh = strip();
+  MidlineProfile profile = midlineProfile(mesh.head_mm, mesh.triangles);
+  const double bend_rad = 1.9;  // 39 mm below the middle of the ellipse
+  const Vector2d bend(-95 * std::sin(bend_rad), 120 * std::cos(bend_rad));
+  profile.back.clear();
+  for (double turn = 0; turn < bend_rad; turn += 0.006)
+    profile.back.emplace_back(-95 * std::sin(turn), 120 * std::cos(turn));
+  const auto skull = profile.back;
+  for (double along = 0.7; along < 70; along += 0.7)
+    profile.back.push_back(bend + along * Vector2d(0.6, -0.8));
+  const auto found = midlineLandmarks(profile);
+  ASSERT_TRUE(found.opisthocranion && found.inion);
+  EXPECT_LT((*found.inion - bend).norm(), 6.0) << found.inion->transpose();
+  profile.back = skull;  // the scan ends at the bend: nothing shows where the neck begins
+  EXPECT_FALSE(midlineLandmarks(profile).inion);
 }
 
 TEST(MidlineProfile, OfNothingIsEmpty) {

@@ -11,12 +11,10 @@
 namespace facenav::cameras {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
-
 StereoRig moved(const StereoRig& rig, const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm) {
   StereoRig other = rig;
   Eigen::Isometry3d pose = rig.right_T_left.isometry();
-  pose.prerotate(expRotation(turn_deg * kDegree));
+  pose.prerotate(expRotation(turn_deg * kRadPerDeg));
   pose.pretranslate(shift_mm);
   other.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
   return other;
@@ -169,7 +167,7 @@ TEST(RigMonitor, SaysHowFarPointsAreOffAsFarAsTheImagesTell) {
   monitor.add(points);
   const auto verdict = monitor.verdict();
   ASSERT_TRUE(verdict.hasMoved());
-  EXPECT_NEAR(verdict.turn_rad.z() / kDegree, 0.3, 0.06);
+  EXPECT_NEAR(verdict.turn_rad.z() / kRadPerDeg, 0.3, 0.06);
   double squares = 0;
   for (const auto& p : points)
     squares += (triangulate(rig, p.left_px, p.right_px).mm - triangulate(rolled, p.left_px, p.right_px).mm)

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 
-CaseStore madeStore(const fs::path& folder) {
+CaseStore madeExportStore(const fs::path& folder) {
   return CaseStore::create(folder / "case", testing::preparedCase(), {}, false);
 }
 
@@ -22,7 +22,7 @@ TEST(Exporter, WritesScalpBrainAndCortexForTheUserAlone) {
   const auto out = folder.path() / "for_printing";
   TaskMonitor monitor;
   const auto written =
-      makeMeshExporter(surface::MeshFormat::stl)->write(madeStore(folder.path()), out, false, monitor);
+      makeMeshExporter(surface::MeshFormat::stl)->write(madeExportStore(folder.path()), out, false, monitor);
   EXPECT_THAT(written, ElementsAre(out / "scalp.stl", out / "brain.stl", out / "cortex.stl"));
   for (const auto& path : written) {
     EXPECT_GT(fs::file_size(path), 84u) << "more than STL's header";
@@ -32,7 +32,7 @@ TEST(Exporter, WritesScalpBrainAndCortexForTheUserAlone) {
 
 TEST(Exporter, OverwritesNothingUnasked) {
   const facenav::testing::TemporaryFolder folder;
-  const auto store = madeStore(folder.path());
+  const auto store = madeExportStore(folder.path());
   TaskMonitor monitor;
   const auto exporter = makeNiftiExporter();
   EXPECT_EQ(exporter->write(store, folder.path() / "out", false, monitor).size(), 3u);
@@ -55,8 +55,9 @@ TEST(Exporter, AFileInThePlaceOfTheFolderIsRefused) {
   const facenav::testing::TemporaryFolder folder;
   writeWholeFile(folder.path() / "out", "not a folder");
   TaskMonitor monitor;
-  EXPECT_THROW(makeNiftiExporter()->write(madeStore(folder.path()), folder.path() / "out", false, monitor),
-               Error);
+  EXPECT_THROW(
+      makeNiftiExporter()->write(madeExportStore(folder.path()), folder.path() / "out", false, monitor),
+      Error);
 }
 
 }  // namespace

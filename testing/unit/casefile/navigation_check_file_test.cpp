@@ -15,8 +15,9 @@ namespace fs = std::filesystem;
 
 surface::NavigationCheck madeCheck() {
   surface::NavigationCheck check;
-  check.findings = {{"face", surface::Verdict::fine, "whole", ""},
-                    {"noise", surface::Verdict::caution, "much", "a better coil"}};
+  check.findings = {
+      {surface::CheckTopic::face, surface::Verdict::fine, "whole", ""},
+      {surface::CheckTopic::wrap_around, surface::Verdict::caution, "much", "a larger field of view"}};
   check.landmarks.points = {{"nasion", Point<Mri>(1.0, 90.5, -20.25), 1.5, false},
                             {"pronasale", Point<Mri>(1.0, 112.0, -55.0), 1.0, true}};
   check.landmarks.right = Direction<Mri>(Eigen::Vector3d(1, 0.1, 0));
@@ -34,7 +35,8 @@ TEST(NavigationCheckFile, WhatIsWrittenIsRead) {
   const auto read = readNavigationCheck(path);
   EXPECT_EQ(read.verdict(), surface::Verdict::caution);
   ASSERT_EQ(read.findings.size(), 2u);
-  EXPECT_EQ(read.findings[1].ask, "a better coil");
+  EXPECT_EQ(read.findings[1].topic, surface::CheckTopic::wrap_around);
+  EXPECT_EQ(read.findings[1].ask, "a larger field of view");
   ASSERT_EQ(read.landmarks.points.size(), 2u);
   EXPECT_FALSE(read.landmarks.points[0].is_cut);
   EXPECT_TRUE(read.landmarks.points[1].is_cut);
@@ -47,12 +49,15 @@ TEST(NavigationCheckFile, WhatIsWrittenIsRead) {
   EXPECT_FALSE(read.measures[1].usual);
 }
 
-TEST(NavigationCheckFile, RefusesAnotherVerdict) {
+TEST(NavigationCheckFile, RefusesAnotherVerdictOrTopic) {
   const facenav::testing::TemporaryFolder folder;
   const auto path = folder.path() / "navigation_check.json";
-  std::ofstream(path) << R"({"findings": [{"topic": "face", "verdict": "good", "finding": ""}],)"
-                      << R"("landmarks": [], "measures": []})";
-  EXPECT_THROW(readNavigationCheck(path), Error);
+  for (const char* finding :
+       {R"("topic": "face", "verdict": "good")", R"("topic": "faces", "verdict": "fine")"}) {
+    std::ofstream(path) << R"({"findings": [{)" << finding << R"(, "finding": ""}], )"
+                        << R"("landmarks": [], "measures": []})";
+    EXPECT_THROW(readNavigationCheck(path), Error) << finding;
+  }
 }
 
 TEST(NavigationCheckFile, IsPartOfTheCaseAndAbsentInOlderOnes) {

@@ -18,7 +18,7 @@ using CoilPose = RigidTransform<Camera, Coil>;
 
 const std::string kHeader = "frame,t_s,object,status,tx,ty,tz,qw,qx,qy,qz,quality,reason\n";
 
-std::string faultOf(const std::string& content) {
+std::string faultOfReading(const std::string& content) {
   const TemporaryFolder folder;
   writeWholeFile(folder.path() / "poses.csv", content);
   try {
@@ -75,17 +75,17 @@ TEST(PosesCsv, ReadsColumnsInAnyOrderAndIgnoresUnknownOnes) {
 
 TEST(PosesCsv, NamesFileAndLineOfAFault) {
   const std::string good = "0,0,head,tracked,1,2,3,1,0,0,0,1,\n";
-  EXPECT_EQ(faultOf(kHeader + good), "");
+  EXPECT_EQ(faultOfReading(kHeader + good), "");
   for (const char* bad :
        {"1,0,head,tracked,1,2,x,1,0,0,0,1,", "1,0,head,tracked,1,2,nan,1,0,0,0,1,",
         "1,0,head,tracked,1,2,3,1,1,0,0,1,", "1,0,head,tracked,,,,,,,,1,",
         "1,0,foot,tracked,1,2,3,1,0,0,0,1,", "1,0,head,seen,1,2,3,1,0,0,0,1,", "1,0,head,lost,,,,,,,,0,gone",
         "1,0,head,tracked,1,2,3,1,0,0,0,7,", "1,0,head,tracked,1,2", "1.5,0,head,lost,,,,,,,,0,camera"}) {
-    const std::string fault = faultOf(kHeader + good + bad + "\n");
+    const std::string fault = faultOfReading(kHeader + good + bad + "\n");
     EXPECT_NE(fault.find("poses.csv, line 3"), std::string::npos) << bad << " gave: " << fault;
   }
-  EXPECT_NE(faultOf("frame,t_s\n0,0\n").find("'object'"), std::string::npos);
-  EXPECT_NE(faultOf("").find("empty"), std::string::npos);
+  EXPECT_NE(faultOfReading("frame,t_s\n0,0\n").find("'object'"), std::string::npos);
+  EXPECT_NE(faultOfReading("").find("empty"), std::string::npos);
 }
 
 TEST(PosesCsv, KeepsItsDecimalPointInEveryLocale) {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "facenav/casefile/kept_session.h"
@@ -51,6 +53,51 @@ TEST_F(SessionPulsesTest, AnExclusionNeedsAPulseAndAReason) {
   EXPECT_THROW(editPulse(folder_.path(), {1, true, "  ", ""}), Error);
   EXPECT_THROW(editPulse(folder_.path(), {1, false, "", ""}), Error) << "it is not excluded";
   EXPECT_FALSE(fs::exists(folder_.path() / "pulse_edits.jsonl"));
+}
+
+TEST_F(SessionPulsesTest, AnMepEnteredLaterReplacesWhatThePulseHadAndCanBeTakenBack) {
+  editMeps(folder_.path(), {{1, 350.0, 22.5, "typed", "AB"}, {2, 0.0, {}, "typed", "AB"}});
+  auto session = read();
+  EXPECT_EQ(session.pulses[0].pulse.mep_uv, 350.0);
+  EXPECT_EQ(session.pulses[0].pulse.latency_ms, 22.5);
+  EXPECT_EQ(session.pulses[1].pulse.mep_uv, 0.0) << "no response is a value";
+  EXPECT_EQ(session.edited_meps, (std::set<int>{1, 2}));
+  editMeps(folder_.path(), {{1, {}, {}, "", ""}});
+  EXPECT_FALSE(read().pulses[0].pulse.mep_uv);
+  const std::string history = readWholeFile(folder_.path() / "pulse_edits.jsonl");
+  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 3) << "the history stays";
+}
+
+TEST_F(SessionPulsesTest, ImpossibleMepsAreRefusedAndThenNoneIsWritten) {
+  const double nan = std::nan("");
+  for (const MepEdit& wrong :
+       {MepEdit{9, 100.0, {}, "", ""}, MepEdit{2, -1.0, {}, "", ""}, MepEdit{2, 60000.0, {}, "", ""},
+        MepEdit{2, nan, {}, "", ""}, MepEdit{2, 100.0, -3.0, "", ""}})
+    EXPECT_THROW(editMeps(folder_.path(), {{1, 350.0, {}, "", ""}, wrong}), Error);
+  EXPECT_FALSE(fs::exists(folder_.path() / "pulse_edits.jsonl"));
+}
+
+TEST_F(SessionPulsesTest, SeveralExclusionsAreWrittenTogetherOrNotAtAll) {
+  EXPECT_THROW(editPulses(folder_.path(), {{1, true, "moved", ""}, {1, true, "moved", ""}}), Error);
+  EXPECT_FALSE(fs::exists(folder_.path() / "pulse_edits.jsonl"));
+  editPulses(folder_.path(), {{1, true, "moved", ""}, {3, true, "moved", ""}});
+  const auto session = read();
+  EXPECT_TRUE(session.pulses[0].is_excluded && !session.pulses[1].is_excluded &&
+              session.pulses[2].is_excluded);
+}
+
+TEST_F(SessionPulsesTest, AChangeOfALaterVersionIsSkipped) {
+  std::ofstream(folder_.path() / "pulse_edits.jsonl")
+      << R"({"utc":"","pulse":1,"change":"exclude","reason":"moved","by":""})"
+      << "\n"
+      << R"({"utc":"","pulse":1,"change":"rename","to":"x"})"
+      << "\n"
+      << R"({"utc":"","pulse":"one","change":"mep"})"
+      << "\n";
+  const auto session = read();
+  EXPECT_TRUE(session.pulses[0].is_excluded) << "an unknown change is no inclusion";
+  ASSERT_EQ(session.problems.size(), 1u);
+  EXPECT_THAT(session.problems[0], HasSubstr("the change is left out"));
 }
 
 TEST_F(SessionPulsesTest, CsvHasTheColumnsOfTheContractAndEmptyMeansNotKnown) {

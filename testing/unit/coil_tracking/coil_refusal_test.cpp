@@ -3,11 +3,11 @@
 
 #include "tracked_once.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::coil_tracking {
 namespace {
 using namespace testing;
-
-constexpr double kDegree = M_PI / 180;
 
 TEST(CoilTracker, AnotherIdIsNotTaken) {
   for (const int id : {0, 3, 8, 23, 49})
@@ -42,7 +42,7 @@ TEST(CoilTracker, AMovedCameraIsLost) {
   const auto frame = renderMarkers(moved, {{id7(), 60, markerPose(600, 20, 70, 10)}});
   Eigen::Isometry3d pose = moved.right_T_left.isometry();
   pose.prerotate(
-      Eigen::AngleAxisd(0.4 * kDegree, Eigen::Vector3d::UnitX()));  // 5 px across the epipolar lines
+      Eigen::AngleAxisd(0.4 * kRadPerDeg, Eigen::Vector3d::UnitX()));  // 5 px across the epipolar lines
   moved.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
   const auto lost = trackOnce(moved, frame);
   ASSERT_FALSE(lost.isTracked());

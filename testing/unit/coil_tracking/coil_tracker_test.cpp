@@ -4,17 +4,17 @@
 #include "support/matchers.h"
 #include "tracked_once.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::coil_tracking {
 namespace {
 using namespace testing;
 using facenav::testing::PoseNear;
 
-constexpr double kDegree = M_PI / 180;
-
 struct Errors {
   double rotation_squares = 0, translation_squares = 0;
   int count = 0, lost = 0;
-  double rotation_deg() const { return std::sqrt(rotation_squares / count) / kDegree; }
+  double rotation_deg() const { return std::sqrt(rotation_squares / count) / kRadPerDeg; }
   double translation_mm() const { return std::sqrt(translation_squares / count); }
   void add(const Tracked<CoilPose>& pose, const RigidTransform<Camera, Marker>& truth) {
     if (!pose) {
@@ -209,19 +209,19 @@ cameras::StereoFrame movedFrame(const cameras::StereoRig& rig, int i) {
 TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
   const auto rig = roomRig();
   for (const int before :
-       {FrameWork::kMost - 100, FrameWork::kMost - 1500}) {  // no budget to search, or only none to fit
+       {FrameWork::most() - 100, FrameWork::most() - 1500}) {  // no budget to search, or only none to fit
     const auto tracker = makeMarkerCoilTracker();
     tracker->start(rig, defaultCoil());
     const auto first = tracker->track(movedFrame(rig, 0), {{}, {before}});
     EXPECT_FALSE(first.isTracked());
-    EXPECT_LE(first.work.comparisons, FrameWork::kMost);
+    EXPECT_LE(first.work.comparisons, FrameWork::most());
     ASSERT_GT(first.deferred.comparisons, 0);
     const auto pose =
-        tracker->track(movedFrame(rig, 1), {{}, {FrameWork::kMost - first.deferred.comparisons}});
+        tracker->track(movedFrame(rig, 1), {{}, {FrameWork::most() - first.deferred.comparisons}});
     ASSERT_TRUE(pose) << before;
     EXPECT_THAT(pose->camera_T_marker, PoseNear(markerPose(597, 20, 70, 2, {5.0, 0}), 0.3, 0.3));
     EXPECT_EQ(pose.deferred.comparisons, 0);
-    EXPECT_LE(pose.work.comparisons, FrameWork::kMost);
+    EXPECT_LE(pose.work.comparisons, FrameWork::most());
   }
 }
 
@@ -242,7 +242,7 @@ TEST(CoilTracker, TheFramesWorkKeepsItsLimitWhateverIsShown) {
         frame.captured.s = i / 60.0;
         const auto pose = tracker->track(frame, {{}, {kTrackedHead}});
         EXPECT_EQ(pose.isTracked(), prints == 1);
-        EXPECT_LE(pose.work.comparisons, FrameWork::kMost) << prints << " prints";
+        EXPECT_LE(pose.work.comparisons, FrameWork::most()) << prints << " prints";
       }
     }
 }

@@ -178,5 +178,28 @@ TEST(Jig, AFrameWhoseJigIsTurnedOrWhoseMarkerIsShiftedIsLeftOut) {
   }
 }
 
+/// The turned frame must not widen the limit for the shifted one.
+TEST(Jig, ATurnedAndAShiftedFrameAreBothLeftOut) {
+  const RigidTransform<Coil, Marker> coil_T_jig(Eigen::Quaterniond(expRotation({0, 0.4, 1})), {70, 5, 10});
+  const RigidTransform<Marker, Marker> quarter(Eigen::Quaterniond(expRotation({0, 0, M_PI / 2})), {0, 0, 0});
+  const RigidTransform<Camera, Camera> shift(Eigen::Quaterniond::Identity(), {0, 0, 15});
+  auto frames = jigFrames(12, coil_T_jig);
+  frames[2].camera_T_jig = frames[2].camera_T_jig * quarter;
+  frames[8].camera_T_marker = shift * frames[8].camera_T_marker;
+  const auto result = calibrateWithJig(frames, coil_T_jig);
+  EXPECT_EQ(result.used, 10);
+  EXPECT_THAT(result.marker_T_coil, PoseNear(mount(), 1e-6, 1e-6));
+}
+
+TEST(Jig, AThirdOfTheFramesTurnedAlikeAreLeftOut) {
+  const RigidTransform<Coil, Marker> coil_T_jig(Eigen::Quaterniond(expRotation({0, 0.4, 1})), {70, 5, 10});
+  const RigidTransform<Marker, Marker> flipped(Eigen::Quaterniond(expRotation({0.4, 0, 0})), {0, 0, 0});
+  auto frames = jigFrames(12, coil_T_jig);
+  for (const std::size_t i : {1u, 4u, 7u, 10u}) frames[i].camera_T_jig = frames[i].camera_T_jig * flipped;
+  const auto result = calibrateWithJig(frames, coil_T_jig);
+  EXPECT_EQ(result.used, 8);
+  EXPECT_THAT(result.marker_T_coil, PoseNear(mount(), 1e-6, 1e-6));
+}
+
 }  // namespace
 }  // namespace facenav::coil_tracking

@@ -4,6 +4,7 @@
 
 #include "facenav/core/child_process.h"
 #include "facenav/core/error.h"
+#include "facenav/core/frame_work.h"
 #include "facenav/core/settings_in_force.h"
 #include "support/test_data.h"
 
@@ -151,6 +152,16 @@ TEST(SettingsInForce, AreWhatTheTableSays) {
               require(settingsOf<Limits>().share == 0.25, "unchanged");
               require(changedSettings() == SettingValues{{"brain.reach_mm", 9}}, "recorded");
               require(changedSettingsInWords().at(0) == "brain.reach_mm 9 mm (default 8)", "said");
+            }),
+            "");
+}
+
+TEST(SettingsInForce, GiveAFrameItsWorkBudget) {
+  EXPECT_EQ(failureOf([] {
+              SettingsTable budget = SettingsTable::of<FrameBudget>();
+              budget.setByText("core.frame_comparisons=9000");
+              putInForce<FrameBudget>(budget);
+              require(FrameWork{1000}.left() == 8000, "left of the changed budget");
             }),
             "");
 }

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::TemporaryFolder;
 
-unsigned modeOf(const fs::path& path) {
+unsigned folderModeOf(const fs::path& path) {
   struct stat status {};
   EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
   return status.st_mode & 0777u;
@@ -83,13 +83,13 @@ TEST(WholeFolder, OfTheOwnerAloneIsPrivateFromTheStart) {
   const TemporaryFolder folder;
   const fs::path place = folder.path() / "out";
   WholeFolder whole(place, FileAccess::owner_only);
-  EXPECT_EQ(modeOf(whole.temporaryPath()), 0700u);
+  EXPECT_EQ(folderModeOf(whole.temporaryPath()), 0700u);
   fs::create_directory(whole.temporaryPath() / "left");
   write(whole.temporaryPath() / "left/a", "1");
   whole.commit();
-  EXPECT_EQ(modeOf(place), 0700u);
-  EXPECT_EQ(modeOf(place / "left"), 0700u);
-  EXPECT_EQ(modeOf(place / "left/a"), 0600u);
+  EXPECT_EQ(folderModeOf(place), 0700u);
+  EXPECT_EQ(folderModeOf(place / "left"), 0700u);
+  EXPECT_EQ(folderModeOf(place / "left/a"), 0600u);
 }
 
 TEST(WholeFolder, HoldsManyFiles) {  // above the limit for single syncs

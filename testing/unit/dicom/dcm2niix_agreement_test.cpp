@@ -11,7 +11,7 @@
 namespace facenav::testing {
 namespace {
 
-volume::Volume load(const std::filesystem::path& folder) {
+volume::Volume loadFirst(const std::filesystem::path& folder) {
   TaskMonitor monitor;
   return dicom::importVolume(folder, std::nullopt, monitor).volume;
 }
@@ -19,7 +19,7 @@ volume::Volume load(const std::filesystem::path& folder) {
 void expectAgreement(const std::filesystem::path& folder) {
   const auto expected = dcm2niixVolume(folder);
   ASSERT_TRUE(expected) << "dcm2niix made no single volume";
-  expectSameInWorld(load(folder), *expected);
+  expectSameInWorld(loadFirst(folder), *expected);
 }
 
 void expectAgreement(const std::vector<Slice>& slices) {
@@ -50,7 +50,7 @@ TEST(Dcm2niixAgreement, RealGeAxialHasTheSameValuesAndKeepsItsPositions) {
   const auto folder = sharedData() / "dicom_variety/papaya_ge_axial";
   FACENAV_NEEDS(folder);
   FACENAV_NEEDS_PROGRAM("dcm2niix");
-  const volume::Volume actual = load(folder);
+  const volume::Volume actual = loadFirst(folder);
   auto expected = dcm2niixVolume(folder);
   ASSERT_TRUE(expected);
   EXPECT_EQ(volume::toRasOrder(actual).voxels, volume::toRasOrder(*expected).voxels);
@@ -139,9 +139,9 @@ void expectAgreementAfter(const std::string& program) {
             (program + " '" + entry.path().string() + "' '" + out.string() + "' >/dev/null 2>&1").c_str()),
         0);
   }
-  expectSameInWorld(load(folder.path() / "out"), load(folder.path() / "in"));
+  expectSameInWorld(loadFirst(folder.path() / "out"), loadFirst(folder.path() / "in"));
   if (const auto other = dcm2niixVolume(folder.path() / "out"))
-    expectSameInWorld(load(folder.path() / "out"), *other);
+    expectSameInWorld(loadFirst(folder.path() / "out"), *other);
 }
 
 TEST(Dcm2niixAgreement, Rle) {
@@ -199,7 +199,7 @@ TEST(Dcm2niixAgreement, FragmentedFramesAreReadWhole) {
       const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
       writeBytes(folder.path() / "out" / entry.path().filename(), withFragments(bytes, 64));
     }
-    expectSameInWorld(load(folder.path() / "out"), load(folder.path() / "in"));
+    expectSameInWorld(loadFirst(folder.path() / "out"), loadFirst(folder.path() / "in"));
   }
 }
 
@@ -217,7 +217,7 @@ TEST(Dcm2niixAgreement, TwelveBitJpegEqualsDcmtksDecoder) {
                                 " >/dev/null 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
   }
-  expectSameInWorld(load(folder.path() / "jpeg"), load(folder.path() / "raw"));
+  expectSameInWorld(loadFirst(folder.path() / "jpeg"), loadFirst(folder.path() / "raw"));
 }
 
 // One rescale for all frames: dcm2niix applies the first frame's to all.

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::vector<dicom::SeriesInfo> list(const std::filesystem::path& folder) {
+std::vector<dicom::SeriesInfo> listFolder(const std::filesystem::path& folder) {
   TaskMonitor monitor;
   return dicom::listSeries(folder, monitor);
 }
@@ -39,7 +39,7 @@ TEST(ListSeries, RecommendsTheThreeDimensionalT1) {
   writeSlices(folder.path() / "x/1", makeSlices(8, small("1.1", "t2_tse_tra")));
   writeSlices(folder.path() / "x/2", makeSlices(140, headSlice("1.2")));
   writeSlices(folder.path() / "y", makeSlices(8, small("1.3", "ep2d_diff")));
-  const auto series = list(folder.path());
+  const auto series = listFolder(folder.path());
   ASSERT_EQ(series.size(), 3u);
   EXPECT_EQ(series[0].series_uid, "1.2");
   EXPECT_TRUE(series[0].is_recommended && series[0].is_fit_for_navigation) << series[0].fitness;
@@ -54,7 +54,7 @@ TEST(ListSeries, RecommendsTheThreeDimensionalT1) {
 TEST(ListSeries, NothingOfThePatientIsRepeated) {
   const TemporaryFolder folder;
   writeSlices(folder.path(), makeSlices(4));
-  const auto info = list(folder.path())[0];
+  const auto info = listFolder(folder.path())[0];
   for (const std::string& text : {info.description, info.problem, info.fitness, info.part, info.date})
     EXPECT_THAT(text, Not(HasSubstr("Secret")));
 }
@@ -69,7 +69,7 @@ TEST(ListSeries, EchoesAndPhaseUnderOneUidAreSplit) {
   writeSlices(folder.path() / "a", slices);
   writeSlices(folder.path() / "b", second);
   writeSlices(folder.path() / "c", phase);
-  const auto series = list(folder.path());
+  const auto series = listFolder(folder.path());
   ASSERT_EQ(series.size(), 3u);
   std::vector<std::string> ids;
   for (const auto& info : series) {
@@ -90,7 +90,7 @@ TEST(ListSeries, ManyVolumesOfOnePlaceAreFourD) {
   for (int t = 0; t < 3; ++t)
     writeSlices(folder.path() / std::to_string(t),
                 makeSlices(6, {}, [t](Slice& s, int) { s.values[0] += t + 1; }));
-  const auto series = list(folder.path());
+  const auto series = listFolder(folder.path());
   ASSERT_EQ(series.size(), 1u);
   EXPECT_THAT(series[0].problem, HasSubstr("3 volumes of the same place (4-D)"));
   EXPECT_EQ(series[0].problem_kind, dicom::SeriesProblem::several_volumes);
@@ -102,7 +102,7 @@ TEST(ListSeries, ContrastAgentIsKnownWithoutReadingWords) {
   writeSlices(folder.path() / "plain", makeSlices(6, small("1.7", "t1")));
   writeSlices(folder.path() / "agent",
               makeSlices(6, small("1.8", "t1"), [](Slice& s, int) { s.contrast_agent = "GADOVIST"; }));
-  for (const auto& info : list(folder.path()))
+  for (const auto& info : listFolder(folder.path()))
     EXPECT_EQ(info.has_contrast_agent, info.series_uid == "1.8") << info.series_uid;
 }
 
@@ -112,7 +112,7 @@ TEST(ListSeries, LocalizerInThreeDirectionsIsOneEntry) {
   slices[1].row = {0, 1, 0}, slices[1].column = {0, 0, -1};
   slices[2].row = {1, 0, 0}, slices[2].column = {0, 0, -1};
   writeSlices(folder.path(), slices);
-  const auto series = list(folder.path());
+  const auto series = listFolder(folder.path());
   ASSERT_EQ(series.size(), 1u);
   EXPECT_THAT(series[0].problem, HasSubstr("localizer"));
 }
@@ -134,10 +134,30 @@ TEST(ListSeries, SaysInWordsWhyNot) {
     SCOPED_TRACE(words);
     const TemporaryFolder folder;
     writeSlices(folder.path(), makeSlices(4, {}, [&change = change](Slice& s, int) { change(s); }));
-    const auto series = list(folder.path());
+    const auto series = listFolder(folder.path());
     ASSERT_EQ(series.size(), 1u);
     EXPECT_FALSE(series[0].is_loadable);
     EXPECT_THAT(series[0].problem, HasSubstr(words));
+  }
+}
+
+/// A path may hold the patient's name, so the list's problem is the fault alone. (It was cut out of the
+/// message, where a tab of the path had become a blank.)
+TEST(ListSeries, TheFaultOfADamagedFileIsNamedWithoutItsPath) {
+  for (const char* name : {"export", "Doe\tJane; export"}) {
+    SCOPED_TRACE(name);
+    const TemporaryFolder folder;
+    const auto where = folder.path() / name;
+    writeSlices(where, makeSlices(4));
+    const auto damaged = std::filesystem::directory_iterator(where)->path();
+    std::filesystem::resize_file(damaged, 200);
+    for (const auto& info : listFolder(where)) {
+      EXPECT_EQ(info.problem_kind, dicom::SeriesProblem::damaged);
+      EXPECT_EQ(info.problem_file, damaged);
+      EXPECT_THAT(info.problem, HasSubstr("DICOM header is cut off or damaged"));
+      EXPECT_EQ(info.problem.find("Jane"), std::string::npos) << info.problem;
+      EXPECT_EQ(info.problem.find("again"), std::string::npos) << info.problem;
+    }
   }
 }
 
@@ -147,7 +167,7 @@ TEST(ListSeries, CtGivesTheScalpOnly) {
   first.modality = "CT";
   first.sop_class = "1.2.840.10008.5.1.4.1.1.2";
   writeSlices(folder.path(), makeSlices(20, first));
-  const auto series = list(folder.path());
+  const auto series = listFolder(folder.path());
   EXPECT_TRUE(series[0].is_loadable);
   EXPECT_FALSE(series[0].is_recommended);
   EXPECT_THAT(series[0].fitness, HasSubstr("scalp only"));
@@ -159,7 +179,7 @@ TEST(ListSeries, OtherFilesArePassedOver) {
   writeBytes(folder.path() / "notes.txt",
              "nothing to see here, and quite long enough to be looked into by a reader\n");
   writeBytes(folder.path() / "empty", "");
-  EXPECT_EQ(list(folder.path()).size(), 1u);
+  EXPECT_EQ(listFolder(folder.path()).size(), 1u);
 }
 
 /// A table of contents (PS3.10 8): told by the SOP class in its meta header alone.
@@ -178,7 +198,7 @@ TEST(ListSeries, DicomDirStandsForItsFolder) {
   writeSlices(folder.path() / "IMAGES/A", makeSlices(4));
   writeBytes(folder.path() / "DICOMDIR", dicomDir());
   for (const auto& input : {folder.path(), folder.path() / "DICOMDIR"}) {
-    const auto series = list(input);
+    const auto series = listFolder(input);
     ASSERT_EQ(series.size(), 1u) << input;
     EXPECT_TRUE(series[0].is_loadable) << series[0].problem;
   }
@@ -191,17 +211,17 @@ TEST(ListSeries, DamagedDicomDirLeavesTheSeriesBesideItAlone) {
   writeSlices(folder.path(), makeSlices(4));
   const std::string whole = dicomDir();
   writeBytes(folder.path() / "DICOMDIR", whole.substr(0, whole.size() - 5));
-  const auto series = list(folder.path());
+  const auto series = listFolder(folder.path());
   ASSERT_EQ(series.size(), 1u);
   EXPECT_TRUE(series[0].is_loadable) << series[0].problem;
 }
 
 TEST(ListSeries, RefusesWhatHoldsNoDicom) {
   const TemporaryFolder folder;
-  EXPECT_THROW(list(folder.path()), Error);
-  EXPECT_THROW(list(folder.path() / "absent"), Error);
+  EXPECT_THROW(listFolder(folder.path()), Error);
+  EXPECT_THROW(listFolder(folder.path() / "absent"), Error);
   writeBytes(folder.path() / "a.txt", "hello");
-  EXPECT_THROW(list(folder.path()), Error);
+  EXPECT_THROW(listFolder(folder.path()), Error);
 }
 
 TEST(ImportVolume, SeriesIsChosenByItsId) {

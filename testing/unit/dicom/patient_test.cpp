@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Throws;
 
-std::vector<dicom::SeriesInfo> list(const fs::path& folder) {
+std::vector<dicom::SeriesInfo> listPatient(const fs::path& folder) {
   TaskMonitor monitor;
   return dicom::listSeries(folder, monitor);
 }
@@ -35,7 +35,7 @@ TEST(Patient, OfTwoNoneIsRecommendedAndNoneTakenUnasked) {
   const TemporaryFolder folder;
   writeSlices(folder.path() / "a", headOf("Doe^Jane", "1", "1.1"));
   writeSlices(folder.path() / "b", headOf("Roe^Rose", "2", "1.2"));
-  const auto series = list(folder.path());
+  const auto series = listPatient(folder.path());
   ASSERT_EQ(series.size(), 2u);
   EXPECT_EQ(dicom::patientCount(series), 2);
   EXPECT_NE(series[0].patient, series[1].patient);
@@ -61,7 +61,7 @@ TEST(Patient, ASharedSeriesUidIsSplitByPatient) {
   const TemporaryFolder folder;
   writeSlices(folder.path() / "a", headOf("Doe^Jane", "1", "1.1"));
   writeSlices(folder.path() / "b", headOf("Roe^Rose", "2", "1.1"));
-  const auto series = list(folder.path());
+  const auto series = listPatient(folder.path());
   ASSERT_EQ(series.size(), 2u);
   for (const auto& info : series) EXPECT_TRUE(info.is_loadable && info.slices == 140) << info.problem;
   EXPECT_NE(series[0].id, series[1].id);
@@ -103,7 +103,7 @@ std::string nameRead(const std::string& raw, const std::string& character_set) {
   s.patient_name = raw;
   s.character_set = character_set;
   writeSlices(folder.path(), makeSlices(4, s));
-  return dicom::patientOf(list(folder.path())[0]).name;
+  return dicom::patientOf(listPatient(folder.path())[0]).name;
 }
 
 /// Names of PS3.5 annexes H to K, and of Latin, Cyrillic and Greek sets.

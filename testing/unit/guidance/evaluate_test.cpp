@@ -3,12 +3,12 @@
 #include "made_targets.h"
 #include "support/matchers.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::guidance {
 namespace {
 using namespace guidance::testing;
 using facenav::testing::EigenNear;
-
-constexpr double kDegree = 180.0 / M_PI;
 
 // FORMATS.md: values of a published navigator export with 3 decimals; `point` is the target itself.
 TEST(Evaluate, GivesThePublishedRecordingsValues) {
@@ -20,8 +20,9 @@ TEST(Evaluate, GivesThePublishedRecordingsValues) {
   const GuidanceValues values = evaluate(target, coil);
   EXPECT_NEAR(values.distance_mm, 5.568, 0.001);
   EXPECT_NEAR(values.beam_miss_mm, 1.348, 0.005);
-  EXPECT_NEAR(values.tilt_rad * kDegree, 4.702, 0.06);  // 5e-4 on a unit vector's components is 0.05 degrees
-  EXPECT_NEAR(std::abs(values.twist_rad) * kDegree, 3.474, 0.06);
+  EXPECT_NEAR(values.tilt_rad * kDegPerRad, 4.702,
+              0.06);  // 5e-4 on a unit vector's components is 0.05 degrees
+  EXPECT_NEAR(std::abs(values.twist_rad) * kDegPerRad, 3.474, 0.06);
   EXPECT_NEAR(std::hypot(values.lateral_mm, values.depth_mm), values.distance_mm, 1e-9);
 }
 

@@ -46,6 +46,39 @@ TEST(TargetsJson, RoundTripKeepsEveryDigit) {
   EXPECT_EQ(read.targets[0].scalp_point.mm, plan.targets[0].scalp_point.mm);
 }
 
+TEST(TargetsJson, KeepsLockDoseGridAndEveryChange) {
+  const TemporaryFolder folder;
+  TreatmentPlan plan;
+  plan.targets = {vertexTarget(), vertexTarget()};
+  Target& target = plan.targets[0];
+  target.lift_mm = 1.25;
+  target.is_locked = true;
+  target.dose = Dose{};
+  target.dose->pulses = 3000;
+  target.dose->threshold_pct = 80.5;
+  target.grid = GridSpec{3, 5, 7.5, GridOn::cortex};
+  target.changes = {{"2026-11-23T14:05:09.123Z", "AB", "planned"}, {"2026-11-23T14:06:09.123Z", "", "moved"}};
+  plan.targets[1].name = "vertex r1 c2";
+  plan.targets[1].grid_place = GridPlace{"vertex", 1, 2, true};
+  const auto path = folder.path() / "targets.json";
+  writeTargets(plan, path);
+  const TreatmentPlan read = readTargets(path);
+  EXPECT_EQ(read.targets[0].lift_mm, 1.25);
+  EXPECT_TRUE(read.targets[0].is_locked);
+  EXPECT_EQ(*read.targets[0].dose, *target.dose);
+  EXPECT_EQ(*read.targets[0].grid, *target.grid);
+  ASSERT_EQ(read.targets[0].changes.size(), 2u);
+  EXPECT_EQ(read.targets[0].changes[0].by, "AB");
+  EXPECT_EQ(read.targets[0].changes[1].what, "moved");
+  EXPECT_EQ(read.targets[1].grid_place->seed, "vertex");
+  EXPECT_TRUE(read.targets[1].grid_place->is_edited);
+  target.is_locked = false;
+  target.dose.reset();
+  writeTargets(plan, path);  // over the first: what is no longer so is gone
+  EXPECT_FALSE(readTargets(path).targets[0].is_locked);
+  EXPECT_FALSE(readTargets(path).targets[0].dose);
+}
+
 TEST(TargetsJson, MatrixIsRowMajorInMillimetres) {
   const TemporaryFolder folder;
   writeWholeFile(folder.path() / "t.json", oneTarget("[0,-1,0,10, 1,0,0,20, 0,0,1,30, 0,0,0,1]"));

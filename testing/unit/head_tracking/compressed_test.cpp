@@ -45,7 +45,7 @@ TEST_F(CompressedFace, IsFoundAgainTurnedAndWithItsJawDown) {
     const auto pose = tracker->track(compressed(face_->render(rig_, view)));
     ASSERT_TRUE(pose.isTracked()) << i << ": " << wordOf(pose);
     EXPECT_LT(errorOf(*pose, view).at_point_mm, 1.5);
-    EXPECT_LT(errorOf(*pose, view).rotation_rad / kDegree, 0.5);
+    EXPECT_LT(errorOf(*pose, view).rotation_rad / kRadPerDeg, 0.5);
   }
 }
 
@@ -70,7 +70,7 @@ TEST_F(CompressedFace, ThatIsBackIsShownByTheFirstAnswer) {
     SyntheticView view = later(i, 2.0);
     view.time_s = 2.0 + i / 60.0;
     // The coil has reserved the first frame: no time for a fit in it.
-    const FrameWork reserved{i == 0 ? FrameWork::kMost : 0};
+    const FrameWork reserved{i == 0 ? FrameWork::most() : 0};
     if (tracker->track(compressed(face_->render(rig_, view)), {reserved, false})) found_s = view.time_s - 2.0;
   }
   EXPECT_LT(found_s, 0.11);
@@ -180,7 +180,7 @@ TEST_F(RealFace, IsFoundAgainAtAnotherMomentAndTwoPairsOfCamerasAgree) {
                           b = right->camera_T_head.isometry();
   const Eigen::Vector3d behind_mm = b.inverse() * right->face_centre.mm + Eigen::Vector3d(0, 0, 80);
   EXPECT_LT((a * behind_mm - b * behind_mm).norm(), 1.5);
-  EXPECT_LT(rotationAngle(a.linear().transpose() * b.linear()) / kDegree, 0.7);
+  EXPECT_LT(rotationAngle(a.linear().transpose() * b.linear()) / kRadPerDeg, 0.7);
   EXPECT_GT((b * behind_mm - behind_mm).norm(), 2.0) << "the head has moved";
 }
 

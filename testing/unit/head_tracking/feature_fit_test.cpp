@@ -35,7 +35,7 @@ std::vector<FeatureMatch> matches(const cameras::StereoRig& rig, double sigma_px
 }
 
 TEST(FeatureFit, ExactMatchesGiveTheExactMotion) {
-  const auto rig = testing::convergingRig();
+  const auto rig = facenav::testing::faceRig();
   const auto fit = fitFeatures(rig, kFace_mm, matches(rig, 0.0, 1));
   ASSERT_TRUE(fit.isTracked());
   EXPECT_LT((fit->motion.matrix() - someMotion().matrix()).cwiseAbs().maxCoeff(), 1e-4);
@@ -44,7 +44,7 @@ TEST(FeatureFit, ExactMatchesGiveTheExactMotion) {
 
 // Expected for 7 features at 0.25 px: 0.85 deg triangulated, 0.24 deg by the joint fit in the images.
 TEST(FeatureFit, QuarterPixelNoiseGivesAQuarterDegreeFittedInTheImages) {
-  const auto rig = testing::convergingRig();
+  const auto rig = facenav::testing::faceRig();
   double squares = 0, claimed = 0;
   const int trials = 100;
   for (int trial = 0; trial < trials; ++trial) {
@@ -61,7 +61,7 @@ TEST(FeatureFit, QuarterPixelNoiseGivesAQuarterDegreeFittedInTheImages) {
 }
 
 TEST(FeatureFit, SwappedEyeCornersAreThrownOut) {
-  const auto rig = testing::convergingRig();
+  const auto rig = facenav::testing::faceRig();
   auto found = matches(rig, 0.1, 5);
   std::swap(found[0].left_px, found[3].left_px);
   std::swap(found[0].right_px, found[3].right_px);
@@ -73,7 +73,7 @@ TEST(FeatureFit, SwappedEyeCornersAreThrownOut) {
 }
 
 TEST(FeatureFit, AllFourEyeCornersSwappedIsLost) {
-  const auto rig = testing::convergingRig();
+  const auto rig = facenav::testing::faceRig();
   auto found = matches(rig, 0.1, 6);
   for (auto [a, b] : {std::pair(0, 3), std::pair(1, 2)}) {
     std::swap(found[a].left_px, found[b].left_px);
@@ -85,14 +85,14 @@ TEST(FeatureFit, AllFourEyeCornersSwappedIsLost) {
 }
 
 TEST(FeatureFit, LeftAndRightSwappedIsLost) {
-  const auto rig = testing::convergingRig();
+  const auto rig = facenav::testing::faceRig();
   auto found = matches(rig, 0.1, 7);
   for (auto& match : found) std::swap(match.left_px, match.right_px);
   EXPECT_FALSE(fitFeatures(rig, kFace_mm, found).isTracked());
 }
 
 TEST(FeatureFit, FourFeaturesAreTooFew) {
-  const auto rig = testing::convergingRig();
+  const auto rig = facenav::testing::faceRig();
   auto found = matches(rig, 0.1, 8);
   found.resize(4);
   const auto fit = fitFeatures(rig, kFace_mm, found);

@@ -9,6 +9,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/head_tracking/head_tracker.h"
 #include "support/matchers.h"
 #include "support/synthetic_face.h"
@@ -19,7 +20,6 @@ namespace facenav::head_tracking::testing {
 using facenav::testing::SyntheticFace;
 using facenav::testing::SyntheticView;
 
-constexpr double kDegree = M_PI / 180;
 inline const Point<Head> kCortex(0, -60, 690);  // some 90 mm behind the face
 
 /// The detector that the trackers use. It remembers its result for an image, because every test starts from
@@ -57,8 +57,8 @@ inline std::unique_ptr<head_tracking::HeadTracker> make(bool is_model) {
 
 inline Eigen::Isometry3d motionAt(double phase, double yaw_deg) {
   Vector6d xi;
-  xi << 0.4 * yaw_deg * kDegree * std::sin(phase), yaw_deg * kDegree * std::sin(phase + 0.3),
-      0.3 * yaw_deg * kDegree * std::cos(phase), 20 * std::sin(phase), 10 * std::cos(phase) - 10,
+  xi << 0.4 * yaw_deg * kRadPerDeg * std::sin(phase), yaw_deg * kRadPerDeg * std::sin(phase + 0.3),
+      0.3 * yaw_deg * kRadPerDeg * std::cos(phase), 20 * std::sin(phase), 10 * std::cos(phase) - 10,
       15 * std::sin(2 * phase);
   return Eigen::Translation3d(0, 0, 640) * expRigid(xi) * Eigen::Translation3d(0, 0, -640);
 }
@@ -75,7 +75,7 @@ inline SyntheticView viewAt(int frame, double yaw_deg) {
 inline SyntheticView turnedView(int frame, double yaw_deg) {
   SyntheticView view;
   view.motion = Eigen::Translation3d(0, 0, 700) *
-                Eigen::AngleAxisd(yaw_deg * kDegree, Eigen::Vector3d::UnitY()) *
+                Eigen::AngleAxisd(yaw_deg * kRadPerDeg, Eigen::Vector3d::UnitY()) *
                 Eigen::Translation3d(0, 0, -700);
   view.seed = std::uint64_t(frame) + 1;
   view.time_s = frame / 30.0;
@@ -110,7 +110,7 @@ class HeadTrackers : public ::testing::Test {
   void SetUp() override {
     if (!std::filesystem::exists(SyntheticFace::portraitPath()))
       GTEST_SKIP() << "no portrait (python3-skimage)";
-    rig_ = facenav::testing::convergingRig();
+    rig_ = facenav::testing::faceRig();
     static const SyntheticFace shared = SyntheticFace::astronaut();  // its rays are computed once
     face_ = &shared;
   }
@@ -134,7 +134,7 @@ class HeadTrackers : public ::testing::Test {
       }
       const auto error = errorOf(*pose, view);
       errors.target_rms_mm += error.at_point_mm * error.at_point_mm;
-      errors.rotation_rms_deg += std::pow(error.rotation_rad / kDegree, 2);
+      errors.rotation_rms_deg += std::pow(error.rotation_rad / kRadPerDeg, 2);
       errors.worst_mm = std::max(errors.worst_mm, error.at_point_mm);
     }
     const double n = std::max(1, errors.frames - errors.lost);

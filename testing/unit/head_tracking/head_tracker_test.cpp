@@ -89,8 +89,8 @@ TEST_F(HeadTrackers, AHeadThatStartsAtTheSideIsFoundThere) {
     for (; frame < 6; ++frame) {  // 0.2 s at 30 fps
       SyntheticView view = turnedView(frame, yaw_deg);
       view.motion = view.motion * Eigen::Translation3d(0, 0, 640) *
-                    Eigen::AngleAxisd(nod_deg * kDegree, Eigen::Vector3d::UnitX()) *
-                    Eigen::AngleAxisd(lean_deg * kDegree, Eigen::Vector3d::UnitZ()) *
+                    Eigen::AngleAxisd(nod_deg * kRadPerDeg, Eigen::Vector3d::UnitX()) *
+                    Eigen::AngleAxisd(lean_deg * kRadPerDeg, Eigen::Vector3d::UnitZ()) *
                     Eigen::Translation3d(0, 0, -640);
       const auto pose = tracker->track(face_->render(rig_, view), {{}, frame == 0});
       if (!pose) continue;

@@ -11,7 +11,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-const Eigen::Vector3d kCentre(0, 0, 600);
+const Eigen::Vector3d kFaceCentre(0, 0, 600);
 const cv::Rect kFace(20, 20, 160, 120);
 
 cv::Mat texture() {
@@ -50,8 +50,8 @@ TEST(FineDetail, OfABoxThatIsTooSmallOrOutsideIsNotKnown) {
 }
 
 TEST(LossWords, AHeadThatWalkedAwayIsTooFarAndOneThatWasNearIsNot) {
-  const LossWords words(kCentre, 0, ImagePyramid(texture()), kFace);
-  HeadMotion unknown(kCentre), near(kCentre), far(kCentre);
+  const LossWords words(kFaceCentre, 0, ImagePyramid(texture()), kFace);
+  HeadMotion unknown(kFaceCentre), near(kFaceCentre), far(kFaceCentre);
   near.add(movedBy(0), {10}), far.add(movedBy(300), {10});
   EXPECT_TRUE(words.isFar(movedBy(400), unknown, {10}));
   EXPECT_FALSE(words.isFar(movedBy(300), unknown, {10})) << "900 of 960 mm";
@@ -63,8 +63,8 @@ TEST(LossWords, AHeadThatWalkedAwayIsTooFarAndOneThatWasNearIsNot) {
 TEST(LossWords, NameBlurAndDistanceAndNothingElse) {
   const cv::Mat sharp = texture();
   const ImagePyramid image(sharp);
-  const LossWords words(kCentre, 0, image, kFace);
-  const HeadMotion unknown(kCentre);
+  const LossWords words(kFaceCentre, 0, image, kFace);
+  const HeadMotion unknown(kFaceCentre);
   EXPECT_FALSE(words.circumstance(movedBy(0), image, kFace, unknown, {1}));
   cv::Mat blurred;
   cv::GaussianBlur(sharp, blurred, {}, 5);

@@ -44,9 +44,9 @@ PatchChange unchanged() {
 TEST(PatchWorth, MeanAndDifferenceTellAllThatTheWholeCovarianceTells) {
   const Patch patch = skewPatch();
   ASSERT_TRUE(canBePaired(patch));
-  Matrix6d told = Matrix6d::Zero();
+  Matrix6d observed = Matrix6d::Zero();
   for (const auto& part : observedByBoth(patch, unchanged()))
-    told += part.jacobian.transpose() * part.covariance.inverse() * part.jacobian;
+    observed += part.jacobian.transpose() * part.covariance.inverse() * part.jacobian;
   // The same with all four errors at once: each camera's own, and one along the skin common to both.
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << patch.right_mm, patch.down_mm;
@@ -62,7 +62,7 @@ TEST(PatchWorth, MeanAndDifferenceTellAllThatTheWholeCovarianceTells) {
   covariance +=
       seen * (kCommon_px * kCommon_px * skin_from_left * skin_from_left.transpose()) * seen.transpose();
   const Matrix6d whole = jacobian.transpose() * covariance.inverse() * jacobian;
-  EXPECT_LT((told - whole).norm(), 1e-9 * whole.norm());
+  EXPECT_LT((observed - whole).norm(), 1e-9 * whole.norm());
 }
 
 TEST(PatchWorth, LightThatChangesLeavesTheDifferenceItsSay) {

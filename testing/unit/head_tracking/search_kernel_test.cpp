@@ -75,12 +75,12 @@ TEST(SearchKernel, TemplateSumsAreThoseOfItsPoints) {
     set(F::value, values[i]), set(F::weight, weights[i]);
     set(F::d00, kFocal), set(F::d11, kFocal), set(F::u0, 32.f), set(F::v0, 24.f);
   }
-  search::TemplateLook look;
-  look.blocks = block.data(), look.block_count = 1;
-  look.image = image.ptr<float>(), look.stride = int(image.step1());
-  look.width = image.cols, look.height = image.rows;
-  look.camera_T_head[0] = look.camera_T_head[4] = look.camera_T_head[8] = 1.f;
-  look.centre[2] = 510.f, look.least_facing = 0.2f, look.reach = 1.5f;
+  search::TemplateView view;
+  view.blocks = block.data(), view.block_count = 1;
+  view.image = image.ptr<float>(), view.stride = int(image.step1());
+  view.width = image.cols, view.height = image.rows;
+  view.camera_T_head[0] = view.camera_T_head[4] = view.camera_T_head[8] = 1.f;
+  view.centre[2] = 510.f, view.least_facing = 0.2f, view.reach = 1.5f;
   Matrix6d normal = Matrix6d::Zero();
   Vector6d pull = Vector6d::Zero();
   for (int i = 0; i < 2; ++i) {
@@ -95,7 +95,7 @@ TEST(SearchKernel, TemplateSumsAreThoseOfItsPoints) {
     normal += w * j * j.transpose(), pull += w * e * j;
   }
   for (const auto* kernel : kernels()) {
-    const auto sums = kernel->sum(look);
+    const auto sums = kernel->sum(view);
     EXPECT_EQ(sums.seen, 2.f);
     for (int i = 0, n = 0; i < 6; ++i) {
       EXPECT_NEAR(sums.pull[i], pull(i), 1e-4 * pull.norm()) << i;

@@ -18,7 +18,7 @@ using Eigen::Isometry3d;
 class Skin : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    rig_ = std::make_unique<cameras::StereoRig>(facenav::testing::convergingRig());
+    rig_ = std::make_unique<cameras::StereoRig>(facenav::testing::faceRig());
     const HeadReference reference = SyntheticFace::astronaut().reference(*rig_, true);
     const auto face = face::findStereoFace(*detector(), *rig_, reference.frame);
     ASSERT_TRUE(face);

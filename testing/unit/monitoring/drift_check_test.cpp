@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "facenav/geometry/rotation.h"
 #include "facenav/monitoring/drift_watchdog.h"
 #include "support/synthetic_face.h"
 
@@ -13,8 +14,6 @@ namespace {
 using Verdict = DriftFinding::Verdict;
 using facenav::testing::SyntheticFace;
 using facenav::testing::SyntheticView;
-
-constexpr double kDegree = M_PI / 180;
 
 /// The surface seen by the reference, as a mesh: its points lie on every second pixel.
 registration::SkinModel skinOf(const head_tracking::HeadReference& reference) {
@@ -56,7 +55,7 @@ class Sitting {
   /// A rotation (rotation vector, degrees) about the face's centre, and a shift.
   Eigen::Isometry3d about(const Eigen::Vector3d& turn_deg, const Eigen::Vector3d& shift_mm) const {
     Vector6d xi;
-    xi << turn_deg * kDegree, shift_mm;
+    xi << turn_deg * kRadPerDeg, shift_mm;
     return Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_);
   }
   DriftFinding measure(const cameras::StereoFrame& frame, const Eigen::Isometry3d& pose) const {
@@ -64,7 +63,7 @@ class Sitting {
   }
 
  private:
-  cameras::StereoRig rig_ = facenav::testing::convergingRig();
+  cameras::StereoRig rig_ = facenav::testing::faceRig();
   SyntheticFace face_;
   head_tracking::HeadReference reference_;
   std::shared_ptr<const DriftCheck> check_;

@@ -3,6 +3,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
+#include "facenav/geometry/rotation.h"
 #include "support/model_head.h"
 
 namespace facenav::registration {
@@ -15,7 +16,6 @@ using facenav::testing::ModelHead;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kDeg = M_PI / 180;
 const Point<Mri> kTarget(-40, -10, 60);  // cortex under the coil
 
 const ScalpField& patientsField() {
@@ -37,7 +37,7 @@ void expectClose(const AlignmentResult& result, const RigidTransform<Camera, Mri
                  double most_deg) {
   const PoseError error = poseError(result.camera_T_mri, truth, kTarget);
   EXPECT_LT(error.at_point_mm, most_mm);
-  EXPECT_LT(error.rotation_rad / kDeg, most_deg);
+  EXPECT_LT(error.rotation_rad / kRadPerDeg, most_deg);
   EXPECT_LT(error.at_point_mm, result.errorBound_mm(kTarget));
 }
 
@@ -59,7 +59,7 @@ TEST(SurfaceAligner, FindsTheHeadFromThirtyDegreesAndSixtyMillimetresOff) {
                           shift =
                               Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
     Eigen::Isometry3d guess = Eigen::Translation3d(60 * shift) * truth.isometry();
-    guess.rotate(Eigen::AngleAxisd(30 * kDeg, axis));
+    guess.rotate(Eigen::AngleAxisd(30 * kRadPerDeg, axis));
     AlignmentStart start;
     start.guess = RigidTransform<Camera, Mri>::fromIsometry(guess);
     expectClose(align(patientsField(), cloud, start), truth, 0.3, 0.15);

@@ -8,6 +8,8 @@
 #include "facenav/geometry/pose_error.h"
 #include "model_field.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::registration {
 namespace {
 
@@ -17,11 +19,9 @@ using testing::modelFace;
 using testing::modelField;
 using testing::modelHead;
 
-constexpr double kDeg = M_PI / 180;
-
 Vector6d off(double turn_deg, double shift_mm) {
   Vector6d xi;
-  xi << turn_deg * kDeg * Eigen::Vector3d(0.6, -0.5, 0.62).normalized(),
+  xi << turn_deg * kRadPerDeg * Eigen::Vector3d(0.6, -0.5, 0.62).normalized(),
       shift_mm * Eigen::Vector3d(-0.4, 0.7, 0.59).normalized();
   return xi;
 }
@@ -35,7 +35,7 @@ TEST(Increment, TurnsAboutThePivotAndThenShifts) {
   const Eigen::Vector3d pivot(10, 20, 30);
   const Eigen::Isometry3d pose = facing(5, 3, 1).isometry().inverse();
   Vector6d turn = Vector6d::Zero();
-  turn[2] = 90 * kDeg;
+  turn[2] = 90 * kRadPerDeg;
   const Eigen::Vector3d p_camera = pose.inverse() * pivot;
   EXPECT_LT((increment(turn, pivot, pose) * p_camera - pivot).norm(), 1e-9) << "the pivot stays";
   const Eigen::Vector3d beside = pose.inverse() * (pivot + Eigen::Vector3d(1, 0, 0));
@@ -49,12 +49,12 @@ TEST(AreDistinct, AsksForTheTurnAndForTheShiftAtThePivotAlone) {
   const Eigen::Isometry3d a = facing(5, 3, 1).isometry().inverse();
   const Eigen::Vector3d pivot(0, 0, 20), far(0, 0, 1020);
   Vector6d turn = Vector6d::Zero();
-  turn[0] = 3 * kDeg;
+  turn[0] = 3 * kRadPerDeg;
   const Eigen::Isometry3d b = increment(turn, pivot, a);
-  EXPECT_FALSE(areDistinct(a, b, pivot, 3.01 * kDeg, 1e-6));
-  EXPECT_TRUE(areDistinct(a, b, pivot, 2.99 * kDeg, 1e-6));
-  EXPECT_TRUE(areDistinct(a, b, far, 3.01 * kDeg, 50.0)) << "a metre away that turn shifts by 52 mm";
-  EXPECT_FALSE(areDistinct(a, b, far, 3.01 * kDeg, 53.0));
+  EXPECT_FALSE(areDistinct(a, b, pivot, 3.01 * kRadPerDeg, 1e-6));
+  EXPECT_TRUE(areDistinct(a, b, pivot, 2.99 * kRadPerDeg, 1e-6));
+  EXPECT_TRUE(areDistinct(a, b, far, 3.01 * kRadPerDeg, 50.0)) << "a metre away that turn shifts by 52 mm";
+  EXPECT_FALSE(areDistinct(a, b, far, 3.01 * kRadPerDeg, 53.0));
 }
 
 TEST(TukeyWeight, IsOneAtNothingAndNothingFromTheLimitOn) {
@@ -75,7 +75,7 @@ TEST(FieldFitter, FindsThePoseFromEightMillimetresAndFourDegreesOff) {
   for (const float reach_mm : {20.f, 8.f, 3.f, 1.5f})
     pose = fitter.fit(pose, {reach_mm, reach_mm, 8, reach_mm < 4});
   EXPECT_LT(apart_mm(pose, right), 0.1);
-  EXPECT_LT(rotationAngle((pose * right.inverse()).linear()), 0.05 * kDeg);
+  EXPECT_LT(rotationAngle((pose * right.inverse()).linear()), 0.05 * kRadPerDeg);
 }
 
 TEST(FieldFitter, ResidualsArePositiveOutsideTheSkin) {
@@ -126,10 +126,10 @@ TEST(FieldFitter, WhatASphereDoesNotFixStays) {
   const Eigen::Isometry3d right = truth.isometry().inverse();
   // The ball's middle is not the box's, so that turns are about the ball's own.
   Vector6d turn = Vector6d::Zero();
-  turn[2] = 10 * kDeg;
+  turn[2] = 10 * kRadPerDeg;
   const Eigen::Isometry3d turned = increment(turn, Eigen::Vector3d::Zero(), right);
   const Eigen::Isometry3d fitted = fitter.fit(turned, {6, 6, 10, true});
-  EXPECT_LT(rotationAngle((fitted * turned.inverse()).linear()), 0.3 * kDeg);
+  EXPECT_LT(rotationAngle((fitted * turned.inverse()).linear()), 0.3 * kRadPerDeg);
   EXPECT_LT((fitted * turned.inverse() * Eigen::Vector3d::Zero()).norm(), 0.1);
 }
 

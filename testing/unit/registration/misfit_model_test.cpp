@@ -21,7 +21,7 @@ namespace {
 using facenav::testing::ChangedSettings;
 using facenav::testing::towards;
 
-const Eigen::Vector3d kRadii_mm(75, 95, 110), kPivot(0, 0, 20), kTarget(-40, -10, 60);
+const Eigen::Vector3d kRadii_mm(75, 95, 110), kPivot(0, 0, 20), kTarget_mm(-40, -10, 60);
 const anatomy::FaceRegions kRegions(Eigen::Vector3d(0, 112, -25));
 
 /// Patches about 14 mm apart on the ellipsoid's front, without misfit.
@@ -75,7 +75,7 @@ void addField(std::vector<SkinPatch>& patches, double size_mm, double reach_mm, 
     patches[std::size_t(i)].residual_mm += field[i] + patches[std::size_t(i)].noise_mm * normal(random);
 }
 
-double bound_mm(const PosePosterior& posterior, const Eigen::Vector3d& target = kTarget) {
+double bound_mm(const PosePosterior& posterior, const Eigen::Vector3d& target = kTarget_mm) {
   // Camera is Mri here. The model's shift is that of the pivot, the uncertainty's that of the origin.
   Matrix6d at_origin = Matrix6d::Identity();
   at_origin.bottomLeftCorner<3, 3>() = skew(kPivot);
@@ -162,7 +162,7 @@ TEST(MisfitModel, NinetyFivePercentOfErrorsLieWithinTheBound) {
     addPoseError(patches, someError());
     const PosePosterior posterior = posteriorOf(patches, kRegions, kPivot, prior);
     const Vector6d left = posterior.error - someError();
-    const double error_mm = (left.head<3>().cross(kTarget - kPivot) + left.tail<3>()).norm();
+    const double error_mm = (left.head<3>().cross(kTarget_mm - kPivot) + left.tail<3>()).norm();
     within += error_mm <= bound_mm(posterior);
     used.push_back(error_mm / bound_mm(posterior));
   }

@@ -8,6 +8,8 @@
 #include "fit/skin_likelihood.h"
 #include "model_field.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::registration {
 namespace {
 
@@ -15,8 +17,6 @@ using facenav::testing::facing;
 using testing::allOf;
 using testing::modelFace;
 using testing::modelField;
-
-constexpr double kDeg = M_PI / 180;
 
 double apart_mm(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   const Eigen::Vector3d target(-40, -10, 60);
@@ -108,7 +108,7 @@ TEST(RobustFit, AnObjectBeforeTheCheekNeitherPullsNorCounts) {
   off << 0.03, -0.02, 0.02, 2, -2, 2;
   const RobustFit fit = fitFace(modelField(), covered.face, increment(off, modelField().middle_mm(), right));
   EXPECT_LT(apart_mm(fit.mri_T_camera, right), 0.25);
-  EXPECT_LT(rotationAngle((fit.mri_T_camera * right.inverse()).linear()), 0.2 * kDeg);
+  EXPECT_LT(rotationAngle((fit.mri_T_camera * right.inverse()).linear()), 0.2 * kRadPerDeg);
   EXPECT_GE(fit.limit_mm, 0.6);
   EXPECT_LE(fit.limit_mm, 1.5);
   int on_object = 0;
@@ -168,7 +168,7 @@ TEST(SkinLikelihood, IsHighestAtTheHeadAndFallsWithTheDistance) {
     double last = here;
     for (const double step : {1.0, 2.0, 4.0}) {
       Vector6d off = Vector6d::Zero();
-      off[axis] = axis < 3 ? step * 1.5 * kDeg : step * 1.5;
+      off[axis] = axis < 3 ? step * 1.5 * kRadPerDeg : step * 1.5;
       const double there = logLikelihood(fitter.match(increment(off, modelField().middle_mm(), right)));
       EXPECT_LT(there, last) << "axis " << axis << ", step " << step;
       last = there;

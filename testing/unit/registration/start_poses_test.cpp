@@ -6,14 +6,14 @@
 
 #include "model_field.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::registration {
 namespace {
 
 using facenav::testing::facing;
 using facenav::testing::ModelHead;
 using testing::modelField;
-
-constexpr double kDeg = M_PI / 180;
 
 void expectRotation(const Eigen::Matrix3d& r) {
   EXPECT_LT((r.transpose() * r - Eigen::Matrix3d::Identity()).norm(), 1e-9);
@@ -22,15 +22,15 @@ void expectRotation(const Eigen::Matrix3d& r) {
 
 double nearest_deg(const std::vector<Eigen::Matrix3d>& tried, const Eigen::Matrix3d& wanted) {
   double least = 1e9;
-  for (const auto& r : tried) least = std::min(least, rotationAngle(r.transpose() * wanted) / kDeg);
+  for (const auto& r : tried) least = std::min(least, rotationAngle(r.transpose() * wanted) / kRadPerDeg);
   return least;
 }
 
 /// camera_R_mri of a patient who looks `yaw` and `pitch` past the camera, by any `roll` of the camera.
 Eigen::Matrix3d looking(double yaw_deg, double pitch_deg, double roll_deg) {
   const Eigen::Matrix3d facing_it = facing(0, 0, roll_deg).rotation();
-  return facing_it * (Eigen::AngleAxisd(yaw_deg * kDeg, Eigen::Vector3d::UnitZ()) *
-                      Eigen::AngleAxisd(pitch_deg * kDeg, Eigen::Vector3d::UnitX()))
+  return facing_it * (Eigen::AngleAxisd(yaw_deg * kRadPerDeg, Eigen::Vector3d::UnitZ()) *
+                      Eigen::AngleAxisd(pitch_deg * kRadPerDeg, Eigen::Vector3d::UnitX()))
                          .toRotationMatrix();
 }
 
@@ -63,12 +63,12 @@ TEST(StartPoses, AroundAPoseAreItselfFirstAndTurnsAboutTheHeadsAxes) {
   EXPECT_TRUE(around.front() == base);
   for (const auto& r : around) {
     expectRotation(r);
-    EXPECT_LT(rotationAngle(base.transpose() * r), 2 * 24.0 * kDeg);
+    EXPECT_LT(rotationAngle(base.transpose() * r), 2 * 24.0 * kRadPerDeg);
   }
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-24.0, 24.0}) {
       const Eigen::Matrix3d turned =
-          base * Eigen::AngleAxisd(side * kDeg, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
+          base * Eigen::AngleAxisd(side * kRadPerDeg, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
       EXPECT_LT(nearest_deg(around, turned), 1e-4) << axis << " " << side;
     }
 }

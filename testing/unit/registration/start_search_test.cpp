@@ -7,6 +7,8 @@
 #include "facenav/core/error.h"
 #include "model_field.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::registration {
 namespace {
 
@@ -14,8 +16,6 @@ using facenav::testing::facing;
 using testing::modelFace;
 using testing::modelField;
 using testing::modelHead;
-
-constexpr double kDeg = M_PI / 180;
 
 std::vector<Candidate> starts(const PointCloud<Camera>& face, const AlignmentStart& start = {},
                               SearchWidth width = SearchWidth::any, std::size_t most = 6) {
@@ -26,7 +26,7 @@ std::vector<Candidate> starts(const PointCloud<Camera>& face, const AlignmentSta
 void expectNear(const Eigen::Isometry3d& mri_T_camera, const RigidTransform<Camera, Mri>& truth,
                 double most_deg, double most_mm) {
   const Eigen::Isometry3d change = mri_T_camera * truth.isometry();
-  EXPECT_LT(rotationAngle(change.linear()) / kDeg, most_deg);
+  EXPECT_LT(rotationAngle(change.linear()) / kRadPerDeg, most_deg);
   EXPECT_LT((change * modelField().middle_mm() - modelField().middle_mm()).norm(), most_mm);
 }
 
@@ -45,7 +45,7 @@ TEST(StartSearch, GivesDistinctStartsBestFirst) {
     for (std::size_t b = a + 1; b < found.size(); ++b) {
       EXPECT_LE(found[a].cost, found[b].cost);
       EXPECT_TRUE(areDistinct(found[a].mri_T_camera, found[b].mri_T_camera, modelField().middle_mm(),
-                              6 * kDeg, 12.0));
+                              6 * kRadPerDeg, 12.0));
     }
 }
 

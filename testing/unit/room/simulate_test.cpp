@@ -30,6 +30,28 @@ TEST(SyntheticSource, AnotherSeedGivesOtherImages) {
   EXPECT_GT(cv::norm(a.next()->left, b.next()->left, cv::NORM_INF), 0.0);
 }
 
+/// A view is rendered once until something moves: nothing of an earlier moment may stay in the images.
+TEST(SyntheticSource, ImagesDoNotDependOnWhatWasRenderedBefore) {
+  const auto patient = testing::eggPatient();
+  const auto isSame = [](const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0.0; };
+  for (const char* name : {"still", "treatment"}) {
+    auto options = testing::smallScenario(name, 3);
+    options.right_late_ms = 7;
+    SyntheticSource fresh(options, patient), used(options, patient);
+    const auto capture = fresh.capturePair();
+    const auto first = used.next();
+    const auto depth = used.depth();
+    const auto later = used.capturePair();
+    EXPECT_TRUE(isSame(capture.plain.left, later.plain.left) &&
+                isSame(capture.plain.right, later.plain.right));
+    EXPECT_TRUE(isSame(capture.pattern.left, later.pattern.left)) << name;
+    const auto after = fresh.next();
+    EXPECT_TRUE(isSame(first->left, after->left) && isSame(first->right, after->right)) << name;
+    EXPECT_TRUE(isSame(depth.left_mm, fresh.depth().left_mm)) << name;
+    EXPECT_FALSE(isSame(used.next()->left, first->left)) << name << ": noise of its own, and motion";
+  }
+}
+
 TEST(SyntheticSource, DepthAgreesWithTheTruePose) {
   const auto patient = testing::eggPatient();
   SyntheticSource source(testing::smallScenario("free_motion", 3), patient);

@@ -15,8 +15,8 @@ namespace facenav::scene {
 namespace {
 
 using testing::EigenNear;
-constexpr int kSide_px = 400;
-constexpr double kPxPerMm = 0.5 * kSide_px / (1.18 * 20.0);
+constexpr int kEyeSide_px = 400;
+constexpr double kPxPerMm = 0.5 * kEyeSide_px / (1.18 * 20.0);
 
 guidance::GuidanceState guided(const Eigen::Vector3d& offset_mm, const Eigen::Vector3d& turn_deg,
                                guidance::State state = guidance::State::adjust) {
@@ -40,11 +40,11 @@ class BullsEyeTest : public ::testing::Test {
   /// Mean place (mm, x right, y up) of the coil's marks between two radii from the dial's centre.
   Eigen::Vector2d marks(const guidance::GuidanceState& state, double from_mm, double to_mm) {
     bulls_eye_->set(state);
-    const RgbImage image = bulls_eye_->render(kSide_px, kSide_px);
+    const RgbImage image = bulls_eye_->render(kEyeSide_px, kEyeSide_px);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     count_ = 0;
-    for (int v = 0; v < kSide_px; ++v)
-      for (int u = 0; u < kSide_px; ++u) {
+    for (int v = 0; v < kEyeSide_px; ++v)
+      for (int u = 0; u < kEyeSide_px; ++u) {
         const Eigen::Vector2d p((u + 0.5 - 200) / kPxPerMm, (200 - v - 0.5) / kPxPerMm);
         if (p.norm() < from_mm || p.norm() > to_mm || !isText(image.pixel(u, v))) continue;
         sum += p, ++count_;
@@ -102,8 +102,8 @@ TEST_F(BullsEyeTest, BeyondItsRangeTheCrossStaysAtTheEdge) {
 TEST_F(BullsEyeTest, TheCentreIsOrangeThenBlueAndGreyWhenLost) {
   const auto centre = [&](const guidance::GuidanceState& state) {
     bulls_eye_->set(state);
-    const RgbImage image = bulls_eye_->render(kSide_px, kSide_px);
-    const auto* p = image.pixel(kSide_px / 2, kSide_px / 2);
+    const RgbImage image = bulls_eye_->render(kEyeSide_px, kEyeSide_px);
+    const auto* p = image.pixel(kEyeSide_px / 2, kEyeSide_px / 2);
     return int(p[0]) - int(p[2]);
   };
   EXPECT_GT(centre(guided({8, 0, 0}, {0, 0, 0})), 80);
@@ -120,11 +120,11 @@ TEST_F(BullsEyeTest, TheZoneHasTheTolerancesSize) {
     tolerance.lateral_mm = lateral_mm;
     bulls_eye_->setTolerance(tolerance);
     bulls_eye_->set(guided({0, 15, 0}, {0, 0, 0}));  // the cross is out of the way
-    const RgbImage image = bulls_eye_->render(kSide_px, kSide_px);
+    const RgbImage image = bulls_eye_->render(kEyeSide_px, kEyeSide_px);
     int orange = 0;
-    for (int u = 0; u < kSide_px / 2; ++u) {
-      const auto* p = image.pixel(u, kSide_px / 2 + 8);  // a line below the centre, left of the tick
-      orange += p[0] - p[2] > 25 && (kSide_px / 2 - u) / kPxPerMm < 17;
+    for (int u = 0; u < kEyeSide_px / 2; ++u) {
+      const auto* p = image.pixel(u, kEyeSide_px / 2 + 8);  // a line below the centre, left of the tick
+      orange += p[0] - p[2] > 25 && (kEyeSide_px / 2 - u) / kPxPerMm < 17;
     }
     return std::hypot(orange / kPxPerMm, 8.5 / kPxPerMm);
   };

@@ -15,10 +15,10 @@ namespace {
 constexpr double kRadius_mm = 60.0;
 
 /// A ball of 60 mm, 3 mm outside its model; its MRI values increase by 10 per mm from the centre outwards.
-struct Ball {
+struct CortexBall {
   volume::Volume mri;
   volume::Mask brain;
-  Ball() {
+  CortexBall() {
     auto& grid = mri.grid;
     grid.size = {50, 50, 50};
     grid.mri_from_voxel.linear() *= 3.0;
@@ -42,7 +42,7 @@ struct Ball {
 };
 
 TEST(CortexPicture, TheColourScaleEndsAWholeMillimetreBeyondTheDistances) {
-  const auto picture = Ball().picture();
+  const auto picture = CortexBall().picture();
   EXPECT_NEAR(picture.distance.median_mm, 3.2, 1e-6);
   EXPECT_EQ(picture.full_mm, 4.0);
   EXPECT_EQ(distanceColour(9, 4), distanceColour(4, 4));
@@ -51,7 +51,7 @@ TEST(CortexPicture, TheColourScaleEndsAWholeMillimetreBeyondTheDistances) {
 }
 
 TEST(CortexPicture, TheCoarseSurfaceIsTheSameBallWithFewerTriangles) {
-  const auto picture = Ball().picture();
+  const auto picture = CortexBall().picture();
   EXPECT_LT(picture.coarse_mesh.triangles.size(), picture.cortex.mesh.triangles.size());
   EXPECT_GT(picture.coarse_mesh.triangles.size(), 500u);
   for (const auto& v : picture.coarse_mesh.vertices_mm) ASSERT_NEAR(v.norm(), kRadius_mm, 1.0);
@@ -59,7 +59,7 @@ TEST(CortexPicture, TheCoarseSurfaceIsTheSameBallWithFewerTriangles) {
 
 TEST(CortexPicture, IsDrawnAtThePeelDepthAndByDistance) {
   if (!hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
-  const Ball ball;
+  const CortexBall ball;
   TaskMonitor monitor;
   NavigationScene scene;
   scene.setScalp(testing::ballMesh(90, 30, 40));

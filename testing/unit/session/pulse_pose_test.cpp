@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "session_fakes.h"
+#include "support/ball_mesh.h"
 #include "support/matchers.h"
 
 namespace facenav::session {
@@ -123,6 +124,45 @@ TEST(PulsePose, AFramesLossIsNamedAsTheWindowNamesIt) {
   state.head = Lost{LostReason::few_features};
   state.head_detail = head_tracking::LossDetail::covered;
   EXPECT_EQ(posedFrame(state).loss, "face covered");
+}
+
+registration::SkinModel ballSkin(double radius_mm, const Eigen::Vector3d& centre_mm) {
+  registration::SkinModel skin;
+  const auto mesh = facenav::testing::ballMesh(radius_mm, 60, 80);
+  for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i) {
+    skin.points.points_mm.push_back(mesh.vertices_mm[i] + centre_mm);
+    skin.points.normals.push_back(mesh.normals[i]);
+  }
+  skin.triangles = mesh.triangles;
+  return skin;
+}
+
+TEST(PulsePose, TheGapIsMeasuredToTheSkinAndTooLargeAGapIsOutside) {
+  const PosedFrame frame = frameAt(1, 100.0), later = frameAt(2, 100.02);
+  // A ball whose skin lies a known distance before the contact face, along the coil's z.
+  const auto mri_T_coil = frame.camera_T_mri->inverse() * *frame.camera_T_coil;
+  const Eigen::Vector3d z = mri_T_coil.rotation().col(2);
+  for (const double gap_mm : {1.0, 2.5, 6.0}) {
+    const registration::ScalpField scalp(ballSkin(90.0, mri_T_coil.translation_mm() + (90.0 + gap_mm) * z));
+    const auto pulse = pulseBetween(triggerAt(100.01), frame, later, &scalp);
+    ASSERT_TRUE(pulse.gap_mm);
+    EXPECT_NEAR(*pulse.gap_mm, gap_mm, 0.3);
+    EXPECT_EQ(pulse.status, gap_mm < 5 ? PulseStatus::on_target : PulseStatus::outside);
+    if (gap_mm > 5) {
+      EXPECT_THAT(pulse.reason, HasSubstr("gap of"));
+    }
+  }
+  EXPECT_FALSE(pulseBetween(triggerAt(100.01), frame, later).gap_mm) << "no skin is known";
+}
+
+TEST(PulsePose, WhereTheAlignmentIsTooUncertainNoPulseIsOnTarget) {
+  PosedFrame frame = frameAt(1, 100.0);
+  ChosenTarget uncertain = *frame.chosen;
+  uncertain.predicted_error_mm = 2.4;
+  frame.chosen = std::make_shared<const ChosenTarget>(uncertain);
+  const auto pulse = pulseBetween(triggerAt(100.01), frame, frameAt(2, 100.02));
+  EXPECT_EQ(pulse.status, PulseStatus::outside);
+  EXPECT_THAT(pulse.reason, HasSubstr("uncertain by 2.4 mm (2.0 allowed)"));
 }
 
 }  // namespace

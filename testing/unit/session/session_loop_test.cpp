@@ -8,14 +8,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
+const RigidTransform<Camera, Marker> kLoopMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
 
 std::unique_ptr<Navigator> navigator(
     int work_ms, fakes::Head::Pose pose = [](auto) { return RigidTransform<Camera, Head>(); }) {
   auto n =
       std::make_unique<Navigator>(fakes::setup(), std::make_unique<fakes::Head>(std::move(pose), work_ms),
-                                  std::make_unique<fakes::Coil>(kMarker));
-  n->setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+                                  std::make_unique<fakes::Coil>(kLoopMarker));
+  n->setTarget(fakes::targetAt(kLoopMarker.reframe<Camera, Coil>()));
   return n;
 }
 
@@ -136,7 +136,7 @@ TEST(Session, AStopAndAFaultAreNoEndOfTheRecording) {
 TEST(Session, ANewTargetIsTakenUpWhileRunning) {
   Session session(std::make_unique<fakes::Source>(1000, 0.005), navigator(0), {});
   session.start();
-  auto other = fakes::targetAt(kMarker.reframe<Camera, Coil>());
+  auto other = fakes::targetAt(kLoopMarker.reframe<Camera, Coil>());
   other.target.name = "other";
   session.setTarget(other);
   bool is_taken_up = false;

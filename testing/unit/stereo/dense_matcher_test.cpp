@@ -29,14 +29,14 @@ support::DottedSurface dotted(double noise_grey = 1.5) {
   return support::dottedSurface(kWidth, kHeight, kDisparities, noise_grey, 11);
 }
 
-struct Accuracy {
+struct MatchAccuracy {
   double rms_px = 0, found = 0, normalised = 0;
   int gross = 0;  // off by more than 1 px
 };
 
 // Where the right image sees the surface and windows fit.
-Accuracy accuracyOf(const DisparityMap& map, const cv::Mat& truth) {
-  Accuracy e;
+MatchAccuracy accuracyOf(const DisparityMap& map, const cv::Mat& truth) {
+  MatchAccuracy e;
   int count = 0, all = 0;
   for (int y = 10; y < truth.rows - 10; ++y)
     for (int x = kDisparities + 10; x < truth.cols - 10; ++x, ++all) {
@@ -76,12 +76,12 @@ double largestDifference(const cv::Mat& a, const cv::Mat& b) {
 TEST(FieldMatcher, DotsAreMatchedToATwentyfifthOfAPixel) {
   const auto surface = dotted();
   MatchOptions options;
-  const Accuracy fast = accuracyOf(match(surface, options), surface.truth_px);
+  const MatchAccuracy fast = accuracyOf(match(surface, options), surface.truth_px);
   EXPECT_LT(fast.rms_px, 0.045);
   EXPECT_GT(fast.found, 0.98);
   EXPECT_LT(fast.gross, 30);
   options.steps = 3;
-  const Accuracy converged = accuracyOf(match(surface, options), surface.truth_px);
+  const MatchAccuracy converged = accuracyOf(match(surface, options), surface.truth_px);
   EXPECT_LT(converged.rms_px, 0.030);
   EXPECT_EQ(converged.gross, 0);
   EXPECT_GT(converged.normalised, 0.6);  // the deviation stated is about true
@@ -188,9 +188,9 @@ TEST(FieldMatcher, APredictedSurfaceNeedsNoSearch) {
   const auto surface = dotted();
   MatchOptions options;
   options.steps = 3;
-  const Accuracy searched = accuracyOf(match(surface, options), surface.truth_px);
+  const MatchAccuracy searched = accuracyOf(match(surface, options), surface.truth_px);
   cv::resize(surface.truth_px + 0.5, options.predicted_px, {kWidth / 4, kHeight / 4}, 0, 0, cv::INTER_AREA);
-  const Accuracy predicted = accuracyOf(match(surface, options), surface.truth_px);
+  const MatchAccuracy predicted = accuracyOf(match(surface, options), surface.truth_px);
   EXPECT_LT(predicted.rms_px, 1.2 * searched.rms_px);
   EXPECT_GT(predicted.found, 0.98);
 }

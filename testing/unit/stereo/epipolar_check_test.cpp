@@ -53,5 +53,39 @@ TEST(EpipolarCheck, SaysNothingWithoutEnoughMatches) {
   EXPECT_FALSE(epipolarMedian(scene.rectification, scene.images, none));
 }
 
+TEST(EpipolarCheck, SaysNothingOfAPictureWithoutTexture) {
+  AnalyticScene scene = analyticScene({20}, 160, 120, 48, 0.7);
+  scene.images.left.setTo(120), scene.images.right.setTo(118);
+  EXPECT_FALSE(medianOf(scene)) << "one grey value";
+  cv::RNG random{7};
+  for (cv::Mat* image : {&scene.images.left, &scene.images.right}) {
+    cv::Mat noise(image->size(), CV_32F);
+    random.fill(noise, cv::RNG::NORMAL, 0, 2);
+    *image += noise;
+  }
+  EXPECT_FALSE(medianOf(scene)) << "noise alone";
+}
+
+/// Vertical stripes match at one disparity but look the same in every row.
+TEST(EpipolarCheck, SaysNothingOfAPictureThatIsTheSameInEveryRow) {
+  AnalyticScene scene = analyticScene({20}, 160, 120, 48, 0.7);
+  for (cv::Mat* image : {&scene.images.left, &scene.images.right})
+    for (int row = 1; row < image->rows; ++row) image->row(0).copyTo(image->row(row));
+  scene.images.left = scene.images.right.colRange(28, 28 + 160).clone();  // at the plane's disparity
+  EXPECT_FALSE(medianOf(scene));
+}
+
+TEST(EpipolarCheck, MeasuresFaintTextureUnderNoise) {
+  AnalyticScene scene = analyticScene({20, 0.06, -0.04}, 160, 120, 48, 0.7);
+  cv::RNG random{7};
+  for (cv::Mat* image : {&scene.images.left, &scene.images.right}) {
+    cv::Mat noise(image->size(), CV_32F);
+    random.fill(noise, cv::RNG::NORMAL, 0, 1.5);
+    *image = 0.2 * *image + 96 + noise;  // 8 grey levels of texture
+  }
+  ASSERT_TRUE(medianOf(scene));
+  EXPECT_NEAR(*medianOf(scene), 0.7, 0.12);
+}
+
 }  // namespace
 }  // namespace facenav::stereo

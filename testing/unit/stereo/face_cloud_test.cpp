@@ -12,16 +12,16 @@ namespace support = facenav::testing;
 
 namespace {
 
-struct Accuracy {
+struct CloudAccuracy {
   double rms_mm = 0, bias_mm = 0, normalised = 0, worst_normal_deg = 0, mean_normal_deg = 0;
   int points = 0, outliers = 0;  // outliers: more than 2 mm off along the ray
 };
 
 // Along the ray of each left pixel; points on the surface at more than `farthest_mm` are not counted.
-Accuracy compare(const FaceCloud& face, const support::Scene& scene, const cameras::StereoRig& rig,
-                 const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& normal_at,
-                 double farthest_mm = 1e9) {
-  Accuracy a;
+CloudAccuracy compare(const FaceCloud& face, const support::Scene& scene, const cameras::StereoRig& rig,
+                      const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& normal_at,
+                      double farthest_mm = 1e9) {
+  CloudAccuracy a;
   for (std::size_t i = 0; i < face.cloud.size(); ++i) {
     const double truth_mm = scene.distance_mm(rig, face.left_px[i].cast<double>());
     if (std::isnan(truth_mm) || truth_mm > farthest_mm) continue;
@@ -72,7 +72,7 @@ TEST(FaceCloud, DottedPlaneIsMeasuredToAFifthOfAMillimetre) {
   options.right_offset_grey = 6;
   const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), options);
   const FaceCloud face = measure(rig, scene.render(rig));
-  const Accuracy a = compare(face, scene, rig, [](const auto&) { return kPlaneNormal; });
+  const CloudAccuracy a = compare(face, scene, rig, [](const auto&) { return kPlaneNormal; });
   EXPECT_GT(a.points, 0.8 * 320 * 240);
   EXPECT_LT(a.rms_mm, 0.22);  // 0.06 px
   EXPECT_LT(std::abs(a.bias_mm), 0.02);
@@ -87,7 +87,7 @@ TEST(FaceCloud, VerticalAndRolledRigsMeasureAsWell) {
   for (const cameras::StereoRig& whole : {support::verticalRig(), support::rolledRig()}) {
     const cameras::StereoRig rig = support::cropped(whole);
     const support::Scene scene(support::plane({0, 0, 600}, kPlaneNormal), {});
-    const Accuracy a =
+    const CloudAccuracy a =
         compare(measure(rig, scene.render(rig)), scene, rig, [](const auto&) { return kPlaneNormal; });
     EXPECT_GT(a.points, 0.6 * 320 * 240);
     EXPECT_LT(a.rms_mm, 0.22);
@@ -101,7 +101,7 @@ TEST(FaceCloud, SphereIsNeitherFlattenedNorSwollen) {
   const support::Scene scene(
       support::both(support::sphere(centre, 60), support::plane({0, 0, 900}, {0, 0, -1})), {});
   const auto outward = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return (p - centre).normalized(); };
-  const Accuracy a = compare(measure(rig, scene.render(rig)), scene, rig, outward, 700);
+  const CloudAccuracy a = compare(measure(rig, scene.render(rig)), scene, rig, outward, 700);
   EXPECT_GT(a.points, 8000);
   EXPECT_LT(a.rms_mm, 0.3);
   EXPECT_LT(std::abs(a.bias_mm), 0.05);
@@ -136,7 +136,8 @@ TEST(FaceCloud, EachMatcherSeesTheSamePlane) {
   const auto normal = [](const auto&) { return kPlaneNormal; };
   for (const auto& [name, limit_mm] :
        {std::pair("field", 0.3), std::pair("ssd", 0.3), std::pair("sgm", 0.9)}) {
-    const Accuracy a = compare(measure(rig, scene.render(rig), dottedFaceOptions(name)), scene, rig, normal);
+    const CloudAccuracy a =
+        compare(measure(rig, scene.render(rig), dottedFaceOptions(name)), scene, rig, normal);
     EXPECT_GT(a.points, 0.6 * 320 * 240) << name;
     EXPECT_LT(a.rms_mm, limit_mm) << name;
   }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kVoxel_mm = 1.5;
 
-const ScalpSurface& virtualPatientsScalp() {
+const ScalpSurface& measuredScalp() {
   static const ScalpSurface scalp = [] {
     const auto full = volume::readNifti(facenav::testing::virtualPatientMri()).volume;
     const auto coarse = volume::resample(full, volume::isotropicGrid(full.grid, kVoxel_mm));
@@ -67,7 +67,7 @@ void expectSame(
 // One test, because ctest would extract the scalp again for each.
 TEST(FaceMeasures, OfAnAdultAreUsualAndFollowPoseScaleAndMirror) {
   FACENAV_NEEDS(facenav::testing::virtualPatientMri());
-  const ScalpSurface& scalp = virtualPatientsScalp();
+  const ScalpSurface& scalp = measuredScalp();
   const auto straight = measuresOf(scalp);
   EXPECT_GE(straight.size(), 10u);
   // After resampling, the nose cut by the scan's edge is just a short nose: nothing marks it as cut.
@@ -94,7 +94,7 @@ TEST(FaceMeasures, OfAnAdultAreUsualAndFollowPoseScaleAndMirror) {
 }
 
 TEST(FaceLandmarks, AllThreeSearchesFindOneNose) {
-  const ScalpSurface& scalp = virtualPatientsScalp();
+  const ScalpSurface& scalp = measuredScalp();
   const FaceLandmarks landmarks = findFaceLandmarks(scalp);
   ASSERT_TRUE(landmarks.find("pronasale") && landmarks.find("nasion"));
   const Eigen::Vector3d tip = landmarks.find("pronasale")->point.mm,

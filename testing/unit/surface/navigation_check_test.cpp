@@ -48,12 +48,12 @@ Ball makeBall(double noise, const Eigen::Vector3d& centre = {48, 48, 48}) {
   return ball;
 }
 
-CheckFinding findingOf(const Ball& ball, const std::string& topic) {
+CheckFinding findingOf(const Ball& ball, CheckTopic topic) {
   ScalpSurface scalp;
   scalp.mesh = ball.skin;
   for (const auto& finding : checkForNavigation(ball.mri, ball.mask, scalp).findings)
     if (finding.topic == topic) return finding;
-  ADD_FAILURE() << "no finding on " << topic;
+  ADD_FAILURE() << "no finding on " << toString(topic);
   return {};
 }
 
@@ -81,9 +81,9 @@ TEST(ScanQuality, GhostsAndTheirDirection) {
   const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
   EXPECT_GT(scan.ghost_share, 0.015);
   EXPECT_EQ(scan.ghost_direction, "front-back");
-  EXPECT_NE(findingOf(ball, "ghosts").verdict, Verdict::fine);
-  EXPECT_THAT(findingOf(ball, "ghosts").ask, HasSubstr("phase encoding"));
-  EXPECT_EQ(findingOf(clean, "ghosts").verdict, Verdict::fine);
+  EXPECT_NE(findingOf(ball, CheckTopic::ghosts).verdict, Verdict::fine);
+  EXPECT_THAT(findingOf(ball, CheckTopic::ghosts).ask, HasSubstr("phase encoding"));
+  EXPECT_EQ(findingOf(clean, CheckTopic::ghosts).verdict, Verdict::fine);
 }
 
 TEST(ScanQuality, ErasedAirIsSaid) {
@@ -91,7 +91,7 @@ TEST(ScanQuality, ErasedAirIsSaid) {
   for (std::size_t v = 0; v < ball.mri.voxels.size(); ++v)
     if (!ball.mask.voxels[v]) ball.mri.voxels[v] = 0;
   EXPECT_TRUE(measureScan(ball.mri, ball.mask, ball.skin).is_air_blanked);
-  EXPECT_THAT(findingOf(ball, "noise").finding, HasSubstr("erased"));
+  EXPECT_THAT(findingOf(ball, CheckTopic::noise).finding, HasSubstr("erased"));
 }
 
 TEST(ScanQuality, PartlyErasedAirCountsNeitherAsNoiseNorAsGhosts) {
@@ -113,22 +113,22 @@ TEST(ScanQuality, CutSidesByTheirPatientNames) {
       EXPECT_NEAR(side.cut_area_mm2, M_PI * (kRadius_mm * kRadius_mm - 19 * 19), 60);
     else
       EXPECT_EQ(side.cut_area_mm2, 0) << side.name;
-  EXPECT_NE(findingOf(top, "vertex").verdict, Verdict::fine);
+  EXPECT_NE(findingOf(top, CheckTopic::vertex).verdict, Verdict::fine);
   Ball flipped = makeBall(4, {20, 48, 48});  // low i is the patient's right where i runs to the left
   flipped.mri.grid.mri_from_voxel.linear()(0, 0) = -1;
   flipped.mask.grid = flipped.mri.grid;
-  EXPECT_THAT(findingOf(flipped, "ears").finding, HasSubstr("the right side"));
+  EXPECT_THAT(findingOf(flipped, CheckTopic::ears).finding, HasSubstr("the right side"));
 }
 
 TEST(ScanQuality, WrapAroundOnTheOppositeSide) {
   Ball ball = makeBall(4, {48, kSize - 20, 48});
-  EXPECT_EQ(findingOf(ball, "wrap-around").verdict, Verdict::fine);
+  EXPECT_EQ(findingOf(ball, CheckTopic::wrap_around).verdict, Verdict::fine);
   for (int k = 0; k < kSize; ++k)
     for (int j = 0; j < 11; ++j)  // tissue beyond the front end reappears at the back
       for (int i = 0; i < kSize; ++i)
         if ((Eigen::Vector3d(i, kSize + j, k) - Eigen::Vector3d(48, kSize - 20, 48)).norm() < kRadius_mm)
           ball.mri.voxels[ball.mri.grid.index(i, j, k)] = float(kSignal);
-  const auto finding = findingOf(ball, "wrap-around");
+  const auto finding = findingOf(ball, CheckTopic::wrap_around);
   EXPECT_EQ(finding.verdict, Verdict::caution);
   EXPECT_THAT(finding.finding, HasSubstr("back"));
 }
@@ -136,10 +136,10 @@ TEST(ScanQuality, WrapAroundOnTheOppositeSide) {
 TEST(NavigationCheck, SaysWhatLeftAndRightRestOn) {
   Ball ball = makeBall(4);
   ball.mri.orientation_source = "DICOM";
-  EXPECT_EQ(findingOf(ball, "left and right").verdict, Verdict::fine);
+  EXPECT_EQ(findingOf(ball, CheckTopic::left_and_right).verdict, Verdict::fine);
   ball.mri.orientation_source = "qform";
-  EXPECT_EQ(findingOf(ball, "left and right").verdict, Verdict::caution);
-  EXPECT_THAT(findingOf(ball, "left and right").finding, HasSubstr("qform"));
+  EXPECT_EQ(findingOf(ball, CheckTopic::left_and_right).verdict, Verdict::caution);
+  EXPECT_THAT(findingOf(ball, CheckTopic::left_and_right).finding, HasSubstr("qform"));
 }
 
 TEST(NavigationCheck, WithoutAFaceIsNotUsableAndMeasuresNothing) {

@@ -142,7 +142,7 @@ class MeasuredFaces : public ::testing::Test {
     EXPECT_GT(errors.within_two, 0.85);
   }
 
-  const cameras::StereoRig rig_ = facenav::testing::convergingRig();
+  const cameras::StereoRig rig_ = facenav::testing::faceRig();
   const SyntheticFace* face_ = nullptr;
   std::shared_ptr<const face::FaceDetector> detector_;
   static inline cv::Mat truth_;

@@ -126,6 +126,118 @@ TEST_F(PlanEditorTest, APlaceOutsideTheBrainIsTakenToTheNearestCortex) {
   EXPECT_LT((editor_.active()->cortex_point.mm - Eigen::Vector3d(10, 20, 20)).norm(), 1e-9);
 }
 
+TEST_F(PlanEditorTest, EveryChangeHasTimeAndAuthorAndAHeldKeyIsOne) {
+  PlanEditor editor({[this]() -> const guidance::TreatmentPlan& { return plan_; }, [this] { return head_; },
+                     [this](const guidance::TreatmentPlan& next) { plan_ = next; },
+                     [](int n) { return "T" + std::to_string(n); }, [] { return "AB"; }});
+  editor.begin();
+  editor.addTarget(Point<Mri>(-40, 5, 60));
+  for (int i = 0; i < 5; ++i) editor.nudge(1, 0);
+  editor.turn(0.1);
+  const auto& changes = editor.active()->changes;
+  ASSERT_EQ(changes.size(), 3u);
+  EXPECT_EQ(changes[0].what, "planned");
+  EXPECT_EQ(changes[1].what, "moved");
+  EXPECT_EQ(changes[2].what, "turned");
+  for (const auto& change : changes) {
+    EXPECT_EQ(change.by, "AB");
+    EXPECT_EQ(change.utc.size(), 24u) << change.utc;
+  }
+}
+
+TEST_F(PlanEditorTest, ALockedTargetCanBeNeitherChangedNorRemoved) {
+  editor_.addTarget(Point<Mri>(-40, 5, 60));
+  editor_.setLocked(true);
+  const auto before = editor_.active()->mri_T_target;
+  const auto isRefused = [&](const auto& edit) {
+    try {
+      edit();
+    } catch (const PlanRefused& refused) {
+      return refused.refusal() == PlanRefusal::locked;
+    }
+    return false;
+  };
+  EXPECT_TRUE(isRefused([&] { editor_.turn(0.1); }));
+  EXPECT_TRUE(isRefused([&] { editor_.nudge(1, 0); }));
+  EXPECT_TRUE(isRefused([&] { editor_.rename("M1"); }));
+  EXPECT_TRUE(isRefused([&] { editor_.remove(); }));
+  EXPECT_TRUE(isRefused([&] { editor_.setNote("x"); }));
+  EXPECT_TRUE(isRefused([&] { editor_.addTarget(PresetPlace{Point<Mri>(-40, 5, 60), {}, ""}, "T1"); }));
+  EXPECT_EQ(editor_.active()->mri_T_target.translation_mm(), before.translation_mm());
+  editor_.setLocked(false);
+  editor_.turn(0.1);
+}
+
+TEST_F(PlanEditorTest, ACopyHasAFreeNameAndIsNotLocked) {
+  editor_.addTarget(Point<Mri>(-40, 5, 60));
+  editor_.setLocked(true);
+  editor_.duplicate();
+  editor_.duplicate();
+  EXPECT_EQ(names(), (Names{"T1", "T1 copy", "T1 copy copy"}));
+  EXPECT_FALSE(editor_.active()->is_locked);
+}
+
+TEST_F(PlanEditorTest, AMirroredTargetHasTheSameHandleAndGapOnTheOtherSide) {
+  editor_.addTarget(Point<Mri>(-40, 5, 60));
+  editor_.replace(guidance::withHairGap(*editor_.active(), 3.0));
+  editor_.mirror([](const Point<Mri>& p) { return Point<Mri>(-p.mm.x(), p.mm.y(), p.mm.z()); });
+  EXPECT_EQ(editor_.activeName(), "T1 mirrored");
+  EXPECT_GT(editor_.active()->scalp_point.mm.x(), 20);
+  EXPECT_NEAR(handle_deg(), 45.0, 1e-6);
+  EXPECT_NEAR(guidance::hairGap_mm(*editor_.active()), 3.0, 1e-9);
+}
+
+TEST_F(PlanEditorTest, AGridFollowsItsSeedAndKeepsWhatAHandEdited) {
+  editor_.addTarget(Point<Mri>(-40, 5, 60));
+  editor_.setGrid(guidance::GridSpec{3, 3, 8, guidance::GridOn::scalp});
+  ASSERT_EQ(plan_.targets.size(), 9u);  // the seed is the centre
+  editor_.setActive("T1 r1 c1");
+  editor_.nudge(2, 0);
+  const auto edited = find(plan_, "T1 r1 c1")->cortex_point.mm;
+  const auto follower = find(plan_, "T1 r3 c3")->cortex_point.mm;
+  editor_.setActive("T1");
+  editor_.nudge(0, 4);
+  EXPECT_EQ(plan_.targets.size(), 9u);
+  EXPECT_EQ(find(plan_, "T1 r1 c1")->cortex_point.mm, edited);
+  EXPECT_GT((find(plan_, "T1 r3 c3")->cortex_point.mm - follower).norm(), 1.0);
+  EXPECT_TRUE(editor_.undo()) << "the seed and its grid move back in one step";
+  EXPECT_EQ(find(plan_, "T1 r3 c3")->cortex_point.mm, follower);
+  editor_.setGrid(std::nullopt);
+  EXPECT_EQ(names(), (Names{"T1", "T1 r1 c1"}));
+}
+
+TEST_F(PlanEditorTest, TargetsAreMovedInTheList) {
+  editor_.addTarget(Point<Mri>(-40, 5, 60));
+  editor_.addTarget(Point<Mri>(40, 5, 60));
+  editor_.move(-1);
+  EXPECT_EQ(names(), (Names{"T2", "T1"}));
+  editor_.move(-1);  // it is the first
+  EXPECT_EQ(names(), (Names{"T2", "T1"}));
+}
+
+TEST_F(PlanEditorTest, AClickOnTheScalpPutsTheCoilThere) {
+  const Eigen::Vector3d place = 90 * Eigen::Vector3d(-0.5, 0.3, 0.8).normalized();
+  editor_.addTargetAtScalp(Point<Mri>(place));
+  EXPECT_LT((editor_.active()->scalp_point.mm - place).norm(), 0.5);
+  const Eigen::Vector3d aim = (editor_.active()->mri_T_target.inverse() * editor_.active()->cortex_point).mm;
+  EXPECT_LT(aim.head<2>().norm(), 1e-6) << "the cortex point lies on the axis";
+}
+
+TEST(Presets, AreFoundByNameAndListedWhenThereIsNone) {
+  EXPECT_EQ(presetNamed("M1-Hand-Left").mni->mm, Eigen::Vector3d(-37, -21, 58));
+  EXPECT_EQ(presetNamed("m1-hand-right").mni->mm, Eigen::Vector3d(37, -21, 58));
+  EXPECT_EQ(presetNamed("dlpfc-fox").mni->mm, Eigen::Vector3d(-38, 44, 26));
+  EXPECT_EQ(presetNamed("dlpfc-group").mni->mm, Eigen::Vector3d(-42, 44, 30));
+  EXPECT_EQ(presetNamed("eeg:t3").name, "eeg:T7");
+  EXPECT_FALSE(presetNamed("beam-f3").mni);
+  try {
+    presetNamed("f3");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("beam-f3"), std::string::npos);
+  }
+}
+
 TEST(PlanEdits, ATargetReplacesTheOneOfItsName) {
   guidance::TreatmentPlan plan;
   guidance::Target target;

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <set>
+#include <map>
 
 namespace facenav::workflow {
 namespace {
@@ -39,10 +39,12 @@ TEST(Settings, EveryFittedOneSaysWhatWasHeldOut) {
 
 /// A unit that the name ends in is the unit stated.
 TEST(Settings, NamesAndUnitsAgree) {
-  const std::set<std::string> units{"mm", "mm2", "px", "s", "ms", "rad", "deg"};
+  const std::map<std::string, std::string> units{{"mm", "mm"},   {"mm2", "mm2"}, {"px", "px"},
+                                                 {"s", "s"},     {"ms", "ms"},   {"rad", "rad"},
+                                                 {"deg", "deg"}, {"pct", "%"},   {"uv", "uV"}};
   for (const SettingEntry& entry : all()) {
     const std::string name = entry.setting.name, last = name.substr(name.rfind('_') + 1);
-    EXPECT_EQ(entry.setting.unit, units.count(last) ? last : "1") << entry.key();
+    EXPECT_EQ(entry.setting.unit, units.count(last) ? units.at(last) : "1") << entry.key();
   }
 }
 

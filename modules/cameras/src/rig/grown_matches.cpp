@@ -14,7 +14,8 @@ constexpr int kHalf_px = 14, kReach_px = 5;  // of a window (5 mm of skin at 2.7
 constexpr int kStep_px = 10, kMargin_px = kHalf_px + kReach_px + 2;
 constexpr double kNear_px = 23;  // a window is tried once two matches lie so near
 constexpr int kFewestNear = 2, kMostTries = 3, kMostRounds = 40;
-// Grown matches lie close and are less exact than corners: more of them are asked, from nearer by.
+// Grown matches lie closer together than corners and are less exact: more neighbours, within a smaller
+// radius.
 constexpr NeighbourhoodOptions kNeighbours{12, 4, 60, 10, 30};
 constexpr double kLeastTexture_grey = 2.0, kLeastCorrelation = 0.9, kMostSigma_px = 0.5;
 // Neighbouring pixels of a window err alike: blur of the lens, blocks of the compression.

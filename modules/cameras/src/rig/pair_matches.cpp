@@ -13,15 +13,15 @@ namespace facenav::cameras {
 namespace {
 
 constexpr int kFeatures = 4000, kCorners = 2500;
-constexpr double kContrast = 0.008;  // of a SIFT extremum: a fifth of OpenCV's default, skin is faint
-constexpr float kRatio = 0.9F;       // of the best to the second best; neighbours weed out the rest
+constexpr double kContrast = 0.008;  // of a SIFT extremum: a fifth of OpenCV's default, since skin is faint
+constexpr float kRatio = 0.9F;       // best to second best; neighbours reject the remaining outliers
 constexpr std::size_t kNeighbours = 8;
-// A surface that turns away by 60 degrees before cameras 30 degrees apart shifts by half of the way along it.
+// Disparity gradient of a surface slanted by 60 degrees in front of cameras 30 degrees apart: one half.
 constexpr double kDisparityGradient = 0.5, kNear_px = 4.0;
 constexpr double kCornerSpacing_px = 5;
 constexpr int kPatch_px = 61;             // holds the coarse patch of matchPatch and its gradients
-constexpr double kBackAndForth_px = 0.7;  // a match that does not come back is wrong
-constexpr double kSlant_px = 0.1;         // what curved skin leaves in a patch warped as a plane
+constexpr double kBackAndForth_px = 0.7;  // largest error of a match that is searched back in the left image
+constexpr double kSlant_px = 0.1;         // error of a plane patch on curved skin
 
 Eigen::Vector2d toEigen(const cv::Point2f& p) { return {p.x, p.y}; }
 
@@ -45,7 +45,7 @@ std::vector<PixelPair> features(const cv::Mat& left, const cv::Mat& right) {
   return pairs;
 }
 
-/// Those that at least half of their neighbours agree with.
+/// Pairs that at least half of their neighbours agree with.
 std::vector<PixelPair> coherent(const std::vector<PixelPair>& pairs) {
   std::vector<PixelPair> kept;
   for (const PixelPair& pair : pairs) {
@@ -55,7 +55,7 @@ std::vector<PixelPair> coherent(const std::vector<PixelPair>& pairs) {
       const double apart_px = (pairs[i].left_px - pair.left_px).norm();
       agreeing += (pairs[i].shift() - pair.shift()).norm() < kNear_px + kDisparityGradient * apart_px;
     }
-    if (agreeing >= kNeighbours / 2 + 1) kept.push_back(pair);  // itself among them
+    if (agreeing >= kNeighbours / 2 + 1) kept.push_back(pair);  // counts itself
   }
   return kept;
 }
@@ -91,7 +91,7 @@ std::vector<Correspondence> matchPictures(const cv::Mat& left, const cv::Mat& ri
   std::vector<cv::Point2f> corners;
   cv::goodFeaturesToTrack(left, corners, kCorners, 0.002, kCornerSpacing_px, cv::noArray(), 7);
   for (const auto& match : matchCorners(left, right, seeds, corners))
-    seeds.push_back({match.left_px, match.right_px});  // what was found helps to find more, and its slant
+    seeds.push_back({match.left_px, match.right_px});  // a match and its slant predict its neighbours
   auto matches = matchCorners(left, right, seeds, corners);
   std::vector<PixelPair> pairs;
   for (const auto& match : matches) pairs.push_back({match.left_px, match.right_px});

@@ -9,7 +9,7 @@ namespace facenav::cameras {
 namespace {
 
 constexpr int kHalf = 7, kSide = 2 * kHalf + 1, kPixels = kSide * kSide;
-constexpr double kFarthest_px = 8.0, kLeastCorrelation = 0.85;
+constexpr double kFarthestShift_px = 8.0, kLeastCorrelation = 0.85;
 constexpr double kLeastTexture = 2.5;  // grey^2 per pixel^2, mean over the patch, in the weaker direction
 constexpr double kFloor_px = 0.05;     // skin is not flat, and its shine moves
 
@@ -97,7 +97,7 @@ std::optional<PatchMatch> matchPatch(const cv::Mat& left, const cv::Mat& right,
     if (!coarse || !refine(*coarse, right, 2, 6, at)) return std::nullopt;
     correlation = refine(*fine, right, 1, 8, at);
   }
-  if (!correlation || *correlation < kLeastCorrelation || (at - right_start_px).norm() > kFarthest_px)
+  if (!correlation || *correlation < kLeastCorrelation || (at - right_start_px).norm() > kFarthestShift_px)
     return std::nullopt;
   const double residual2 = (1 - *correlation * *correlation) * fine->grey.squaredNorm() / kPixels;
   return PatchMatch{at, *correlation, std::sqrt(kFloor_px * kFloor_px + 4.0 * residual2 / texture)};

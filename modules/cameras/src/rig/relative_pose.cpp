@@ -11,12 +11,12 @@ namespace facenav::cameras {
 namespace {
 
 constexpr double kFreedom = 4.0;  // of Student's t, as in RigMonitor
-constexpr double kBehind = 30.0;  // sigmas that a point behind the cameras counts as
+constexpr double kBehind = 30.0;  // sigmas counted for a point behind the cameras
 constexpr int kRounds = 40;
 
 using Vector6 = Vector6d;
 
-/// Signed, without regard to depth.
+/// Signed, for any depth.
 double sampson(const Eigen::Isometry3d& pose, const RayPair& rays) {
   const Eigen::Matrix3d essential = skew(pose.translation().normalized()) * pose.linear();
   const Eigen::Vector3d l = rays.left.homogeneous(), r = rays.right.homogeneous();
@@ -41,7 +41,7 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6& step) {
   return next;
 }
 
-/// Sum over the matches of Student's t, a point behind the cameras as an outlier.
+/// Sum of Student's t over the matches; a point behind the cameras counts as an outlier.
 double costOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays, const PosePrior* prior,
               const Eigen::Isometry3d& about) {
   double cost = costOf(pose, rays);
@@ -93,7 +93,7 @@ RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPai
       normal += weight * gradient * gradient.transpose();
       rhs -= weight * z * gradient;
     }
-    Vector6 loose;  // the length of the baseline shows in nothing; kept by moved()
+    Vector6 loose;  // no residual depends on the baseline's length; moved() keeps it
     loose << 1e-2, 1e-2, 1e-2, Eigen::Vector3d::Constant(1e-2 / (baseline_mm * baseline_mm));
     normal.diagonal() += loose;
     if (prior) {

@@ -1,7 +1,6 @@
 #pragma once
-// The pose of the right camera against the left one that explains matches best, without regard to its scale:
-// two angles of the baseline's direction and three of rotation, under Student's t, from a pose that is known
-// roughly.
+// Refines the right camera's pose relative to the left one so that it explains matches best, up to scale: two
+// angles of the baseline's direction and three of rotation, under Student's t, from a rough pose.
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -14,26 +13,26 @@ struct RayPair {
   double sigma = 0;  // across the epipolar line, in the same unit (px / f)
 };
 
-/// What is known beforehand of the right camera's pose: it stands at `pose`, give or take.
+/// Prior of the right camera's pose: normal around `pose`.
 struct PosePrior {
   double turn_sigma_rad = 0, shift_sigma_mm = 0;
 };
 
 struct RelativePose {
-  Eigen::Isometry3d right_T_left;  // length of the baseline as it was given
+  Eigen::Isometry3d right_T_left;  // with the given length of the baseline
   double cost = 0;                 // -2 log likelihood under Student's t and the prior, up to a constant
 };
 
-/// Distance of a match from its epipolar lines (Sampson), in its own sigmas; infinite where the point would
-/// lie behind a camera.
+/// Distance of a match from its epipolar lines (Sampson), in its sigmas; infinite where the point would lie
+/// behind a camera.
 double epipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
 
-/// The same with its sign, whatever the depth.
+/// The same with its sign, for any depth.
 double signedEpipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
 
 double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>& rays);
 
-/// Refined from `start`. `prior`: about `start`; none: free.
+/// Refines from `start`. `prior`: around `start`; null: no prior.
 RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPair>& rays,
                         const PosePrior* prior = nullptr);
 

@@ -1,46 +1,16 @@
 #include "guided_time.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <string>
-#include <vector>
+
+#include "csv_line.h"
 
 namespace facenav::casefile {
 namespace {
 
 constexpr double kLongestGap_s = 0.25;        // as session::SessionOptions::age_limit_s
 constexpr std::streamoff kTail_bytes = 4096;  // many lines
-
-/// The field at `column` of a line; a field may be quoted and then holds commas.
-std::optional<std::string> fieldAt(const std::string& line, std::size_t column) {
-  bool is_quoted = false;
-  std::size_t begin = 0, at = 0;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') is_quoted = !is_quoted;
-    if (i < line.size() && (line[i] != ',' || is_quoted)) continue;
-    if (at++ == column) return line.substr(begin, i - begin);
-    begin = i + 1;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::size_t> columnOf(const std::string& header, const std::string& name) {
-  for (std::size_t column = 0;; ++column) {
-    const auto field = fieldAt(header, column);
-    if (!field) return std::nullopt;
-    if (*field == name) return column;
-  }
-}
-
-std::optional<double> numberAt(const std::string& line, std::size_t column) {
-  const auto field = fieldAt(line, column);
-  double value = 0;
-  if (!field) return std::nullopt;
-  const auto [end, fault] = std::from_chars(field->data(), field->data() + field->size(), value);
-  if (fault != std::errc() || end != field->data() + field->size()) return std::nullopt;
-  return value;
-}
 
 void add(GuidedTime& time, const std::string& state, double step_s) {
   const double known_s = std::min(step_s, kLongestGap_s);

@@ -1,18 +1,20 @@
 #include "facenav/casefile/kept_session.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "appended_file.h"
 #include "facenav/core/error.h"
 #include "guided_time.h"
 #include "json_lines.h"
+#include "utc_now.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<SessionEvent> readEvents(const fs::path& folder, std::vector<std::string>& problems) {
-  std::vector<SessionEvent> events;
-  auto lines = readJsonLines(folder / "events.jsonl");
+void readEvents(const fs::path& file, std::vector<SessionEvent>& events, std::vector<std::string>& problems) {
+  auto lines = readJsonLines(file);
   for (const JsonReader& line : lines.lines) {
     try {
       events.push_back({line.at("utc").text(), line.at("event").text(), line.at("detail").text()});
@@ -23,8 +25,10 @@ std::vector<SessionEvent> readEvents(const fs::path& folder, std::vector<std::st
   for (auto& problem : lines.problems)
     if (std::find(problems.begin(), problems.end(), problem) == problems.end())
       problems.push_back(std::move(problem));
-  return events;
 }
+
+constexpr const char* kEvents = "events.jsonl";
+constexpr const char* kNotes = "notes.jsonl";
 
 std::string namesOf(const std::vector<fs::path>& folders) {
   std::string names;
@@ -60,12 +64,24 @@ fs::path findSession(const fs::path& case_folder, const std::string& name) {
               case_folder.string(), "sessions: " + namesOf(found.empty() ? folders : found));
 }
 
+void addNote(const fs::path& session_folder, const std::string& event, const std::string& detail) {
+  if (!fs::exists(session_folder / kEvents))
+    throw Error("this is no session", session_folder.string(), "choose one of the case's sessions");
+  const nlohmann::ordered_json line{{"utc", utcNow()}, {"event", event}, {"detail", detail}};
+  AppendedFile file(session_folder / kNotes, "", AppendedFile::Start::old_or_fresh);
+  file.append(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  file.sync();
+}
+
 KeptSession readSession(const fs::path& session_folder) {
   KeptSession session;
   session.folder = session_folder;
   session.name = session_folder.filename().string();
   session.pulses = readSessionPulses(session_folder);
-  session.events = readEvents(session_folder, session.pulses.problems);
+  readEvents(session_folder / kEvents, session.events, session.pulses.problems);
+  readEvents(session_folder / kNotes, session.events, session.pulses.problems);
+  std::stable_sort(session.events.begin(), session.events.end(),
+                   [](const SessionEvent& a, const SessionEvent& b) { return a.utc < b.utc; });
   session.duration_s = readDuration_s(session_folder / "poses.csv");
   session.guided = readGuidedTime(session_folder / "guidance.csv");
   return session;

@@ -64,28 +64,67 @@ SessionPulses readOld(const fs::path& folder) {
   return read;
 }
 
+ReviewedPulse* pulseNumbered(SessionPulses& session, int number) {
+  for (auto& reviewed : session.pulses)
+    if (reviewed.pulse.number == number) return &reviewed;
+  return nullptr;
+}
+
+std::optional<double> optionalNumber(const JsonReader& line, const char* key) {
+  return line.has(key) ? std::optional(line.at(key).number()) : std::nullopt;
+}
+
+void applyEdit(const JsonReader& line, SessionPulses& session) {
+  const int number = line.at("pulse").integer();
+  ReviewedPulse* reviewed = pulseNumbered(session, number);
+  if (!reviewed) return;
+  const std::string change = line.at("change").text();
+  if (change == "mep") {
+    reviewed->pulse.mep_uv = optionalNumber(line, "mep_uv");
+    reviewed->pulse.latency_ms = optionalNumber(line, "latency_ms");
+    session.edited_meps.insert(number);
+  } else if (change == "exclude" || change == "include") {
+    reviewed->is_excluded = change == "exclude";
+    reviewed->note = reviewed->is_excluded ? line.at("reason").text() : "";
+  }  // another change: of a later version
+}
+
 void applyEdits(const fs::path& folder, SessionPulses& session) {
   auto lines = readJsonLines(folder / kEdits);
   for (auto& problem : lines.problems) session.problems.push_back(std::move(problem));
   for (const JsonReader& line : lines.lines) {
-    const int number = line.at("pulse").integer();
-    const bool is_excluded = line.at("change").text() == "exclude";
-    for (auto& reviewed : session.pulses)
-      if (reviewed.pulse.number == number) {
-        reviewed.is_excluded = is_excluded;
-        reviewed.note = is_excluded ? line.at("reason").text() : "";
-      }
+    try {
+      applyEdit(line, session);
+    } catch (const Error& fault) {
+      session.problems.push_back(std::string(fault.what()) + ": the change is left out");
+    }
   }
 }
 
-const ReviewedPulse& find(const SessionPulses& session, const PulseEdit& edit, const fs::path& folder) {
-  for (const auto& reviewed : session.pulses)
-    if (reviewed.pulse.number == edit.number) return reviewed;
-  throw Error("there is no pulse " + std::to_string(edit.number), folder.string(),
+ReviewedPulse& find(SessionPulses& session, int number, const fs::path& folder) {
+  if (auto* reviewed = pulseNumbered(session, number)) return *reviewed;
+  throw Error("there is no pulse " + std::to_string(number), folder.string(),
               session.pulses.empty()
                   ? "the session has no pulses"
                   : "it has pulses " + std::to_string(session.pulses.front().pulse.number) + " to " +
                         std::to_string(session.pulses.back().pulse.number));
+}
+
+void requireRange(std::optional<double> value, double most, const char* what, const char* unit, int number,
+                  const fs::path& folder) {
+  if (!value || (*value >= 0 && *value <= most)) return;  // not a number fails both
+  throw Error(formatted("%s %g %s of pulse %d is not possible", what, *value, unit, number), folder.string(),
+              formatted("0 to %g %s is expected", most, unit));
+}
+
+std::string textOf(const nlohmann::ordered_json& line) {
+  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+void append(const fs::path& folder, const std::string& lines) {
+  AppendedFile file(folder / kEdits, "", AppendedFile::Start::old_or_fresh);
+  file.append(lines);
+  file.sync();
 }
 
 std::string field(const std::optional<double>& value, int decimals) {
@@ -128,23 +167,46 @@ SessionPulses readSessionPulses(const fs::path& session_folder) {
   return session;
 }
 
-void editPulse(const fs::path& session_folder, const PulseEdit& edit) {
-  const SessionPulses session = readSessionPulses(session_folder);
-  const ReviewedPulse& reviewed = find(session, edit, session_folder);
-  const std::string pulse = "pulse " + std::to_string(edit.number);
-  if (reviewed.is_excluded == edit.is_excluded)
-    throw Error(pulse + (edit.is_excluded ? " is already excluded" : " is not excluded"),
-                session_folder.string());
-  if (edit.is_excluded && edit.reason.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw Error(pulse + " is excluded only with a reason", session_folder.string(), "give --reason");
-  const nlohmann::ordered_json line{{"utc", isoUtc(std::chrono::system_clock::now())},
-                                    {"pulse", edit.number},
-                                    {"change", edit.is_excluded ? "exclude" : "include"},
-                                    {"reason", edit.reason},
-                                    {"by", edit.by}};
-  AppendedFile file(session_folder / kEdits, "", AppendedFile::Start::old_or_fresh);
-  file.append(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  file.sync();
+void editPulse(const fs::path& session_folder, const PulseEdit& edit) { editPulses(session_folder, {edit}); }
+
+void editPulses(const fs::path& session_folder, const std::vector<PulseEdit>& edits) {
+  SessionPulses session = readSessionPulses(session_folder);
+  const std::string utc = isoUtc(std::chrono::system_clock::now());
+  std::string lines;
+  for (const PulseEdit& edit : edits) {
+    ReviewedPulse& reviewed = find(session, edit.number, session_folder);
+    const std::string pulse = "pulse " + std::to_string(edit.number);
+    if (reviewed.is_excluded == edit.is_excluded)
+      throw Error(pulse + (edit.is_excluded ? " is already excluded" : " is not excluded"),
+                  session_folder.string());
+    if (edit.is_excluded && edit.reason.find_first_not_of(" \t\r\n") == std::string::npos)
+      throw Error(pulse + " is excluded only with a reason", session_folder.string(), "give --reason");
+    reviewed.is_excluded = edit.is_excluded;
+    lines += textOf({{"utc", utc},
+                     {"pulse", edit.number},
+                     {"change", edit.is_excluded ? "exclude" : "include"},
+                     {"reason", edit.reason},
+                     {"by", edit.by}});
+  }
+  if (!lines.empty()) append(session_folder, lines);
+}
+
+void editMeps(const fs::path& session_folder, const std::vector<MepEdit>& edits) {
+  SessionPulses session = readSessionPulses(session_folder);
+  const std::string utc = isoUtc(std::chrono::system_clock::now());
+  std::string lines;
+  for (const MepEdit& edit : edits) {
+    find(session, edit.number, session_folder);
+    requireRange(edit.mep_uv, kLargestMep_uv, "an MEP of", "uV", edit.number, session_folder);
+    requireRange(edit.latency_ms, 1000, "a latency of", "ms", edit.number, session_folder);
+    nlohmann::ordered_json line{{"utc", utc}, {"pulse", edit.number}, {"change", "mep"}};
+    if (edit.mep_uv) line["mep_uv"] = *edit.mep_uv;
+    if (edit.latency_ms) line["latency_ms"] = *edit.latency_ms;
+    line["reason"] = edit.reason;
+    line["by"] = edit.by;
+    lines += textOf(line);
+  }
+  if (!lines.empty()) append(session_folder, lines);
 }
 
 std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses) {

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 
-#include "facenav/core/error.h"
+#include "damage_error.h"
 
 namespace facenav::dicom {
 
 void inflateDataSet(FilePrefix& file, std::uint64_t data_set_start) {
   constexpr std::size_t kMost = std::size_t(4) << 30, kStep = 1 << 20;
-  const auto refuse = [&] {
-    throw Error("deflated data set is damaged", file.path().string(), "copy it again");
-  };
+  const auto refuse = [&] { throw DamageError("deflated data set is damaged", file.path()); };
   if (!file.ensure(file.fileSize())) refuse();
   std::string out = file.bytes().substr(0, data_set_start);
   std::string in = file.bytes().substr(data_set_start);

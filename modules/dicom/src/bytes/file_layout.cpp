@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "damage_error.h"
 #include "deflated.h"
-#include "facenav/core/error.h"
 
 namespace facenav::dicom {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kUndefined = 0xFFFFFFFFu;
 constexpr std::uint32_t kItem = 0xFFFEE000u, kItemEnd = 0xFFFEE00Du, kSequenceEnd = 0xFFFEE0DDu;
 constexpr std::uint32_t kPixelGroup = 0x7FE00008u;   // Float Pixel Data, the first of the pixel data elements
-constexpr std::uint32_t kLargestValue = 256u << 20;  // before the pixels; documents and scanners' raw data
+constexpr std::uint32_t kLargestValue = 256u << 20;  // before the pixels: documents, scanners' raw data
 constexpr int kDeepestNesting = 32;
 constexpr std::string_view kShortVrs = "AE AS AT CS DA DS DT FL FD IS LO LT PN SH SL SS ST TM UI UL US";
 constexpr std::string_view kLongVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
@@ -27,7 +27,7 @@ bool isVr(std::string_view list, const char* vr) {
 
 struct Element {
   std::uint32_t tag = 0, length = 0;
-  char vr[2] = {0, 0};  // zero: implicit
+  char vr[2] = {0, 0};  // zero: implicit VR
   std::uint64_t value = 0;
 };
 
@@ -36,9 +36,7 @@ class Walker {
   Walker(FilePrefix& file, bool is_explicit, bool is_big_endian)
       : file_(file), is_explicit_(is_explicit), is_big_endian_(is_big_endian) {}
 
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(what, file_.path().string(), "copy or export it again");
-  }
+  [[noreturn]] void refuse(const std::string& what) const { throw DamageError(what, file_.path()); }
   std::uint32_t u16(std::uint64_t at) const {
     const auto* b = reinterpret_cast<const unsigned char*>(file_.bytes().data()) + at;
     return is_big_endian_ ? b[0] << 8 | b[1] : b[1] << 8 | b[0];
@@ -75,14 +73,14 @@ class Walker {
     return e;
   }
 
-  /// The offset behind `e`.
+  /// Offset of the first byte after `e`.
   std::uint64_t skip(const Element& e, int depth) {
     if (depth > kDeepestNesting) refuse("DICOM header is damaged (sequences nested without end)");
     const bool is_unknown = e.vr[0] == 'U' && e.vr[1] == 'N';
     const bool is_sequence = e.vr[0] == 'S' && e.vr[1] == 'Q';
     if (e.length == kUndefined) {
       if (e.vr[0] && !is_unknown && !is_sequence) refuse("DICOM header is damaged (a value without length)");
-      // An unknown element of undefined length is an implicit sequence whatever the file's syntax (CP-246).
+      // An unknown element of undefined length is an implicit sequence, whatever the file's syntax (CP-246).
       Walker inner(file_, is_explicit_ && !is_unknown, is_big_endian_ && !is_unknown);
       return inner.skipItems(e.value, 0, depth);
     }
@@ -96,7 +94,8 @@ class Walker {
   }
 
  private:
-  /// Items up to `end`, or up to the sequence's delimiter where end is 0. The offset behind them.
+  /// Walks items up to `end`, or up to the sequence's delimiter where end is 0. Returns the offset after
+  /// them.
   std::uint64_t skipItems(std::uint64_t at, std::uint64_t end, int depth) {
     while (end == 0 || at < end) {
       need(at + 8);
@@ -127,7 +126,7 @@ class Walker {
 
 bool hasPreamble(FilePrefix& file) { return file.ensure(132) && file.bytes().compare(128, 4, "DICM") == 0; }
 
-/// Reads group 0002; sets the transfer syntax and where the data set starts.
+/// Reads group 0002; sets transfer syntax and start of the data set.
 void walkMeta(FilePrefix& file, FileLayout& layout) {
   std::uint64_t at = layout.data_set_start;
   Walker walker(file, true, false);
@@ -174,7 +173,7 @@ bool looksLikeDicom(FilePrefix& file) {
   const bool is_little = (b[0] == 0x08 || b[0] == 0x02) && b[1] == 0 && b[3] == 0;
   const bool is_big = b[0] == 0 && b[1] == 0x08 && b[2] == 0;
   const bool has_vr = isVr(kShortVrs, &file.bytes()[4]) || isVr(kLongVrs, &file.bytes()[4]);
-  const bool is_short = b[6] == 0 && b[7] == 0;  // implicit: a first element of less than 64 KB
+  const bool is_short = b[6] == 0 && b[7] == 0;  // implicit VR: a first element of less than 64 KB
   return (is_little || is_big) && (has_vr || is_short);
 }
 
@@ -199,12 +198,12 @@ FileLayout walkHeader(FilePrefix& file) {
     const Element e = walker.readElement(at);
     if (e.tag >= kPixelGroup) {
       if (e.tag >> 16 == 0x7FE0) readPixelElement(file, walker, e, layout);
-      break;  // what follows the pixels (padding, junk) is nobody's business
+      break;  // ignore anything after the pixels (padding, junk)
     }
     const bool is_sequence = e.vr[0] == 'S' && e.vr[1] == 'Q';
     if (!is_sequence && e.length != kUndefined && e.length > kLargestValue &&
         e.value + e.length <= file.fileSize())
-      break;  // raw data: no image follows, and nobody wants to read it
+      break;  // raw data: no image follows
     at = walker.skip(e, 0);
   }
   layout.header_end = at;
@@ -213,7 +212,7 @@ FileLayout walkHeader(FilePrefix& file) {
 
 std::vector<ByteRange> walkFragments(FilePrefix& file, const FileLayout& layout) {
   Walker walker(file, true, false);
-  file.ensure(file.fileSize());  // at once
+  file.ensure(file.fileSize());  // one read for the whole file
   std::vector<ByteRange> fragments;
   std::uint64_t at = layout.pixels.offset;
   while (true) {

@@ -13,7 +13,7 @@
 namespace facenav::dicom {
 namespace {
 
-/// Bytes read, fewer than `length` where the file ends or fails.
+/// Returns the number of bytes read: fewer than `length` at the file's end or on failure.
 std::uint64_t readAt(int file, std::uint64_t offset, std::uint64_t length, char* to) {
   std::uint64_t have = 0;
   while (have < length) {

@@ -1,6 +1,5 @@
 #pragma once
-// The first bytes of a file, read as far as asked for: headers are read without touching the pixels behind
-// them.
+// The first bytes of a file, read on demand: headers are read without the pixels after them.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,7 +11,7 @@ class FilePrefix {
  public:
   /// Throws Error when the file cannot be opened or its size is unknown.
   explicit FilePrefix(std::filesystem::path path);
-  /// Bytes already in memory stand for the file (inflated data, tests, the fuzzer).
+  /// `content` replaces the file (inflated data, tests, the fuzzer).
   FilePrefix(std::filesystem::path path, std::string content);
   ~FilePrefix();
   FilePrefix(const FilePrefix&) = delete;
@@ -20,12 +19,12 @@ class FilePrefix {
 
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t fileSize() const { return size_; }
-  /// Reads on until `end` bytes lie in bytes(); false when the file is shorter.
+  /// Reads until bytes() has `end` bytes; false when the file is shorter.
   bool ensure(std::uint64_t end);
   const std::string& bytes() const { return bytes_; }
-  /// Copies `length` bytes from `offset` on to `to`, without keeping them; false when the file is shorter.
+  /// Copies `length` bytes from `offset` to `to`, without keeping them; false when the file is shorter.
   bool copy(std::uint64_t offset, std::uint64_t length, char* to) const;
-  /// From here on `content` stands for the file.
+  /// From now on `content` replaces the file.
   void replace(std::string content);
 
  private:

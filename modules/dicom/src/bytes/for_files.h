@@ -1,6 +1,6 @@
 #pragma once
-// Work on many files on all cores, with progress and cancel; the first file's error by position is the one
-// that is reported, so that a faulty folder gives the same words every time.
+// Processes many files on all cores, with progress and cancel. It reports the error of the first faulty file
+// by position, so that a faulty folder always gives the same message.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace facenav::dicom {
 
-/// How many threads forFiles uses for `count` files.
+/// Number of threads that forFiles uses for `count` files.
 inline std::size_t workersFor(std::size_t count) {
   constexpr std::size_t kMost = 16, kFewFiles = 8;  // starting a thread takes as long as a few headers
   return std::clamp<std::size_t>(count / kFewFiles, 1, std::min(coreCount(), kMost));
 }
 
-/// Calls work(file, worker) for file = 0 .. count - 1, worker = 0 .. workersFor(count) - 1 being the thread's
-/// number. `monitor` is called from the caller's thread only; throws what it throws, or the error of the
-/// first file that failed.
+/// Calls work(file, worker) for file = 0 .. count - 1; worker = 0 .. workersFor(count) - 1 is the thread's
+/// number. Calls `monitor` from the caller's thread only. Throws what it throws, or the error of the first
+/// file that failed.
 template <class Work>
 void forFiles(std::size_t count, TaskMonitor& monitor, const std::string& step, Work&& work) {
   constexpr std::size_t kReportEvery = 16;

@@ -27,8 +27,8 @@ bool contains(std::string_view text, std::string_view word) {
   return text.find(word) != std::string_view::npos;
 }
 
-/// By the number of the set's registration ("ISO_IR 144", "ISO 2022 IR 144"); of the first value, which holds
-/// where no escape sequence says otherwise.
+/// Encoding by the set's registration number ("ISO_IR 144", "ISO 2022 IR 144"), from the first value, which
+/// applies without escape sequences.
 const char* withoutEscapes(std::string_view character_set) {
   const std::string_view first = character_set.substr(0, character_set.find('\\'));
   if (contains(first, "GB18030")) return "GB18030";
@@ -53,7 +53,7 @@ const char* withEscapes(std::string_view character_set) {
   return nullptr;
 }
 
-/// "ESC $ ) C" and "ESC $ ) A" say that what follows is Korean or Chinese, in bytes above 127.
+/// Removes "ESC $ ) C" and "ESC $ ) A", which announce Korean or Chinese in bytes above 127.
 std::string withoutDesignations(std::string_view raw) {
   std::string text;
   for (std::size_t i = 0; i < raw.size(); ++i)
@@ -64,7 +64,7 @@ std::string withoutDesignations(std::string_view raw) {
   return text;
 }
 
-/// Nothing where `text` is not what `encoding` says.
+/// Empty where `text` is not valid in `encoding`.
 std::optional<std::string> convert(std::string text, const char* encoding) {
   const iconv_t converter = ::iconv_open("UTF-8", encoding);
   if (converter == iconv_t(-1)) return std::nullopt;
@@ -98,7 +98,7 @@ std::string fromLatin1(std::string_view raw) {
 std::string toUtf8(std::string_view raw, std::string_view character_set) {
   const bool has_escapes = raw.find(kEscape) != std::string_view::npos;
   if (!has_escapes && isUtf8(raw))
-    return std::string(raw);  // also where the file says Latin-1: a common slip
+    return std::string(raw);  // also where the file states Latin-1: a common error
   if (const char* encoding = has_escapes ? withEscapes(character_set) : withoutEscapes(character_set))
     if (auto text = convert(has_escapes ? withoutDesignations(raw) : std::string(raw), encoding))
       return *text;

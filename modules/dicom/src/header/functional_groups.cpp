@@ -1,5 +1,5 @@
-// Enhanced multi-frame images: each frame's place from its functional groups (PS3.3 C.7.6.16), the shared
-// ones first.
+// Enhanced multi-frame images: position of each frame from its functional groups (PS3.3 C.7.6.16); the shared
+// groups are read first.
 
 #include <gdcmDataSet.h>
 
@@ -27,7 +27,7 @@ void applyGroups(const gdcm::DataSet& groups, ImagePlace& place) {
     place.stack = text(*macro, {0x0020, 0x9056});
     place.time_index = integer(*macro, {0x0020, 0x9128}, place.time_index);
   }
-  // Philips keeps its scale slope in a private per-frame item beside the public rescale.
+  // Philips stores its scale slope in a private per-frame item beside the public rescale.
   if (const auto philips = item(groups, {0x2005, 0x140F}); philips && number(*philips, {0x2005, 0x100E})) {
     const double scale = *number(*philips, {0x2005, 0x100E});
     if (scale > 0 && place.slope != 0) {

@@ -1,6 +1,6 @@
 #pragma once
-// Which files are of one patient: those that agree in Patient ID, name (capitals and separators aside) and
-// birth date. Taken for two where anything differs: asking once more costs a click, the wrong head a
+// Which files are of one patient: those that agree in Patient ID, name (ignoring capitals and separators) and
+// birth date. Any difference makes two patients: an unneeded question costs a click, the wrong head costs a
 // treatment.
 
 #include <vector>

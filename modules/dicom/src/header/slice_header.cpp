@@ -9,7 +9,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "facenav/core/error.h"
+#include "bytes/damage_error.h"
 #include "tag_values.h"
 
 namespace facenav::dicom {
@@ -17,9 +17,9 @@ namespace {
 
 using gdcm::Tag;
 
-/// GDCM writes warnings to the terminal; every fault here ends in one Error instead.
+/// GDCM writes warnings to the terminal; here each fault gives one Error instead.
 void silenceGdcm() {
-  static const bool is_silent = [] {  // once, whichever thread comes first
+  static const bool is_silent = [] {  // runs once, in the first thread that arrives
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
     gdcm::Trace::DebugOff();
@@ -41,7 +41,7 @@ gdcm::DataSet parse(FilePrefix& file, const FileLayout& layout) {
     else
       data.Read<gdcm::ImplicitDataElement, gdcm::SwapperNoOp>(stream);
   } catch (const std::exception&) {
-    throw Error("DICOM header is damaged", file.path().string(), "copy or export it again");
+    throw DamageError("DICOM header is damaged", file.path());
   }
   return data;
 }
@@ -144,7 +144,7 @@ void readRescale(const gdcm::DataSet& data, ImagePlace& place) {
   const auto slope = number(data, {0x0028, 0x1053}), intercept = number(data, {0x0028, 0x1052});
   if (slope && *slope != 0) place.slope = *slope;
   if (intercept) place.intercept = *intercept;
-  // Philips: the values that compare between scans are (stored * RS + RI) / (RS * SS), SS in a private
+  // Philips: values comparable between scans are (stored * RS + RI) / (RS * SS), with SS in a private
   // element.
   const auto philips = number(data, {0x2005, 0x100E});
   if (philips && *philips > 0 && std::isfinite(1.0 / *philips) && slope && *slope != 0) {

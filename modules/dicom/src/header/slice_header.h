@@ -1,7 +1,7 @@
 #pragma once
-// SliceHeader: what FaceNav reads of one DICOM file, as plain values: where its image or images lie in the
-// patient (PS3.3 C.7.6.2 for classic files, C.7.6.16 functional groups for enhanced ones), how its voxels are
-// stored, and what tells the volumes of one series apart. LPS and mm, as in the file.
+// SliceHeader: the plain values that FaceNav reads from one DICOM file: position of its image or images in
+// the patient (PS3.3 C.7.6.2 for classic files, C.7.6.16 functional groups for enhanced ones), storage of its
+// voxels, and attributes that distinguish the volumes of one series. LPS and mm, as in the file.
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -18,14 +18,14 @@ class DataSet;
 
 namespace facenav::dicom {
 
-/// One image: a classic file's only one, or one frame of an enhanced file.
+/// One image: the only one of a classic file, or one frame of an enhanced file.
 struct ImagePlace {
   std::optional<Eigen::Vector3d> position_lps_mm;       // centre of the first voxel
   std::optional<Eigen::Matrix<double, 3, 2>> axes_lps;  // directions of increasing column and row index, unit
-  std::optional<Eigen::Vector2d> spacing_mm;            // along these: between columns, between rows
+  std::optional<Eigen::Vector2d> spacing_mm;            // distance between columns, between rows
   double slope = 1.0, intercept = 0.0;
   double echo_time_ms = 0.0;
-  std::string kind;   // image type: M, P, ORIGINAL\PRIMARY\..; tells magnitude from phase
+  std::string kind;   // image type: M, P, ORIGINAL\PRIMARY\..; separates magnitude from phase
   std::string stack;  // enhanced: Stack ID
   int time_index = 0;
 };
@@ -48,24 +48,23 @@ struct SliceHeader {
       acquisition_kind;
   double slice_thickness_mm = 0, repetition_time_ms = 0, inversion_time_ms = 0, gantry_tilt_deg = 0;
   int series_number = 0, instance_number = 0;
-  // What may tell scans apart where the UIDs do not (joined_slices.h):
+  // Attributes that may separate scans where the UIDs do not (joined_slices.h):
   std::string frame_of_reference_uid, protocol, series_time, acquisition_time, age_and_weight;
   double flip_angle_deg = 0, slice_gap_mm = 0;  // the gap: Spacing Between Slices, centre to centre
   int acquisition_number = 0;
   Patient patient;
-  std::optional<int> patient_number;  // among the files scanned together; patient_identity.h
+  std::optional<int> patient_number;  // among the files scanned together; see patient_identity.h
   bool is_mosaic = false;
 };
 
-/// Reads the header. Throws Error naming the file when it is damaged; std::nullopt when it is not DICOM at
-/// all.
+/// Reads the header. Throws Error naming the file when it is damaged; std::nullopt when it is not DICOM.
 std::optional<SliceHeader> readSliceHeader(FilePrefix& file);
 
-/// The places of an enhanced file's frames. `classic` holds the values of the top level, which serve where a
-/// functional group lacks them.
+/// Positions of an enhanced file's frames. `classic` holds the top-level values, used where a functional
+/// group lacks them.
 std::vector<ImagePlace> framePlaces(const gdcm::DataSet& data, const ImagePlace& classic, int frames);
 
-/// Fills what `data` (top level or a functional group's item) holds of each.
+/// Fills the values present in `data` (top level or a functional group's item).
 void readPosition(const gdcm::DataSet& data, ImagePlace& place);
 void readOrientation(const gdcm::DataSet& data, ImagePlace& place);
 void readSpacing(const gdcm::DataSet& data, ImagePlace& place);

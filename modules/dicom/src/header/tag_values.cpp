@@ -44,7 +44,7 @@ template <class T>
 std::vector<double> parseBinary(std::string_view s) {
   std::vector<double> values;
   for (std::size_t i = 0; i + sizeof(T) <= s.size(); i += sizeof(T)) {
-    T value;  // GDCM has swapped big endian files to the host's order
+    T value;  // GDCM has converted big endian files to the host's order
     std::memcpy(&value, s.data() + i, sizeof(T));
     if (!std::isfinite(double(value))) return {};
     values.push_back(double(value));
@@ -52,7 +52,7 @@ std::vector<double> parseBinary(std::string_view s) {
   return values;
 }
 
-/// What an element without VR (implicit little endian) holds, for the binary elements FaceNav reads (PS3.6).
+/// VR of an element without one (implicit little endian), for the binary elements that FaceNav reads (PS3.6).
 gdcm::VR implicitVr(gdcm::Tag tag) {
   if (tag.GetGroup() == 0x0028 && tag.GetElement() < 0x0110 && tag.GetElement() != 0x0008 &&
       tag.GetElement() != 0x0030 && tag.GetElement() != 0x0004)
@@ -82,7 +82,7 @@ std::string text(const gdcm::DataSet& data, gdcm::Tag tag) {
 std::string personName(const gdcm::DataSet& data, gdcm::Tag tag) {
   std::string_view raw = trimmed(rawValue(data, tag));
   while (!raw.empty() && raw.front() == '=') raw.remove_prefix(1);
-  // Cut before it is decoded: the alphabetic group is the one without escape sequences. In the others "="
+  // Cut before decoding: the alphabetic group is the one without escape sequences. In the other groups "="
   // may be half of a character.
   if (const std::size_t end = raw.find('='); raw.substr(0, end).find('\x1B') == std::string_view::npos)
     raw = raw.substr(0, end);
@@ -130,8 +130,8 @@ std::vector<gdcm::DataSet> items(const gdcm::DataSet& data, gdcm::Tag tag) {
   gdcm::SmartPointer<gdcm::SequenceOfItems> sequence;
   if (dynamic_cast<const gdcm::SequenceOfItems*>(&element.GetValue()) || element.GetVR() == gdcm::VR::INVALID)
     try {
-      // Implicit VR: GDCM keeps a sequence of known length as bytes, which the walk of the lengths has
-      // checked. The bytes of a UN element were not, and stay closed.
+      // Implicit VR: GDCM keeps a sequence of known length as bytes. The walk of the lengths has checked
+      // these. The bytes of a UN element were not checked, so they are not opened.
       sequence = element.GetValueAsSQ();
     } catch (const std::exception&) {
       return found;

@@ -1,6 +1,6 @@
 #pragma once
-// Width, height and components that a compressed frame itself declares. Compared with the DICOM header before
-// a codec runs, so that a damaged stream cannot make it allocate or write for another size.
+// Width, height and components stated by a compressed frame itself. They are compared with the DICOM header
+// before a codec runs, so that a damaged stream cannot make it allocate or write another size.
 
 #include <optional>
 #include <string_view>

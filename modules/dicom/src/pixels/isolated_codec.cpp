@@ -24,7 +24,7 @@ ChildProcess runCodec(const std::function<void()>& work, unsigned time_limit_s) 
 }
 
 std::string runIsolated(const std::function<std::string()>& decode, std::size_t most_bytes) {
-  const SharedMemory result(sizeof(std::size_t) + most_bytes);  // the length, then the bytes
+  const SharedMemory result(sizeof(std::size_t) + most_bytes);  // length, then bytes
   ChildProcess child = runCodec([&] {
     const std::string bytes = decode();
     const std::size_t length = bytes.size();

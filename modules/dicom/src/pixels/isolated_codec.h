@@ -1,7 +1,7 @@
 #pragma once
-// GDCM's codecs run in a child process: on damaged streams they print to the terminal, abort on assertions
-// (Debian ships GDCM 3.0.21 with them) or write out of bounds. The child's end is then this function's empty
-// answer.
+// Runs GDCM's codecs in a child process. On damaged streams they print to the terminal, abort on assertions
+// (Debian ships GDCM 3.0.21 with them) or write out of bounds. A crash of the child gives an empty result
+// here.
 
 #include <cstddef>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace facenav::dicom {
 
-/// Memory that a child writes and its parent reads; zero at first. Throws std::bad_alloc.
+/// Memory that a child writes and its parent reads; initially zero. Throws std::bad_alloc.
 class SharedMemory {
  public:
   explicit SharedMemory(std::size_t bytes);
@@ -26,11 +26,11 @@ class SharedMemory {
   void* memory_;
 };
 
-/// `work` running in a child whose output goes nowhere, for at most `time_limit_s` (of wall clock). What it
-/// leaves behind is what it wrote to SharedMemory. Throws Error where no process can be started.
+/// Runs `work` in a child with its output discarded, for at most `time_limit_s` (wall clock). Its results are
+/// what it wrote to SharedMemory. Throws Error where no process can be started.
 ChildProcess runCodec(const std::function<void()>& work, unsigned time_limit_s = 8);
 
-/// What `decode` returns, computed in such a child. Empty when the child failed or gave more than
+/// Result of `decode`, computed in such a child. Empty when the child failed or the result has more than
 /// `most_bytes`.
 std::string runIsolated(const std::function<std::string()>& decode, std::size_t most_bytes);
 

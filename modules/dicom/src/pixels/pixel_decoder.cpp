@@ -61,7 +61,7 @@ T load(const char* bytes, bool is_big_endian) {
   return value;
 }
 
-/// The stored value within its bits: overlay bits cut off, the sign extended (PS3.5 8.1.1).
+/// The stored value within its bits: removes overlay bits, extends the sign (PS3.5 8.1.1).
 template <class T>
 T withinStoredBits(T value, const VoxelFormat& format) {
   using Wide = std::int64_t;
@@ -71,8 +71,8 @@ T withinStoredBits(T value, const VoxelFormat& format) {
   return T(bits);
 }
 
-/// Vendors that lie about other depths exist, so bits above the stored ones are cut off only where they are
-/// known to hold something else, and at 12 bits, where dcm2niix cuts them too.
+/// Some vendors state wrong depths. Therefore bits above the stored ones are removed only where they are
+/// known to hold something else, and at 12 bits, where dcm2niix removes them too.
 bool needsMask(const VoxelFormat& format) {
   return format.has_embedded_overlay || format.high_bit + 1 != format.bits_stored || format.bits_stored == 12;
 }
@@ -80,14 +80,14 @@ bool needsMask(const VoxelFormat& format) {
 template <class T>
 void rescale(std::string_view bytes, bool is_big_endian, const VoxelFormat& format, const ImagePlace& place,
              float* out) {
-  // NIfTI keeps slope and intercept in 32 bits; the same here, so that values equal dcm2niix's to the last
+  // NIfTI keeps slope and intercept in 32 bits. The same here, so that values equal dcm2niix's to the last
   // bit.
   const double slope = float(place.slope), intercept = float(place.intercept);
   const std::size_t count = bytes.size() / sizeof(T);
   const bool is_masked = std::is_integral_v<T> && needsMask(format);
   if (std::is_integral_v<T> && sizeof(T) <= 2 && !is_big_endian && !is_masked && slope == 1 &&
       intercept == 0) {
-    for (std::size_t i = 0; i < count; ++i) {  // exact, and twice as fast as by way of double
+    for (std::size_t i = 0; i < count; ++i) {  // exact, and twice as fast as with double
       T value;
       std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
       out[i] = float(value);
@@ -240,7 +240,7 @@ void PixelDecoder::decode(int frame, float* out, std::string& scratch) const {
   const auto as = [&](auto type) { rescale<decltype(type)>(data.bytes, data.is_big_endian, v, place, out); };
   if (header_.layout.is_float) return data.bits == 64 ? as(double{}) : as(float{});
   if (data.bits == 8 && data.is_big_endian && header_.layout.is_pixel_vr_word) {
-    std::string swapped(data.bytes);  // 8-bit voxels travel in 16-bit words
+    std::string swapped(data.bytes);  // 8-bit voxels are stored in 16-bit words
     for (std::size_t i = 0; i + 1 < swapped.size(); i += 2) std::swap(swapped[i], swapped[i + 1]);
     return v.is_signed ? rescale<std::int8_t>(swapped, false, v, place, out)
                        : rescale<std::uint8_t>(swapped, false, v, place, out);
@@ -261,7 +261,7 @@ std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per
   constexpr std::size_t kHeader = 64;
   if (stream.size() < kHeader || load<std::uint32_t>(stream.data(), false) != std::uint32_t(bytes_per_voxel))
     return {};
-  if (voxels > stream.size() * 64) return {};  // two bytes make 128 at most
+  if (voxels > stream.size() * 64) return {};  // two bytes give 128 at most
   std::string out(voxels * bytes_per_voxel, '\0');
   for (int segment = 0; segment < bytes_per_voxel; ++segment) {
     std::size_t at = load<std::uint32_t>(stream.data() + 4 + 4 * segment, false), filled = 0;

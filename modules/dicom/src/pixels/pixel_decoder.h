@@ -1,7 +1,7 @@
 #pragma once
-// PixelDecoder: the stored values of one file's images, rescaled. Native data are read from the bytes
-// directly, RLE is unpacked here (PS3.5 annex G), JPEG, JPEG-LS and JPEG 2000 go through GDCM's codecs, one
-// frame at a time.
+// PixelDecoder: the rescaled values of one file's images. Native data are read from the bytes directly. RLE
+// is unpacked here (PS3.5 annex G). JPEG, JPEG-LS and JPEG 2000 are decoded by GDCM's codecs, one frame at a
+// time.
 
 #include <vector>
 
@@ -9,16 +9,17 @@
 
 namespace facenav::dicom {
 
-/// Where GDCM's codecs run: in a child process an image (isolated_codec.h), or here, for who is such a child.
+/// Where GDCM's codecs run: in one child process per image (isolated_codec.h), or in this process if it is
+/// already such a child.
 enum class Isolation { each_image, none };
 
 class PixelDecoder {
  public:
-  /// Throws Error naming the file: pixels missing, cut off, colour, of a kind FaceNav does not read, ..
+  /// Throws Error naming the file: pixels missing, cut off, colour, unsupported, ..
   PixelDecoder(FilePrefix& file, const SliceHeader& header, Isolation isolation = Isolation::each_image);
   /// rows x columns values of frame `frame` (from 0): slope * stored + intercept.
   std::vector<float> image(int frame) const;
-  /// The same to `out`, which holds rows x columns values; `scratch` keeps the stored bytes, so that one
+  /// The same into `out`, which holds rows x columns values. `scratch` keeps the stored bytes, so that one
   /// buffer serves all images of a series.
   void decode(int frame, float* out, std::string& scratch) const;
 
@@ -39,9 +40,9 @@ class PixelDecoder {
   std::vector<ByteRange> fragments_;
 };
 
-/// In words why the voxels of this file cannot be read, from its header alone; empty when they can.
+/// Why the voxels of this file cannot be read, as text, from its header alone; empty when they can.
 std::string voxelProblem(const SliceHeader& header);
-/// The voxels are compressed in a way that only GDCM's codecs read.
+/// The voxels are compressed in a form that only GDCM's codecs read.
 bool usesForeignCodec(const SliceHeader& header);
 /// The frame of `stream` unpacked into little-endian voxels of `bytes_per_voxel`; empty when damaged.
 std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel);

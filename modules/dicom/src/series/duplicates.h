@@ -1,5 +1,5 @@
 #pragma once
-// Whether two images at one place are the same image stored twice.
+// Whether two images at one place are two copies of one image.
 
 #include "slice_stack.h"
 

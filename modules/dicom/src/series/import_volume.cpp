@@ -44,14 +44,14 @@ const SeriesInfo& chooseById(const std::vector<SeriesInfo>& series, const std::s
   throw Error("holds no series '" + id + "'", input.string(), "'facenav series' lists them");
 }
 
-/// The images do not say which patient is meant.
+/// The images do not say which of several patients is meant.
 void requireOnePatient(const std::vector<SeriesInfo>& series, const fs::path& input) {
   if (const int count = patientCount(series); count > 1)
     throw Error("holds images of " + std::to_string(count) + " patients", input.string(),
                 "choose one with --series ('facenav series --patients' shows the patients)");
 }
 
-/// Nor which of several readings of the same slices.
+/// Likewise for several readings of the same slices.
 void requireOneReading(const std::vector<SeriesInfo>& series, const fs::path& input) {
   const int count = readingCount(series);
   if (count == 0) return;
@@ -65,7 +65,7 @@ void requireOneReading(const std::vector<SeriesInfo>& series, const fs::path& in
 
 const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& input) {
   requireOnePatient(series, input);
-  // A small readable series must not stand in silently for a larger one that is damaged.
+  // A small readable series must not silently replace a larger damaged one.
   const auto largest =
       std::max_element(series.begin(), series.end(), [](const SeriesInfo& a, const SeriesInfo& b) {
         return (a.is_loadable ? 0 : a.slices) < (b.is_loadable ? 0 : b.slices);
@@ -85,7 +85,7 @@ const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& 
   return only;
 }
 
-/// A single slice stands for the series of its folder.
+/// A single slice means the series of its folder.
 std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor) {
   auto alone = scanFiles({file}, file.string(), monitor);
   if (alone[0].is_loadable || alone[0].problem_kind != SeriesProblem::single_slice ||
@@ -93,7 +93,7 @@ std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor)
     return alone;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   auto around = scanFiles(filesUnder(folder, false), folder.string(), monitor);
-  // Of the file's own patient: another's images may carry the same UID.
+  // Only of the file's own patient: another patient's images may carry the same UID.
   const Patient whose = patientOf(alone[0]);
   const auto is_file = [&](const fs::path& other) { return other.filename() == file.filename(); };
   const auto holds = [&](const SeriesInfo& s) {

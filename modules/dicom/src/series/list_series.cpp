@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "bytes/damage_error.h"
 #include "bytes/for_files.h"
 #include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
@@ -17,19 +18,10 @@ constexpr char kDicomDirClass[] = "1.2.840.10008.1.3.10";  // Media Storage Dire
 
 struct DamagedFile {
   fs::path file;
-  std::string problem, start;  // the first bytes, where its Series UID may still be read
+  std::string problem, start;  // `start`: first bytes, where its Series UID may still be readable
 };
 
-/// The error's words without the file's name and remedy.
-std::string faultOf(const Error& error, const fs::path& file) {
-  std::string words = error.what();
-  const std::size_t at = words.find(file.string());
-  if (at == 0) words = words.substr(file.string().size());
-  while (!words.empty() && (words.front() == ':' || words.front() == ' ')) words.erase(0, 1);
-  return words.substr(0, words.rfind("; "));
-}
-
-/// By its meta header: a table of contents of files that are found anyway, damaged or not.
+/// By its meta header. A DICOMDIR lists files that are found anyway, so it is skipped, damaged or not.
 bool isDicomDir(FilePrefix& file) {
   constexpr std::uint64_t kPreamble = 132, kMetaHeader = 512;
   const std::string& bytes = file.bytes();
@@ -38,7 +30,7 @@ bool isDicomDir(FilePrefix& file) {
   return bytes.substr(kPreamble, kMetaHeader).find(kDicomDirClass) != std::string::npos;
 }
 
-/// What one file is: an image, damaged, or neither.
+/// Content of one file: an image, damage, or neither.
 struct ScannedFile {
   std::optional<SliceHeader> header;
   std::optional<DamagedFile> damage;
@@ -51,15 +43,16 @@ ScannedFile scanFile(const fs::path& path) {
     file.emplace(path);
     if (isDicomDir(*file)) return {};
     return {readSliceHeader(*file), {}};
-  } catch (const Error& error) {
-    if (!file) return {{}, DamagedFile{path, "cannot be read", ""}};
+  } catch (const DamageError& damage) {
     const std::string& bytes = file->bytes();
-    if (bytes.size() < 132 || bytes.compare(128, 4, "DICM") != 0) return {};  // no DICOM after all
-    return {{}, DamagedFile{path, faultOf(error, path), bytes.substr(0, kStart)}};
+    if (bytes.size() < 132 || bytes.compare(128, 4, "DICM") != 0) return {};  // not DICOM
+    return {{}, DamagedFile{path, damage.fault(), bytes.substr(0, kStart)}};
+  } catch (const Error&) {
+    return {{}, DamagedFile{path, "cannot be read", ""}};
   }
 }
 
-/// A damaged file takes the series with it whose UID it carries, or else those that lie in its folder.
+/// A damaged file makes the series with its UID unloadable; if no series has that UID, those in its folder.
 void applyDamage(std::vector<SeriesInfo>& series, const std::vector<DamagedFile>& damaged) {
   for (const DamagedFile& damage : damaged) {
     const auto carries = [&](const SeriesInfo& info) {
@@ -102,7 +95,7 @@ void recommend(std::vector<SeriesInfo>& series) {
     if (a.is_loadable != b.is_loadable) return a.is_loadable;
     return a.series_number < b.series_number;
   });
-  if (patientCount(series) > 1) return;  // whose head is meant only a person knows
+  if (patientCount(series) > 1) return;  // only a person knows whose head is meant
   if (series.empty() || isOneOfSeveralReadings(series.front())) return;  // likewise
   if (navigationScore(series.front()) > 0) series.front().is_recommended = true;
 }
@@ -173,7 +166,7 @@ std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std:
 }
 
 std::vector<SeriesInfo> listSeries(const fs::path& folder, TaskMonitor& monitor) {
-  if (isDicomDir(folder)) {  // the files it names lie under its folder (PS3.10 8.6), and so may others
+  if (isDicomDir(folder)) {  // its files lie under its folder (PS3.10 8.6), with others perhaps
     const fs::path whole = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
     return scanFiles(filesUnder(whole, true), whole.string(), monitor);
   }

@@ -53,7 +53,7 @@ std::vector<ImageRef> imagesOf(const SeriesInfo& series, const std::vector<Slice
   return images;
 }
 
-/// Decodes each file's images once, whatever their order in the stack.
+/// Decodes each file's images once, in any order of the stack.
 class Loader {
  public:
   Loader(std::vector<SliceHeader>& headers, const SliceStack& stack, TaskMonitor& monitor)
@@ -103,7 +103,7 @@ class Loader {
 
   std::size_t fileOf(int k) const { return std::size_t(stack_.order[std::size_t(k)].header); }
 
-  /// Decodes slices of file `h`; `place(k)` is where slice k goes.
+  /// Decodes slices of file `h`; `place(k)` is the destination of slice k.
   template <class Place>
   void decode(std::size_t h, const std::vector<int>& slices, Isolation isolation, std::string& scratch,
               Place place) {
@@ -117,7 +117,7 @@ class Loader {
     for (const int k : slices) decoder.decode(stack_.order[std::size_t(k)].frame, place(k), scratch);
   }
 
-  /// Slices that one child process decompresses: starting one costs a millisecond or more.
+  /// Slices that one child process decompresses: starting a child costs a millisecond or more.
   struct Batch {
     Batch(Loader& loader, std::vector<int> wanted)
         : slices(std::move(wanted)),
@@ -140,10 +140,10 @@ class Loader {
     std::vector<int> slices;
     std::size_t image_bytes;
     SharedMemory images;
-    ChildProcess child;  // last: it starts when all else is there
+    ChildProcess child;  // declared last: starts when the other members exist
   };
 
-  /// The compressed files' slices, as many batches at a time as there are cores.
+  /// Decompresses the compressed files' slices, with as many batches at a time as there are cores.
   void decompress(volume::Volume& volume) {
     constexpr std::size_t kImages = 16;
     std::vector<int> slices;
@@ -172,11 +172,11 @@ class Loader {
       for (const int k : batch.slices) std::copy_n(batch.place(k), imageSize(), sliceOf(volume, k));
       return;
     }
-    for (const int k : batch.slices)  // one by one: the culprit is named
+    for (const int k : batch.slices)  // one at a time, to name the faulty file
       decode(fileOf(k), {k}, Isolation::each_image, scratch_[0], [&](int) { return sliceOf(volume, k); });
   }
 
-  /// Images at the place of a slice must equal it.
+  /// Further images at the place of a slice must equal it.
   void checkTwins(std::size_t h, const volume::Volume& volume) {
     if (twins_of_[h].empty()) return;
     FilePrefix file(headers_[h].file);
@@ -193,9 +193,9 @@ class Loader {
   std::vector<SliceHeader>& headers_;
   const SliceStack& stack_;
   TaskMonitor& monitor_;
-  std::vector<std::string> scratch_;                        // one for each thread
-  std::vector<std::vector<int>> slices_of_;                 // per file its slices in the stack
-  std::vector<std::vector<std::pair<int, int>>> twins_of_;  // per file frames and the slice they repeat
+  std::vector<std::string> scratch_;                        // one per thread
+  std::vector<std::vector<int>> slices_of_;                 // per file: its slices in the stack
+  std::vector<std::vector<std::pair<int, int>>> twins_of_;  // per file: frames and the slice that they repeat
 };
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace facenav::dicom {
 namespace {
 
-constexpr std::size_t kMostParts = 8;  // more stacks at one place are a time series
-constexpr double kSameGap = 0.05;      // of the gap that the files state
+constexpr std::size_t kMostParts = 8;  // more stacks at one place form a time series
+constexpr double kSameGap = 0.05;      // share of the gap stated by the files
 
-/// What an image says of the stack it belongs to: a number, or a word.
+/// Attribute value of an image, which may identify its stack: a number or a word.
 using Mark = std::pair<long, std::string>;
 struct Part {
   std::string words;
@@ -57,7 +57,7 @@ class Reader {
                        [&](const auto& pair) { return isSameImage(headers_, pair.first, pair.second); });
   }
 
-  /// Spacing Between Slices where the files give it, else Slice Thickness.
+  /// Spacing Between Slices if the files state it, otherwise Slice Thickness.
   bool isAsDenseAsStated() const {
     const SliceHeader& header = headerOf(stack_.order[0]);
     const double stated_mm = header.slice_gap_mm > 0 ? header.slice_gap_mm : header.slice_thickness_mm;
@@ -112,8 +112,8 @@ class Reader {
     return partition;
   }
 
-  /// The first, the second, .. of the images that share `shared`, in the order of `order`. Empty where two
-  /// tie in both, or where the shares are not equally many.
+  /// Rank of each image among those with the same `shared` value, in the order of `order`. Empty where two
+  /// images are equal in both, or where the groups differ in size.
   template <class Shared, class Order>
   Partition byRank(const std::string& name, Shared shared, Order order) const {
     std::map<long, std::map<long, ImageRef>> sharing;
@@ -139,7 +139,7 @@ class Reader {
     return overlaps(partition);
   }
 
-  /// Slabs one behind the other are one volume taken in steps, not two volumes.
+  /// Slabs one after the other are one volume acquired in steps, not two volumes.
   bool overlaps(const Partition& partition) const {
     std::vector<std::pair<long, long>> ranges;
     for (const Part& part : partition) {
@@ -156,7 +156,7 @@ class Reader {
     return true;
   }
 
-  /// Which part each image is in, parts numbered as they first occur.
+  /// The part of each image; parts are numbered in the order of their first image.
   std::vector<std::size_t> labelsOf(const Partition& partition) const {
     std::map<Id, std::size_t> part_of;
     for (std::size_t p = 0; p < partition.size(); ++p)

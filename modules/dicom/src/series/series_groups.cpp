@@ -54,7 +54,7 @@ class Grouper {
            1e-3 * pa.spacing_mm->cwiseAbs().maxCoeff();
   }
 
-  /// A volume of many slices with a few odd ones beside it is one damaged volume.
+  /// A large volume with a few deviating slices is one damaged volume.
   void takeInStrays(std::vector<SeriesGroup>& groups) const {
     constexpr std::size_t kLarge = 10, kFewerBy = 8;
     for (std::size_t large = 0; large < groups.size(); ++large) {
@@ -108,7 +108,7 @@ class Grouper {
     }
   }
 
-  /// Whether one of the values of Image Type is `word`.
+  /// Whether `word` is one of the values of Image Type.
   static bool has(const std::string& kind, const char* word) {
     return ("\\" + kind + "\\").find(std::string("\\") + word + "\\") != std::string::npos;
   }

@@ -1,7 +1,7 @@
 #pragma once
-// Images sorted into the volumes they belong to: by Series Instance UID and patient, and within these by what
-// tells volumes apart (orientation, matrix, spacing, echo, magnitude or phase, stack). Slices that carry a
-// Series Instance UID each are joined first (single_slices.h).
+// Sorts images into volumes: by Series Instance UID and patient, and within these by attributes that separate
+// volumes (orientation, matrix, spacing, echo, magnitude or phase, stack). Slices with a Series Instance UID
+// each are joined first (single_slices.h).
 
 #include <optional>
 #include <vector>
@@ -12,15 +12,15 @@ namespace facenav::dicom {
 
 struct SeriesGroup {
   std::vector<ImageRef> images;
-  std::string part;                // what tells it from the other groups of its UID; empty for the only one
-  bool is_magnitude_part = false;  // `part` says so
+  std::string part;                // distinguishes it from other groups of its UID; empty for the only one
+  bool is_magnitude_part = false;  // `part` is magnitude
   bool is_scattered = false;       // single images in different directions: a localizer, projections
-  std::optional<JoinedSlices> joined = {};  // its slices carry UIDs of their own
+  std::optional<JoinedSlices> joined = {};  // its slices carry different UIDs
 };
 
-/// Groups of one UID are neighbours in the result; a UID that two patients share (copied or badly
-/// pseudonymised files) gives groups of either. A few images that differ from a large group in geometry
-/// alone stay in it (it is damaged, not two volumes): stackSlices then names them.
+/// Groups of one UID are neighbours in the result. A UID shared by two patients (copied or badly
+/// pseudonymised files) gives groups for each. A few images that differ from a large group in geometry alone
+/// stay in it: it is one damaged volume, not two. stackSlices then names them.
 std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers);
 
 }  // namespace facenav::dicom

@@ -1,5 +1,5 @@
 #pragma once
-// The scan behind listSeries: which files, then their headers, then the series they make.
+// The scan behind listSeries: files, then their headers, then their series.
 
 #include <vector>
 
@@ -13,12 +13,12 @@ namespace facenav::dicom {
 /// when it does not exist or is empty.
 std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folder, bool is_recursive);
 
-/// The series that `files` make. Damaged DICOM files make series of their own that say so, and the series
-/// they seem to belong to is not loadable. Throws Error when none of them is DICOM.
+/// The series of `files`. Damaged DICOM files give series of their own with that problem, and the series that
+/// they seem to belong to is not loadable. Throws Error when no file is DICOM.
 std::vector<SeriesInfo> scanFiles(const std::vector<std::filesystem::path>& files, const std::string& where,
                                   TaskMonitor& monitor);
 
-/// A DICOMDIR, whatever its name. False for what cannot be read.
+/// Whether the file is a DICOMDIR, whatever its name. False if it cannot be read.
 bool isDicomDir(const std::filesystem::path& path);
 
 /// Reads the header of one file; throws Error naming it.

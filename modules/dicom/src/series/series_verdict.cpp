@@ -22,7 +22,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Objects that are no images of a volume, by SOP class (PS3.4 B.5) or modality.
+/// Objects that are not images of a volume, by SOP class (PS3.4 B.5) or modality.
 std::string objectProblem(const SliceHeader& header) {
   const std::string root = "1.2.840.10008.5.1.4.1.1.";
   const std::string kind =
@@ -39,7 +39,7 @@ std::string objectProblem(const SliceHeader& header) {
   if (kind == "4.2") return "spectroscopy, no image";
   if (startsWith(kind, "9.")) return "waveform, no image";
   if (startsWith(kind, "77.")) return "photograph, no volume";
-  // Some exports declare volumes secondary captures; those at least carry a position.
+  // Some exports declare volumes as secondary captures; those at least carry a position.
   const bool is_capture = kind == "7" || startsWith(kind, "7.");
   if (is_capture && !(!header.images.empty() && header.images[0].position_lps_mm))
     return "secondary capture (a screenshot), no volume";
@@ -106,8 +106,7 @@ void collectFiles(SeriesInfo& info, const std::vector<SliceHeader>& headers,
   if (is_whole) info.frames.clear();
 }
 
-/// The fault, or "localizer" where images in several directions or a single one are called so by their
-/// description.
+/// The fault; or "localizer" for images in several directions, or a single one, whose description says so.
 Problem stackProblem(const StackFault& fault, const SeriesInfo& info, const SeriesGroup& group) {
   const std::string words = lower(info.description);
   for (const char* word : {"localizer", "localiser", "scout", "survey", "pilot", "loc"})
@@ -119,7 +118,7 @@ Problem stackProblem(const StackFault& fault, const SeriesInfo& info, const Seri
   return {fault.kind, fault.what};
 }
 
-/// Drops duplicates, names what else lies at one place.
+/// Drops duplicates; reports different images at one place.
 void settleCoincident(SeriesInfo& info, const std::vector<SliceHeader>& headers, const SliceStack& stack) {
   if (stack.coincident.empty() || hasProblem(info)) return;
   for (const auto& [kept, other] : stack.coincident) {
@@ -279,7 +278,7 @@ double navigationScore(const SeriesInfo& info) {
   double score = 100 - 20 * std::max(0.0, coarsest_mm - 0.8);
   if (info.contrast == "T1") score += 40;
   if (info.is_fit_for_navigation) score += 40;
-  if (info.extent_mm.z() >= 200) score += 10;  // chin and neck: the whole face
+  if (info.extent_mm.z() >= 200) score += 10;  // includes chin and neck: the whole face
   if (info.has_contrast_agent) score -= 15;
   if (!info.part.empty() && !info.is_magnitude_part) score -= 25;
   return score;

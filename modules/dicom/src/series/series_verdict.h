@@ -1,6 +1,6 @@
 #pragma once
-// What can be said about one group of images: whether it makes a volume and, if not, why in words; its
-// contrast; its fitness for navigation.
+// Verdict on one group of images: whether it forms a volume, and if not, why; its contrast; its fitness for
+// navigation.
 
 #include "facenav/dicom/series.h"
 #include "series_groups.h"
@@ -10,10 +10,10 @@ namespace facenav::dicom {
 /// The entry of one group. Reads pixels only to tell duplicates from different images at one place.
 SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGroup& group);
 
-/// How well the series serves as the navigation T1; 0 or less: not at all.
+/// Score as the navigation T1; 0 or less: unsuitable.
 double navigationScore(const SeriesInfo& info);
 
-/// "T1", "T2", "FLAIR", .. from description and timing; empty where neither tells.
+/// "T1", "T2", "FLAIR", .. from description and timing; empty: unknown.
 std::string contrastOf(const SliceHeader& header, double echo_time_ms);
 
 }  // namespace facenav::dicom

@@ -14,7 +14,7 @@ namespace {
 using Indices = std::vector<int>;
 using Text = std::string SliceHeader::*;
 
-constexpr std::size_t kMostPlaces = 2;  // of one UID; more make a series of its own
+constexpr std::size_t kMostPlaces = 2;  // per UID; a UID with more is a series by itself
 
 bool isCandidate(const SliceHeader& header) {
   if (header.images.size() != 1 || header.voxels.frames != 1 || !header.layout.has_pixels) return false;
@@ -23,7 +23,7 @@ bool isCandidate(const SliceHeader& header) {
   return place.position_lps_mm && place.axes_lps && place.spacing_mm;
 }
 
-/// What is compared word for word; `patient_number` or the identity stands for the patient.
+/// The values that must be equal as text; `patient_number` or the identity represents the patient.
 std::string statedTraits(const SliceHeader& h) {
   std::ostringstream key;
   for (const std::string& value :
@@ -108,8 +108,8 @@ class Joiner {
     return by_value;
   }
 
-  /// A value that each covers a stack of slices tells scans apart; one that is another in nearly every slice
-  /// is as scrambled as the Series Instance UID and says nothing.
+  /// A value separates scans if each value covers a stack of slices. A value that differs in nearly every
+  /// slice is as scrambled as the Series Instance UID and is ignored.
   bool isMeaningful(const std::map<std::string, Indices>& by_value, std::size_t slices) const {
     return by_value.size() * kFewestJoined <= slices;
   }

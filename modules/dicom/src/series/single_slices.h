@@ -1,8 +1,8 @@
 #pragma once
-// Slices that carry a Series Instance UID each, joined to the scan they come from. Some anonymisers (and some
-// scanners' classic exports) give every file UIDs of its own; series number, description, times and
-// acquisition parameters still agree. Readers in use either trust the series number alone or join whatever
-// lies in one folder; here everything stated must agree, and doubt is left to readings.h.
+// Joins slices with a Series Instance UID each into the scan they come from. Some anonymisers (and some
+// scanners' classic exports) give every file its own UIDs; series number, description, times and acquisition
+// parameters still agree. Other readers trust the series number alone or join all files of a folder. Here all
+// stated attributes must agree, and ambiguous cases go to readings.h.
 
 #include <vector>
 
@@ -16,15 +16,15 @@ struct Join {
   JoinedSlices finding;
 };
 
-/// Only slices whose Series Instance UID covers one or two places are joined, and only where eight UIDs or
-/// more agree: two true series are never made one. Never across patients. n log n in the slices where
-/// their geometries are few.
+/// Joins only slices whose Series Instance UID covers one or two places, and only if eight or more UIDs
+/// agree: two true series are never merged. Never across patients. Takes n log n in the slices if they have
+/// few geometries.
 std::vector<Join> joinSingleSlices(const std::vector<SliceHeader>& headers);
 
-/// Whether two slices agree in all that slices of one scan must agree in (the UIDs aside).
+/// Whether two slices agree in all attributes that slices of one scan must share (except the UIDs).
 bool isOfOneScan(const SliceHeader& a, const SliceHeader& b);
 
-/// A stack of fewer slices is not put together, and not taken apart into.
+/// Smallest stack that is joined, or that a reading splits into.
 constexpr std::size_t kFewestJoined = 8;
 
 }  // namespace facenav::dicom

@@ -11,18 +11,18 @@ namespace facenav::dicom {
 namespace {
 
 constexpr double kSamePlace_mm = 0.01;
-constexpr double kSpacingTolerance = 0.02;  // of the spacing: scanners write positions with 2 to 7 decimals
+constexpr double kSpacingTolerance = 0.02;  // of the spacing; scanners write positions with 2 to 7 decimals
 constexpr double kSpacingTolerance_mm = 0.005;
 constexpr double kLargestShear_rad = 0.1 * M_PI / 180;
 constexpr double kLargestSideStep_mm = 0.1;
-constexpr double kFarOffPlace_mm = 0.05;  // least distance of a slice from its place that counts
-constexpr double kLargestDrift = 0.1;     // of the spacing: a slice off its place on the even grid
+constexpr double kFarOffPlace_mm = 0.05;  // least distance of a slice from its place that counts as an error
+constexpr double kLargestDrift = 0.1;     // of the spacing: distance of a slice from the even grid
 
 using Axes = Eigen::Matrix<double, 3, 2>;
 
 std::string millimetres(double value) { return formatted("%.4g mm", value); }
 
-/// The fault of a single image's place, if any.
+/// The fault in a single image's position, if any.
 std::optional<StackFault> placeFault(const ImagePlace& place, const std::filesystem::path& file) {
   const auto fault = [&](const std::string& what) { return StackFault{what, file, "choose another series"}; };
   if (!place.position_lps_mm) return fault("has no Image Position (Patient)");
@@ -172,10 +172,9 @@ class Stacker {
     return std::nullopt;
   }
 
-  /// Where the slices are even, the step that dcm2niix takes: the gap of the two slices acquired first, in 32
-  /// bits, along the normal. It differs from the mean gap by micrometres, and voxels then lie where that
-  /// program puts them. Where positions are so rounded that this would misplace a slice, the mean gap, which
-  /// does not.
+  /// The step that dcm2niix takes for even slices: the gap between the two slices acquired first, in 32 bits,
+  /// along the normal. It differs from the mean gap by micrometres, and puts voxels where dcm2niix puts them.
+  /// Where rounded positions would make this misplace a slice, the mean gap is used.
   std::string chooseStep() {
     const auto number = [&](const Placed& slice) { return headers_[slice.image.header].instance_number; };
     const bool is_backwards = number(slices_.front()) > number(slices_.back());
@@ -200,7 +199,7 @@ class Stacker {
     const VoxelFormat& voxels = headers_[slices_[0].image.header].voxels;
     volume::VoxelGrid grid;
     grid.size = {voxels.columns, voxels.rows, int(slices_.size())};
-    const Eigen::DiagonalMatrix<double, 3> ras_from_lps(-1, -1, 1);  // the one place where LPS becomes RAS
+    const Eigen::DiagonalMatrix<double, 3> ras_from_lps(-1, -1, 1);  // the only place where LPS becomes RAS
     Eigen::Matrix3d steps;
     steps << row_ * spacing_mm_[0], column_ * spacing_mm_[1], step_mm_;
     grid.mri_from_voxel.linear() = ras_from_lps * steps;

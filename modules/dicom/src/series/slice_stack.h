@@ -1,7 +1,6 @@
 #pragma once
-// SliceStack: images ordered along their common normal by Image Position (Patient) (PS3.3 C.7.6.2), and the
-// grid they make, or the one reason why they make none. File names, instance numbers and Slice Location play
-// no part.
+// SliceStack: images ordered along their common normal by Image Position (Patient) (PS3.3 C.7.6.2), and their
+// grid, or the reason why they form none. File names, instance numbers and Slice Location are ignored.
 
 #include <optional>
 #include <string>
@@ -27,11 +26,11 @@ struct StackFault {
 };
 
 struct SliceStack {
-  std::vector<ImageRef> order;  // along the normal; the first of images at one place
-  std::vector<std::pair<ImageRef, ImageRef>> coincident;  // images at the place of one in `order`
-  volume::VoxelGrid grid;                                 // RAS mm; meaningful without a fault
+  std::vector<ImageRef> order;  // along the normal; of images at one place the first
+  std::vector<std::pair<ImageRef, ImageRef>> coincident;  // further images at the place of one in `order`
+  volume::VoxelGrid grid;                                 // RAS mm; valid only without a fault
   std::optional<StackFault> fault;
-  std::string note;  // positions so rounded that dcm2niix places slices elsewhere
+  std::string note;  // set if positions are so rounded that dcm2niix places slices elsewhere
 };
 
 SliceStack stackSlices(const std::vector<SliceHeader>& headers, const std::vector<ImageRef>& images);

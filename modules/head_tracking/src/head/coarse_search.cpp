@@ -6,12 +6,13 @@
 
 #include "search_kernel.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::head_tracking {
 namespace {
 
 constexpr int kLevel = kLevels - 1;
 constexpr double kShrink = 1 << kLevel;
-constexpr double kDegree = M_PI / 180;
 constexpr double kYaws_deg[] = {0, 14, -14, 28, -28}, kNods_deg[] = {0, 13, -13}, kLeans_deg[] = {0, 17, -17};
 constexpr double kScales[] = {1.0, 0.82, 1.22};    // scales of the face in the image, tried in turn
 constexpr double kNearest = 0.6, kFarthest = 1.7;  // distance of the face, relative to that in the view
@@ -126,9 +127,9 @@ CoarseSearch::CoarseSearch(const cameras::StereoRig& rig, const std::array<Image
   for (const double lean_deg : kLeans_deg)
     for (const double nod_deg : kNods_deg)
       for (const double yaw_deg : kYaws_deg) {
-        const Eigen::Matrix3d turn = turnAbout(Eigen::Vector3d::UnitZ(), lean_deg * kDegree) *
-                                     turnAbout(Eigen::Vector3d::UnitY(), yaw_deg * kDegree) *
-                                     turnAbout(Eigen::Vector3d::UnitX(), nod_deg * kDegree);
+        const Eigen::Matrix3d turn = turnAbout(Eigen::Vector3d::UnitZ(), lean_deg * kRadPerDeg) *
+                                     turnAbout(Eigen::Vector3d::UnitY(), yaw_deg * kRadPerDeg) *
+                                     turnAbout(Eigen::Vector3d::UnitX(), nod_deg * kRadPerDeg);
         const Eigen::Isometry3d motion =
             Eigen::Translation3d(centre_mm) * Eigen::Isometry3d(turn) * Eigen::Translation3d(-centre_mm);
         views_.push_back(viewAt(rig, motion, 0));

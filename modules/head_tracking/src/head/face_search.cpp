@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "facenav/head_tracking/search_budget.h"
+
 namespace facenav::head_tracking {
 namespace {
 
@@ -10,19 +12,22 @@ constexpr double kLikely = 0.8;                                 // the head is p
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // likeness with the images exchanged
 // Other work of a frame, in patch comparisons that take the same time.
 constexpr int kPyramidComparisons = 450, kEvenedComparisons = 250;
-constexpr int kBeforeSearch = 2600, kBeforeFit = 3300, kIdentityComparisons = 500;
-constexpr int kInAll = FrameWork::kMost - 700;  // leaves work for a tracked coil
+constexpr int kIdentityComparisons = 500;
 constexpr int kFewestSteps = 4, kMostSteps = 8;
 
 }  // namespace
 
-bool HeadWork::leavesTimeToSearch() const { return comparisons <= std::max(0, kBeforeSearch - left_out); }
-bool HeadWork::leavesTimeToFit() const { return comparisons <= kBeforeFit - left_out; }
+bool HeadWork::leavesTimeToSearch() const {
+  return comparisons <= std::max(0, settingsOf<SearchBudget>().before_search - left_out);
+}
+bool HeadWork::leavesTimeToFit() const {
+  return comparisons <= settingsOf<SearchBudget>().before_fit - left_out;
+}
 
 int HeadWork::stepsLeft(const PatchModel& model) const {
   const int a_step = std::max(1, 2 * int(model.level[0].patches.size()));
-  return std::clamp((kInAll - left_out - kIdentityComparisons - comparisons) / a_step, kFewestSteps,
-                    kMostSteps);
+  const int of_head = left() - settingsOf<FrameBudget>().coil_comparisons;
+  return std::clamp((of_head - left_out - kIdentityComparisons) / a_step, kFewestSteps, kMostSteps);
 }
 
 FaceSearch::FaceSearch(const cameras::StereoRig& rig, const PatchModel& model,
@@ -48,9 +53,9 @@ PoseFit FaceSearch::roughly(const KeyFrames& keys, const std::array<ImagePyramid
   return fit;
 }
 
-void FaceSearch::lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
-                          const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
-                          Found& found, HeadWork& work) const {
+void FaceSearch::searchFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
+                            const EvenedPair& evened, const std::optional<Eigen::Isometry3d>& from,
+                            Found& found, HeadWork& work) const {
   const CoarseSearch::Places places = coarse_.find(rig_, evened, from, turn_);
   work.comparisons += places.comparisons;
   for (const auto& start : places.starts) {
@@ -75,9 +80,9 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
   if (!is_there) {
     const EvenedPair evened(now);
     work.comparisons += kEvenedComparisons;
-    lookFrom(keys, now, evened, last, found, work);
+    searchFrom(keys, now, evened, last, found, work);
     if (last && is_first && found.best.likeness < kLikely)
-      lookFrom(keys, now, evened, std::nullopt, found, work);  // a fast motion, at a few frames per second
+      searchFrom(keys, now, evened, std::nullopt, found, work);  // a fast motion, at a few frames per second
     ++turn_;
     found.is_swapped = last && found.best.likeness < kLikely &&
                        roughly(keys, {now[1], now[0]}, *last, work).likeness >

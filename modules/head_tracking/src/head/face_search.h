@@ -56,8 +56,8 @@ class FaceSearch {
  private:
   PoseFit roughly(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
                   const Eigen::Isometry3d& start, HeadWork& work, int first_level = kLevels - 1) const;
-  void lookFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now, const EvenedPair& evened,
-                const std::optional<Eigen::Isometry3d>& from, Found& found, HeadWork& work) const;
+  void searchFrom(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now, const EvenedPair& evened,
+                  const std::optional<Eigen::Isometry3d>& from, Found& found, HeadWork& work) const;
 
   cameras::StereoRig rig_;
   const PatchModel* model_ = nullptr;  // owned by the tracker

@@ -181,16 +181,16 @@ void FaceTemplate::ExpectedPoints::add(const Point& point, const Appearance::Gre
 FaceTemplate::Sums FaceTemplate::ExpectedPoints::sumsIn(const cv::Mat1f& image,
                                                         const Eigen::Isometry3d& camera_T_head,
                                                         const Eigen::Vector3d& centre_mm) const {
-  search::TemplateLook look;
-  look.blocks = blocks_.data();
-  look.block_count = int(blocks_.size()) / (search::TemplateField::count * search::kLanes);
-  look.image = image.ptr<float>(), look.stride = int(image.step1());
-  look.width = image.cols, look.height = image.rows;
+  search::TemplateView view;
+  view.blocks = blocks_.data();
+  view.block_count = int(blocks_.size()) / (search::TemplateField::count * search::kLanes);
+  view.image = image.ptr<float>(), view.stride = int(image.step1());
+  view.width = image.cols, view.height = image.rows;
   const auto pose = floatsOf(camera_T_head);
-  std::copy(pose.begin(), pose.end(), look.camera_T_head);
-  for (int i = 0; i < 3; ++i) look.centre[i] = float(centre_mm[i]);
-  look.least_facing = float(kLeastFacing), look.reach = kReach;
-  const search::TemplateSums seen = search::kernel().sum(look);
+  std::copy(pose.begin(), pose.end(), view.camera_T_head);
+  for (int i = 0; i < 3; ++i) view.centre[i] = float(centre_mm[i]);
+  view.least_facing = float(kLeastFacing), view.reach = kReach;
+  const search::TemplateSums seen = search::kernel().sum(view);
   Sums sums;
   for (int i = 0, n = 0; i < 6; ++i) {
     for (int j = i; j < 6; ++j) sums.normal(i, j) = sums.normal(j, i) = seen.normal[n++];

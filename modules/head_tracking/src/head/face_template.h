@@ -78,7 +78,7 @@ class FaceTemplate {
                 const Eigen::Vector3d& centre_mm) const;
 
    private:
-    std::vector<float> blocks_;  // of search::TemplateLook
+    std::vector<float> blocks_;  // of search::TemplateView
     int count_ = 0;
   };
   ExpectedPoints expectedPoints(const cameras::StereoRig& rig, const Appearance& appearance, std::size_t l,

@@ -6,14 +6,15 @@
 #include "patch_appearance.h"
 #include "patch_placement.h"
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
-constexpr double kNewSide_rad = 11 * kDegree;        // angle from every other key frame
-constexpr double kAlike_rad = 2 * kDegree;           // a smaller gain does not change the key frame
-constexpr double kGenerationCost_rad = 4 * kDegree;  // cost of a key frame made from another key frame
-constexpr double kMomentGain_rad = 25 * kDegree;     // advantage of a key frame of the moment
+constexpr double kNewSide_rad = 11 * kRadPerDeg;        // angle from every other key frame
+constexpr double kAlike_rad = 2 * kRadPerDeg;           // a smaller gain does not change the key frame
+constexpr double kGenerationCost_rad = 4 * kRadPerDeg;  // cost of a key frame made from another key frame
+constexpr double kMomentGain_rad = 25 * kRadPerDeg;     // advantage of a key frame of the moment
 constexpr int kOldestGeneration = 3;
 constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kWorstScale = 3.0,
@@ -202,8 +203,8 @@ void KeyFrames::learnPatch(const cameras::StereoRig& rig, const PatchModel& mode
     const BlurredImage& image = fresh.pyramid[c].level[fresh.level];
     PatchAppearance appearance_now;
     if ((fresh.level > 0 || fresh.is_good[i][c]) && !image.pixels.empty())
-      appearance_now = look(camera, camera_T_head, image, points, fresh.level,
-                            noiseBeforeBlur(model.noise_grey, fresh.level));
+      appearance_now = appearanceOf(camera, camera_T_head, image, points, fresh.level,
+                                    noiseBeforeBlur(model.noise_grey, fresh.level));
     if (appearance_now.view.is_usable) {
       addJacobian(camera, camera_T_head, points.centre_mm, model.centre_mm, fresh.level, appearance_now.view);
       fresh.usable += fresh.level == 0;

@@ -29,7 +29,7 @@ struct KeyFrame {
   int generation = 0;                                        // 0: the reference
   bool is_of_moment = false;  // learnt when the face was found again, with its appearance then
   KeyMotion moving;           // zero for the reference
-  PatchLevels level;          // coarser levels serve to find the head again on this side
+  PatchLevels level;          // the coarser levels are used to find the head again on this side
 };
 
 class KeyFrames {
@@ -37,18 +37,17 @@ class KeyFrames {
   KeyFrames() = default;
   explicit KeyFrames(const PatchModel& model);
 
-  /// The key frame that shows the head most as it is seen at `motion`. The last choice is kept when two are
-  /// about equal.
+  /// The key frame with the view closest to that at `motion`. Keeps the last choice when two are about equal.
   const KeyFrame& nearest(const Eigen::Isometry3d& motion);
-  /// The same, without regard to the last choice.
+  /// The same without preference for the last choice.
   const KeyFrame& likeliest(const Eigen::Isometry3d& motion) const;
 
   /// Call after each tracked frame. Continues learning, or starts when the frame shows a new side well (then
   /// true). `rig`: with the right camera's pose for this motion of the head.
   bool learn(const cameras::StereoRig& rig, const PatchModel& model, const cameras::StereoFrame& frame,
              const PoseFit& fit, const Verdict& verdict, const KeyMotion& moving);
-  /// A key frame of all patches in `frame` at a pose found by other means, made at once (some 100 ms).
-  /// Nothing when too few patches are visible.
+  /// A key frame of all patches in `frame` at a pose found by other means, made at once (some 100 ms). Empty
+  /// when too few patches are visible.
   static std::optional<KeyFrame> ofMoment(const cameras::StereoRig& rig, const PatchModel& model,
                                           const cameras::StereoFrame& frame, const Eigen::Isometry3d& motion,
                                           const Matrix6d& covariance, const Matrix6d& unseen_covariance);
@@ -56,8 +55,8 @@ class KeyFrames {
   void startMoment(KeyFrame key);
   /// Deletes the key frames of the moment: the face looks as before again.
   void endMoment();
-  /// Whether key frames of the moment come first. Off while the change of appearance may have ended: the face
-  /// was lost.
+  /// Whether key frames of the moment have priority. Off after a loss: the change of appearance may have
+  /// ended.
   void preferMoment(bool is_preferred) { prefers_moment_ = is_preferred; }
   bool isOfMoment() const { return keys_[chosen_].is_of_moment; }
   /// The likeliest key frame that is not of a moment.

@@ -37,7 +37,7 @@ void LevelMeasurement::placeAt(const Eigen::Isometry3d& motion) {
   placed_[1] = place(level_, rig_.right, 1, rig_.right_T_left.isometry() * motion);
 }
 
-void LevelMeasurement::look(const Eigen::Isometry3d& motion) {
+void LevelMeasurement::measure(const Eigen::Isometry3d& motion) {
   for (auto& measurement : measurements_) measurement = {};
   ++rounds_;
   const Eigen::Isometry3d camera_T_head[2] = {motion, rig_.right_T_left.isometry() * motion};

@@ -20,7 +20,7 @@ class LevelMeasurement {
   /// Linearises the cameras at each patch, for poses near this one.
   void placeAt(const Eigen::Isometry3d& motion);
   const std::array<Placed, 2>& placed() const { return placed_; }
-  void look(const Eigen::Isometry3d& motion);
+  void measure(const Eigen::Isometry3d& motion);
   /// Computes where the patches' centres lie at the end of the fit.
   void markCentres(const Eigen::Isometry3d& motion);
 

@@ -1,8 +1,8 @@
 // "model": the default head tracker. Hundreds of skin patches give the pose in each frame (patch_track.h).
-// This file decides what recovery's answers beside the frames (recovery/lost_face.h) mean for the pose: a
-// lost face that is found again, a tracked face that is checked, and doubts in which nothing is shown. Face
-// detection runs at start only: a cascade takes tens of milliseconds, while the face's own pictures
-// (coarse_search.h) find it again within a few frames of a few milliseconds each.
+// This file decides what the answers of the parallel recovery (recovery/lost_face.h) mean for the pose: a
+// lost face was found again, a tracked face was checked, or no pose may be shown. The face detector runs at
+// start only: a cascade takes tens of milliseconds, while the search by the face's own images
+// (coarse_search.h) finds it within a few frames of a few milliseconds each.
 
 #include "facenav/face/stereo_face.h"
 #include "facenav/head_tracking/head_tracker.h"
@@ -15,9 +15,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kCortexDepth_mm = 80.0;  // from the face to what must not move unseen
-// Age of an answer about a lost face. Its identity holds for the face there now up to kFresh_s. An older one
-// (slow machine) gives pose and looks to start from, and the skin's identity is checked again.
+constexpr double kCortexDepth_mm = 80.0;  // from the face to the brain, whose motion matters
+// Age of an answer about a lost face. Up to kFresh_s its identity holds for the face that is there now. An
+// older one (slow machine) gives pose and key frame to start from, and the skin's identity is checked again.
 constexpr double kFresh_s = 0.35, kOldest_s = 2.5;
 
 class ModelHeadTracker : public HeadTracker {
@@ -98,13 +98,13 @@ class ModelHeadTracker : public HeadTracker {
     shown_.reset();
   }
 
-  // The prediction failed. An answer about an earlier frame comes first, then the search within the frame;
-  // what it does not find is asked for beside the frames.
+  // The prediction failed. An answer about an earlier frame comes first, then the search within the frame. If
+  // that fails, recovery is started in parallel.
   Tracked<HeadPose> recover(const cameras::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     if (const auto found = lost_face_->take(frame.captured))
       if (const auto answer = answerOf(*found, frame)) {
-        if (!*answer) askBeside(frame);  // at once: the next answer comes a frame sooner
+        if (!*answer) askBeside(frame);  // at once, so that the next answer comes a frame sooner
         return *answer;
       }
     const bool was_gone = patches_.motion().isKnown() && !expected;
@@ -150,10 +150,11 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  // What an answer about a lost face says of this frame; nothing where it says too little, or is too old.
+  // The result of an answer about a lost face for this frame; empty where it decides nothing or is too old.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const cameras::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
-    // Not by patches_.motion(): the patches' own pose of a doubtful return is kept there, and was not shown.
+    // Not from patches_.motion(): it keeps the patches' own pose of an unconfirmed return, which was not
+    // shown.
     const bool is_before_the_loss = shown_ && found.captured.s < shown_->s;
     if (is_before_the_loss) return std::nullopt;
     doubt_.hear(found, frame.captured);
@@ -162,12 +163,12 @@ class ModelHeadTracker : public HeadTracker {
     return continueFrom(found, frame);
   }
 
-  // Of a face that is tracked: only what speaks against it counts, and its new looks after a return.
+  // For a tracked face only evidence against it counts, and its new key frames after a return.
   std::optional<Tracked<HeadPose>> answerOfCheck(const cameras::StereoFrame& frame) {
     if (!check_.isAwaited()) return std::nullopt;
     const auto found = lost_face_->take(frame.captured);
     if (!found) {
-      if (!lost_face_->isBusy()) check_.end();  // it failed; the next one is asked in its time
+      if (!lost_face_->isBusy()) check_.end();  // failed; the next check comes after the usual interval
       return std::nullopt;
     }
     check_.end();
@@ -186,20 +187,20 @@ class ModelHeadTracker : public HeadTracker {
 
   void checkIfDue(const cameras::StereoFrame& frame) {
     if (!check_.isDue(frame.captured, patches_.motion().speedBehind_mm_s(kCortexDepth_mm))) return;
-    if (lost_face_->isBusy()) lost_face_->drop(frame.captured);  // asked before a return
+    if (lost_face_->isBusy()) lost_face_->drop(frame.captured);  // started before a return
     if (lost_face_->isBusy()) return;
     lost_face_->ask(frame, patches_.motion().pose());
     beside_ms_ = lost_face_->takeBeside_ms();
     check_.asked(frame.captured);
   }
 
-  // From here on the patches show nothing until an answer clears the face.
+  // From here on no pose of the patches is shown until an answer confirms the face.
   Tracked<HeadPose> doubted(const PatchDoubt::Fault& fault, Timestamp now) {
     doubt_.start(fault, now);
     return lost(fault.reason, fault.detail);
   }
 
-  // From what was found beside the frames, some frames ago.
+  // From a pose that recovery found some frames ago.
   Tracked<HeadPose> continueFrom(const LostFace::Found& found, const cameras::StereoFrame& frame) {
     const bool is_fresh = std::abs(frame.captured - found.captured) < kFresh_s;
     const auto result = patches_.continueFrom(found.camera_T_head, found.moment, is_fresh, frame);
@@ -207,7 +208,7 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  // Pictures that are no news: the track goes on from before with the next good ones.
+  // Images without new information: the track continues with the next good ones.
   Tracked<HeadPose> refused(LostReason fault) {
     patches_.setDetail(guard_.detail());
     return Lost{fault};
@@ -220,14 +221,14 @@ class ModelHeadTracker : public HeadTracker {
 
   std::shared_ptr<const face::FaceDetector> detector_;
   PatchTrack patches_;
-  int left_out_ = 0;  // of this frame's work, for another tracker
+  int left_out_ = 0;  // of this frame's work, reserved for another tracker
   FrameGuard guard_;
   std::optional<Timestamp> shown_;  // the last frame whose pose was given
   Pace pace_ = Pace::as_live;
   double beside_ms_ = 0.0;
   FaceCheck check_;
   PatchDoubt doubt_;
-  std::unique_ptr<LostFace> lost_face_;  // last: its thread reads what stands above
+  std::unique_ptr<LostFace> lost_face_;  // declared last: its thread reads the members above
 };
 
 }  // namespace

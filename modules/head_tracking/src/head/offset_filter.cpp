@@ -52,10 +52,10 @@ std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, 
   const Vector6d by_offset = solver.solve(cross);
   const double information = along - cross.dot(by_offset);  // with the pose free
   if (!(information > 1e-9 * along) || !(information > 0.0)) return std::nullopt;
-  const double told = along_d - cross.dot(solver.solve(g));
-  const double left_over = d2 - g.dot(solver.solve(g)) - told * told / information;
+  const double score = along_d - cross.dot(solver.solve(g));
+  const double left_over = d2 - g.dot(solver.solve(g)) - score * score / information;
   const double spread_px2 = std::max(1e-4, left_over / (2.0 * weights));
-  return Measurement{told / information,
+  return Measurement{score / information,
                      spread_px2 / information + kSharedError_px * kSharedError_px * weights / information,
                      -by_offset};
 }
@@ -65,9 +65,9 @@ std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, 
 double OffsetFilter::sigma_s() const { return std::sqrt(variance_s2_); }
 
 double OffsetFilter::late_s() const {
-  const double doubt = kCertain * kCertain * variance_s2_;
-  const double share = doubt / (offset_s_ * offset_s_);
-  return offset_s_ * offset_s_ > doubt ? offset_s_ * (1.0 - share * share) : 0.0;
+  const double limit_s2 = kCertain * kCertain * variance_s2_;
+  const double share = limit_s2 / (offset_s_ * offset_s_);
+  return offset_s_ * offset_s_ > limit_s2 ? offset_s_ * (1.0 - share * share) : 0.0;
 }
 
 void OffsetFilter::add(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity,

@@ -118,10 +118,10 @@ std::vector<float> correlated(const std::vector<float>& pattern, const Square& c
   return result;
 }
 
-// Response of the filters in `looked` to noise, shading and light; `whole`: the derivatives themselves.
-void weigh(PatchAppearance& looked, const std::array<std::vector<float>, 2>& whole,
+// Response of the filters in `appearance` to noise, shading and light; `whole`: the derivatives themselves.
+void weigh(PatchAppearance& appearance, const std::array<std::vector<float>, 2>& whole,
            const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
-  const std::array<const std::vector<float>*, 2> d = {&looked.d_u, &looked.d_v};
+  const std::array<const std::vector<float>*, 2> d = {&appearance.d_u, &appearance.d_v};
   Eigen::Matrix2d structure, noise, shading;
   for (int b = 0; b < 2; ++b) {
     const auto noisy = correlated(*d[b], noiseCorrelationAt(level));
@@ -130,18 +130,20 @@ void weigh(PatchAppearance& looked, const std::array<std::vector<float>, 2>& who
       structure(a, b) = dot(*d[a], whole[b]);
       noise(a, b) = dot(*d[a], noisy);
       shading(a, b) = dot(*d[a], shaded);
-      looked.view.ramp(a, b) = dot(*d[a], ramps[b]);
+      appearance.view.ramp(a, b) = dot(*d[a], ramps[b]);
     }
   }
   // Damped, so that flat skin shows no motion instead of a random one.
   const double least = 1e-3 * structure.trace() + 1e-6;
   const Eigen::Matrix2d inverse = (structure + least * Eigen::Matrix2d::Identity()).inverse();
   const double variance = 2.0 * noise_grey * noise_grey;  // noise of the key frame and of the current one
-  looked.view.structure_inverse = inverse;
-  looked.view.covariance = variance * inverse * noise * inverse.transpose() +
-                           kSamplingError_px * kSamplingError_px * Eigen::Matrix2d::Identity();
-  looked.view.shading = looked.view.mean * looked.view.mean * inverse * shading * inverse.transpose();
-  looked.view.is_usable = looked.view.covariance.inverse().trace() > 1.0 / (kWorstSigma_px * kWorstSigma_px);
+  appearance.view.structure_inverse = inverse;
+  appearance.view.covariance = variance * inverse * noise * inverse.transpose() +
+                               kSamplingError_px * kSamplingError_px * Eigen::Matrix2d::Identity();
+  appearance.view.shading =
+      appearance.view.mean * appearance.view.mean * inverse * shading * inverse.transpose();
+  appearance.view.is_usable =
+      appearance.view.covariance.inverse().trace() > 1.0 / (kWorstSigma_px * kWorstSigma_px);
 }
 
 // Mean angle between the normals near the patch's corners and the one at its centre.
@@ -185,35 +187,38 @@ std::optional<PatchPoints> pointsOf(const cameras::StereoRig& rig, const FaceSur
   return points;
 }
 
-PatchAppearance look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
-                     const BlurredImage& image, const PatchPoints& points, int level, double noise_grey) {
+PatchAppearance appearanceOf(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
+                             const BlurredImage& image, const PatchPoints& points, int level,
+                             double noise_grey) {
   const double scale = 1 << level;
   const Eigen::Vector2d origin(image.origin.x, image.origin.y);
-  PatchAppearance looked;
+  PatchAppearance appearance;
   const Eigen::Vector3d centre_mm = camera_T_head * points.centre_mm;
   const double facing = -(camera_T_head.linear() * points.normal).dot(centre_mm.normalized());
-  if (facing < kLeastFacing) return looked;
-  for (auto* values : {&looked.grey, &looked.d_u, &looked.d_v}) values->reserve(kSamples);
+  if (facing < kLeastFacing) return appearance;
+  for (auto* values : {&appearance.grey, &appearance.d_u, &appearance.d_v}) values->reserve(kSamples);
   for (const auto& p_mm : points.points_mm) {
     const Eigen::Vector2d px = cameras::project(camera, camera_T_head * p_mm) / scale - origin;
-    if (!isInside(image.pixels, px, 3)) return looked;
+    if (!isInside(image.pixels, px, 3)) return appearance;
     const Sample sample = sampleAt(image.pixels, px);
-    looked.grey.push_back(sample.grey), looked.d_u.push_back(sample.d_u), looked.d_v.push_back(sample.d_v);
+    appearance.grey.push_back(sample.grey), appearance.d_u.push_back(sample.d_u),
+        appearance.d_v.push_back(sample.d_v);
   }
-  const auto whole_ramps = shadingRamps(looked.grey);
-  looked.view.mean = float(removeMean(looked.grey));
-  looked.view.contrast = float(dot(looked.grey, looked.grey));
-  looked.view.px = cameras::project(camera, centre_mm);
-  looked.view.ray = camera_T_head.linear().transpose() * centre_mm.normalized();
-  if (looked.view.contrast < 1e-3f || looked.view.mean < 1.f) return looked;
-  for (auto* d : {&looked.d_u, &looked.d_v}) removeMean(*d);
-  const std::array<std::vector<float>, 2> whole = {looked.d_u, looked.d_v};
-  const double shading_grey = shadingSigma(kUsualShading, points.normal_spread_rad) * looked.view.mean;
-  auto filters = displacementFilters(looked.grey, looked.d_u, looked.d_v, level, std::sqrt(2.0) * noise_grey,
-                                     shading_grey);  // noise of the key frame and of the current one
-  looked.d_u = std::move(filters[0]), looked.d_v = std::move(filters[1]);
-  weigh(looked, whole, whole_ramps, level, noise_grey);
-  return looked;
+  const auto whole_ramps = shadingRamps(appearance.grey);
+  appearance.view.mean = float(removeMean(appearance.grey));
+  appearance.view.contrast = float(dot(appearance.grey, appearance.grey));
+  appearance.view.px = cameras::project(camera, centre_mm);
+  appearance.view.ray = camera_T_head.linear().transpose() * centre_mm.normalized();
+  if (appearance.view.contrast < 1e-3f || appearance.view.mean < 1.f) return appearance;
+  for (auto* d : {&appearance.d_u, &appearance.d_v}) removeMean(*d);
+  const std::array<std::vector<float>, 2> whole = {appearance.d_u, appearance.d_v};
+  const double shading_grey = shadingSigma(kUsualShading, points.normal_spread_rad) * appearance.view.mean;
+  auto filters =
+      displacementFilters(appearance.grey, appearance.d_u, appearance.d_v, level, std::sqrt(2.0) * noise_grey,
+                          shading_grey);  // noise of the key frame and of the current one
+  appearance.d_u = std::move(filters[0]), appearance.d_v = std::move(filters[1]);
+  weigh(appearance, whole, whole_ramps, level, noise_grey);
+  return appearance;
 }
 
 void addJacobian(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,

@@ -34,8 +34,9 @@ std::optional<PatchPoints> pointsOf(const cameras::StereoRig& rig, const FaceSur
 /// `image`: the level, or the needed part of it; `noise_grey`: of the sensor; `camera_T_head`: at the key
 /// frame. Not usable when the patch leaves the image, is seen at a grazing angle, or has too large an error
 /// of displacement.
-PatchAppearance look(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
-                     const BlurredImage& image, const PatchPoints& points, int level, double noise_grey);
+PatchAppearance appearanceOf(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
+                             const BlurredImage& image, const PatchPoints& points, int level,
+                             double noise_grey);
 
 /// Fills d(displacement)/d(xi): the patch's point moves by exp(w)(X - c) + c + v before the key frame sees
 /// it.
@@ -45,7 +46,7 @@ void addJacobian(const cameras::CameraModel& camera, const Eigen::Isometry3d& ca
 
 /// Standard deviation of the sensor's noise in an 8-bit image (Immerkaer 1996, in the flattest blocks).
 double noiseOf(const cv::Mat& grey);
-/// The same in the level before its last blur: input of look().
+/// The same in the level before its last blur: input of appearanceOf().
 double noiseBeforeBlur(double noise_grey, int level);
 /// Variance of the noise in a blurred image, relative to the sensor's, at one pixel of the level.
 double noiseShare(int level);

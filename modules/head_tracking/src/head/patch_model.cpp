@@ -65,10 +65,10 @@ std::vector<Candidate> candidates(const cameras::StereoRig& rig, const std::arra
     auto points = pointsOf(rig, surface, px, level);
     if (!points) continue;
     Candidate candidate{px, region.rigidity((1 << level) * px), std::move(*points), {}};
-    candidate.appearance_now[0] = look(rig.left, Eigen::Isometry3d::Identity(), key[0].level[level],
-                                       candidate.points, level, noise_grey);
-    candidate.appearance_now[1] = look(rig.right, rig.right_T_left.isometry(), key[1].level[level],
-                                       candidate.points, level, noise_grey);
+    candidate.appearance_now[0] = appearanceOf(rig.left, Eigen::Isometry3d::Identity(), key[0].level[level],
+                                               candidate.points, level, noise_grey);
+    candidate.appearance_now[1] = appearanceOf(rig.right, rig.right_T_left.isometry(), key[1].level[level],
+                                               candidate.points, level, noise_grey);
     if (candidate.appearance_now[0].view.is_usable || candidate.appearance_now[1].view.is_usable)
       all.push_back(std::move(candidate));
   }
@@ -100,20 +100,20 @@ std::vector<PatchObservation> usualObservations(const Patch& patch) {
     const auto both = observedByBoth(patch, usual);
     return {both.begin(), both.end()};
   }
-  std::vector<PatchObservation> told;
+  std::vector<PatchObservation> observations;
   for (int c = 0; c < 2; ++c)
-    if (patch.view[c].is_usable) told.push_back(observedByOne(patch, c, usual));
-  return told;
+    if (patch.view[c].is_usable) observations.push_back(observedByOne(patch, c, usual));
+  return observations;
 }
 
 // Square root of a patch's information, four rows.
 Eigen::Matrix<double, 4, 6> rootOfInformation(const Patch& patch) {
   Eigen::Matrix<double, 4, 6> root = Eigen::Matrix<double, 4, 6>::Zero();
   int row = 0;
-  for (const auto& told : usualObservations(patch)) {
-    const Eigen::Matrix2d information = told.covariance.inverse();
+  for (const auto& observation : usualObservations(patch)) {
+    const Eigen::Matrix2d information = observation.covariance.inverse();
     root.middleRows<2>(row) =
-        std::sqrt(patch.rigidity) * Eigen::Matrix2d(information.llt().matrixU()) * told.jacobian;
+        std::sqrt(patch.rigidity) * Eigen::Matrix2d(information.llt().matrixU()) * observation.jacobian;
     row += 2;
   }
   return root;

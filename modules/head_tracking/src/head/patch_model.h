@@ -76,7 +76,7 @@ struct PatchModel {
   std::vector<std::vector<Neighbour>> neighbours;  // of the patches of level 0
   int regions = 1;
   double noise_grey = 1.5;  // of the sensor, measured in the key frame
-  double shape_doubt =
+  double variance_factor =
       1.0;  // factor on a pose's variance: 4 where the depth comes from the plain pair (measured)
 };
 

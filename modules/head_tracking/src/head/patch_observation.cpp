@@ -7,8 +7,8 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kCommonError_px =
-    0.15;                           // errors of shape and light common to both images, pixels of the level
-constexpr double kLeastArea = 0.2;  // of the patch in one key image, relative to that in the left
+    0.15;  // errors of shape and light common to both images, pixels of the level
+constexpr double kLeastAreaInKey = 0.2;  // of the patch in one key image, relative to that in the left
 
 // Displacement of the patch in camera c per displacement along the skin, in pixels of the left key image.
 Eigen::Matrix2d alongSkin(const Patch& patch, int c) {
@@ -39,19 +39,19 @@ Eigen::Vector2d shownDepth_px(const Patch& patch, int c, const PatchChange& chan
 PatchObservation observedByOne(const Patch& patch, int c, const PatchChange& change) {
   const PatchView& view = patch.view[std::size_t(c)];
   const Eigen::Vector2d depth_px = shownDepth_px(patch, c, change);
-  PatchObservation told;
-  told.combine.block<2, 2>(0, 2 * c).setIdentity();
-  told.jacobian = view.jacobian;
-  told.covariance =
+  PatchObservation observation;
+  observation.combine.block<2, 2>(0, 2 * c).setIdentity();
+  observation.jacobian = view.jacobian;
+  observation.covariance =
       grown(view.covariance + commonError(patch, c, change), change.key_from_now[std::size_t(c)]) +
       depth_px * depth_px.transpose();
-  return told;
+  return observation;
 }
 
 bool canBePaired(const Patch& patch) {
   return patch.view[0].is_usable && patch.view[1].is_usable &&
-         std::abs(alongSkin(patch, 0).determinant()) > kLeastArea &&
-         std::abs(alongSkin(patch, 1).determinant()) > kLeastArea;
+         std::abs(alongSkin(patch, 0).determinant()) > kLeastAreaInKey &&
+         std::abs(alongSkin(patch, 1).determinant()) > kLeastAreaInKey;
 }
 
 std::array<PatchObservation, 2> observedByBoth(const Patch& patch, const PatchChange& change) {
@@ -69,19 +69,19 @@ std::array<PatchObservation, 2> observedByBoth(const Patch& patch, const PatchCh
   // The mean is weighted by each camera's own errors, so that it is independent of the difference.
   const Eigen::Matrix2d sum_inverse = (own[0] + own[1]).inverse();
   const Eigen::Matrix2d share[2] = {own[1] * sum_inverse, own[0] * sum_inverse};
-  std::array<PatchObservation, 2> told;
-  told[0].combine << share[0] * skin_from[0], share[1] * skin_from[1];
-  told[0].jacobian = share[0] * jacobian[0] + share[1] * jacobian[1];
+  std::array<PatchObservation, 2> observations;
+  observations[0].combine << share[0] * skin_from[0], share[1] * skin_from[1];
+  observations[0].jacobian = share[0] * jacobian[0] + share[1] * jacobian[1];
   const Eigen::Vector2d depth_mean_px = share[0] * depth_px[0] + share[1] * depth_px[1],
                         depth_difference_px = depth_px[0] - depth_px[1];
-  told[0].covariance =
+  observations[0].covariance =
       own[0] * sum_inverse * own[1] +
       grown(skin_from[0] * commonError(patch, 0, change) * skin_from[0].transpose(), change.key_from_now[0]) +
       depth_mean_px * depth_mean_px.transpose();
-  told[1].combine << skin_from[0], -skin_from[1];
-  told[1].jacobian = jacobian[0] - jacobian[1];
-  told[1].covariance = own[0] + own[1] + depth_difference_px * depth_difference_px.transpose();
-  return told;
+  observations[1].combine << skin_from[0], -skin_from[1];
+  observations[1].jacobian = jacobian[0] - jacobian[1];
+  observations[1].covariance = own[0] + own[1] + depth_difference_px * depth_difference_px.transpose();
+  return observations;
 }
 
 }  // namespace facenav::head_tracking

@@ -11,12 +11,12 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kReach_mm = 150.0;    // of a sudden motion of the head, besides walking
-constexpr double kGettingThere = 0.8;  // likeness of a fit that had not settled: the next frame goes on
+constexpr double kGettingThere = 0.8;  // likeness of an unsettled fit that is continued in the next frame
 constexpr int kLearnBelow_comparisons = 3400;  // at patches, in a frame
-constexpr std::size_t kAskedParts = 8;         // of the patches, one a tracked frame: whose skin it is
-constexpr int kLastingEvery = 20;  // tracked frames, between tries of the key frames from before a loss
+constexpr std::size_t kAskedParts = 8;         // of the patches; the identity check takes one part per frame
+constexpr int kLastingEvery = 20;  // tracked frames between two tries of the key frames from before a loss
 constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // between two kinds of key frames
-constexpr double kAsExpected = 2.0;  // errors of patches, by those expected, on skin that has not moved
+constexpr double kAsExpected = 2.0;  // residuals per expected sigma on skin that has not moved
 constexpr double kFirstFrame_s = 0.03;
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
 
@@ -44,7 +44,7 @@ void PatchTrack::start(const cameras::StereoRig& rig, const HeadReference& refer
   const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
                                            ImagePyramid(reference.frame.right)};
   model_ = learnPatches(rig, reference.frame, key, region, surface);
-  model_.shape_doubt = reference.surface.empty() ? 4.0 : 1.0;
+  model_.variance_factor = reference.surface.empty() ? 4.0 : 1.0;
   if (model_.level[0].patches.size() < 30)
     throw Error("no face with enough texture and depth is found in the reference frame", {},
                 "look for blur, darkness or a covered face");
@@ -68,7 +68,8 @@ void PatchTrack::forgetLearnt() {
 }
 
 void PatchTrack::beginFrame(int reserved) {
-  const bool has_just_left = work_.left_out > 0;  // not twice running: a lost head has its turn, too
+  // Not in two consecutive frames: the search for a lost head needs work too.
+  const bool has_just_left = work_.left_out > 0;
   work_ = {}, work_.left_out = has_just_left ? 0 : reserved;
 }
 
@@ -99,7 +100,7 @@ std::optional<PatchTrack::Followed> PatchTrack::follow(const Eigen::Isometry3d& 
   }
   if (const auto before = asBeforeTheLoss(frame, now, fit)) return Followed{*before, true};
   const Verdict whole = camera_.learn(key, fit, last_, frame.captured, verdict);
-  learnSides(frame, fit, whole);  // ends the life of `key`
+  learnSides(frame, fit, whole);  // `key` may be invalid after this
   return Followed{accepted(frame, fit, whole), false};
 }
 
@@ -119,8 +120,8 @@ std::array<ImagePyramid, 2> PatchTrack::boxed(const cameras::StereoFrame& frame,
   return now;
 }
 
-// Somebody else, put in the patient's place between two frames. A part of the patches is asked in each, all
-// of them where that part is in doubt.
+// Detects another person who took the patient's place between two frames. Each frame checks a part of the
+// patches, and all of them if that part is not clearly the patient's.
 bool PatchTrack::isOtherPerson(const KeyFrame& key, const std::array<ImagePyramid, 2>& now,
                                const PoseFit& fit) {
   asked_part_ = (asked_part_ + 1) % kAskedParts;
@@ -154,8 +155,8 @@ Tracked<HeadPose> PatchTrack::continueFrom(const Eigen::Isometry3d& camera_T_hea
   return accepted(frame, there.fit, there.verdict);
 }
 
-// The head is tracked by how it looked when it was found again. Where the patches learnt before the loss fit,
-// too, they are the better ones: nothing lies between them and the reference.
+// The head is tracked by a key frame of the moment when it was found again. If the patches from before the
+// loss fit too, they are preferred: they have no additional error to the reference.
 std::optional<Tracked<HeadPose>> PatchTrack::asBeforeTheLoss(const cameras::StereoFrame& frame,
                                                              const std::array<ImagePyramid, 2>& now,
                                                              const PoseFit& by_moment) {
@@ -182,7 +183,7 @@ Tracked<HeadPose> PatchTrack::search(const cameras::StereoFrame& frame,
   return result;
 }
 
-// What the search finds is fitted to the end, and shown only if the skin is the patient's.
+// The result of the search is fitted to the end. It is shown only if the skin is the patient's.
 Tracked<HeadPose> PatchTrack::searchInFrame(const cameras::StereoFrame& frame,
                                             const std::optional<Eigen::Isometry3d>& expected) {
   if (!work_.leavesTimeToSearch()) return lost(first_loss_->reason, wordOfFirst(frame.captured));
@@ -220,21 +221,21 @@ PatchTrack::Attempt PatchTrack::attempt(const cameras::StereoFrame& frame,
   return {std::move(fit), std::move(verdict)};
 }
 
-// Only words follow: no function below up to wordOfFirst() changes the track.
+// The functions from here up to wordOfFirst() only find the loss detail; they do not change the track.
 LossDetail PatchTrack::detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now,
                                 Timestamp captured) const {
   return words_.circumstance(there.fit.motion, now[0], left_box_, last_, captured)
       .value_or(LossWords::of(*there.verdict.lost));
 }
 
-// While a fit waits for the next frame: what this one has shown so far, or what was said before.
+// While a fit waits for the next frame: the detail of this frame so far, or the one given before.
 LossDetail PatchTrack::wordWithoutFit(const FaceSearch::Found& found) const {
   if (!found.is_deferred) return found.is_anything_alike ? LossDetail::doubtful : LossDetail::not_found;
   if (first_loss_) return LossWords::of(first_loss_->reason);
   return lost_frames_ > 0 ? detail_ : LossDetail::doubtful;
 }
 
-// What the fit from the prediction has shown.
+// Loss detail from the fit from the prediction.
 LossDetail PatchTrack::wordOfFirst(Timestamp captured) const {
   return words_.isFar(first_loss_->motion, last_, captured) ? LossDetail::too_far
                                                             : LossWords::of(first_loss_->reason);
@@ -248,7 +249,7 @@ Tracked<HeadPose> PatchTrack::lost(LostReason reason, LossDetail detail) {
   return Lost{reason};
 }
 
-// Not in a frame in which the head was looked for: that has cost enough.
+// Not in a frame with a search: it has used enough work.
 void PatchTrack::learnSides(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
   if (work_.comparisons > kLearnBelow_comparisons) return;
   const KeyMotion moving = camera_.motionOf(last_.steadyWith(fit.motion, frame.captured));

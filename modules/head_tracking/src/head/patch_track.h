@@ -1,9 +1,9 @@
 #pragma once
-// PatchTrack: the head's pose by its skin patches, frame by frame: fitted jointly in both images (pose_fit.h)
-// from a constant-velocity prediction, always against the reference or a key frame made from it
-// (key_frames.h), so nothing drifts. Where that fails, a search within the frame (face_search.h). A pose is
-// given only if it passed the tests of track_verdict.h and the skin is the patient's. What happens beside the
-// frames is the tracker's part (model_head_tracker.cpp).
+// PatchTrack: the head's pose from its skin patches, frame by frame. They are fitted jointly in both images
+// (pose_fit.h), starting from a constant-velocity prediction, always against the reference or a key frame
+// made from it (key_frames.h), so there is no drift. If that fails, the frame is searched (face_search.h). A
+// pose is given only if it passes the tests of track_verdict.h and the skin is the patient's. Work in
+// parallel with the frames belongs to the tracker (model_head_tracker.cpp).
 
 #include <array>
 #include <optional>
@@ -29,7 +29,7 @@ class PatchTrack {
   /// holds too few patches.
   void start(const cameras::StereoRig& rig, const HeadReference& reference, const FaceRegion& region,
              const FaceSurface& surface, const cv::Rect& face_box);
-  /// What was learnt since start() is in doubt.
+  /// What was learnt since start() is in doubt: discards it.
   void forgetLearnt();
 
   /// Call first in each frame. `reserved`: patch comparisons to leave for another tracker.
@@ -44,11 +44,11 @@ class PatchTrack {
   };
   /// The fit from the prediction. nullopt where it does not hold; search() then gives the reason.
   std::optional<Followed> follow(const Eigen::Isometry3d& predicted, const cameras::StereoFrame& frame);
-  /// Looks for the head in the frame, within what is left of its work budget. `was_gone`: longer than a
-  /// prediction lasts.
+  /// Searches the head in the frame, within the rest of its work budget. `was_gone`: longer than a prediction
+  /// lasts.
   Tracked<HeadPose> search(const cameras::StereoFrame& frame,
                            const std::optional<Eigen::Isometry3d>& expected, bool was_gone);
-  /// Goes on from a pose that was found beside the frames, by `moment` where the face looks different now.
+  /// Continues from a pose that recovery found, with the key frame `moment` if the face looks different now.
   /// `is_fresh`: the pose is so recent that its identity check still holds.
   Tracked<HeadPose> continueFrom(const Eigen::Isometry3d& camera_T_head,
                                  const std::optional<KeyFrame>& moment, bool is_fresh,
@@ -62,9 +62,9 @@ class PatchTrack {
   const HeadMotion& motion() const { return last_; }
   std::optional<Eigen::Isometry3d> lastPose() const;
   bool isFollowing() const { return lost_frames_ == 0; }
-  /// True: tracked by how the face looked when it was found again.
+  /// True: tracked by a key frame of the moment when the face was found again.
   bool isOfMoment() const { return keys_.isOfMoment(); }
-  /// Whether the last accepted fit's errors are those of skin that has not moved.
+  /// Whether the last accepted fit has the residuals of skin that has not moved.
   bool fitsAsExpected() const;
   const FrameWork& work() const { return work_; }
   const cv::Rect& leftBox() const { return left_box_; }
@@ -82,7 +82,7 @@ class PatchTrack {
     Verdict verdict;
   };
   struct Known {
-    bool is_patient;  // the skin need not be asked
+    bool is_patient;  // no identity check is needed
     bool is_rough;    // the start is some frames old
   };
 
@@ -119,7 +119,7 @@ class PatchTrack {
   cv::Rect left_box_, right_box_;
   int lost_frames_ = 0;
   double fit_scale_ = 0.0;  // of the last fit that was accepted
-  int since_try_ = 0;       // tracked frames by a moment's key frame
+  int since_try_ = 0;       // tracked frames with a moment's key frame
 };
 
 }  // namespace facenav::head_tracking

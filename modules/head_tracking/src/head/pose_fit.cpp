@@ -57,8 +57,8 @@ class LevelFit {
     return int(seen_.placed()[0].placements.size() + seen_.placed()[1].placements.size());
   }
 
-  void look(const Eigen::Isometry3d& motion) {
-    seen_.look(motion);
+  void measure(const Eigen::Isometry3d& motion) {
+    seen_.measure(motion);
     if (!is_assessed_) assess(motion);
   }
 
@@ -87,14 +87,14 @@ class LevelFit {
     std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());
     for (auto& measurements : all)
       for (auto& measurement : measurements) measurement.weight = measurement.is_visible ? 1.f : 0.f;
-    std::vector<std::array<bool, 2>> is_told(all.size());
+    std::vector<std::array<bool, 2>> is_observed(all.size());
     for (const auto& row : rows_) {
       for (int c = 0; c < 2; ++c) {
         if ((c == 0 && row.observed == ObservationKind::by_right) ||
             (c == 1 && row.observed == ObservationKind::by_left))
           continue;
         auto& measurement = all[row.patch][c];
-        is_told[row.patch][c] = row.prior > 0;
+        is_observed[row.patch][c] = row.prior > 0;
         measurement.weight = std::min(measurement.weight, row.weight);
         measurement.distance = std::max(measurement.distance, row.distance);
         measurement.residual_px =
@@ -102,11 +102,11 @@ class LevelFit {
                 .norm();
       }
       pulls[level_.patches[row.patch].region] +=
-          (sayOf(row) * (observations_[row.observation].weighted * row.e)).cast<double>();
+          (weightOf(row) * (observations_[row.observation].weighted * row.e)).cast<double>();
     }
     for (std::size_t i = 0; i < all.size(); ++i)
       for (int c = 0; c < 2; ++c)
-        if (!is_told[i][c]) all[i][c].weight = 0.f;
+        if (!is_observed[i][c]) all[i][c].weight = 0.f;
     for (const auto& pull : pulls) {
       fit.regions += pull.squaredNorm() > 0;
       fit.pull += pull * pull.transpose();
@@ -256,7 +256,7 @@ class LevelFit {
   }
 
   // Total weight of a row in the fit: robust weight, prior weight, and scale of its kind's errors.
-  float sayOf(const Row& row) const {
+  float weightOf(const Row& row) const {
     const float scale = scale_[row.kind()] * (row.kind() == 0 ? kSharedError : 1.f);
     return row.weight * row.prior / (scale * scale);
   }
@@ -264,7 +264,7 @@ class LevelFit {
   Matrix6d information() const {
     std::array<float, 24> sum{};
     for (const auto& row : rows_) {
-      const float w = sayOf(row);
+      const float w = weightOf(row);
       for (int k = 0; k < 24; ++k) sum[k] += w * observations_[row.observation].normal[k];
     }
     Matrix6d h;
@@ -277,7 +277,7 @@ class LevelFit {
     Matrix6d h = information();
     Eigen::Matrix<float, 6, 1> g = Eigen::Matrix<float, 6, 1>::Zero();
     for (const auto& row : rows_)
-      g.noalias() += observations_[row.observation].weighted * (sayOf(row) * row.displacement);
+      g.noalias() += observations_[row.observation].weighted * (weightOf(row) * row.displacement);
     h.diagonal() += 1e-6 * h.diagonal() + Vector6d::Constant(1e-9);
     return h.ldlt().solve(g.cast<double>());
   }
@@ -314,7 +314,7 @@ PoseFit fitPose(const cameras::StereoRig& rig, const PatchModel& model, const Pa
     Vector6d xi = Vector6d::Zero();
     for (int iteration = 0; iteration < (l == 0 ? most_steps : kIterations[l]); ++iteration) {
       if (iteration == 0 || since_placed_px > kPlacedFor_px) level.placeAt(fit.motion), since_placed_px = 0;
-      level.look(fit.motion);
+      level.measure(fit.motion);
       fit.comparisons += level.placements();
       xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
       fit.motion = fit.motion * about(model.centre_mm, xi);

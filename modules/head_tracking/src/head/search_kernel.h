@@ -56,7 +56,7 @@ struct TemplateField {
   enum : int { x, y, z, normal_x, normal_y, normal_z, value, weight, d00, d01, d10, d11, u0, v0, count };
 };
 
-struct TemplateLook {
+struct TemplateView {
   const float* blocks = nullptr;  // pixel = d (x/z, y/z) + (u0, v0); weight 0: no point
   int block_count = 0;
   const float* image = nullptr;
@@ -78,7 +78,7 @@ struct Kernel {
   void (*correlate)(const Correlation&);
   bool (*sample)(const Sampling&);  // false when a sample lies outside
   void (*expand)(const Expansion&);
-  TemplateSums (*sum)(const TemplateLook&);
+  TemplateSums (*sum)(const TemplateView&);
 };
 
 const Kernel& baseKernel();

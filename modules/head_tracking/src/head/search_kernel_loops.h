@@ -153,19 +153,19 @@ struct Block {
 };
 
 // The four pixels round each place.
-inline void fetch(const TemplateLook& look, const Places& iu, const Places& iv, Lanes pixels[4]) {
+inline void fetch(const TemplateView& view, const Places& iu, const Places& iv, Lanes pixels[4]) {
   float fetched[4][kLanes];
   for (int k = 0; k < kLanes; ++k) {
-    const float* at = look.image + std::int64_t(iv[k]) * look.stride + iu[k];
+    const float* at = view.image + std::int64_t(iv[k]) * view.stride + iu[k];
     fetched[0][k] = at[0], fetched[1][k] = at[1];
-    fetched[2][k] = at[look.stride], fetched[3][k] = at[look.stride + 1];
+    fetched[2][k] = at[view.stride], fetched[3][k] = at[view.stride + 1];
   }
   __builtin_memcpy(pixels, fetched, sizeof fetched);
 }
 
-inline void lookAt(const TemplateLook& look, const Lanes* f, Block& block) {
+inline void compareAt(const TemplateView& view, const Lanes* f, Block& block) {
   using F = TemplateField;
-  const float* m = look.camera_T_head;
+  const float* m = view.camera_T_head;
   const Lanes x = f[F::x], y = f[F::y], z = f[F::z], zero = {};
   const Lanes cx = m[0] * x + m[1] * y + m[2] * z + m[9], cy = m[3] * x + m[4] * y + m[5] * z + m[10],
               cz = m[6] * x + m[7] * y + m[8] * z + m[11];
@@ -180,35 +180,35 @@ inline void lookAt(const TemplateLook& look, const Lanes* f, Block& block) {
   const Lanes w = 1.f / (is_before ? cz : zero + 1.f), flat_x = cx * w, flat_y = cy * w;
   Lanes u = f[F::d00] * flat_x + f[F::d01] * flat_y + f[F::u0],
         v = f[F::d10] * flat_x + f[F::d11] * flat_y + f[F::v0];
-  const Places is_seen = is_before & (u >= 0.f) & (v >= 0.f) & (u < float(look.width - 1)) &
-                         (v < float(look.height - 1)) & (f[F::weight] > 0.f) & (towards >= look.least_facing);
+  const Places is_seen = is_before & (u >= 0.f) & (v >= 0.f) & (u < float(view.width - 1)) &
+                         (v < float(view.height - 1)) & (f[F::weight] > 0.f) & (towards >= view.least_facing);
   u = is_seen ? u : zero, v = is_seen ? v : zero;
   const Places iu = __builtin_convertvector(u, Places), iv = __builtin_convertvector(v, Places);
   u -= __builtin_convertvector(iu, Lanes), v -= __builtin_convertvector(iv, Lanes);
   Lanes p[4];
-  fetch(look, iu, iv, p);
+  fetch(view, iu, iv, p);
   const Lanes top = p[0] + u * (p[1] - p[0]), slope_v = p[2] + u * (p[3] - p[2]) - top,
               slope_u = p[1] - p[0] + v * (p[3] - p[2] - p[1] + p[0]);
   block.now = top + v * slope_v;
   block.e = f[F::value] - block.now;
-  const Lanes q = block.e * (1.f / look.reach), say = f[F::weight] < towards ? f[F::weight] : towards;
-  block.weight = is_seen ? say / (1.f + q * q) : zero;
+  const Lanes q = block.e * (1.f / view.reach), influence = f[F::weight] < towards ? f[F::weight] : towards;
+  block.weight = is_seen ? influence / (1.f + q * q) : zero;
   const Lanes by_x = (slope_u * f[F::d00] + slope_v * f[F::d10]) * w,
               by_y = (slope_u * f[F::d01] + slope_v * f[F::d11]) * w, by_z = -(by_x * flat_x + by_y * flat_y);
   const Lanes hx = by_x * m[0] + by_y * m[3] + by_z * m[6], hy = by_x * m[1] + by_y * m[4] + by_z * m[7],
               hz = by_x * m[2] + by_y * m[5] + by_z * m[8];
-  const Lanes rx = x - look.centre[0], ry = y - look.centre[1], rz = z - look.centre[2];
+  const Lanes rx = x - view.centre[0], ry = y - view.centre[1], rz = z - view.centre[2];
   block.j[0] = ry * hz - rz * hy, block.j[1] = rz * hx - rx * hz, block.j[2] = rx * hy - ry * hx;
   block.j[3] = hx, block.j[4] = hy, block.j[5] = hz;
 }
 
-TemplateSums sumLoop(const TemplateLook& look) {
+TemplateSums sumLoop(const TemplateView& view) {
   Lanes normal[21] = {}, pull[6] = {}, product = {}, now_squares = {}, then_squares = {}, seen = {};
   Block block;
-  for (int b = 0; b < look.block_count; ++b) {
+  for (int b = 0; b < view.block_count; ++b) {
     Lanes f[TemplateField::count];
-    __builtin_memcpy(f, look.blocks + std::int64_t(b) * TemplateField::count * kLanes, sizeof f);
-    lookAt(look, f, block);
+    __builtin_memcpy(f, view.blocks + std::int64_t(b) * TemplateField::count * kLanes, sizeof f);
+    compareAt(view, f, block);
     for (int i = 0, n = 0; i < 6; ++i) {
       const Lanes weighted = block.weight * block.j[i];
       pull[i] += weighted * block.e;

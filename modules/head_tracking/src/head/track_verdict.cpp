@@ -14,8 +14,8 @@ constexpr double kWidestRatio = 3.5;      // between the two cameras' shares
 // that may be shown.
 constexpr double kWorstSigma_mm = 0.6;
 constexpr double kWorstSigma_rad = 0.4 * M_PI / 180;
-constexpr double kMomentDoubt = 5.0 / 3.0;  // a third of it when the face was found again
-constexpr double kCortexDepth_mm = 90.0;    // from the face's centre, away from the cameras
+constexpr double kMomentFactor = 5.0 / 3.0;  // a third of it when the face was found again
+constexpr double kCortexDepth_mm = 90.0;     // from the face's centre, away from the cameras
 constexpr double kWorstScale = 6.0;
 
 struct Count {
@@ -60,8 +60,8 @@ Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_c
   Verdict verdict;
   const Count left = count(fit, 0), right = count(fit, 1);
   verdict.good_share = {left.share(), right.share()};
-  verdict.covariance = model.shape_doubt * covarianceOf(fit) + key_covariance;
-  const double doubt = std::sqrt(model.shape_doubt) * (is_of_moment ? kMomentDoubt : 1.0);
+  verdict.covariance = model.variance_factor * covarianceOf(fit) + key_covariance;
+  const double factor = std::sqrt(model.variance_factor) * (is_of_moment ? kMomentFactor : 1.0);
   const double least = std::min(left.share(), right.share()), most = std::max(left.share(), right.share());
   if (std::max(left.good, right.good) < kLeastGood || most < kLeastGoodShare) {
     verdict.lost = LostReason::few_features;
@@ -69,8 +69,8 @@ Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_c
              most > kWidestRatio * least) {
     verdict.lost = LostReason::camera;
   } else if (!fit.is_settled || fit.scale > kWorstScale ||
-             sigmaAtCortex_mm(verdict.covariance) > doubt * kWorstSigma_mm ||
-             std::sqrt(verdict.covariance.topLeftCorner<3, 3>().trace()) > doubt * kWorstSigma_rad) {
+             sigmaAtCortex_mm(verdict.covariance) > factor * kWorstSigma_mm ||
+             std::sqrt(verdict.covariance.topLeftCorner<3, 3>().trace()) > factor * kWorstSigma_rad) {
     verdict.lost = LostReason::high_residual;
   }
   verdict.quality = std::clamp(least / 0.9, 0.0, 1.0);

@@ -1,8 +1,8 @@
 #pragma once
-// FaceCheck: when a face that is tracked is asked about all the same, beside the frames (lost_face.h). After
-// a return: a face that was gone may look different now, and that its patches fit is not enough. And now and
-// then: are the pictures still of one moment, is the face the patient's? Asked while the head rests, so that
-// cameras that expose one after the other do no harm.
+// FaceCheck: when a tracked face is checked by recovery, in parallel with the frames (lost_face.h). First,
+// after the face returned: it may look different now, and fitting patches are not proof enough. Second, at
+// intervals: are both images of one moment, is the face the patient's? A check waits until the head rests, so
+// that cameras that expose one after the other do no harm.
 
 #include <cmath>
 
@@ -12,11 +12,11 @@ namespace facenav::head_tracking {
 
 class FaceCheck {
  public:
-  /// The track starts; the reference itself needs no question.
+  /// The track starts. The reference itself needs no check.
   void start(Timestamp now) { state_ = State::wanted, was_gone_ = true, asked_ = now; }
-  /// The face was gone and is tracked again by its patches.
+  /// The face was lost and its patches track it again.
   void faceReturned() { state_ = State::wanted, was_gone_ = true; }
-  /// The face is lost, or what was learnt is in doubt: an answer counts no more.
+  /// The face is lost, or the key frames are in doubt. A pending answer is ignored.
   void cancel() { state_ = State::none; }
 
   /// `speed_mm_s`: of the cortex.
@@ -26,11 +26,11 @@ class FaceCheck {
   }
   void asked(Timestamp now) { state_ = State::asked, asked_ = now; }
   bool isAwaited() const { return state_ == State::asked; }
-  /// The answer decided nothing.
+  /// The answer was undecided.
   void askAgain() { state_ = State::wanted; }
-  /// The question has come to its end, with or without an answer.
+  /// The check ends, with or without an answer.
   void end() { state_ = State::none; }
-  /// Of the question: whether the face had been gone before it.
+  /// Whether the face had been lost before this check.
   bool wasGone() const { return was_gone_; }
 
  private:

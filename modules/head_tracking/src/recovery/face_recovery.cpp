@@ -6,14 +6,14 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr std::size_t kMostRemembered = 6;  // looks: each costs one more fit where the reference does not do
-constexpr double kTurn_mm = 200.0;          // of difference, that a radian counts as: 3.5 mm a degree
+constexpr std::size_t kMostRemembered = 6;  // each costs one more fit when the reference is not enough
+constexpr double kTurn_mm = 200.0;          // distance that one radian counts as: 3.5 mm a degree
 
-// Squared distance of the two cameras' own poses by their covariance. In step: 9 at most (20 pairs of one
-// real person), 24 where both pictures are shifted sideways by 13 px.
+// Squared Mahalanobis distance between the poses of each camera alone. In step: 9 at most (20 pairs of one
+// real person), 24 where both images are shifted sideways by 13 px.
 constexpr double kApart = 35.0;
-constexpr double kUneven = 0.5;      // share of windows in place in one camera, by that in the other
-constexpr double kSideFound = 0.35;  // of one camera's windows: it shows the patient's face
+constexpr double kUneven = 0.5;      // ratio of the two cameras' shares of windows in place
+constexpr double kSideFound = 0.35;  // share of windows in place: this camera shows the patient's face
 
 }  // namespace
 
@@ -34,7 +34,7 @@ SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   const bool is_even = std::min(share[0], share[1]) > kUneven * std::max(share[0], share[1]);
   if (is_even && found.pose.sides_apart)
     return *found.pose.sides_apart > kApart ? SidesVerdict::out_of_step : SidesVerdict::agree;
-  for (const std::size_t c : {0u, 1u}) {  // does each show the face, wherever it is?
+  for (const std::size_t c : {0u, 1u}) {  // does each image show the face at some pose?
     const RecoveryPose own = fitRecoveryPose(rig_, points_, *found.then, *found.pictures,
                                              found.pose.camera_T_head, c == 0 ? Sides::left : Sides::right);
     if (identityOf(rig_, points_, *found.then, own, std::nullopt).side_share[c] < kSideFound)
@@ -43,13 +43,13 @@ SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   return SidesVerdict::out_of_step;
 }
 
-// The reference first; other looks where it does not decide.
+// The reference first; other key frames where it leaves the identity undecided.
 RecoveredFace FaceRecovery::tryFrom(const cameras::StereoFrame& frame,
                                     const std::shared_ptr<const RecoveryPictures>& now,
                                     const Eigen::Isometry3d& start) const {
   RecoveredFace best;
   std::vector<std::shared_ptr<const SkinView>> views = {reference_};
-  for (const auto& look : remembered_) views.push_back(look.view);
+  for (const auto& key : remembered_) views.push_back(key.view);
   for (const auto& view : views) {
     RecoveredFace found;
     found.pose = fitRecoveryPose(rig_, points_, *view, *now, start);
@@ -107,25 +107,25 @@ void FaceRecovery::remember(const RecoveredFace& found, const cameras::StereoFra
   view->pictures = *found.pictures;
   view->camera_T_head = found.pose.camera_T_head;
   view->covariance = found.pose.covariance;
-  Remembered look{view, std::nullopt};
+  Remembered key{view, std::nullopt};
   if (found.then == reference_)
-    look.learnt = FaceKeyFrame{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
-                               view->covariance};
-  add(std::move(look));
+    key.learnt = FaceKeyFrame{rig_, points_.faceOnly(frame, rig_, view->camera_T_head), view->camera_T_head,
+                              view->covariance};
+  add(std::move(key));
 }
 
-void FaceRecovery::add(const FaceKeyFrame& look) {
+void FaceRecovery::add(const FaceKeyFrame& key) {
   auto view = std::make_shared<SkinView>();
-  view->rig = look.rig;
-  view->pictures = RecoveryPictures(look.frame);
-  view->camera_T_head = look.camera_T_head;
-  view->covariance = look.covariance, view->between_sessions = look.between_sessions;
+  view->rig = key.rig;
+  view->pictures = RecoveryPictures(key.frame);
+  view->camera_T_head = key.camera_T_head;
+  view->covariance = key.covariance, view->between_sessions = key.between_sessions;
   add(Remembered{view, std::nullopt, true});
 }
 
-// Full: of the two that show the head most alike, the older one goes.
-void FaceRecovery::add(Remembered look) {
-  remembered_.push_back(std::move(look));
+// When full: removes the older of the two key frames with the most similar poses.
+void FaceRecovery::add(Remembered key) {
+  remembered_.push_back(std::move(key));
   if (remembered_.size() <= kMostRemembered) return;
   const auto apart = [&](std::size_t i, std::size_t j) {
     const Eigen::Isometry3d step =
@@ -142,15 +142,15 @@ void FaceRecovery::add(Remembered look) {
 }
 
 std::vector<FaceKeyFrame> FaceRecovery::learnt() const {
-  std::vector<FaceKeyFrame> looks;
-  for (const auto& look : remembered_)
-    if (look.learnt) looks.push_back(*look.learnt);
-  return looks;
+  std::vector<FaceKeyFrame> keys;
+  for (const auto& key : remembered_)
+    if (key.learnt) keys.push_back(*key.learnt);
+  return keys;
 }
 
 void FaceRecovery::forgetRemembered() {
   remembered_.erase(std::remove_if(remembered_.begin(), remembered_.end(),
-                                   [](const auto& look) { return !look.is_from_elsewhere; }),
+                                   [](const auto& key) { return !key.is_from_elsewhere; }),
                     remembered_.end());
 }
 

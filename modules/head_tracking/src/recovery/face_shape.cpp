@@ -10,17 +10,16 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kNodesAcross = 60.0;     // of the face's width
-constexpr double kMostMobility_mm = 1.3;  // lips and chin say nothing of the skull
+constexpr double kNodesAcross = 60.0;     // over the face's width
+constexpr double kMostMobility_mm = 1.3;  // lips and chin do not show where the skull is
 constexpr double kRigid_mm = 0.6;
-constexpr double kReach_mm = 60.0;  // of the measured depth before and behind the expected face
+constexpr double kReach_mm = 60.0;  // depth range in front of and behind the expected face
 constexpr int kCell_px = 4, kFewestNodes = 150, kIterations = 25;
-constexpr double kStereo_mm =
-    0.6;                          // of skin without dots, what neighbours share (real skin, two pairs: 1 mm)
-constexpr double kFreedom = 3.0;  // of Student's t
+constexpr double kStereo_mm = 0.6;  // error shared by neighbours, without dots (real skin, two pairs: 1 mm)
+constexpr double kFreedom = 3.0;    // degrees of freedom of Student's t
 constexpr double kFarthest_mm = 12.0, kLeastFacing = 0.3, kSettled_mm = 0.01;
 
-// Mean of the measured points, by cells of the left picture.
+// Mean of the measured points in each cell of the left image.
 class MeasuredFace {
  public:
   MeasuredFace(const stereo::FaceCloud& cloud, cv::Size size)
@@ -42,7 +41,7 @@ class MeasuredFace {
  private:
   std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(columns_) + std::size_t(x); }
   int columns_, rows_;
-  std::vector<Eigen::Vector4d> sum_mm_;  // and their number
+  std::vector<Eigen::Vector4d> sum_mm_;  // sum of the points and, in w, their number
 };
 
 }  // namespace
@@ -93,7 +92,7 @@ std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const came
   try {
     TaskMonitor monitor;
     cloud = stereo::measureFace(rig, frame, options, monitor);
-  } catch (const Error&) {  // too little texture, too dark: nothing is known
+  } catch (const Error&) {  // too little texture or too dark: unknown
     return std::nullopt;
   }
   const MeasuredFace face(cloud, frame.left.size());

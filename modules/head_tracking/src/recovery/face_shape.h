@@ -1,8 +1,8 @@
 #pragma once
-// FaceShape: the shape of the reference's upper face, and where a face measured densely without dots lies
-// against it: robust point-to-plane least squares over six degrees of freedom, each place weighted by how
-// little its skin moves over the bone. It needs no looks: a face in other light, or whose cheeks are painted,
-// is found by it. It shows the head to about a millimetre; recovery_pose.h then fits the pictures.
+// FaceShape: the shape of the reference's upper face, fitted to a face that was measured densely without
+// dots. The fit is robust point-to-plane least squares over six degrees of freedom; each node has a weight by
+// how little its skin moves over the bone. It uses no image texture, so it finds a face in other light or
+// with painted cheeks. Its error is about a millimetre; recovery_pose.h then fits the images.
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
@@ -19,8 +19,8 @@ namespace facenav::head_tracking {
 
 struct ShapeFit {
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
-  double rms_mm = 0.0;  // robust, of the measured skin about the reference's, bridge, forehead and temples
-  int nodes = 0;        // of the reference's upper face, that were measured
+  double rms_mm = 0.0;  // robust distance of measured skin from the reference's: bridge, forehead and temples
+  int nodes = 0;        // measured nodes of the reference's upper face
 };
 
 class FaceShape {
@@ -29,7 +29,7 @@ class FaceShape {
   FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
             const SkinMobility& mobility);
 
-  /// Of the pair, near `start` (some 15 degrees, 40 mm). Nothing where too little could be measured.
+  /// Fit near `start` (some 15 degrees, 40 mm). Empty where too little was measured.
   std::optional<ShapeFit> fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                               const Eigen::Isometry3d& start) const;
 

@@ -9,28 +9,28 @@
 namespace facenav::head_tracking {
 namespace {
 
-// Time that a live answer takes on one core of a small machine. Frame times are rounded: without the
-// microsecond, every second answer about a recording would count a frame later.
+// Time that a live answer takes on one core of a small machine. Frame times are rounded: the microsecond
+// keeps every second answer about a recording from arriving one frame late.
 constexpr double kAnswer_s = 0.1 - 1e-6;
-constexpr double kOneMotion_s = 0.5;  // between two answers that tell how fast the head moves
+constexpr double kOneMotion_s = 0.5;  // longest time between two answers that give the head's speed
 constexpr double kJitter_mm = 0.5;    // between two answers about a head at rest
-constexpr int kThoroughEvery = 4;     // questions; a search at any roll takes ten times longer
+constexpr int kThoroughEvery = 4;     // questions; a search at all roll angles takes ten times longer
 constexpr int kMostSteps = 12, kFirstLevel = 1;
-// Errors of the reference's patches, by those expected: 0.6 to 1.5 on skin that has not moved (room), 3 to 7
-// on a real face with another expression. Below this limit the patches are more exact than recovery's
-// windows.
+// Scale of the residuals of the reference's patches against their expected sigma: 0.6 to 1.5 on skin that has
+// not moved (room), 3 to 7 on a real face with another expression. Below this limit the patches are more
+// exact than recovery's windows.
 constexpr double kAsExpected = 2.0;
-constexpr double kKnownLook = 0.8;     // share of the windows in place: 0.6-0.8 with another expression
-constexpr double kSamePlace_mm = 3.0;  // of the face, all the same
-// Agreement of both cameras on fine detail: 0.73 and more in uncompressed pictures of the room, 0.35 to 0.6
-// in strongly compressed photographs.
+constexpr double kKnownShare = 0.8;    // share of windows in place: 0.6-0.8 with another expression
+constexpr double kSamePlace_mm = 3.0;  // both poses put the face at the same place
+// Agreement of both cameras on fine detail: 0.73 and more in uncompressed images of the room, 0.35 to 0.6 in
+// strongly compressed photographs.
 constexpr double kDetailKept = 0.73;
-// Agreement with the reference by that of both cameras, mean and standard deviation: the room's table in
-// skin_detail.h (24 poses of patients, 24 of others).
+// Agreement with the reference divided by that of both cameras, mean and standard deviation: the room's table
+// in skin_detail.h (24 poses of patients, 24 of others).
 constexpr double kOwnDetail = 0.91, kOwnSigma = 0.15, kOtherDetail = 0.14, kOtherSigma = 0.13;
 
-// Log likelihood ratio of the skin's fine detail. It counts only where the pictures keep that detail, which
-// is where both cameras agree on it. Compressed pictures do not keep it: both cameras then agree by half.
+// Log likelihood ratio of the skin's fine detail. It counts only where the images keep that detail. Both
+// cameras then agree on it; in compressed images they agree only by half.
 double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
   if (of_both_cameras.value() < kDetailKept) return 0.0;
   const double share = seen.value() / of_both_cameras.value();
@@ -83,7 +83,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   return found;
 }
 
-// The identity's verdict, and whether both pictures show one moment.
+// Sets the verdict from identity, and from whether both images show one moment.
 void LostFace::Found::identify() {
   const auto verdict = face.identity.verdict();
   is_out_of_step = face.sides == SidesVerdict::out_of_step || face.lines.isClearlyOutOfStep();
@@ -91,7 +91,7 @@ void LostFace::Found::identify() {
   is_other = verdict == Identity::Verdict::other && face.is_face_seen && !is_out_of_step;
 }
 
-// Patches learnt anew from the frame, at the pose that recovery found.
+// Makes new patches from the frame at the pose that recovery found.
 void LostFace::learnMoment(const FaceRecovery& recovery, const Learnt& learnt, Found& found) {
   const RecoveryPose& pose = found.face.pose;
   const Eigen::Vector3d& centre_mm = learnt.model->centre_mm;
@@ -115,8 +115,8 @@ std::optional<LostFace::Found> LostFace::take(Timestamp now) {
   return found;
 }
 
-// How far the head's motion between the exposures of untriggered cameras may put the face off its epipolar
-// lines. The motion is known from the second answer on.
+// Epipolar error (px) that the head's motion between the exposures of untriggered cameras explains. The
+// motion is known from the second answer on.
 double LostFace::allowed_px(const Found& found) {
   const auto before = std::exchange(before_, Before{found.camera_T_head, found.captured});
   if (!before) return 0.0;
@@ -140,18 +140,18 @@ void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen:
   if (pace_ != Pace::live) beside_ms_ += processorTime_ms() - before_ms;
 }
 
-// A face that looks as in the reference is not remembered.
+// A face that looks as in the reference is not kept.
 void LostFace::remember(const Found& found) {
-  const bool is_new = found.moment || found.face.identity.looks_share < kKnownLook;
+  const bool is_new = found.moment || found.face.identity.in_place_share < kKnownShare;
   if (answers_.isBusy() || !found.is_patient || !is_new) return;
   RecoveredFace face = found.face;
   face.pose.camera_T_head = found.camera_T_head;
   recovery_->remember(face, found.frame);
 }
 
-void LostFace::add(const std::vector<FaceKeyFrame>& looks) {
-  FACENAV_EXPECT(!answers_.isBusy(), "looks are added before anything is asked");
-  for (const auto& look : looks) recovery_->add(look);
+void LostFace::add(const std::vector<FaceKeyFrame>& keys) {
+  FACENAV_EXPECT(!answers_.isBusy(), "key frames are added before anything is asked");
+  for (const auto& key : keys) recovery_->add(key);
 }
 
 void LostFace::forget() {

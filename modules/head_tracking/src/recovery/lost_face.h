@@ -1,7 +1,7 @@
 #pragma once
-// LostFace: asks FaceRecovery about lost frames, beside the frames, and makes of its answer what the tracker
-// goes on from: a pose near which the patches learnt before serve, or these patches learnt anew as the face
-// looks now.
+// LostFace: passes lost frames to FaceRecovery, in parallel with the frames, and turns its answer into what
+// the tracker needs to continue: a pose near which the known patches fit, or new patches made from the
+// present image.
 
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ namespace facenav::head_tracking {
 
 class LostFace {
  public:
-  /// What the tracker learnt at its start; all must outlive this.
+  /// From the tracker's start; all must outlive this.
   struct Learnt {
     const cameras::StereoRig* rig;
     const PatchModel* model;
@@ -26,14 +26,14 @@ class LostFace {
   };
   struct Found {
     Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
-    std::optional<KeyFrame> moment;  // the face as it looks now; nothing where the reference's patches serve
-    bool is_patient = false;         // else the face there is another's, or nobody's, or not sure
+    std::optional<KeyFrame> moment;  // patches of the present image; empty where the reference's fit
+    bool is_patient = false;         // otherwise the face is another person's, absent, or undecided
     bool is_other = false;
-    bool is_out_of_step = false;  // the two pictures show the face at two poses
+    bool is_out_of_step = false;  // the two images show the face at two poses
     bool is_step_unsure = false;  // they may do so: the next answer decides
     RecoveredFace face;
-    Timestamp captured;          // of the pair it was found in
-    cameras::StereoFrame frame;  // that pair, where it is the patient's
+    Timestamp captured;          // capture time of the pair
+    cameras::StereoFrame frame;  // that pair, only if the face is the patient's
     int epoch = 0;
 
     void identify();  // is_patient, is_other and is_out_of_step from `face`
@@ -41,33 +41,33 @@ class LostFace {
 
   LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace);
 
-  /// The answer about an earlier frame (with Pace::patient, about this one), if there is one and nothing was
-  /// forgotten since. On a slow machine it may be seconds old: `captured` says of when it is.
+  /// The answer about an earlier frame (with Pace::patient, about this one), if there is one and forget() was
+  /// not called since the question. On a slow machine it may be seconds old: see `captured`.
   std::optional<Found> take(Timestamp now);
-  /// An answer that has come is thrown away.
+  /// Discards an answer that has arrived.
   void drop(Timestamp now) { answers_.take(now.s); }
   bool isBusy() const { return answers_.isBusy(); }
-  /// A frame whose face is lost, or is to be checked. `last`: where the head was seen last. Nothing is asked
-  /// while an answer is awaited.
+  /// Starts a search in a frame whose face is lost or to be checked. `last`: the head's last known pose. Does
+  /// nothing while an answer is pending.
   void ask(const cameras::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
-  /// Whether the pictures hold the skin's fine detail, so that patches alone tell whose skin it is.
+  /// Whether the images keep the skin's fine detail, so that patches alone decide the identity.
   bool picturesKeepDetail() const;
-  /// The face is tracked as it was found: how it looks is remembered, where that is new.
+  /// The found face is tracked: keeps it as a key frame if it looks new.
   void remember(const Found& found);
-  /// Looks from elsewhere, to be searched for, too.
-  void add(const std::vector<FaceKeyFrame>& looks);
-  /// Remembered so far and sure enough to be kept.
+  /// Key frames from another source, used in the search.
+  void add(const std::vector<FaceKeyFrame>& keys);
+  /// Key frames that are reliable enough to be saved.
   std::vector<FaceKeyFrame> learnt() const { return recovery_->learnt(); }
-  /// What was asked and learnt so far is in doubt.
+  /// The key frames and pending questions are in doubt: discards them.
   void forget();
-  /// Time that this thread has spent since the last call on what a live session does beside the frames (ms).
+  /// Processor time since the last call that a live session would spend in parallel with the frames (ms).
   double takeBeside_ms();
 
  private:
   struct Question {
     cameras::StereoFrame frame;
     std::optional<Eigen::Isometry3d> last;
-    bool is_thorough;  // with a search for faces at any roll
+    bool is_thorough;  // the face detector searches all roll angles
     int epoch;
   };
   struct Before {
@@ -80,13 +80,13 @@ class LostFace {
 
   std::shared_ptr<FaceRecovery> recovery_;
   Learnt learnt_;
-  std::optional<Before> before_;  // of the last answer
+  std::optional<Before> before_;  // pose and time of the last answer
   StepWatch step_;
   Pace pace_;
   int epoch_ = 0, asked_ = 0;
   bool is_to_forget_ = false;
   double beside_ms_ = 0.0;
-  LaterAnswer<Question, Found> answers_;  // last: its thread ends first
+  LaterAnswer<Question, Found> answers_;  // declared last, so that its thread ends first
 };
 
 }  // namespace facenav::head_tracking

@@ -14,11 +14,12 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr int kFewestMatches = 24;
-constexpr double kFreedom = 3.0;       // of Student's t
-constexpr int kRounds = 12;            // of reweighting
-constexpr double kUpperFace_mm = 1.3;  // mobility of skin that tells where the skull is
-constexpr double kLeastScale = 0.3;    // of the errors by those expected
-constexpr double kRig_rad = 0.15 * M_PI / 180, kRig_mm = 0.3;  // of each camera's own pose, by rig and lens
+constexpr double kPoseFreedom = 3.0;       // degrees of freedom of Student's t
+constexpr int kPoseRounds = 12;            // iterations of reweighting
+constexpr double kUpperFace_mm = 1.3;  // mobility of skin that shows where the skull is
+constexpr double kLeastScale = 0.3;    // of residuals against their expected sigma
+constexpr double kRig_rad = 0.15 * M_PI / 180,
+                 kRig_mm = 0.3;  // errors of each camera's own pose from rig and lens
 // Coarse to fine: each level is searched until it has settled.
 constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};
 
@@ -35,7 +36,7 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
   s.weight.assign(matches.size(), 1.0);
   s.residual.resize(matches.size());
   std::vector<double> distance(matches.size());
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kPoseRounds; ++round) {
     Matrix6d h = Matrix6d::Identity() * 1e-9;
     Vector6d g = Vector6d::Zero();
     for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -51,16 +52,16 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
       s.residual[i] = matches[i].offset_px - matches[i].jacobian * s.xi;
       distance[i] = std::sqrt(std::max(0.0, s.residual[i].dot(precision[i] * s.residual[i])));
     }
-    s.scale = std::max(kLeastScale, upperMedian(distance) / 1.177);  // of a 2-D normal error's length
+    s.scale = std::max(kLeastScale, upperMedian(distance) / 1.177);  // median length of a 2-D normal error
     for (std::size_t i = 0; i < matches.size(); ++i)
-      s.weight[i] = (kFreedom + 2) / (kFreedom + std::pow(distance[i] / s.scale, 2));
+      s.weight[i] = (kPoseFreedom + 2) / (kPoseFreedom + std::pow(distance[i] / s.scale, 2));
     if (round > 2 && (s.xi - before).norm() < 1e-6) break;
   }
   return s;
 }
 
-// Errors that a part of the face shares: how the pose changes when a part is left out shows them (delete-one
-// jackknife over clusters; Bell & McCaffrey 2002, CR3). Weights stay as they are.
+// Includes errors that are shared within a part of the face. They appear in how the pose changes when a part
+// is left out (delete-one jackknife over clusters; Bell & McCaffrey 2002, CR3). The weights are kept.
 Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
                       const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
   struct Part {
@@ -96,7 +97,7 @@ std::vector<Eigen::Matrix2d> precisionOf(const SkinPoints& points, const std::ve
   return precision;
 }
 
-// Each camera's own pose, from where both are searched.
+// Pose of each camera alone, from the matches of the joint search.
 void compareSides(const SkinPoints& points, const std::vector<SkinMatch>& matches, RecoveryPose& pose) {
   Vector6d xi[2], rig_error;
   rig_error << Eigen::Vector3d::Constant(kRig_rad), Eigen::Vector3d::Constant(kRig_mm);
@@ -147,7 +148,7 @@ RecoveryPose fitRecoveryPose(const cameras::StereoRig& rig, const SkinPoints& po
     pose.covariance = rotate * field->covariance * rotate.transpose() + then.covariance;
     pose.unseen_covariance =
         settingsOf<SkinFieldModel>().pose_unseen * pose.covariance + then.between_sessions;
-    // Identity counts windows in their place by the pose that most windows agree on.
+    // The identity check counts windows in place at the pose that most windows agree on.
     pose.residual_px.clear();
     for (const auto& match : matches)
       pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());

@@ -11,9 +11,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kMedianNoise = 1.25;  // of a median, by that of a mean
+constexpr double kMedianNoise = 1.25;  // standard error of a median divided by that of a mean
 
-// Signed, px of the right camera: how far the right pixel lies off the left one's epipolar line.
+// Signed distance of the right pixel from the left pixel's epipolar line, px of the right camera.
 double offLine_px(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px,
                   const Eigen::Vector2d& right_px) {
   const Eigen::Matrix3d essential = skew(rig.right_T_left.translation_mm()) * rig.right_T_left.rotation();

@@ -12,11 +12,11 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kMedianLength = 1.177;  // of a normal error in two dimensions, by its standard deviation
-constexpr double kNoPrior = 1e-9;        // of the head's motion
-constexpr int kRounds = 12;
+constexpr double kMedianLength = 1.177;  // median length of a 2-D normal error, in its standard deviation
+constexpr double kNoPrior = 1e-9;        // weak prior of the head's motion
+constexpr int kFieldRounds = 12;
 
-// How each point's skin follows the nodes (rows: points; unit length). A node has three unknowns.
+// Influence of the nodes on each point's skin (rows: points; unit length). A node has three unknowns.
 Eigen::MatrixXd shares(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
   const SkinFieldModel& model = settingsOf<SkinFieldModel>();
   const double spacing_mm = model.field_spacing_mm;
@@ -76,7 +76,7 @@ Observations observationsOf(const SkinPoints& points, const std::vector<SkinMatc
   return seen;
 }
 
-// Cauchy weights of the matches, by their residuals in units of the errors that this frame shows.
+// Cauchy weights of the matches from their residuals, in units of the errors of this frame.
 std::vector<double> weightsOf(const Observations& seen, const Eigen::VectorXd& residual_px) {
   const SkinFieldModel& model = settingsOf<SkinFieldModel>();
   const double freedom = model.field_freedom;
@@ -90,7 +90,7 @@ std::vector<double> weightsOf(const Observations& seen, const Eigen::VectorXd& r
   return weight;
 }
 
-// Most of the skin stays, a part of it moves far: each node's prior is Student's t, too.
+// Most of the skin stays, part of it moves far. Therefore each node's prior is Student's t too.
 Eigen::VectorXd priorOf(const Eigen::VectorXd& found) {
   const double freedom = settingsOf<SkinFieldModel>().field_freedom;
   Eigen::VectorXd prior = Eigen::VectorXd::Constant(found.size(), kNoPrior);
@@ -109,7 +109,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
   Eigen::VectorXd found = Eigen::VectorXd::Zero(seen.design.cols());
   Eigen::MatrixXd weighted(seen.design.rows(), seen.design.cols());
   SkinFieldPose pose;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kFieldRounds; ++round) {
     for (Eigen::Index i = 0; i < seen.count(); ++i)
       weighted.middleRows<2>(2 * i).noalias() =
           weight[std::size_t(i)] * seen.precision[std::size_t(i)] * seen.design.middleRows<2>(2 * i);
@@ -119,7 +119,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
     found = factor.solve(weighted.transpose() * seen.offset_px);
     if (!found.allFinite()) return std::nullopt;
     weight = weightsOf(seen, seen.offset_px - seen.design * found);
-    if (round == kRounds - 1)
+    if (round == kFieldRounds - 1)
       pose.covariance = factor.solve(Eigen::MatrixXd::Identity(normal.rows(), 6)).topRows<6>();
   }
   pose.xi = found.head<6>();

@@ -1,10 +1,10 @@
 #pragma once
-// The head's pose from skin matches where skin has moved over the bone: rigid motion and a smooth field of
-// skin motion are estimated together. Neighbouring windows that move as one (a cheek, a lock of hair) count
-// as few observations. The prior on the field comes from skin_mobility.h. Windows and nodes of the field have
+// The head's pose from skin matches where skin has moved over the bone. Rigid motion and a smooth field of
+// skin motion are estimated together. Neighbouring windows that move together (a cheek, a lock of hair) count
+// as few observations. The prior of the field comes from skin_mobility.h. Windows and nodes of the field have
 // Cauchy errors: most skin stays, some moves far. The posterior covariance of the pose includes the skin's
-// motion. Known limit: a whole forehead that moves far beyond its mobility still pulls the pose, by more than
-// the covariance says. In: matches with offsets (px) from a pose near by.
+// motion. Known limit: a whole forehead that moves far beyond its mobility moves the pose by more than the
+// covariance states. In: matches with offsets (px) from a pose near by.
 
 #include <optional>
 #include <vector>
@@ -18,7 +18,7 @@ struct SkinFieldPose {
   Matrix6d covariance = Matrix6d::Identity();  // of xi
 };
 
-/// Nothing where the matches do not fix a pose.
+/// Empty where the matches do not fix a pose.
 std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
                                                 const std::vector<SkinMatch>& matches);
 

@@ -5,14 +5,14 @@
 namespace facenav::head_tracking {
 namespace {
 
-// Standard deviations by part, mm. Order of size after landmark motion in posed expressions (Cosker,
+// Standard deviations by part, mm. Order of magnitude from landmark motion in posed expressions (Cosker,
 // Krumhuber, Hilton 2011, FACS-valid 3-D faces: mouth corners 5-15 mm, cheeks 2-5 mm, brows 3-6 mm at the
-// strongest; a third of that is taken for a moment that nobody posed). Not fitted.
+// strongest). A third of that is assumed for an unposed moment. Not fitted.
 constexpr double kBridge_mm = 0.25, kForehead_mm = 0.5, kTemple_mm = 0.5, kBrow_mm = 1.2, kEye_mm = 1.2;
 constexpr double kCheek_mm = 1.2, kNoseTip_mm = 0.6, kMouth_mm = 4.0;
 constexpr double kHair_mm = 3.0;                   // beyond the hairline, and in front of the ears
 constexpr double kHairline = -0.75, kEars = 1.05;  // a forehead is as high as the nose is long (Farkas 1994)
-constexpr double kUnknown_mm = 0.6;                // all of it is asked about identity, then
+constexpr double kUnknown_mm = 0.6;                // all of the face then takes part in the identity check
 
 Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& points, int first, int last) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -34,7 +34,7 @@ SkinMobility::SkinMobility(const face::FaceLandmarks& face) {
   is_known_ = true;
 }
 
-// In parts of the nose's length below the brows, and of the distance between the eyes from the midline.
+// In units of the nose's length below the brows, and of the distance between the eyes from the midline.
 SkinPart SkinMobility::at(const Eigen::Vector2d& px) const {
   if (!is_known_) return {0, kUnknown_mm};
   const Eigen::Vector2d d = px - bridge_px_, across(-down_.y(), down_.x());

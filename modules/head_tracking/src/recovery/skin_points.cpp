@@ -9,20 +9,21 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kSmoothing_px = 0.8;       // before matching: sensor noise and the codec's ringing
-constexpr double kLight_px = 3.0;           // of a level: what changes over more is light's, not the skin's
-constexpr double kCells = 24.0;             // over the face's width; at most one point in each
-constexpr double kWindowShare = 0.028;      // half a window by the face's width: 8 mm of skin in all
-constexpr int kLeastHalf_px = 5;            // of a window, at any level
-constexpr double kLeastTexture_grey = 0.6;  // rms change of grey a pixel along the weaker direction
-constexpr double kLeastFacing = 0.3;        // cosine of view against normal
-constexpr double kLeastCorrelation = 0.45;  // of the best place
-constexpr double kPlaceError_px = 0.25;     // of a level: what sampling and shape leave in the best place
-constexpr double kIndependent_px2 = 12.0;   // area over which compressed, smoothed pictures err alike
-constexpr double kLeastUnlike = 0.02;       // 1 - correlation^2 of the best place, at least
+constexpr double kSmoothing_px = 0.8;   // before matching: against sensor noise and compression artefacts
+constexpr double kLight_px = 3.0;       // of a level: slower changes are lighting, not skin
+constexpr double kCells = 24.0;         // over the face's width; at most one point in each cell
+constexpr double kWindowShare = 0.028;  // half window over the face's width: 8 mm of skin in all
+constexpr int kLeastHalf_px = 5;        // of a window, at any level
+constexpr double kLeastTexture_grey =
+    0.6;                              // texture limit along the weaker direction; its scale: see `least`
+constexpr double kLeastFacing = 0.3;  // cosine between view and normal
+constexpr double kLeastCorrelation = 0.45;  // at the best place
+constexpr double kPlaceError_px = 0.25;     // of a level: error from sampling and shape
+constexpr double kIndependent_px2 = 12.0;   // area of correlated errors in compressed, smoothed images
+constexpr double kLeastUnlike = 0.02;       // least 1 - correlation^2 at the best place
 constexpr double kNearest_mm = 50.0;
-constexpr int kMarginWindows = 5;       // half windows round the face that are kept of a look
-constexpr int kColumns = 6, kRows = 7;  // regions of the face's box whose errors are taken as one
+constexpr int kMarginWindows = 5;       // half windows kept around the face in a key frame
+constexpr int kColumns = 6, kRows = 7;  // regions of the face's box with correlated errors
 
 const cameras::CameraModel& cameraOf(const cameras::StereoRig& rig, int c) {
   return c == 0 ? rig.left : rig.right;
@@ -32,7 +33,7 @@ Eigen::Isometry3d seenFrom(const cameras::StereoRig& rig, int c, const Eigen::Is
   return c == 0 ? camera_T_head : rig.right_T_left.isometry() * camera_T_head;
 }
 
-// Two directions along the skin, mm.
+// Two unit tangents of the skin.
 Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal) {
   Eigen::Matrix<double, 3, 2> tangents;
   tangents.col(0) = normal.unitOrthogonal();
@@ -40,7 +41,7 @@ Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal) {
   return tangents;
 }
 
-// Place of the best correlation to a fraction of a pixel, with the curvature there.
+// Place of the best correlation with sub-pixel precision, and the curvature there.
 struct Peak {
   Eigen::Vector2d at;
   Eigen::Matrix2d curvature;
@@ -70,15 +71,15 @@ bool facesCamera(const SkinPoint& point, const Eigen::Isometry3d& camera_T_head)
          -(camera_T_head.linear() * point.normal).dot(p_mm.normalized()) > kLeastFacing;
 }
 
-// One camera with one level of its picture.
+// One camera with one pyramid level of its image.
 struct Sight {
   const cameras::CameraModel* camera;
   Eigen::Isometry3d camera_T_head;
   const cv::Mat1f* picture;
 };
 
-// The point's window as the picture `before` shows it, warped as `after` should see it, searched there.
-// `scale`: pixels of the level by full ones; the jacobian's turn is left to the caller.
+// Warps the point's window from the image of `before` to its predicted appearance in `after`, and searches it
+// there. `scale`: pixels of the level per full-resolution pixel. The caller fills the jacobian's rotation.
 std::optional<SkinMatch> findPoint(const SkinPoint& point, const Sight& before, const Sight& after,
                                    double scale, int half, int reach) {
   Eigen::Matrix<double, 2, 3> d_before, d_after;
@@ -108,7 +109,8 @@ std::optional<SkinMatch> findPoint(const SkinPoint& point, const Sight& before, 
   if (!peak || peak->value < kLeastCorrelation) return std::nullopt;
   SkinMatch match;
   match.correlation = peak->value;
-  // The window shows what the pose puts at `middle`, a whole pixel: the point itself lies beside it.
+  // The window is centred on what the pose predicts at `middle`, a whole pixel. The point itself lies beside
+  // it.
   match.offset_px = (peak->at - Eigen::Vector2d::Constant(double(reach))) / scale;
   match.px = after_px / scale + match.offset_px;
   const double independent = double(window.total()) / kIndependent_px2;
@@ -152,7 +154,9 @@ SkinPoints::SkinPoints(const cameras::StereoRig& rig, const cameras::StereoFrame
   const int side = 2 * half_window_px_ + 1;
   cv::cornerMinEigenVal(reference_.pictures.level[0][0], texture, side, 3);
   const double cell = std::max(4.0, box.width / kCells);
-  // OpenCV's eigenvalue is a sum of squares scaled by 1/(4 side)^2 over Sobel's 8 and the window's mean.
+  // OpenCV's eigenvalue is about 4 times the mean squared gradient along the weaker direction (measured, for
+  // windows of 11 to 25 px). The limit is thus an rms gradient of kLeastTexture_grey / (4 side): 0.01 grey
+  // levels a pixel for a window of 17 px.
   const double least = std::pow(kLeastTexture_grey * 0.5 / side, 2);
   for (double y0 = box.y; y0 < box.br().y; y0 += cell)
     for (double x0 = box.x; x0 < box.br().x; x0 += cell) {

@@ -1,6 +1,6 @@
 #pragma once
-// Which points of the cloud lie on bare skin, once the pose is roughly known: hair, a mask, a hand and what
-// else covers the face is left out of the fit as whole patches.
+// Which points of the cloud lie on bare skin, once the pose is roughly known. Hair, a mask, a hand and other
+// occlusions are left out of the fit as whole patches.
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -11,16 +11,16 @@
 
 namespace facenav::registration {
 
-/// The patches of the cloud that something covers.
+/// The covered patches of the cloud.
 class Covers {
  public:
   Covers() = default;
-  /// As `points`, 3 to 5 mm apart, show at a pose that is off by no more than a millimetre or two.
+  /// Decides at a pose that is within 1 to 2 mm of the true one. `points`: 3 to 5 mm apart.
   Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
          const Eigen::Isometry3d& mri_T_camera);
 
   bool hold(const Eigen::Vector3d& p_camera_mm) const;
-  /// Those of `points` that lie elsewhere.
+  /// Those of `points` that are not covered.
   std::vector<int> bare(const PointCloud<Camera>& face, const std::vector<int>& points) const;
 
  private:

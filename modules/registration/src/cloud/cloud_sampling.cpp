@@ -9,15 +9,15 @@
 namespace facenav::registration {
 namespace {
 
-/// A stride that visits all of 0 .. n-1 in an order that looks scattered.
+/// A stride that visits all of 0 .. n-1 in a scattered order.
 std::size_t scatteredStride(std::size_t n) {
   std::size_t stride = std::size_t(0.6180339887 * double(n)) | 1;
   while (std::gcd(stride, n) != 1) ++stride;
   return stride;
 }
 
-/// Points a cube for which as many cubes as `share` of the points hold any: (1 - exp(-n)) / n = share, if
-/// they lie at random on a surface.
+/// Mean number of points n per cube at which the occupied cubes number `share` of the points, for points at
+/// random on a surface: (1 - exp(-n)) / n = share.
 double fillingAt(double share) {
   double low = 0, high = 50;
   for (int halving = 0; halving < 24; ++halving) {
@@ -54,7 +54,8 @@ std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>
       if (at >= of.size()) at -= of.size();
     }
     if (chosen.size() <= most) return chosen;
-    // Of a surface, cubes as much larger hold the number; points in a pattern fill more cubes than that says.
+    // The number of occupied cubes of a surface falls with the square of the cell. Points in a regular
+    // pattern occupy more cubes than this formula says.
     const double seen = double(visited) / double(of.size());
     const double growth = std::sqrt(seen * fillingAt(0.95 * double(most) / double(of.size())) /
                                     fillingAt(double(most) / double(visited)));

@@ -1,6 +1,6 @@
 #pragma once
-// The cubes of a grid that points lie in, numbered in the order in which they are first met: what patches of
-// skin and evenly thinned clouds are made by.
+// Numbers the cubes of a grid in the order in which points first fall into them. Used to form patches of skin
+// and to thin clouds evenly.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace facenav::registration {
 
 class CubeNumbers {
  public:
-  /// `most`: how many cubes are expected; more are taken.
+  /// `most`: expected number of cubes; more are possible.
   explicit CubeNumbers(double size_mm, std::size_t most = 500);
 
-  /// Number of the cube that the point lies in; a new one where it was not met before. Coordinates: numbers,
+  /// Number of the cube that contains the point; a new number for a new cube. Coordinates must be finite and
   /// within a million cubes.
   int of(const Eigen::Vector3f& p_mm);
-  /// The same; -1 where it was not met.
+  /// The same without adding a cube; -1 for an unknown one.
   int find(const Eigen::Vector3f& p_mm) const;
   int size() const { return size_; }
 

@@ -9,7 +9,7 @@
 namespace facenav::registration {
 namespace {
 
-/// What varies faster than this (mesh facets, the matcher's window) is shared by neighbouring points.
+/// Area within which residuals of points are correlated (mesh facets, the matcher's window).
 constexpr double kGrain_mm2 = 28.0;
 constexpr double kLeastNoise_mm = 0.04, kSlantNoise_mm = 0.1;
 
@@ -41,8 +41,8 @@ SkinPatch average(const std::vector<PointMatch>& matches, const std::vector<int>
   return patch;
 }
 
-/// What the patch's mean is uncertain by: its grains, and where it is seen from the side, the matcher's
-/// window, which reaches over the edge.
+/// Standard error of the patch's mean. Its points count as independent values of one grain each. On slanted
+/// skin the matcher's window, which reaches over the edge, adds to it.
 double noiseOf(const SkinPatch& patch, double full, double size_mm, const Eigen::Vector3d& camera_mri_mm) {
   const double grains = std::max(1.0, std::min(1.5, patch.points / full) * size_mm * size_mm / kGrain_mm2);
   const double facing =

@@ -19,7 +19,7 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kFarFromMirrored = 30.0;  // logarithm of odds: then no closer look is needed
+constexpr double kFarFromMirrored = 30.0;  // log odds: then no closer comparison is needed
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
   constexpr float kSettled_mm = 0.02f;
@@ -28,7 +28,7 @@ Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, floa
   return fitter.fit(pose, {1.2f, 1.0f, 5, true, kSettled_mm});
 }
 
-/// Four standard deviations across or up the face, the smaller.
+/// Four standard deviations across or up the face, whichever is smaller.
 double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
   if (points_mri_mm.empty()) return 0.0;
   Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
@@ -41,7 +41,8 @@ double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
 
 bool isNoFit(const Closeness& c) {
   const FitLimits& limits = settingsOf<FitLimits>();
-  // A mask explains half of a face that does not fit, if what is left fits as closely as skin does.
+  // With a wrong head, half of the face may be taken for a mask; the rest must then fit as closely as skin
+  // does.
   return (c.median_mm > limits.wrong_median_mm && c.best_third_mm > limits.wrong_third_mm) ||
          c.close_fraction < limits.least_close || c.bare_share < limits.least_bare ||
          (c.bare_share < limits.mostly_bare && c.bare_mm > limits.wrong_bare_mm);
@@ -78,8 +79,8 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
   return out;
 }
 
-/// How much likelier the skin is than its mirror image. The face is mirrored instead of the skin, which is
-/// the same, and fitted with as much care as the face itself, from three turns near the pose.
+/// Log likelihood ratio of the skin to its mirror image. The face is mirrored instead of the skin, which is
+/// equivalent. It is fitted as carefully as the face itself, from three turns near the pose.
 void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
                      const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
   const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
@@ -107,7 +108,7 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
   const FieldFitter given(scalp, face, points);
   const double here = SkinLikelihood(scalp, face, points)(given.match(mri_T_camera));
   evidence.mirror_log_odds = here - most;
-  if (evidence.mirror_log_odds > kFarFromMirrored) return;  // no care gains a mirror image so much
+  if (evidence.mirror_log_odds > kFarFromMirrored) return;  // a closer fit cannot gain that much
   const PartFit closest = fitParts(scalp, mirrored, all, best).front();
   if (closest.log_likelihood > most) most = closest.log_likelihood, best = closest.mri_T_camera;
   evidence.mirror_log_odds = here - most;
@@ -116,7 +117,7 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
   evidence.does_mirror_fit = !isNoFit(closenessOf(scalp, mirrored, all, best, covers));
 }
 
-/// How much likelier the pose is than the best that the face finds elsewhere.
+/// Log likelihood ratio of the pose to the best other pose.
 double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
                     const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals) {
   double most = -1e9;
@@ -124,7 +125,7 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
   const FieldFitter everything(scalp, face, points);
   const SkinLikelihood logLikelihood(scalp, face, points);
   for (const Candidate& rival : rivals) {
-    constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares cut at 4 mm
+    constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares, each cut at 4 mm
     if (kTruncated_mm2 - rival.cost < 0.6 * (kTruncated_mm2 - rivals.front().cost)) continue;
     const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f);
     if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * M_PI / 180.0, 10.0)) continue;
@@ -133,8 +134,8 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
   return logLikelihood(everything.match(mri_T_camera)) - most;
 }
 
-/// The size of the live face over the scan's at which it would fit, and the logarithm of how much likelier;
-/// cameras whose calibration is off in scale see everything so.
+/// The size of the live face relative to the scan at which it fits best, with its log likelihood ratio. A
+/// calibration with a scale error makes every face fit at another size.
 std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud<Camera>& face,
                                        const std::vector<int>& points,
                                        const Eigen::Isometry3d& mri_T_camera) {
@@ -154,7 +155,7 @@ std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud
   return best;
 }
 
-/// By how many standard errors the scale differs from one, what scanners are off by included.
+/// Difference of the scale from one in standard errors, including the scale error of scanners.
 double scaleZ(const FitEvidence& evidence) {
   if (!(evidence.scale_sigma > 0)) return 0.0;
   return std::abs(evidence.scale - 1.0) /
@@ -196,7 +197,7 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
 void requireLikeness(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   const Closeness& closeness = evidence.closeness;
-  const bool is_resized = evidence.scale_log_odds > limits.resized;  // then little of it lies close
+  const bool is_resized = evidence.scale_log_odds > limits.resized;  // little of a resized face lies close
   if (closeness.face_points < 300 || (closeness.extent_mm < limits.least_extent_mm && !is_resized))
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
   if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit &&

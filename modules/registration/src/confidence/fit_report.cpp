@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kModelPatch_mm = 12.0;
 constexpr double kLeastCovered =
-    0.65;  // a patch with more points off the skin is at the edge of hair or coil
+    0.65;  // patches with more points off the skin lie at the edge of hair or coil
 
 std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter& fitter,
                                       const Eigen::Isometry3d& pose, double limit_mm) {
@@ -29,8 +29,8 @@ std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter
   return patches;
 }
 
-/// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at
-/// the image of Mri's origin: there the head turns the other way, and the shift is that of the origin.
+/// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at the
+/// image of Mri's origin. There the rotation changes sign, and the shift is that of the origin.
 Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_mm,
                   const Eigen::Matrix3d& camera_R_mri) {
   Matrix6d carry = Matrix6d::Zero();
@@ -40,7 +40,7 @@ Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_m
   return carry * covariance * carry.transpose();
 }
 
-/// The largest predicted error where coils aim: up to 60 mm off the head's middle.
+/// The largest predicted error at targets of coils: up to 60 mm from the head's middle.
 double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& middle) {
   constexpr double kBrain_mm = 60.0;
   double worst = 0;
@@ -51,9 +51,9 @@ double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& mid
   return worst;
 }
 
-/// A face that is larger or smaller than the scan's by more than two standard errors says that scan or
-/// calibration is off in size; the pose, which fits at the face, is then off in the brain by that much of the
-/// way there. A shift, since only the brain is asked about.
+/// A face that differs in size from the scan's by more than two standard errors shows a size error of scan or
+/// calibration. The pose fits at the face, so the error in the brain is that share of the distance between
+/// face and brain. Modelled as a shift, since only points in the brain matter.
 Matrix6d bySize(const PosePosterior& posterior, const Eigen::Vector3d& face_mri_mm,
                 const Eigen::Vector3d& middle, const Eigen::Matrix3d& camera_R_mri) {
   const double beyond = std::max(0.0, std::abs(posterior.scale) - 2 * posterior.scale_sigma);
@@ -117,7 +117,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   double squares = 0;
   std::size_t offered = 0;
   Eigen::Vector3d face_mri_mm = Eigen::Vector3d::Zero();
-  // On a bare face a patch or two that look covered still fit the skin, and go with the head.
+  // On a bare face one or two patches that look covered still fit the skin and are used.
   const bool is_partly_covered = isPartlyCovered(evidence);
   for (std::size_t p = 0; p < matches.size(); ++p) {
     const double residual = double(matches[p].residual_mm);

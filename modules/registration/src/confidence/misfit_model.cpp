@@ -12,18 +12,18 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What the size of the smooth field may be, its reach, and how much larger it is over soft tissue.
+/// A hypothesis about the smooth field: its size, its reach, and the factor over soft tissue.
 struct FieldShape {
   double size_mm, reach_mm, soft;
 };
 
-/// What the sizes of the whole skin's offset and of the scan's scale error may be.
+/// A hypothesis about the sizes of the whole skin's offset and of the scan's scale error.
 struct ModeSizes {
   double offset_mm, scale, log_weight;
 };
 
-/// The patches as one linear model: residual = misfit + design * error, the misfit's modes among its columns:
-/// six of the pose, the offset, the scale along each axis, and the residual itself.
+/// The patches as one linear model: residual = misfit + design * error. Columns: six of the pose, the offset,
+/// the scale along each axis (modes of the misfit), and the residual itself.
 struct LinearModel {
   static constexpr int kPose = 6, kOffset = 6, kScale = 7, kResidual = 10, kColumns = 11;
   Eigen::Matrix<double, Eigen::Dynamic, kColumns> columns;
@@ -31,11 +31,11 @@ struct LinearModel {
   MatrixXd distance_mm;
 };
 
-/// Rotations are stated at this lever, so that all six columns are of one size.
+/// Rotations are multiplied by this lever, so that all six columns have similar size.
 constexpr double kLever_mm = 100.0;
 constexpr double kPatch_mm = 12.0;
-// Fewer patches say too little of the shape: of 21 faces the bound on one moved between 1.6 and 2.7 mm with
-// which third of the patches was asked.
+// Fewer patches determine the shape too poorly: of 21 faces, the bound on one varied between 1.6 and 2.7 mm
+// with the third of the patches that was used.
 constexpr std::size_t kShapePatches = 150, kMostShapes = 6;
 
 LinearModel linearModel(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
@@ -56,7 +56,7 @@ LinearModel linearModel(const std::vector<SkinPatch>& patches, const anatomy::Fa
   return model;
 }
 
-/// Matern 3/2: smooth skin, with detail at every scale below its reach.
+/// Matern 3/2: smooth skin with detail at every scale below its reach.
 Eigen::MatrixXf maternOf(const MatrixXd& distance_mm, double reach_mm) {
   const Eigen::ArrayXXf u = distance_mm.array().cast<float>() * float(std::sqrt(3.0) / reach_mm);
   return (1.0f + u) * (-u).exp();
@@ -74,7 +74,7 @@ MatrixXd fieldCovariance(const LinearModel& model, const MatrixXd& correlation, 
   return k;
 }
 
-/// The model under one shape of the field, whitened: all that the modes' sizes and the pose depend on.
+/// The model whitened under one shape of the field: sufficient for the modes' sizes and the pose.
 struct Whitened {
   Eigen::Matrix<double, LinearModel::kColumns, LinearModel::kColumns> products;
   double log_determinant;
@@ -87,8 +87,8 @@ Whitened whiten(const LinearModel& model, const MatrixXd& field_covariance) {
   return {white.transpose() * white, 2 * factor.matrixLLT().diagonal().array().log().sum()};
 }
 
-/// Generalised least squares of `unknowns` among the columns, where others are random with these precisions
-/// (Woodbury): estimate, covariance, and the restricted likelihood's logarithm.
+/// Generalised least squares of `unknowns` among the columns; `modes` are random with the given sigmas
+/// (Woodbury). Gives the estimate, its covariance, and the logarithm of the restricted likelihood.
 struct Estimate {
   VectorXd value;
   MatrixXd covariance;
@@ -122,7 +122,7 @@ Estimate estimatePose(const Whitened& white, const ModeSizes& sizes) {
                   (VectorXd(4) << sizes.offset_mm, VectorXd::Constant(3, sizes.scale)).finished());
 }
 
-/// Scale beside the pose, the same along all axes: its estimate and variance.
+/// Estimate and variance of a scale common to all axes, fitted together with the pose.
 std::pair<double, double> estimateScale(const Whitened& white, const ModeSizes& sizes) {
   MatrixXd unknowns = MatrixXd::Zero(LinearModel::kColumns, 7);
   unknowns.topLeftCorner<6, 6>().setIdentity();
@@ -134,11 +134,11 @@ std::pair<double, double> estimateScale(const Whitened& white, const ModeSizes& 
 
 struct Plausible {
   FieldShape shape;
-  std::vector<ModeSizes> modes;  // log_weight: of shape and sizes together, 0 for the best of all
+  std::vector<ModeSizes> modes;  // log_weight: of shape and sizes together; 0 for the best
   double log_weight;             // of its best sizes
 };
 
-/// Shapes and sizes that the residuals leave open, by their posterior weight; those below 2 % of the best are
+/// Shapes and sizes that agree with the residuals, with posterior weights; those below 2 % of the best are
 /// left out.
 std::vector<Plausible> plausibleShapes(const LinearModel& model, const MisfitPrior& prior) {
   constexpr double kStep = 0.55, kLeast = -4.0;
@@ -172,7 +172,7 @@ std::vector<Plausible> plausibleShapes(const LinearModel& model, const MisfitPri
   return all;
 }
 
-/// Every `stride`-th patch, for what only the field's shape is asked.
+/// Every `stride`-th patch; enough to estimate the field's shape.
 std::vector<SkinPatch> some(const std::vector<SkinPatch>& patches, std::size_t most) {
   if (patches.size() <= most) return patches;
   std::vector<SkinPatch> out;
@@ -181,7 +181,7 @@ std::vector<SkinPatch> some(const std::vector<SkinPatch>& patches, std::size_t m
   return out;
 }
 
-/// Covariance of what a right pose leaves: field, noise, offset and scale.
+/// Covariance of the residuals at the right pose: field, noise, offset and scale.
 MatrixXd misfitCovariance(const LinearModel& model, const FieldShape& shape, const ModeSizes& sizes) {
   MatrixXd k = fieldCovariance(model, correlation(model.distance_mm, shape.reach_mm), shape);
   const auto offset = model.columns.col(LinearModel::kOffset);
@@ -191,8 +191,8 @@ MatrixXd misfitCovariance(const LinearModel& model, const FieldShape& shape, con
   return k;
 }
 
-/// Cross-validated residuals (Rasmussen and Williams 2006, equation 5.12): patches that neighbours and pose
-/// do not explain are given more noise.
+/// Cross-validated residuals (Rasmussen and Williams 2006, equation 5.12). Patches that neighbours and pose
+/// do not explain get more noise.
 void dropOutliers(LinearModel& model, const Plausible& likeliest) {
   const Eigen::LLT<MatrixXd> factor(misfitCovariance(model, likeliest.shape, likeliest.modes.front()));
   const auto n = model.columns.rows();
@@ -209,8 +209,9 @@ void dropOutliers(LinearModel& model, const Plausible& likeliest) {
   }
 }
 
-/// The linear estimator of the pose, error = estimator * residual, by weights that trust no long reach: what
-/// varies within patches, a little that neighbours share, offset and scale of a good scan.
+/// The linear estimator of the pose, error = estimator * residual. Its weights assume only short
+/// correlations: variation within patches, a small part shared by neighbours, offset and scale of a good
+/// scan.
 MatrixXd workingEstimator(const LinearModel& model) {
   const MisfitPrior& prior = settingsOf<MisfitPrior>();
   const double offset_mm = prior.working_offset_mm, scale = prior.working_scale;
@@ -219,7 +220,7 @@ MatrixXd workingEstimator(const LinearModel& model) {
       (prior.working_field_mm * (1.0 + (prior.working_soft - 1.0) * model.softness.array())).cast<float>();
   Eigen::MatrixXf k =
       field_mm.asDiagonal() * maternOf(model.distance_mm, prior.working_reach_mm) * field_mm.asDiagonal();
-  k.diagonal() += model.noise2.cast<float>();  // well conditioned: single precision does
+  k.diagonal() += model.noise2.cast<float>();  // well conditioned, so single precision is enough
   const MatrixXd design = model.columns.leftCols<kUnknowns>();
   const MatrixXd weighted = k.llt().solve(design.cast<float>()).cast<double>();
   MatrixXd information = design.transpose() * weighted;
@@ -229,7 +230,7 @@ MatrixXd workingEstimator(const LinearModel& model) {
   return information.llt().solve(weighted.transpose()).topRows<LinearModel::kPose>();
 }
 
-/// Of the estimate, if the misfit is any of these; times the sum of their weights.
+/// Covariance of the estimate averaged over these shapes, times the sum of their weights.
 Matrix6d covarianceUnder(const std::vector<Plausible>& shapes, const LinearModel& model,
                          const MatrixXd& estimator) {
   const Vector6d by_offset = estimator * model.columns.col(LinearModel::kOffset);
@@ -278,8 +279,8 @@ PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::
   posterior.field_mm /= total, posterior.reach_mm /= total;
   posterior.error = estimator * model.columns.col(LinearModel::kResidual);
   posterior.covariance = covarianceUnder(shapes, model, estimator) / total;
-  // The field's size was estimated from as many independent values as its reach leaves on the face: the error
-  // is distributed as Student's t, wider than the plug-in covariance says.
+  // The field's size is estimated from a limited number of independent values: the face divided by its reach.
+  // The error therefore has Student's t distribution, which is wider than the plug-in covariance.
   posterior.freedom =
       std::clamp(double(patches.size()) * std::pow(kPatch_mm / posterior.reach_mm, 2), 5.0, 60.0);
   const double tails = posterior.freedom / (posterior.freedom - 2.0);

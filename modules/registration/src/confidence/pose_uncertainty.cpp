@@ -41,8 +41,8 @@ double PoseUncertainty::predictedError_mm(const RigidTransform<Camera, Mri>& cam
 
 double PoseUncertainty::errorBound_mm(const RigidTransform<Camera, Mri>& camera_T_mri,
                                       const Point<Mri>& target, double probability) const {
-  // The squared length is a weighted sum of chi squares, close to one chi square with fewer degrees of
-  // freedom (Satterthwaite 1946), over the chi square of the t distribution.
+  // The squared length is a weighted sum of chi squares, approximated by one chi square with fewer degrees of
+  // freedom (Satterthwaite 1946), divided by the chi square of the t distribution.
   const Eigen::Vector3d variances =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covarianceAt(covariance, camera_T_mri, target))
           .eigenvalues();

@@ -33,7 +33,7 @@ void NearestSkin::linkVertices() {
       corner.emplace_back(skin_->triangles[t][c], int(t));
     }
   corner_triangles_ = withoutRepetitions(groupedByOwner(corner, vertices().size()));
-  // An edge without its opposite is the surface's end.
+  // An edge without its opposite lies on the surface's border.
   const Grouped ahead = groupedByOwner(directed, vertices().size());
   on_border_.assign(vertices().size(), false);
   std::vector<std::pair<int, int>> both;
@@ -53,8 +53,7 @@ void NearestSkin::fillNodes() {
   node_.assign(std::size_t(size_[0]) * size_[1] * size_[2], -1);
   std::vector<float> nearest(node_.size(), std::numeric_limits<float>::max());
   for (std::size_t v = 0; v < vertices().size(); ++v) {
-    if (corner_triangles_.first[v] == corner_triangles_.first[v + 1])
-      continue;  // in no triangle: no part of the surface
+    if (corner_triangles_.first[v] == corner_triangles_.first[v + 1]) continue;  // belongs to no triangle
     const Eigen::Vector3d at = (vertices()[v] - origin_) / kNode_mm;
     const Eigen::Vector3i low = at.array().floor().cast<int>();
     for (int corner = 0; corner < 8; ++corner) {

@@ -1,7 +1,7 @@
 #pragma once
-// NearestSkin: where exactly is the skin nearest to a point? A grid holds the nearest vertex of each node,
-// filled once by vector propagation (Danielsson 1980); a query takes its node's vertex, walks to the nearest
-// one over the mesh, and then drops the perpendicular onto the triangles around it. Mri mm throughout.
+// NearestSkin: the exact point of the skin nearest to a given point. A grid holds the nearest vertex of each
+// node, filled once by vector propagation (Danielsson 1980). A query starts at its node's vertex, walks over
+// the mesh to the nearest vertex, and projects onto the triangles around it. Mri mm throughout.
 
 #include <array>
 #include <vector>
@@ -24,7 +24,8 @@ class NearestSkin {
  public:
   static constexpr double kMargin_mm = 45.0;  // of the grid about the skin
 
-  /// Refers to `skin`, which must stay. Throws Error when it has no points, no normals or no triangles.
+  /// Keeps a reference to `skin`, which must outlive it. Throws Error when it has no points, no normals or no
+  /// triangles.
   explicit NearestSkin(const SkinModel& skin);
 
   /// The nearest triangle around the nearest vertex.
@@ -45,8 +46,8 @@ class NearestSkin {
   void propagate(const std::vector<std::array<int, 3>>& offsets, bool is_backward);
 
   const SkinModel* skin_;
-  Grouped neighbours_;        // of a vertex
-  Grouped corner_triangles_;  // those that a vertex is a corner of
+  Grouped neighbours_;        // of each vertex
+  Grouped corner_triangles_;  // triangles around each vertex
   std::vector<bool> on_border_;
   Eigen::Vector3d low_, high_, origin_;
   std::array<int, 3> size_{};

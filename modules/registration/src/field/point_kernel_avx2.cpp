@@ -1,5 +1,5 @@
-// Eight points at a time. The eight corners of a cell lie in four pairs along x: one 64-bit gather fetches
-// the pairs of four points.
+// Eight points at a time. The eight corners of a cell form four pairs along x. One 64-bit gather fetches the
+// pairs of four points.
 
 #include "point_kernel.h"
 
@@ -33,7 +33,7 @@ inline Vector turned(const View& view, const Vector& p) {
   return {row(0), row(1), row(2)};
 }
 
-/// Is 0 <= v < limit? Not where v is no number.
+/// Is 0 <= v < limit? False for NaN.
 inline __m256 within(__m256 v, float limit) {
   return _mm256_and_ps(_mm256_cmp_ps(v, _mm256_setzero_ps(), _CMP_GE_OQ),
                        _mm256_cmp_ps(v, splat(limit), _CMP_LT_OQ));
@@ -49,25 +49,25 @@ struct Samples {
   Vector gradient;
 };
 
-/// Values at `index` and beside it in x.
+/// Values at `index` and at its neighbour in +x.
 struct Pairs {
   __m256 first, second;
 };
 
 inline Pairs pairsAt(const float* values, __m256i index) {
   const __m128i low = _mm256_castsi256_si128(index), high = _mm256_extracti128_si256(index, 1);
-  // All of them, over zeros: the unmasked intrinsic starts from what is not set.
+  // Gathers all lanes over zeros. The unmasked intrinsic would start from an uninitialised register.
   const __m256d zero = _mm256_setzero_pd(), all = _mm256_castsi256_pd(splat(-1));
   const auto gather = [&](__m128i some) {
     return _mm256_castpd_ps(
         _mm256_mask_i32gather_pd(zero, reinterpret_cast<const double*>(values), some, all, 4));
   };
-  // Points 0 1 4 5 and 2 3 6 7, so that shuffling within halves puts them in order.
+  // Points 0 1 4 5 and 2 3 6 7: shuffling within halves then gives the right order.
   const __m256 a = gather(_mm_unpacklo_epi64(low, high)), b = gather(_mm_unpackhi_epi64(low, high));
   return {_mm256_shuffle_ps(a, b, 0x88), _mm256_shuffle_ps(a, b, 0xdd)};
 }
 
-/// In the cells whose lowest corners are at `index`; `f`: where in the cell, 0..1.
+/// Interpolates in the cells with lowest corner `index`. `f`: place within the cell, 0..1.
 inline Samples interpolate(const float* values, __m256i index, int stride_y, int stride_z, const Vector& f,
                            float per_mm) {
   const Pairs c00 = pairsAt(values, index), c10 = pairsAt(values + stride_y, index),
@@ -94,7 +94,7 @@ inline Vector inGrid(const FieldGrids& grids, const Vector& at_mm, float per_mm)
           _mm256_mul_ps(_mm256_sub_ps(at_mm.z, splat(grids.origin_mm[2])), per)};
 }
 
-/// Positions as cells and where in them; cell 0 where `is_inside` is not set.
+/// Cells and the place within each, 0..1. Cell 0 where `is_inside` is false.
 struct Cells {
   __m256i i, j, k;
   Vector f;
@@ -162,7 +162,7 @@ inline Samples fine(const FieldGrids& grids, const Vector& at_mm) {
   return out;
 }
 
-/// All bits where the skin at `at_mm` faces the camera.
+/// All bits set where the skin at `at_mm` faces the camera.
 inline __m256 hasCounterpart(const View& view, const Vector& at_mm, const Samples& skin) {
   const Vector to_camera{_mm256_sub_ps(splat(view.t[0]), at_mm.x), _mm256_sub_ps(splat(view.t[1]), at_mm.y),
                          _mm256_sub_ps(splat(view.t[2]), at_mm.z)};
@@ -216,7 +216,8 @@ Sums sum(const Block& block, const Points& points, int first, const Loss& loss) 
     const int i = 8 * w;
     const __m256 is_valid =
         _mm256_cmp_ps(_mm256_loadu_ps(block.is_valid + i), _mm256_setzero_ps(), _CMP_GT_OQ);
-    // Where there is no skin, residual and normal are no numbers: zero, not weighed by zero.
+    // Without a counterpart, residual and normal are NaN. They are set to zero, since NaN times weight zero
+    // is NaN.
     const auto valid = [&](const float* values) {
       return _mm256_and_ps(_mm256_loadu_ps(values + i), is_valid);
     };

@@ -8,7 +8,7 @@
 namespace facenav::registration::point {
 namespace {
 
-/// Loops without branches, so that compilers run four points at once.
+/// Loops without branches, so that compilers process four points at once.
 void markCounterparts(const Points& points, int first, const View& view, Block& block) {
   const int n = block.count;
   for (int i = 0; i < n; ++i) {
@@ -19,7 +19,7 @@ void markCounterparts(const Points& points, int first, const View& view, Block& 
     const float least =
         kGrazing_cos * kGrazing_cos * (cx * cx + cy * cy + cz * cz) * (nx * nx + ny * ny + nz * nz);
     const float grazing = facing * std::abs(facing) > least ? 1.0f : 0.0f;
-    block.is_valid[i] = block.residual_mm[i] < kNoSkin_mm ? grazing : 0.0f;  // not a number: no skin
+    block.is_valid[i] = block.residual_mm[i] < kNoSkin_mm ? grazing : 0.0f;  // NaN: no skin
   }
   if (!points.normal[0]) return;
   const float *u = points.normal[0] + first, *v = points.normal[1] + first, *w = points.normal[2] + first;
@@ -71,7 +71,8 @@ Sums sum(const Block& block, const Points& points, int first, const Loss& loss) 
   const float outside = 1.0f / loss.outside_mm, inside = 1.0f / loss.inside_mm;
   Column row[7], weight;
   for (int i = 0; i < block.count; ++i) {
-    // Where there is no skin, residual and normal may be no numbers: zero, not weighed by zero.
+    // Without a counterpart, residual and normal may be NaN. They are set to zero, since NaN times weight
+    // zero is NaN.
     const bool is_valid = block.is_valid[i] > 0;
     const float residual = is_valid ? block.residual_mm[i] : 0.0f;
     const float u = residual * (residual > 0 ? outside : inside), v = std::max(0.0f, 1.0f - u * u);

@@ -81,7 +81,7 @@ void ScalpField::fillBricks() {
       for (int a = 0; a < brick_size_[0]; ++a, ++cell) {
         const Eigen::Vector3f corner = origin_ + kWidth_mm * Eigen::Vector3f(float(a), float(b), float(c));
         const FieldSample middle = coarse(corner + Eigen::Vector3f::Constant(0.5f * kWidth_mm));
-        // Near the scan's end the coarse grid does not know: such bricks are made, too.
+        // Near the scan's end the coarse grid gives NaN. The comparison is then false and the brick is built.
         if (std::abs(middle.distance_mm) > reach_mm) continue;
         const int vertex = nearest_->nearestVertex(corner.cast<double>());
         if (std::isnan(middle.distance_mm) &&

@@ -1,4 +1,4 @@
-// The scalp's field in a file of the case: header (what it is, which skin it is of), grids, check sum.
+// The scalp's field as a file of the case: header (version, digest of the skin), grids, checksum.
 
 #include <algorithm>
 #include <cstring>
@@ -11,9 +11,10 @@
 namespace facenav::registration {
 namespace {
 
-constexpr char kMagic[] = "FaceNav scalp field 1\n";  // another number whenever the grids change
+constexpr char kMagic[] = "FaceNav scalp field 1\n";  // a new number whenever the grids change
 
-/// A 64-bit digest by words (Murmur's mixing): tells skins and damaged files apart, no more than that.
+/// A 64-bit digest by words (Murmur's mixing). It detects another skin or a damaged file; it is not
+/// cryptographic.
 class Digest {
  public:
   void add(const void* bytes, std::size_t size) {
@@ -115,7 +116,7 @@ void ScalpField::write(const std::filesystem::path& path) const {
   writer.put(&sum, 1);
   writeWholeFile(path, writer.content());
   using std::filesystem::perms;
-  std::filesystem::permissions(path, perms::owner_read | perms::owner_write);  // a head's shape
+  std::filesystem::permissions(path, perms::owner_read | perms::owner_write);  // a head's shape is private
 }
 
 bool ScalpField::fillFrom(const std::string& content) {
@@ -143,7 +144,7 @@ std::shared_ptr<const ScalpField> ScalpField::read(const SkinModel& skin, const 
   std::shared_ptr<ScalpField> field(new ScalpField(skin, Unfilled{}));
   try {
     if (field->fillFrom(readWholeFile(path))) return field;
-  } catch (const Error&) {  // not readable: as good as missing
+  } catch (const Error&) {  // unreadable counts as missing
   }
   return {};
 }
@@ -153,7 +154,7 @@ std::shared_ptr<const ScalpField> keptScalpField(const SkinModel& skin, const st
   auto built = std::make_shared<const ScalpField>(skin);
   try {
     if (!path.empty()) built->write(path);
-  } catch (const Error&) {  // a folder that cannot be written to: built again next time
+  } catch (const Error&) {  // folder not writable: built again next time
   } catch (const std::filesystem::filesystem_error&) {
   }
   return built;

@@ -110,8 +110,8 @@ struct NormalEquations {
     total += double(sums.weight);
   }
 
-  /// The step (turn, shift) about the pivot. A whiff of damping keeps directions that the surface does not
-  /// fix (a sphere's rotations) where they are.
+  /// The step (turn, shift) about the pivot. A small damping keeps directions that the surface does not fix
+  /// (rotations of a sphere) unchanged.
   Vector6d step() const {
     Matrix6d matrix = products.topLeftCorner<6, 6>();
     matrix.diagonal().head<3>().array() += 1e-4 * total * 1e3;

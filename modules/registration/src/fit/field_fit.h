@@ -1,8 +1,8 @@
 #pragma once
 // Robust point-to-plane fit of the face cloud to the scalp's distance field by Gauss-Newton on SE(3) (Chen
-// and Medioni 1992; on a distance field: Fitzgibbon 2003). The loss is one-sided while coarse: points outside
-// the skin (hair, clothes, a hand) are let go earlier than points inside, which no camera can see. State:
-// mri_T_camera.
+// and Medioni 1992; on a distance field: Fitzgibbon 2003). In the coarse stages the loss is one-sided: points
+// outside the skin (hair, clothes, a hand) lose their weight earlier than points inside, which no camera can
+// see. State: mri_T_camera.
 
 #include <limits>
 #include <vector>
@@ -14,17 +14,17 @@
 namespace facenav::registration {
 
 struct FitStage {
-  float inside_mm, outside_mm;  // residuals beyond have no weight
+  float inside_mm, outside_mm;  // larger residuals have no weight
   int iterations;
   bool is_fine;              // the fine grid, or the coarse one
-  float settled_mm = 5e-4f;  // a step shorter than this, and turned by less than this in 100 mm, is the last
+  float settled_mm = 5e-4f;  // last step: shift below this, and arc at a radius of 100 mm below this
 };
 
-/// One point of the cloud against the skin.
+/// A point of the cloud compared with the skin.
 struct PointMatch {
   float residual_mm = std::numeric_limits<float>::max();  // along the skin's normal, positive outside
   Eigen::Vector3f normal_mri = Eigen::Vector3f::Zero(), at_mri_mm = Eigen::Vector3f::Zero();
-  bool is_valid = false;  // a counterpart exists: within the scan, skin that faces the camera
+  bool is_valid = false;  // has a counterpart: within the scan, on skin that faces the camera
 };
 
 class FieldFitter {
@@ -37,15 +37,15 @@ class FieldFitter {
 
   Eigen::Isometry3d fit(Eigen::Isometry3d mri_T_camera, const FitStage& stage) const;
   std::vector<PointMatch> match(const Eigen::Isometry3d& mri_T_camera) const;
-  /// Numbers of the points within `reach_mm` of the skin, by the coarse grid.
+  /// Indices of the points within `reach_mm` of the skin, by the coarse grid.
   std::vector<int> within(const Eigen::Isometry3d& mri_T_camera, double reach_mm) const;
-  /// Mean truncated squared residual over all points, mm^2: points without counterpart cost the truncation,
-  /// points deep inside the head 1.3 times (the neck bends).
+  /// Mean truncated squared residual over all points, mm^2. A point without counterpart costs the truncation
+  /// limit, a point deep inside the head 1.3 times that (the neck bends).
   double cost(const Eigen::Isometry3d& mri_T_camera, double truncation_mm) const;
 
  private:
   point::Points points() const;
-  /// visit(block, number of its first point), block by block.
+  /// Calls visit(block, index of its first point) for each block.
   template <class Visitor>
   void measure(const Eigen::Isometry3d& mri_T_camera, bool is_fine, Visitor&& visit) const;
 
@@ -66,8 +66,7 @@ inline float tukeyWeight(float residual, float limit) {
 Eigen::Isometry3d increment(const Vector6d& xi, const Eigen::Vector3d& pivot_mm,
                             const Eigen::Isometry3d& pose);
 
-/// Do the two poses put the head in different places (more than `rotation_rad` or `distance_mm` at
-/// `pivot_mri_mm`)?
+/// Do the two poses differ by more than `rotation_rad`, or by more than `distance_mm` at `pivot_mri_mm`?
 bool areDistinct(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const Eigen::Vector3d& pivot_mri_mm,
                  double rotation_rad, double distance_mm);
 

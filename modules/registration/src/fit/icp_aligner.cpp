@@ -1,7 +1,7 @@
 // The paper's alignment: ICP with point-to-point pairs (equation 1; Besl and McKay 1992), trimmed
-// (Chetverikov 2002). Deviations from the paper, without which it fails: pairs on the scan's cut edge and
-// beyond it are dropped and the farthest pairs trimmed (untrimmed, a cloud that reaches below the scan's end
-// turns the head by 12-27 degrees), and it starts from the rough poses of the search, not from a click.
+// (Chetverikov 2002). It deviates from the paper where it would fail otherwise. Pairs at the scan's cut edge
+// or beyond it are dropped. The farthest pairs are trimmed: untrimmed, a cloud that reaches below the scan's
+// end turns the head by 12-27 degrees. It starts from the rough poses of the search, not from a click.
 
 #include <algorithm>
 #include <numeric>
@@ -20,7 +20,7 @@ struct IcpFit {
   double mean_square_mm2 = 1e12;
 };
 
-/// A cloud point in Mri and the vertex nearest to it.
+/// A cloud point in Mri and its nearest vertex.
 struct Pair {
   double squared_mm2;
   int point, vertex;
@@ -28,7 +28,7 @@ struct Pair {
 
 std::vector<Pair> pairUp(const ScalpField& scalp, const PointCloud<Camera>& face,
                          const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
-  constexpr double kGrazing_cos = 0.12;  // skin seen flatter than this is no counterpart
+  constexpr double kGrazing_cos = 0.12;  // skin at a flatter angle to the view has no counterpart
   const auto& vertices = scalp.skin().points.points_mm;
   std::vector<Pair> pairs;
   for (const int p : points) {
@@ -42,7 +42,7 @@ std::vector<Pair> pairUp(const ScalpField& scalp, const PointCloud<Camera>& face
   return pairs;
 }
 
-/// The closest `kept` of the pairs with a counterpart, fitted until the pose stands still.
+/// Fits the closest `kept` of the pairs with a counterpart until the pose stops moving.
 IcpFit iterate(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                Eigen::Isometry3d pose, double kept, int iterations) {
   IcpFit fit{pose};
@@ -60,7 +60,8 @@ IcpFit iterate(const ScalpField& scalp, const PointCloud<Camera>& face, const st
       squares += pairs[p].squared_mm2;
     }
     const Eigen::Isometry3d next = fitRigidPoints(from_mm, to_mm).to_T_from;
-    // Few pairs at the head's rim match well anywhere: a fit that uses less of the cloud counts for less.
+    // A few pairs at the head's rim match well anywhere. A fit that uses less of the cloud gets a higher
+    // cost.
     const double used = double(pairs.size()) / double(points.size());
     fit = {next, squares / double(count) / (used * used)};
     if (!areDistinct(next, pose, scalp.middle_mm(), 1e-5, 1e-3)) break;
@@ -86,7 +87,7 @@ class IcpAligner : public Aligner {
     }
     const auto head = nearHead(scalp, face, finitePoints(face), best.mri_T_camera, 30.0);
     best = iterate(scalp, face, thinOut(face, head, 3.0, 5000), best.mri_T_camera, kKept,
-                   400);  // it slides slowly
+                   400);  // point-to-point ICP converges slowly
     const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);
     const Covers covers(scalp, face, thinOut(face, head, 3.0, 4000), best.mri_T_camera);
     const auto fit =
@@ -96,7 +97,7 @@ class IcpAligner : public Aligner {
   }
 
  private:
-  static constexpr double kKept = 0.7;  // hair covers up to a third of what the cameras see of a head
+  static constexpr double kKept = 0.7;  // hair covers up to a third of the visible head
 };
 
 }  // namespace

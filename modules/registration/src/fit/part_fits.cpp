@@ -9,7 +9,7 @@
 namespace facenav::registration {
 namespace {
 
-/// A part: between these quantiles of the points, from the patient's left to right and from below to above.
+/// A part of the face: quantiles of the points from the patient's left to right and from below to above.
 struct Part {
   double left, right, below, above;
 };
@@ -18,17 +18,17 @@ constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6},      
                            {0, 0.5, 0, 1}, {0.5, 1, 0, 1}, {0.15, 0.85, 0, 0.7}};
 
 constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
-constexpr float kSettled_mm = 0.02f;  // a fifth of what the best pose is uncertain by
-constexpr double kSame_rad = 0.002, kSame_mm = 0.2;
-constexpr double kMet = 0.2;       // of these: as far as fits settle
-constexpr double kRuledOut = 8.0;  // logarithm of odds
+constexpr float kSettled_mm = 0.02f;  // a fifth of the best pose's standard error
+constexpr double kSamePart_rad = 0.002, kSamePart_mm = 0.2;
+constexpr double kMet = 0.2;       // share of kSamePart_*: two fits to one place end within it
+constexpr double kRuledOut = 8.0;  // difference of log likelihoods
 constexpr std::size_t kCores = 2;
 
 float quantile(const std::vector<float>& sorted, double fraction) {
   return sorted[std::size_t(fraction * double(sorted.size() - 1))];
 }
 
-/// Where the points lie, from left to right and from below to above.
+/// Extent of the points from left to right and from below to above.
 class Extent {
  public:
   explicit Extent(const std::vector<PointMatch>& matches) : matches_(matches) {
@@ -55,8 +55,8 @@ class Extent {
   std::vector<float> x_, z_;
 };
 
-/// Poses followed to where all points lead them. Where several lead to the same place, one of them is
-/// followed to its end; where ends meet, one is judged.
+/// Fits poses with all points until they settle. Of poses that meet on the way only one is fitted further. Of
+/// poses that end at the same place only one is judged.
 class Followed {
  public:
   using Poses = std::vector<Eigen::Isometry3d>;
@@ -85,7 +85,7 @@ class Followed {
 
   bool isNew(const Poses& met, const Eigen::Isometry3d& pose, double of_same) const {
     return std::all_of(met.begin(), met.end(), [&](const Eigen::Isometry3d& m) {
-      return areDistinct(m, pose, scalp_.middle_mm(), of_same * kSame_rad, of_same * kSame_mm);
+      return areDistinct(m, pose, scalp_.middle_mm(), of_same * kSamePart_rad, of_same * kSamePart_mm);
     });
   }
 
@@ -96,7 +96,7 @@ class Followed {
     });
   }
 
-  /// Those of `poses` that lie apart from all met so far, and from each other; they are met then.
+  /// Keeps those of `poses` that differ from all in `met` and from each other, and adds them to `met`.
   void keepNew(Poses& poses, Poses& met, double of_same) const {
     Poses kept;
     for (const auto& pose : poses) {
@@ -130,7 +130,7 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
       starts[part] = alone.fit(starts[part], {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
   });
   followed.add(std::move(starts));
-  // On a forehead alone every part may lead to a neighbour of the best pose.
+  // On a forehead alone every part may lead to a local optimum beside the best pose.
   starts.assign(12, followed.likeliestFirst().front().mri_T_camera);
   parallelFor(starts.size(), kCores, [&](std::size_t side, std::size_t) {
     Vector6d off = Vector6d::Zero();

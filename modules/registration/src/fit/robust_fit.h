@@ -1,6 +1,6 @@
 #pragma once
-// The robust fit: from a start, known or searched for, to the pose that most of the face fits closely. What
-// the misfit model then corrects and judges.
+// The robust fit: from a start, known or searched for, to the pose that most of the face fits closely. The
+// misfit model then corrects and judges it.
 
 #include "cloud/bare_skin.h"
 #include "part_fits.h"
@@ -10,31 +10,32 @@ namespace facenav::registration {
 
 struct RobustFit {
   Eigen::Isometry3d mri_T_camera;
-  double limit_mm = 1.5;         // residuals beyond are no skin
-  std::vector<int> points = {};  // of the cloud: some near the head and bare, as dense as measured
+  double limit_mm = 1.5;         // larger residuals are not skin
+  std::vector<int> points = {};  // indices of some points near the head and bare, as dense as measured
   Covers covers;
-  // Mean square of (turn rad, shift mm) about the scalp's middle to other poses that parts of the face lead
-  // to and that the face does not rule out; zero when all parts agree.
+  // Mean square difference (turn rad, shift mm), about the scalp's middle, to the other poses that parts of
+  // the face lead to and that the face does not rule out. Zero when all parts agree.
   Matrix6d doubt = Matrix6d::Zero();
 };
 
-/// From within a few mm of the skin: parts first (hair, hands), then all points on the fine field.
+/// Starts within a few mm of the skin. Fits parts first (hair, hands), then all points on the fine field.
 RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
                   const Eigen::Isometry3d& mri_T_camera);
 
-/// The cloud's points near the head and bare, spread evenly over the skin, at most 10 000: what the misfit is
-/// modelled from.
+/// Points of the cloud near the head and bare, evenly spread over the skin, at most 10 000. The misfit is
+/// modelled from them.
 std::vector<int> evenPoints(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& fit);
 
-/// From the guess or the hints, without a search; nothing where there are none or they lead nowhere.
+/// Fit from the guess or the hints, without a search. Empty where there are none or they do not lead to the
+/// face.
 std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<Camera>& face,
                                       const AlignmentStart& start);
 
 /// Four robust standard deviations of the matches' residuals within `reach_mm`, in 0.6 .. 3 mm.
 double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm);
 
-/// Weights 0..1 of points by how well the patch of skin around them fits as a whole: hair, a collar or
-/// swollen skin lifts whole patches, noise does not. Residuals beyond `reach_mm` do not count.
+/// Weights 0..1 of points by the residual of the patch of skin around them. Hair, a collar or swollen skin
+/// lifts whole patches; noise does not. Residuals beyond `reach_mm` do not count.
 std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm);
 
 }  // namespace facenav::registration

@@ -11,21 +11,21 @@
 namespace facenav::registration {
 namespace {
 
-// Sizes that misfit may have: log-normal about 0.35 mm, a factor of e^0.8 one sigma; and detail of the skin
-// (noise of the cloud, the scan's voxels, stubble) and of what covers it (cloth, hair).
+// Possible sizes of the misfit: log-normal about 0.35 mm, one sigma is a factor of e^0.8. Possible sizes of
+// detail: of the skin (noise of the cloud, the scan's voxels, stubble) and of covers (cloth, hair).
 constexpr std::array<double, 5> kSize_mm{0.1, 0.2, 0.4, 0.8, 1.6}, kSizeShare{0.10, 0.28, 0.35, 0.21, 0.06};
 constexpr std::array<double, 4> kDetail_mm{0.1, 0.2, 0.4, 0.8}, kDetailShare{0.25, 0.35, 0.3, 0.1};
 constexpr std::array<double, 3> kCoverDetail_mm{0.3, 1.0, 3.0};
-// Independent values of detail in a patch that is seen in full. The matcher's window leaves some 20; what
-// neighbouring patches share of it is not modelled.
+// Independent values of detail in a fully visible patch. The matcher's window leaves some 20; correlation
+// between neighbouring patches is not modelled, so fewer are counted.
 constexpr double kGrains = 5.0;
-constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // hair lies anywhere up to there; hands, coils
-constexpr double kBehind = 0.15, kBehind_mm = 3.0;  // eyes, gross errors: nothing else lies behind the skin
-constexpr double kNowhere_per_mm = 0.03;            // no counterpart: it says next to nothing
+constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // reach of hair; reach of hands and coils
+constexpr double kBehind = 0.15, kBehind_mm = 3.0;       // behind the skin: only eyes and gross errors
+constexpr double kNowhere_per_mm = 0.03;  // density without a counterpart: nearly no information
 constexpr double kLeastOutside = 0.3;
-constexpr double kGross = 0.05, kGross_per_mm = 0.05;  // points that do not go with their patch
-// The cost of a rim, for each pair of neighbours that differ, and of being covered where skin is bare as a
-// rule, logarithms of odds: a mask over half a face costs 8 in all.
+constexpr double kGross = 0.05, kGross_per_mm = 0.05;  // outliers within a patch
+// Log odds: cost of each pair of neighbours with different labels, and prior of a cover where skin is usually
+// bare. A mask over half a face costs 8 in all.
 constexpr double kRim = 0.3, kBare = -0.15, kHairy = 0.06;
 
 double skinDensity(double residual_mm, double sigma_mm) {
@@ -35,8 +35,8 @@ double skinDensity(double residual_mm, double sigma_mm) {
 
 double coverDensity(double residual_mm) {
   if (residual_mm <= 0) return kBehind / kBehind_mm * std::exp(residual_mm / kBehind_mm);
-  constexpr double kArea = 0.9064;  // of exp(-x^4) from 0 on
-  // A hand or a coil before the face is rare, but no reason to look for the head elsewhere.
+  constexpr double kArea = 0.9064;  // integral of exp(-x^4) from 0
+  // A hand or a coil in front of the face is rare, but must not move the pose elsewhere.
   return std::max(kLeastOutside * kNowhere_per_mm,
                   0.65 / (kArea * kHair_mm) * std::exp(-std::pow(residual_mm / kHair_mm, 4)) +
                       0.2 / kForeignFar_mm * std::exp(-residual_mm / kForeignFar_mm));
@@ -49,7 +49,7 @@ double logSum(const double* values, std::size_t count) {
   return most + std::log(sum);
 }
 
-// What is beyond doubt (1 in 20 thousand) is certain: it costs no exponential, and no entropy.
+// Log odds beyond 10 (1 in 20 thousand) count as certain. This saves the exponential and the entropy.
 constexpr double kCertain = 10.0;
 
 double logistic(double log_odds) {
@@ -57,7 +57,7 @@ double logistic(double log_odds) {
   return double(1.0f / (1.0f + std::exp(-float(log_odds))));
 }
 
-/// log(exp(a) + exp(b)) or a little more, quickly.
+/// log(exp(a) + exp(b)) or slightly more, fast.
 double logEither(double a, double b) {
   const double apart = std::abs(a - b);
   return std::max(a, b) + (apart > 8.0 ? 4e-4 : double(std::exp(-float(apart))));
@@ -68,8 +68,8 @@ double entropy(double q) {
   return double(part(float(q)) + part(float(1 - q)));
 }
 
-/// Logarithm of how likely points are to lie so far from the middle of a patch with that much detail, against
-/// "nowhere": a look-up, good to 0.002.
+/// Log density of points at a distance from the middle of a patch with a given detail, relative to "no
+/// counterpart". A look-up table with error 0.002.
 class LogDetail {
  public:
   explicit LogDetail(double detail_mm) : per_mm_(float(kSteps / (kMost * detail_mm))) {
@@ -98,7 +98,7 @@ class LogDetail {
 
 }  // namespace
 
-/// What its points say of a patch: log likelihoods if it is bare, by detail and size, or covered.
+/// Log likelihoods of a patch's points: bare, by detail and size, or covered.
 struct SkinLikelihood::Patch {
   std::array<std::array<double, kSizes>, kDetails> bare{};
   double covered = 0.0;
@@ -107,7 +107,7 @@ struct SkinLikelihood::Patch {
 
 struct SkinLikelihood::Labels {
   double log_evidence = 0.0;
-  std::vector<double> covered;  // probability of each patch
+  std::vector<double> covered;  // probability for each patch
 };
 
 SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face,
@@ -155,7 +155,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     const Eigen::Vector3d at = sums[i].cast<double>() / n;
     const double foreign = regions_.foreignShare(at);
     if (foreign > kHairy) patch.prior = std::max(kBare, std::log(foreign / (1 - foreign)));
-    // One head of hair is one thing: where it is likely, points say less than their number.
+    // Hair is one connected object. Where it is probable, patches count for less than their number of points.
     const double share = std::min(1.0, n / full_) * (1 - foreign), grains = kGrains * share;
     const float m_mm = selectRank(residuals[i], residuals[i].size() / 2);
     const double m = double(m_mm);
@@ -183,18 +183,18 @@ double SkinLikelihood::pull(const std::vector<double>& covered, std::size_t patc
   return kRim * (2 * sum - double(neighbours_[patch].size()));
 }
 
-/// What labels alone contribute to the bound of the evidence.
+/// Contribution of the labels alone to the bound of the evidence.
 double SkinLikelihood::energy(const std::vector<double>& covered, const std::vector<Patch>& patches) const {
   double sum = 0;
   for (std::size_t i = 0; i < covered.size(); ++i) {
     const double q = covered[i];
-    // Each pair is met twice; pull() is its agreement less its disagreement.
+    // Each pair is counted twice. pull() is its agreement minus its disagreement.
     sum += q * patches[i].prior + entropy(q) + 0.5 * (q - 0.5) * pull(covered, i);
   }
   return sum;
 }
 
-/// Covered where the patch alone says so.
+/// Labels from each patch alone, without neighbours.
 std::vector<double> SkinLikelihood::coveredAlone(const std::vector<Patch>& patches, std::size_t detail) {
   constexpr std::size_t kUsualSize = 1;
   std::vector<double> covered(patches.size());
@@ -203,7 +203,7 @@ std::vector<double> SkinLikelihood::coveredAlone(const std::vector<Patch>& patch
   return covered;
 }
 
-/// Mean field over labels and sizes, at one detail, from `covered` on.
+/// Mean field over labels and sizes for one detail, starting from the given labels.
 SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, std::size_t detail,
                                              std::vector<double> covered_at_first) const {
   constexpr int kMostSweeps = 15;
@@ -233,7 +233,7 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
     double change = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
       const double alone = patches[i].covered - bareOf(patches[i]) + patches[i].prior;
-      // No neighbours pull by more than that.
+      // Neighbours cannot outweigh more than this.
       const bool is_certain = std::abs(alone) > kCertain + kRim * double(neighbours_[i].size());
       const double covered = logistic(is_certain ? alone : alone + pull(labels.covered, i));
       change = std::max(change, std::abs(covered - labels.covered[i]));
@@ -247,14 +247,14 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
   return labels;
 }
 
-/// Of the labels before anything is seen: their normalisation.
+/// Evidence of the labels without observations: the normalisation.
 SkinLikelihood::Labels SkinLikelihood::unlabelled(const std::vector<Patch>& patches) const {
   std::vector<Patch> blank(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) blank[i].prior = patches[i].prior;
   return label(blank, 0, std::vector<double>(blank.size(), 0.0));
 }
 
-/// No labels and sizes have more evidence at this detail: each patch as it likes, all neighbours agreeing.
+/// Upper bound of the evidence for this detail: each patch takes its best label and all neighbours agree.
 double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size_t detail) const {
   double most = -1e300, agreement = 0;
   for (const auto& neighbours : neighbours_) agreement += 0.25 * kRim * double(neighbours.size());
@@ -268,7 +268,7 @@ double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size
 
 template <class Visitor>
 double SkinLikelihood::sumOut(const std::vector<Patch>& patches, Visitor&& visit) const {
-  constexpr double kNegligible = 10.0;  // logarithm of odds
+  constexpr double kNegligible = 10.0;  // difference of log evidence
   std::array<std::pair<double, std::size_t>, kDetails> promising;
   for (std::size_t d = 0; d < kDetails; ++d)
     promising[d] = {std::log(kDetailShare[d]) + mostEvidence(patches, d), d};

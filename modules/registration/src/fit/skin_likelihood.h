@@ -1,12 +1,12 @@
 #pragma once
-// How well a pose explains the cloud, as a likelihood. Every patch of the cloud is either the patient's bare
-// skin or covered: by hair, which is common above the hairline, by a hand, a coil, a face mask. Bare skin is
-// off by a misfit of a size, and shows detail of another, that are the same all over the face; what covers
-// lies before the skin, hardly ever behind it, and has detail of its own. Covers reach over neighbours:
-// labels of patches are a Potts field, whose cost goes with the rim of what is covered, not with its area
-// (Geman and Geman 1984); labels and sizes are summed out by mean field. What a sum of residuals cannot tell:
-// a pose midway between mask and brow fits all of it loosely, the right one fits the bare skin closely and
-// lies behind all of the mask.
+// Likelihood of the cloud at a pose. Every patch of the cloud is either the patient's bare skin or covered:
+// by hair, which is common above the hairline, by a hand, a coil or a face mask. Bare skin has one size of
+// misfit and one size of detail over the whole face. A cover lies in front of the skin, hardly ever behind
+// it, and has its own size of detail. Covers extend over several patches: the labels form a Potts field,
+// whose cost grows with the border of the covered region and not with its area (Geman and Geman 1984). Labels
+// and sizes are summed out by mean field. A sum of residuals is not enough: a pose midway between mask and
+// brow fits all points loosely, while the right pose fits the bare skin closely and lies behind all of the
+// mask.
 
 #include <array>
 
@@ -17,15 +17,15 @@ namespace facenav::registration {
 
 class SkinLikelihood {
  public:
-  /// For the `points` of the cloud, in their order. Patches of `patch_mm` count as independent, as far as
-  /// their mean offset goes, since misfit reaches that far.
+  /// `points`: indices in the cloud; matches come in their order. The mean offsets of patches of `patch_mm`
+  /// count as independent, since misfit is correlated over that distance.
   SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                  double patch_mm = 25.0);
 
-  /// Logarithm of the likelihood of the matches of all points at a pose; differences tell poses apart.
+  /// Log likelihood of the matches of all points at a pose. Only differences between poses have a meaning.
   double operator()(const std::vector<PointMatch>& matches) const;
 
-  /// How likely each point's patch is covered, at a pose.
+  /// Probability at a pose that each point's patch is covered.
   std::vector<float> covered(const std::vector<PointMatch>& matches) const;
 
  private:
@@ -44,8 +44,8 @@ class SkinLikelihood {
   double pull(const std::vector<double>& covered, std::size_t patch) const;
 
   anatomy::FaceRegions regions_;
-  double full_ = 0.0;                         // points of a patch that is seen in full
-  std::vector<int> patch_of_;                 // each point's
+  double full_ = 0.0;                         // points of a fully visible patch
+  std::vector<int> patch_of_;                 // patch of each point
   std::vector<std::vector<int>> neighbours_;  // of each patch
 };
 

@@ -18,7 +18,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
   try {
     fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm);
   } catch (const Error&) {
-    requireLikeness(gathering.get());  // a stranger's skin has little that fits: then that is the reason
+    requireLikeness(gathering.get());  // if the face is another person's, report that as the reason
     throw;
   }
   fit->posterior.covariance += robust.doubt;
@@ -33,7 +33,7 @@ AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, 
   return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, monitor);
 }
 
-/// What no residual shows: the whole cloud too near or too far.
+/// Error shared by the whole cloud (too near or too far), which no residual shows.
 void addSharedDepth(AlignmentResult& result, const PointCloud<Camera>& face, double sigma_mm) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t p = 0; p < face.size(); ++p)
@@ -62,10 +62,10 @@ class SurfaceAligner : public Aligner {
     } catch (const Cancelled&) {
       throw;
     } catch (const Error&) {
-      // A poor guess: look around it.
+      // The guess was poor: search around it.
     }
-    // Hints may mislead and the first search is quick: what it refuses gets a wider one. What the first
-    // search said of the best pose is the reason that counts; wider ones end in worse poses.
+    // Hints may mislead and the first search is quick, so a refusal leads to a wider search. The error of the
+    // first search is thrown: it is about the best pose, while wider searches end in worse poses.
     std::optional<Error> reason;
     for (const auto& [width, most] :
          {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})

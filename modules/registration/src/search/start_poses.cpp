@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::registration {
 namespace {
 
-constexpr double kDeg = M_PI / 180.0;
-
 Eigen::Matrix3d turned(const Eigen::Matrix3d& base, double yaw_deg, double pitch_deg, double roll_deg = 0) {
-  return base * (Eigen::AngleAxisd(yaw_deg * kDeg, Eigen::Vector3d::UnitZ()) *
-                 Eigen::AngleAxisd(pitch_deg * kDeg, Eigen::Vector3d::UnitX()) *
-                 Eigen::AngleAxisd(roll_deg * kDeg, Eigen::Vector3d::UnitY()))
+  return base * (Eigen::AngleAxisd(yaw_deg * kRadPerDeg, Eigen::Vector3d::UnitZ()) *
+                 Eigen::AngleAxisd(pitch_deg * kRadPerDeg, Eigen::Vector3d::UnitX()) *
+                 Eigen::AngleAxisd(roll_deg * kRadPerDeg, Eigen::Vector3d::UnitY()))
                     .toRotationMatrix();
 }
 
@@ -51,7 +51,8 @@ std::vector<Eigen::Matrix3d> facingOrientations(bool is_fine) {
   for (int roll = 0; roll < 360; roll += is_fine ? 20 : 30)
     for (const double yaw : yaws)
       for (const double pitch : pitches)
-        out.push_back(turned(Eigen::AngleAxisd(roll * kDeg, Eigen::Vector3d::UnitZ()) * upright, yaw, pitch));
+        out.push_back(
+            turned(Eigen::AngleAxisd(roll * kRadPerDeg, Eigen::Vector3d::UnitZ()) * upright, yaw, pitch));
   return out;
 }
 
@@ -66,7 +67,7 @@ std::vector<Eigen::Matrix3d> orientationsAround(const Eigen::Matrix3d& base, dou
 }
 
 Eigen::Vector3d foremostSkin(const ScalpField& scalp, const Eigen::Vector3d& towards_camera) {
-  // Mean of the most advanced hundredth: one vertex could be a ghost.
+  // Mean of the most advanced hundredth: a single vertex could be an outlier.
   const auto& vertices = scalp.skin().points.points_mm;
   std::vector<std::pair<double, int>> advance;
   const std::size_t stride = std::max<std::size_t>(1, vertices.size() / 3000);

@@ -14,9 +14,7 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kDeg = M_PI / 180.0;
-
-/// Which points of the cloud lie within a head's reach of each seed.
+/// For each seed, the points of the cloud within the size of a head.
 struct Seeds {
   std::vector<Eigen::Vector3d> at_mm;
   std::vector<std::vector<Eigen::Vector3f>> around_mm;
@@ -35,8 +33,8 @@ Seeds seedsOf(const PointCloud<Camera>& face, const std::vector<int>& sparse) {
   return seeds;
 }
 
-/// How much of the cloud the skin explains: 1 for a point on it, 0 for one far outside, down to -0.3 for one
-/// deep inside (necks bend).
+/// How well the skin explains the cloud, summed over points: 1 for a point on the skin, 0 for one far
+/// outside, down to -0.3 for one deep inside (necks bend).
 float gain(const ScalpField& scalp, const std::vector<Eigen::Vector3f>& points_mm,
            const Eigen::Isometry3d& mri_T_camera) {
   constexpr float kReach_mm = 22.f;
@@ -50,7 +48,7 @@ float gain(const ScalpField& scalp, const std::vector<Eigen::Vector3f>& points_m
   return sum;
 }
 
-/// The skin's foremost point on each seed; the best `most` that lie apart.
+/// Places the skin's foremost point at each seed; keeps the best `most` that lie apart.
 void addPlacements(const ScalpField& scalp, const Seeds& seeds, const Eigen::Matrix3d& camera_R_mri,
                    std::size_t most, std::vector<Candidate>& out) {
   const double apart_mm = 100.0 / double(most);
@@ -71,7 +69,7 @@ void addPlacements(const ScalpField& scalp, const Seeds& seeds, const Eigen::Mat
   }
 }
 
-/// Orientations to try, and the guess as it stands.
+/// Orientations to try, and the guess unchanged.
 std::vector<Candidate> roughPoses(const ScalpField& scalp, const PointCloud<Camera>& face,
                                   const std::vector<int>& sparse, const AlignmentStart& start,
                                   SearchWidth width, TaskMonitor& monitor) {
@@ -103,7 +101,7 @@ void keepDistinct(std::vector<Candidate>& candidates, const Eigen::Vector3d& piv
   for (const Candidate& c : candidates) {
     if (kept.size() >= most) break;
     const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& k) {
-      return areDistinct(k.mri_T_camera, c.mri_T_camera, pivot, 6 * kDeg, 12.0);
+      return areDistinct(k.mri_T_camera, c.mri_T_camera, pivot, 6 * kRadPerDeg, 12.0);
     });
     if (is_new && seesTheFace(c.mri_T_camera, pivot)) kept.push_back(c);
   }
@@ -123,14 +121,14 @@ std::vector<int> sparsePoints(const PointCloud<Camera>& face) {
   return thinOut(face, someOf(finitePoints(face), kLooked), 5.0, 4000);
 }
 
-/// Does most of the cloud lie on the skin, by a quick look?
+/// Does most of the cloud lie on the skin, by a coarse measure?
 bool isExplained(const ScalpField& scalp, const FieldFitter& fitter, const Eigen::Isometry3d& mri_T_camera) {
   constexpr double kReach_mm = 4.0, kUnexplained = 0.4;
   return seesTheFace(mri_T_camera, scalp.middle_mm()) &&
          fitter.cost(mri_T_camera, kReach_mm) < kUnexplained * kReach_mm * kReach_mm;
 }
 
-/// Median of the points, and the middle of their nearest fiftieth.
+/// Median of the points, and mean of the nearest fiftieth.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> middleAndForemost(const PointCloud<Camera>& face,
                                                               const std::vector<int>& points) {
   constexpr std::size_t kShare = 50;
@@ -148,8 +146,8 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> middleAndForemost(const PointCloud<C
   return {Eigen::Vector3d(upperMedian(axis[0]), upperMedian(axis[1]), upperMedian(axis[2])), foremost};
 }
 
-/// The best of what turns about a start lead to: the head where it was, or its nose before the cloud's middle
-/// or where the cloud is nearest.
+/// The best fit from starts turned about `begun_ended[0]`. The head stays at its place, or its nose is placed
+/// in front of the cloud's middle, or at the cloud's nearest part.
 Candidate fromAround(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                      const FieldFitter& coarse, const std::array<Eigen::Isometry3d, 2>& begun_ended) {
   constexpr double kTurn_deg = 24.0, kNose_mm = 25.0;
@@ -216,8 +214,9 @@ std::optional<Candidate> descend(const ScalpField& scalp, const PointCloud<Camer
   for (const FitStage& stage : {FitStage{70, 60, 5, false}, FitStage{40, 30, 5, false},
                                 FitStage{20, 14, 6, false}, FitStage{10, 7, 5, false}})
     c.mri_T_camera = coarse.fit(c.mri_T_camera, stage);
-  // Whoever gave the start knew which way is up: a head that ends on its crown was not led to.
-  constexpr double kFarthestTurn = 60 * kDeg;
+  // The person who gave the start knew which way is up. A fit that turned the head upside down did not follow
+  // it.
+  constexpr double kFarthestTurn = 60 * kRadPerDeg;
   const Eigen::Isometry3d led = begun * c.mri_T_camera.inverse();
   if (rotationAngle(led.linear()) > kFarthestTurn || !isExplained(scalp, coarse, c.mri_T_camera))
     c = fromAround(scalp, face, dense, coarse, {begun, c.mri_T_camera});

@@ -20,7 +20,7 @@ constexpr float kLidAlbedo = 0.30f, kLashAlbedo = 0.12f;
 constexpr std::array<std::size_t, 2> kEyes{36, 42};
 
 /// Smooth; 1 at the centre, 0 from `reach_mm` on.
-double bump(const Eigen::Vector3d& from_mm, double reach_mm) {
+double lidBump(const Eigen::Vector3d& from_mm, double reach_mm) {
   const double inside = 1.0 - from_mm.squaredNorm() / (reach_mm * reach_mm);
   return inside > 0.0 ? inside * inside : 0.0;
 }
@@ -71,8 +71,8 @@ Eigen::Vector3d lidShift_mm(double closed, const Eigen::Vector3d& p_mm, const Ei
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   for (const std::size_t eye : kEyes) {
     const Eigen::Vector3d lid = 0.5 * (l[eye + 1] + l[eye + 2]) + 3.0 * Eigen::Vector3d::UnitZ();
-    shift -= kDrawn_mm * bump(p_mm - lid, kDrawnReach_mm) * Eigen::Vector3d::UnitZ();
-    shift += kBulge_mm * bump(p_mm - middleOf(l, eye), kBulgeReach_mm) * normal;
+    shift -= kDrawn_mm * lidBump(p_mm - lid, kDrawnReach_mm) * Eigen::Vector3d::UnitZ();
+    shift += kBulge_mm * lidBump(p_mm - middleOf(l, eye), kBulgeReach_mm) * normal;
   }
   return closed * shift;
 }

@@ -8,10 +8,8 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 Eigen::Matrix3d turn(double degrees, const Eigen::Vector3d& axis) {
-  return expRotation(degrees * kDegree * axis);
+  return expRotation(degrees * kRadPerDeg * axis);
 }
 
 cameras::CameraModel camera(const RigOptions& options, double focal_scale, double dx_px, double dy_px,
@@ -53,7 +51,7 @@ RigOptions randomRig(std::uint64_t seed) {
   rig.focal_px = uniform(600.0, 1000.0);
   rig.baseline_mm = uniform(60.0, 200.0);
   rig.roll_deg = uniform(-20.0, 20.0);
-  rig.convergence_deg = uniform(0.5, 1.0) * 2.0 * std::atan2(0.5 * rig.baseline_mm, kHead_mm) / kDegree;
+  rig.convergence_deg = uniform(0.5, 1.0) * 2.0 * std::atan2(0.5 * rig.baseline_mm, kHead_mm) / kRadPerDeg;
   rig.k1 = uniform(-0.28, 0.06);
   rig.k2 = -0.5 * rig.k1 + uniform(-0.03, 0.03);
   rig.p1 = uniform(-0.001, 0.001);

@@ -13,8 +13,6 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 /// A script defined by one function, plus the patient's habits.
 class FunctionScript : public Script {
  public:
@@ -68,7 +66,7 @@ Vector6d seatError(const ScenarioOptions& options) {
     return Eigen::Vector3d(r * std::cos(about), r * std::sin(about), z);
   };
   Vector6d error;
-  error.head<3>() = options.seat_turn_deg * kDegree * uniform() * direction();
+  error.head<3>() = options.seat_turn_deg * kRadPerDeg * uniform() * direction();
   error.tail<3>() = options.seat_shift_mm * uniform() * direction();
   return error;
 }
@@ -97,7 +95,7 @@ RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const Virtu
   Eigen::Matrix3d room_R_mri;
   room_R_mri << -1, 0, 0, 0, 0, -1, 0, -1, 0;
   // No seat is exactly square to the rig.
-  room_R_mri = expRotation(Eigen::Vector3d(2.0, -3.0, 1.0) * kDegree) * room_R_mri;
+  room_R_mri = expRotation(Eigen::Vector3d(2.0, -3.0, 1.0) * kRadPerDeg) * room_R_mri;
   const Vector6d error = seatError(options);
   const Eigen::Vector3d centre_mm(4.0, 0.07 * options.head_distance_mm, options.head_distance_mm);
   const Eigen::Vector3d anchor = 0.6 * patient.face_middle.mm + 0.4 * patient.head_centre.mm;

@@ -7,7 +7,6 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& at_mm) {
@@ -24,7 +23,7 @@ RigidTransform<Room, Coil> coilWithMarkerAt(const Setting& setting, const Eigen:
   // Facing the cameras: z (into the plate) is along the line of sight.
   const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), marker_mm);
   const auto room_T_marker = RigidTransform<Room, Marker>::fromIsometry(
-      placed(facing.toRotationMatrix() * expRotation(turn_deg * kDegree), marker_mm));
+      placed(facing.toRotationMatrix() * expRotation(turn_deg * kRadPerDeg), marker_mm));
   return room_T_marker * setting.marker_T_coil;
 }
 

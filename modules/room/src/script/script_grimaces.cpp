@@ -12,8 +12,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 // "grimace": frames at rest, then repeatedly away and back.
 constexpr int kRest = 10, kAway = 2, kBack = 15;
-constexpr double kGap_s = 1.4;      // pause without frames, half before and half after the frames away
-constexpr double kAway_mm = 700.0;  // out of both images
+constexpr double kGap_s = 1.4;  // pause without frames, half before and half after the frames away
 
 // "returns": the patient stands up, walks out of the images and walks in again.
 constexpr int kWalk = 15,

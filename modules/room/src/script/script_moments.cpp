@@ -10,8 +10,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr int kHeld = 15, kAway = 2;  // frames of a moment; frames of the absence before it
-constexpr double kShortestGap_s = 1.5, kLongestGap_s = 4.0, kAway_mm = 700.0;
+constexpr int kHeld = 15, kAbsent = 2;  // frames of a moment; frames of the absence before it
+constexpr double kShortestGap_s = 1.5, kLongestGap_s = 4.0;
 
 struct Face {
   const char* name;
@@ -36,14 +36,14 @@ const std::array<Face, 5>& faces() {
   return all;
 }
 
-Dice diceOf(const Setting& setting, int moment) {
+Dice diceOfMoment(const Setting& setting, int moment) {
   return Dice(setting.options.seed * 8761 + std::uint64_t(moment) * 137 + 41);
 }
 
 Face faceOf(const Setting& setting, int moment) {
   const std::uint64_t seed = setting.options.seed, step = 1 + (seed / 5) % 4;
   Face face = faces()[std::size_t((seed + step * std::uint64_t(moment)) % faces().size())];
-  Dice dice = diceOf(setting, moment + 1000);
+  Dice dice = diceOfMoment(setting, moment + 1000);
   const double strength = dice.between(0.8, 1.0);
   Expression& e = face.expression;
   for (double* part : {&e.smile, &e.tongue, &e.lips_in, &e.cheeks}) *part *= strength;
@@ -54,17 +54,17 @@ Face faceOf(const Setting& setting, int moment) {
 }
 
 /// 0.5-5 deg and 3-16 mm from the seat.
-Vector6 placeOf(const Setting& setting, int moment) {
+Vector6 placeOfMoment(const Setting& setting, int moment) {
   Vector6 by = Vector6::Zero();
   if (moment == 0) return by;
-  Dice dice = diceOf(setting, moment);
+  Dice dice = diceOfMoment(setting, moment);
   by.head<3>() = setting.options.motion * dice.between(0.5, 5.0) * dice.direction();
   by.tail<3>() = setting.options.motion * dice.between(3.0, 16.0) * dice.direction();
   return by;
 }
 
 double gapBefore_s(const Setting& setting, int moment) {
-  return moment == 0 ? 0.0 : diceOf(setting, moment + 2000).between(kShortestGap_s, kLongestGap_s);
+  return moment == 0 ? 0.0 : diceOfMoment(setting, moment + 2000).between(kShortestGap_s, kLongestGap_s);
 }
 
 }  // namespace
@@ -72,13 +72,13 @@ double gapBefore_s(const Setting& setting, int moment) {
 MomentOf momentsScript(const Setting& setting) {
   const bool has_other = setting.options.name == "moments_other";
   return [setting, has_other](double frame) {
-    constexpr int kEach = kAway + kHeld;  // the first moment starts seated
-    const int number = int((frame + kAway) / kEach);
-    const bool is_away = number > 0 && frame + kAway - number * kEach < kAway;
+    constexpr int kEach = kAbsent + kHeld;  // the first moment starts seated
+    const int number = int((frame + kAbsent) / kEach);
+    const bool is_away = number > 0 && frame + kAbsent - number * kEach < kAbsent;
     const Face face = faceOf(setting, number);
     Moment moment;
     moment.visit = number;
-    Vector6 by = placeOf(setting, number) + sway(setting.time_s(frame), 0.5 * setting.options.motion);
+    Vector6 by = placeOfMoment(setting, number) + sway(setting.time_s(frame), 0.5 * setting.options.motion);
     if (is_away) by[3] += kAway_mm;
     moment.cast = setting.headMovedBy(by);
     moment.cast.expression = face.expression;

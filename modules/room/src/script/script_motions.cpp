@@ -9,13 +9,11 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 /// Pose of the coil relative to its target: at 0, 150 mm away and turned; at 1, on the target.
 RigidTransform<frames::Target, Coil> onApproach(double progress) {
   const double left = 1.0 - ease(progress);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = expRotation(left * Eigen::Vector3d(14.0, -10.0, 18.0) * kDegree);
+  pose.linear() = expRotation(left * Eigen::Vector3d(14.0, -10.0, 18.0) * kRadPerDeg);
   pose.translation() = left * Eigen::Vector3d(-40.0, -50.0, -135.0);
   return RigidTransform<frames::Target, Coil>::fromIsometry(pose);
 }
@@ -56,7 +54,7 @@ double ease(double x) {
 RigidTransform<Room, Mri> Setting::moved(const Eigen::Matrix<double, 6, 1>& by) const {
   const Eigen::Vector3d pivot_mm = (seat * pivot).mm;
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  turn.linear() = expRotation(by.head<3>() * kDegree);
+  turn.linear() = expRotation(by.head<3>() * kRadPerDeg);
   turn.translation() = pivot_mm - turn.linear() * pivot_mm + by.tail<3>();
   return RigidTransform<Room, Mri>::fromIsometry(turn * seat.isometry());
 }

@@ -17,7 +17,6 @@ const Parts kOtherFaceParts({{0.15, "patient"},
                              {0.82, "another person leaves"},
                              {0.90, "patient comes back"},
                              {1.01, "patient"}});
-constexpr double kAway_mm = 700.0;
 
 }  // namespace
 

@@ -9,6 +9,8 @@
 
 namespace facenav::room {
 
+inline constexpr double kAway_mm = 700.0;  // a patient this far aside is in neither image
+
 struct Setting {
   ScenarioOptions options;
   RigidTransform<Room, Mri> seat;  // head pose before any motion

@@ -9,8 +9,8 @@
 namespace facenav::session {
 namespace {
 
-// The watchdog's dense measurement knows nothing of the cameras' exposures; sideways motion between them
-// passes for some five times as much depth.
+// The watchdog's dense measurement does not correct for the time between the exposures. It takes sideways
+// motion between them for about five times as much depth.
 constexpr double kMostBetweenExposures_mm = 0.2;
 
 bool isUsable(const cameras::StereoFrame& frame, const cameras::StereoRig& rig) {
@@ -60,7 +60,7 @@ void Navigator::setTarget(std::optional<ChosenTarget> target) {
 NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const Timestamp begin = Timestamp::now();
-  double watching_ms = 0.0;  // no part of tracking: live it runs beside it
+  double watching_ms = 0.0;  // not part of tracking: in a live session it runs in parallel
   NavigationState state;
   state.frame = frame->number;
   state.captured = frame->captured;
@@ -77,7 +77,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
     if (watchdog_) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
-    if (const auto fault = rig_check_.fault()) {  // nothing measured with these cameras can be trusted
+    if (const auto fault = rig_check_.fault()) {  // measurements with these cameras cannot be trusted
       state.rig_fault = fault->words;
       state.rig_fault_detail = fault->detail;
       state = blanked(state, LostReason::camera);
@@ -90,7 +90,8 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   return state;
 }
 
-/// Head, then coil. Returns the time of what live is done beside the frames, ms.
+/// Tracks head, then coil. Returns the time (ms) of work that a live session does in parallel with the
+/// frames.
 double Navigator::track(const cameras::StereoFrame& frame, NavigationState& state) {
   const auto head = head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false)});
   const auto coil = coil_->track(frame, {head.exposure_offset, head.work});
@@ -114,7 +115,7 @@ void Navigator::place(NavigationState& state) const {
     state.camera_T_coil = Lost{state.coil.reason()};
 }
 
-/// A face that no longer lies where it is tracked is lost, whatever the tracker says.
+/// A face that is no longer where it is tracked is lost, whatever the tracker says.
 void Navigator::watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
   if (!watchdog_) return;
   const bool was_alarmed = watchdog_->isAlarmed();

@@ -25,7 +25,10 @@ struct Waiting {
 }  // namespace
 
 struct PulseKeeper::Implementation {
-  explicit Implementation(const std::filesystem::path& folder) : file(folder) {}
+  Implementation(const std::filesystem::path& folder, std::shared_ptr<const registration::ScalpField> scalp_)
+      : scalp(std::move(scalp_)), file(folder) {}
+
+  const std::shared_ptr<const registration::ScalpField> scalp;
 
   casefile::PulseFile file;  // used only by the thread
   mutable std::mutex mutex;  // guards the members below, up to `is_stopping`
@@ -37,6 +40,8 @@ struct PulseKeeper::Implementation {
   std::string failure;
   Timestamp retry;
   int added = 0, numbered = 0, kept = 0;
+  PulseCounts counts;
+  std::optional<JudgedPulse> last;
   bool is_stopping = false;
   std::thread thread;
 
@@ -48,6 +53,7 @@ struct PulseKeeper::Implementation {
   std::chrono::duration<double> patience() const;
   void placeReady();
   casefile::Pulse placed(const Waiting& pulse);
+  void count(const casefile::Pulse& pulse);
 };
 
 bool PulseKeeper::Implementation::isReady(const Waiting& pulse) const {
@@ -66,14 +72,22 @@ std::chrono::duration<double> PulseKeeper::Implementation::patience() const {
   return std::chrono::duration<double>(std::max(0.001, wait_s));
 }
 
+void PulseKeeper::Implementation::count(const casefile::Pulse& pulse) {
+  last = JudgedPulse{pulse.number, pulse.status, pulse.reason};
+  ++(pulse.status == casefile::PulseStatus::on_target ? counts.on_target
+     : pulse.status == casefile::PulseStatus::outside ? counts.outside
+                                                      : counts.lost);
+}
+
 casefile::Pulse PulseKeeper::Implementation::placed(const Waiting& pulse) {
   const auto after = std::find_if(frames.begin(), frames.end(), [&](const PosedFrame& frame) {
     return frame.taken - pulse.trigger.at > 0;
   });
   casefile::Pulse result =
       pulseBetween(pulse.trigger, after == frames.begin() ? std::nullopt : std::optional(*std::prev(after)),
-                   after == frames.end() ? std::nullopt : std::optional(*after));
+                   after == frames.end() ? std::nullopt : std::optional(*after), scalp.get());
   result.number = ++numbered;
+  count(result);
   return result;
 }
 
@@ -125,8 +139,9 @@ void PulseKeeper::Implementation::run() {
     logWarning(std::to_string(unwritten.size()) + " pulse(s) of the session could not be kept");
 }
 
-PulseKeeper::PulseKeeper(const std::filesystem::path& session_folder)
-    : implementation_(std::make_unique<Implementation>(session_folder)) {
+PulseKeeper::PulseKeeper(const std::filesystem::path& session_folder,
+                         std::shared_ptr<const registration::ScalpField> scalp)
+    : implementation_(std::make_unique<Implementation>(session_folder, std::move(scalp))) {
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
 
@@ -166,6 +181,21 @@ void PulseKeeper::follow(const NavigationState& state) {
     implementation_->placeReady();
   }
   implementation_->changed.notify_all();
+}
+
+PulseCounts PulseKeeper::counts() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->counts;
+}
+
+std::optional<JudgedPulse> PulseKeeper::last() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->last;
+}
+
+int PulseKeeper::added() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->added;
 }
 
 int PulseKeeper::kept() const {

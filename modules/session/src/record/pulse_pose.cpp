@@ -7,11 +7,11 @@
 #include "facenav/casefile/utc_time.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/interpolate.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/guidance/handle.h"
 
 namespace facenav::session {
 namespace {
-
-constexpr double kDegree = 180.0 / M_PI;
 
 /// "FACE COVERED: move the coil or hand aside" -> "face covered": what was, not what to do.
 std::string titleOf(const std::string& words) {
@@ -31,11 +31,11 @@ std::string outsideWords(const guidance::GuidanceValues& values, const guidance:
       formatted("%.1f mm too %s (%.1f allowed)", std::abs(values.depth_mm),
                 values.depth_mm > 0 ? "deep" : "high", tolerance.depth_mm));
   add(values.tilt_rad > tolerance.tilt_rad,
-      formatted("tilted by %.1f deg (%.1f allowed)", values.tilt_rad * kDegree,
-                tolerance.tilt_rad * kDegree));
+      formatted("tilted by %.1f deg (%.1f allowed)", values.tilt_rad * kDegPerRad,
+                tolerance.tilt_rad * kDegPerRad));
   add(std::abs(values.twist_rad) > tolerance.twist_rad,
-      formatted("turned by %.1f deg (%.1f allowed)", std::abs(values.twist_rad) * kDegree,
-                tolerance.twist_rad * kDegree));
+      formatted("turned by %.1f deg (%.1f allowed)", std::abs(values.twist_rad) * kDegPerRad,
+                tolerance.twist_rad * kDegPerRad));
   return words;
 }
 
@@ -62,6 +62,28 @@ std::optional<Pose> between(const std::optional<Pose>& a, const std::optional<Po
   return interpolated(*a, *b, fraction);
 }
 
+/// Distance of the contact face's centre from the skin, > 0 outside.
+std::optional<double> gapOf(const RigidTransform<Mri, Coil>& mri_T_coil,
+                            const registration::ScalpField* scalp) {
+  if (!scalp) return std::nullopt;
+  const float gap_mm = scalp->fine(mri_T_coil.translation_mm().cast<float>()).distance_mm;
+  if (!std::isfinite(gap_mm) || gap_mm >= registration::ScalpField::kFar_mm) return std::nullopt;
+  return gap_mm;
+}
+
+/// What makes a pulse doubtful though the coil is where it should be.
+std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& target) {
+  std::string words;
+  const double planned_mm = guidance::hairGap_mm(target);
+  if (pulse.gap_mm && *pulse.gap_mm > planned_mm + kMostGapBeyondPlan_mm)
+    words = formatted("gap of %.1f mm to the skin (%.1f planned, %.1f more allowed)", *pulse.gap_mm,
+                      planned_mm, kMostGapBeyondPlan_mm);
+  if (pulse.predicted_error_mm && *pulse.predicted_error_mm > kMostPredictedError_mm)
+    words += (words.empty() ? "" : "; ") + formatted("alignment uncertain by %.1f mm (%.1f allowed)",
+                                                     *pulse.predicted_error_mm, kMostPredictedError_mm);
+  return words;
+}
+
 void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
   if (!frame.chosen) {
     pulse.status = casefile::PulseStatus::outside;
@@ -69,9 +91,10 @@ void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
     return;
   }
   const auto values = guidance::evaluate(frame.chosen->target, *pulse.mri_T_coil());
-  pulse.offset = {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegree,
-                  values.twist_rad * kDegree};
+  pulse.offset = {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegPerRad,
+                  values.twist_rad * kDegPerRad};
   pulse.reason = outsideWords(values, frame.tolerance);
+  if (pulse.reason.empty()) pulse.reason = doubtWords(pulse, frame.chosen->target);
   pulse.status = pulse.reason.empty() ? casefile::PulseStatus::on_target : casefile::PulseStatus::outside;
 }
 
@@ -86,7 +109,7 @@ PosedFrame posedFrame(const NavigationState& state) {
 }
 
 casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& before,
-                             const std::optional<PosedFrame>& after) {
+                             const std::optional<PosedFrame>& after, const registration::ScalpField* scalp) {
   casefile::Pulse pulse;
   const double between_s = before && after ? after->taken - before->taken : 0.0;
   const double fraction =
@@ -108,10 +131,12 @@ casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<Po
   pulse.fraction = fraction;
   pulse.camera_T_mri = between(before->camera_T_mri, after->camera_T_mri, fraction);
   pulse.camera_T_coil = between(before->camera_T_coil, after->camera_T_coil, fraction);
-  if (pulse.camera_T_mri && pulse.camera_T_coil)
+  if (pulse.camera_T_mri && pulse.camera_T_coil) {
+    pulse.gap_mm = gapOf(*pulse.mri_T_coil(), scalp);
     judge(pulse, *before);
-  else
+  } else {
     pulse.reason = before->loss.empty() ? after->loss : before->loss;
+  }
   return pulse;
 }
 

@@ -6,8 +6,11 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <variant>
 
 #include "facenav/casefile/session_log.h"
+#include "facenav/casefile/session_pulses.h"
+#include "facenav/casefile/twitches.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
 
@@ -18,13 +21,23 @@ struct Event {
   std::string name, detail;
 };
 
-constexpr double kRetry_s = 1.0;  // after a fault of the disk
+struct Answer {
+  int pulse = 0;
+  std::variant<double, bool> said;  // MEP in uV, or whether it twitched
+};
+
+constexpr double kRetry_s = 1.0;       // after a fault of the disk
+constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
 
 }  // namespace
 
 struct TreatmentLog::Implementation {
-  Implementation(std::shared_ptr<Session> session_, const std::filesystem::path& case_folder)
-      : session(std::move(session_)), log(case_folder), folder(log.folder()), pulses(folder) {}
+  Implementation(std::shared_ptr<Session> session_, const std::filesystem::path& case_folder,
+                 std::shared_ptr<const registration::ScalpField> scalp)
+      : session(std::move(session_)),
+        log(case_folder),
+        folder(log.folder()),
+        pulses(folder, std::move(scalp)) {}
 
   const std::shared_ptr<Session> session;
   casefile::SessionLog log;  // used only by the thread once it runs
@@ -33,6 +46,7 @@ struct TreatmentLog::Implementation {
   PulseKeeper pulses;
   mutable std::mutex mutex;  // guards events, failure
   std::deque<Event> events;
+  std::deque<Answer> answers;
   std::string failure;
   std::thread thread;
   // Used only by the thread: what held at the previous frame.
@@ -42,11 +56,14 @@ struct TreatmentLog::Implementation {
 
   void run();
   void writeEvents();
+  void writeAnswers();
+  bool answer(std::variant<double, bool> said);
   void noteEnd();
   void write(const NavigationState& state);
   template <class Work>
   void tried(Work work);
   void setFailure(const std::string& words);
+  void awaitPulses() const;
   void end();
   void noteChange(bool& has, bool has_now, const char* what, const std::string& why);
 };
@@ -88,6 +105,33 @@ void TreatmentLog::Implementation::writeEvents() {
   }
 }
 
+/// An MEP waits until its pulse is in the file.
+void TreatmentLog::Implementation::writeAnswers() {
+  for (;;) {
+    Answer first;
+    {
+      std::lock_guard lock(mutex);
+      if (answers.empty()) return;
+      first = answers.front();
+    }
+    if (first.pulse > pulses.kept()) return;
+    if (const double* mep_uv = std::get_if<double>(&first.said))
+      casefile::editMeps(folder, {{first.pulse, *mep_uv, {}, "typed", ""}});
+    else
+      casefile::keepTwitch(folder, first.pulse, std::get<bool>(first.said));
+    std::lock_guard lock(mutex);
+    answers.pop_front();
+  }
+}
+
+bool TreatmentLog::Implementation::answer(std::variant<double, bool> said) {
+  const int pulse = pulses.added();
+  if (pulse == 0) return false;
+  std::lock_guard lock(mutex);
+  answers.push_back({pulse, said});
+  return true;
+}
+
 void TreatmentLog::Implementation::setFailure(const std::string& words) {
   std::lock_guard lock(mutex);
   failure = words;
@@ -123,9 +167,18 @@ void TreatmentLog::Implementation::noteEnd() {
   has_noted_end = true;
 }
 
+/// The answers to the last pulses need them in the file.
+void TreatmentLog::Implementation::awaitPulses() const {
+  const Timestamp begin = Timestamp::now();
+  while (pulses.waiting() > 0 && pulses.failure().empty() && Timestamp::now() - begin < kLastPulses_s)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
 void TreatmentLog::Implementation::end() {
+  awaitPulses();
   tried([this] {
     writeEvents();
+    writeAnswers();
     noteEnd();
     log.addEvent("session ended");
     log.sync();
@@ -139,6 +192,7 @@ void TreatmentLog::Implementation::run() {
     tried([&] {
       if (state) write(*state);
       writeEvents();
+      writeAnswers();
       if (!state && session->hasEnded()) noteEnd();
     });
     if (!state && session->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -146,8 +200,9 @@ void TreatmentLog::Implementation::run() {
   end();
 }
 
-TreatmentLog::TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder)
-    : implementation_(std::make_unique<Implementation>(std::move(session), case_folder)) {
+TreatmentLog::TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder,
+                           std::shared_ptr<const registration::ScalpField> scalp)
+    : implementation_(std::make_unique<Implementation>(std::move(session), case_folder, std::move(scalp))) {
   implementation_->log.addEvent("session started");
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
@@ -167,6 +222,15 @@ void TreatmentLog::addPulse(const PulseTrigger& trigger) {
     addEvent("double trigger",
              trigger.source + formatted(", within %.2f s, not counted", trigger.dead_time_s));
 }
+
+bool TreatmentLog::answerPulse(double mep_uv) {
+  return mep_uv >= 0 && mep_uv <= casefile::kLargestMep_uv && implementation_->answer(mep_uv);
+}
+
+bool TreatmentLog::answerPulse(bool has_twitched) { return implementation_->answer(has_twitched); }
+
+PulseCounts TreatmentLog::counts() const { return implementation_->pulses.counts(); }
+std::optional<JudgedPulse> TreatmentLog::lastPulse() const { return implementation_->pulses.last(); }
 
 int TreatmentLog::pulses() const { return implementation_->pulses.kept(); }
 int TreatmentLog::pulsesWaiting() const { return implementation_->pulses.waiting(); }

@@ -14,7 +14,7 @@ namespace facenav::stereo {
 namespace {
 
 constexpr int kHalf_px = 7, kLeastStep_px = 6, kMostWindows = 400;  // their median is sharp enough
-constexpr std::size_t kFewest = 30;
+constexpr std::size_t kFewestDifferences = 30;
 
 // Grey level between the pixels of a row (cubic convolution), 1 <= x < columns - 2.
 inline double betweenPixels(const float* row, double x) {
@@ -23,14 +23,35 @@ inline double betweenPixels(const float* row, double x) {
   return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-// Two steps of least squares for the row shift (with disparity, gain and offset free) of the right window at
-// its matched place.
+// Sums of one step of least squares: unknowns row shift, disparity, gain and offset.
+struct RowFit {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
+  double squares = 0;  // of the left grey values
+};
+
+// Whether the window fixes its row shift. The gradient across the rows that the other unknowns do not explain
+// must exceed that of noise: for independent noise in both images it is half the residual at most
+// (differences of rows: variance 1/2 of an image's, residuals: 2). Without texture the least squares would
+// return 0, which is no measurement.
+bool fixesRowShift(const RowFit& fit, const Eigen::Vector4d& solution) {
+  constexpr double kLeastGradient_grey = 0.05, kNoiseGradient = 0.65;
+  constexpr double kPixels = (2 * kHalf_px + 1) * (2 * kHalf_px + 1);
+  const Eigen::Vector3d mixed = fit.normal.block<3, 1>(1, 0);
+  const Eigen::Vector3d explained =
+      fit.normal.bottomRightCorner<3, 3>().completeOrthogonalDecomposition().solve(mixed);
+  const double gradient = std::sqrt(std::max(0.0, fit.normal(0, 0) - mixed.dot(explained)) / kPixels);
+  const double residual = std::sqrt(std::max(0.0, fit.squares - solution.dot(fit.rhs)) / kPixels);
+  return gradient > std::max(kLeastGradient_grey, kNoiseGradient * residual);
+}
+
+// Two steps of least squares for the row shift of the right window at its matched place. Empty where the
+// window does not fix it.
 std::optional<double> rowDifference(const RectifiedPair& pair, const Rectification& r, int x, int y,
                                     float disparity, float slope_x, float slope_y) {
   double shift = 0, along = 0;
   for (int step = 0; step < 2; ++step) {
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
+    RowFit sums;
     const int whole = int(std::floor(shift));
     const double part = shift - whole;
     if (y - kHalf_px - 1 + whole < 0 || y + kHalf_px + 2 + whole >= pair.right.rows) return std::nullopt;
@@ -44,11 +65,14 @@ std::optional<double> rowDifference(const RectifiedPair& pair, const Rectificati
         const Eigen::Vector4d j(0.5 * (right(y + v + 1) - right(y + v - 1)),
                                 2.0 * (betweenPixels(p, at + 0.25) - betweenPixels(p, at - 0.25)),
                                 right(y + v), 1);
-        normal += j * j.transpose();
-        rhs += j * double(pair.left.at<float>(y + v, x + u));
+        const double left = double(pair.left.at<float>(y + v, x + u));
+        sums.normal += j * j.transpose();
+        sums.rhs += j * left;
+        sums.squares += left * left;
       }
-    const Eigen::Vector4d solution = normal.ldlt().solve(rhs);
+    const Eigen::Vector4d solution = sums.normal.ldlt().solve(sums.rhs);
     if (!solution.allFinite() || std::abs(solution[2]) < 0.2) return std::nullopt;
+    if (step == 1 && !fixesRowShift(sums, solution)) return std::nullopt;
     shift += std::clamp(solution[0] / solution[2], -1.0, 1.0);
     along += std::clamp(solution[1] / solution[2], -1.0, 1.0);
   }
@@ -73,7 +97,7 @@ std::optional<double> epipolarMedian(const Rectification& rectification, const R
                         has_slopes ? map.slope_y.at<float>(y, x) : 0);
       if (difference) differences_px.push_back(std::abs(*difference));
     }
-  if (differences_px.size() < kFewest) return std::nullopt;
+  if (differences_px.size() < kFewestDifferences) return std::nullopt;
   return upperMedian(std::move(differences_px));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Does the calibration still hold? In a rectified pair matching points share a row; if the cameras have
-// moved, they do not.
+// Checks the calibration: in a rectified pair matching points lie in the same row, unless the cameras have
+// moved.
 
 #include <optional>
 

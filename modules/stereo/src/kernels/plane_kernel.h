@@ -2,13 +2,13 @@
 // The "field" matcher's inner loops, compiled twice (facenav/core/simd.h). All loops run along rows of plain
 // arrays, so that the compiler can turn them into SIMD.
 //
-// The surface is a grid of planes, one at the middle of each 4 x 4 pixel block: disparity d, slopes a, b;
-// between the middles neighbouring planes are blended. A Gauss-Newton step warps the right image once by the
-// whole surface; each pixel's grey value then gives an estimate of the disparity there: d - e / g with weight
-// g^2, e the difference left - (offset + gain * right), g the gain times the right image's gradient. Weighted
-// least squares over a window gives each plane anew. Windows are sums over 4 x 4 blocks, smoothed between
-// blocks: they cost almost nothing, and follow the surface's own shape where it bends. Gain and offset come
-// from the previous step.
+// The surface is a grid of planes, one at the middle of each 4 x 4 pixel block: disparity d, slopes a, b.
+// Between the middles, neighbouring planes are blended. A Gauss-Newton step warps the right image once by the
+// whole surface. Each pixel's grey value then gives an estimate of the disparity there: d - e / g with weight
+// g^2, where e is the difference left - (offset + gain * right) and g the gain times the right image's
+// gradient. Weighted least squares over a window gives the new planes. Windows are sums over 4 x 4 blocks,
+// smoothed between blocks: they cost almost nothing, and follow the surface's own shape where it bends. Gain
+// and offset come from the previous step.
 
 #include <cstdint>
 
@@ -26,7 +26,7 @@ constexpr int kSums = kMoments + kPhotometric;
 /// Planes of one stride, rows x columns, one value for each block.
 struct Field {
   float *d, *a, *b;          // disparity at the block's middle (4 i + 1.5 px), slopes along x and y
-  float *a_prior, *b_prior;  // what the neighbourhood's slopes are
+  float *a_prior, *b_prior;  // prior of the slopes, from the neighbourhood
   float *offset, *gain;      // left = offset + gain * right
   float *sigma, *correlation;
   int columns, rows, stride;
@@ -35,7 +35,7 @@ struct Field {
 struct Window {
   int radius;                         // in blocks
   float weights[kLargestRadius + 1];  // from the middle outwards; 1 in the middle
-  float noise_factor;                 // sum of squared weights by sum of weights
+  float noise_factor;                 // sum of squared weights divided by the sum of weights
 };
 
 /// Floats of scratch memory for one strip.
@@ -55,8 +55,8 @@ struct Kernel {
                float* scratch, const Field& to);
   /// Disparity and slope along x of pixel row y (width rounded up to blocks).
   void (*pixel_row)(const Field&, int y, float* scratch, float* disparity);
-  /// Pixel row y of the result; `disparity` as pixel_row gave it, accepted in columns [first, end) where the
-  /// block's `accepted` is a number.
+  /// Pixel row y of the result; `disparity` from pixel_row. Accepted in columns [first, end) where the
+  /// block's `accepted` is not NaN.
   void (*map_row)(const Field&, const float* accepted, int y, int first, int end, int width,
                   const float* disparity, const Output&);
   /// Symmetric filter of a row, kSplineRadius elements readable beyond both ends, kMiddle_grey subtracted.
@@ -66,7 +66,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// The fastest version that this processor can run.
 const Kernel& kernel();
 
 }  // namespace facenav::stereo::planes

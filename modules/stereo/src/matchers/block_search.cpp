@@ -15,7 +15,7 @@ namespace facenav::stereo {
 
 namespace {
 
-constexpr int kUniqueness_256 = 10;
+constexpr int kBlockUniqueness_256 = 10;
 constexpr float kNeighbour_px = 2.0f;  // blocks of one surface differ by less (slope 0.5)
 constexpr int kFewestNeighbours = 3;   // of 8
 const float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -37,7 +37,8 @@ cv::Mat agreeing(const cv::Mat& found) {
   return kept;
 }
 
-// Means of what is known over 2 x 2, again and again; then back, filling holes from the coarser level.
+// Fills holes: repeated means of the known values over 2 x 2, then back from the coarser level to the finer
+// one.
 cv::Mat filled(const cv::Mat& holed) {
   if (holed.rows <= 1 && holed.cols <= 1) return holed;
   cv::Mat half((holed.rows + 1) / 2, (holed.cols + 1) / 2, CV_32F);
@@ -80,7 +81,7 @@ cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& 
   parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<std::uint16_t> scratch(std::size_t(scratchSize(columns, disparities)) / 2 + 1);
     for (int i = begin; i < end; ++i)
-      kernel.search(images, rows * i / strips, rows * (i + 1) / strips, kUniqueness_256,
+      kernel.search(images, rows * i / strips, rows * (i + 1) / strips, kBlockUniqueness_256,
                     reinterpret_cast<std::uint8_t*>(scratch.data()), found.ptr<float>(), int(found.step1()));
   });
   for (int y = 0; y < rows; ++y)

@@ -1,6 +1,6 @@
 #pragma once
-// Stage 1 of the "field" matcher: where the surface is, to about half a pixel, from windows of 12 x 12 pixels
-// round each 4 x 4 block.
+// Stage 1 of the "field" matcher: the surface within about half a pixel, from windows of 12 x 12 pixels
+// around each 4 x 4 block.
 
 #include <opencv2/core.hpp>
 
@@ -14,12 +14,11 @@ namespace facenav::stereo {
 cv::Mat searchBlocks(const Rectification& rectification, const RectifiedPair& pair,
                      const block::Kernel& kernel = block::kernel());
 
-/// The same from points of a surface known beforehand (Camera): the nearest of those in each block; no
-/// search.
+/// The same without a search, from points of a known surface (Camera): the nearest point in each block.
 cv::Mat blocksOf(const Rectification& rectification, const cv::Size& image,
                  const PointCloud<Camera>& surface);
 
-/// How many blocks have a clear match that their neighbours agree with.
+/// Number of blocks with a clear match that their neighbours agree with.
 int matchedBlocks(const Rectification& rectification, const RectifiedPair& pair);
 
 }  // namespace facenav::stereo

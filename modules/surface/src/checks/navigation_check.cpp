@@ -23,18 +23,18 @@ CheckFinding checkFacePresence(const ScalpSurface& scalp) {
   for (const auto& finding : scalp.findings)
     if (finding.find("ear ") == std::string::npos) words += (words.empty() ? "" : "; ") + finding;
   if (!scalp.has_face)
-    return {"face", Verdict::not_usable, words.empty() ? "there is no face to align to" : words,
+    return {CheckTopic::face, Verdict::not_usable, words.empty() ? "there is no face to align to" : words,
             std::string("the original, not defaced images; ") + kWholeHead};
-  if (!words.empty()) return {"face", Verdict::caution, words, kWholeHead};
-  return {"face", Verdict::fine, "brow, eyes and nose are there, whole", ""};
+  if (!words.empty()) return {CheckTopic::face, Verdict::caution, words, kWholeHead};
+  return {CheckTopic::face, Verdict::fine, "brow, eyes and nose are there, whole", ""};
 }
 
 CheckFinding checkEars(const ScanQuality& scan) {
   constexpr double kEar_mm2 = 30;
   const bool right = cutArea_mm2(scan, "right") > kEar_mm2, left = cutArea_mm2(scan, "left") > kEar_mm2;
-  if (!right && !left) return {"ears", Verdict::fine, "both ears lie within the field of view", ""};
+  if (!right && !left) return {CheckTopic::ears, Verdict::fine, "both ears lie within the field of view", ""};
   return {
-      "ears", Verdict::caution,
+      CheckTopic::ears, Verdict::caution,
       std::string(right && left ? "both sides of the head are"
                   : right       ? "the right side of the head is"
                                 : "the left side of the head is") +
@@ -46,8 +46,8 @@ CheckFinding checkVertex(const ScanQuality& scan) {
   constexpr double kTouch_mm2 = 30, kMuch_mm2 = 1500;
   const double cut_mm2 = cutArea_mm2(scan, "top");
   if (cut_mm2 < kTouch_mm2)
-    return {"vertex", Verdict::fine, "the top of the head lies within the field of view", ""};
-  return {"vertex", cut_mm2 < kMuch_mm2 ? Verdict::caution : Verdict::not_usable,
+    return {CheckTopic::vertex, Verdict::fine, "the top of the head lies within the field of view", ""};
+  return {CheckTopic::vertex, cut_mm2 < kMuch_mm2 ? Verdict::caution : Verdict::not_usable,
           formatted("the top of the head is cut over %.0f cm2: targets there have no scalp", cut_mm2 / 100),
           kWholeHead};
 }
@@ -56,9 +56,10 @@ CheckFinding checkSpacing(const ScanQuality& scan) {
   constexpr double kUsable_mm = 2.0;
   const std::string words =
       formatted("voxels of %.2f to %.2f mm", scan.smallest_voxel_mm, scan.largest_voxel_mm);
-  if (scan.largest_voxel_mm <= volume::kNavigationVoxel_mm) return {"spacing", Verdict::fine, words, ""};
+  if (scan.largest_voxel_mm <= volume::kNavigationVoxel_mm)
+    return {CheckTopic::spacing, Verdict::fine, words, ""};
   const bool is_usable = scan.largest_voxel_mm <= kUsable_mm;
-  return {"spacing", is_usable ? Verdict::caution : Verdict::not_usable,
+  return {CheckTopic::spacing, is_usable ? Verdict::caution : Verdict::not_usable,
           words + (is_usable ? ": the skin is placed less well than with 1 mm"
                              : ": too coarse to place skin or cortex"),
           kThinSlices};
@@ -67,28 +68,30 @@ CheckFinding checkSpacing(const ScanQuality& scan) {
 CheckFinding checkNoise(const ScanQuality& scan) {
   constexpr double kFine_mm = 0.15, kUsable_mm = 0.5;
   if (scan.is_air_blanked)
-    return {"noise", Verdict::fine,
+    return {CheckTopic::noise, Verdict::fine,
             "not measurable, the air around the head was erased; the skin's edge is clear", ""};
   if (scan.noise <= 0)
-    return {"noise", Verdict::caution, "not measurable, the scan holds no air beside the head", kWholeHead};
+    return {CheckTopic::noise, Verdict::caution, "not measurable, the scan holds no air beside the head",
+            kWholeHead};
   const std::string words = formatted("the noise moves the skin by %.2f mm (signal to noise %.0f)",
                                       scan.skin_jitter_mm, scan.skin_step / scan.noise);
-  if (scan.skin_jitter_mm <= kFine_mm) return {"noise", Verdict::fine, words, ""};
-  return {"noise", scan.skin_jitter_mm <= kUsable_mm ? Verdict::caution : Verdict::not_usable, words,
-          "a head coil with more channels, less acceleration, or two averages"};
+  if (scan.skin_jitter_mm <= kFine_mm) return {CheckTopic::noise, Verdict::fine, words, ""};
+  return {CheckTopic::noise, scan.skin_jitter_mm <= kUsable_mm ? Verdict::caution : Verdict::not_usable,
+          words, "a head coil with more channels, less acceleration, or two averages"};
 }
 
 CheckFinding checkGhosts(const ScanQuality& scan) {
   constexpr double kFine = 0.02,
                    kUsable = 0.08;  // relative to the skin's step; the ACR's limit in phantoms is 0.025
   if (scan.is_air_blanked || scan.noise <= 0)
-    return {"ghosts", Verdict::fine, "not measurable, there is no untouched air beside the head", ""};
+    return {CheckTopic::ghosts, Verdict::fine, "not measurable, there is no untouched air beside the head",
+            ""};
   const std::string words =
       formatted("ghosts in the air beside the head reach %.1f %% of the skin's signal",
                 100 * scan.ghost_share) +
       (scan.ghost_share > kFine ? " (" + scan.ghost_direction + "): the head moved, or an artefact" : "");
-  if (scan.ghost_share <= kFine) return {"ghosts", Verdict::fine, words, ""};
-  return {"ghosts", scan.ghost_share <= kUsable ? Verdict::caution : Verdict::not_usable, words,
+  if (scan.ghost_share <= kFine) return {CheckTopic::ghosts, Verdict::fine, words, ""};
+  return {CheckTopic::ghosts, scan.ghost_share <= kUsable ? Verdict::caution : Verdict::not_usable, words,
           "the scan again, head padded still, phase encoding left-right so that ghosts miss the face"};
 }
 
@@ -96,21 +99,21 @@ CheckFinding checkWrapping(const ScanQuality& scan) {
   constexpr double kShare = 0.2;
   for (const ScanSide& side : scan.sides)
     if (side.wrapped_share > kShare)
-      return {"wrap-around", Verdict::caution,
+      return {CheckTopic::wrap_around, Verdict::caution,
               "tissue of the opposite side appears at the " + side.name + " of the scan (" +
                   formatted("%.0f %%", 100 * side.wrapped_share) + " of what is cut there)",
               "phase oversampling, or a larger field of view"};
-  return {"wrap-around", Verdict::fine, "nothing appears on the wrong side of the scan", ""};
+  return {CheckTopic::wrap_around, Verdict::fine, "nothing appears on the wrong side of the scan", ""};
 }
 
 CheckFinding checkLeftRight(const volume::Volume& mri) {
   if (mri.orientation_source == "DICOM")
-    return {"left and right", Verdict::fine,
+    return {CheckTopic::left_and_right, Verdict::fine,
             "rest on Image Position and Orientation (Patient), as the scanner wrote them; a wrong patient "
             "position "
             "entered at the scanner cannot be seen here",
             ""};
-  return {"left and right", Verdict::caution,
+  return {CheckTopic::left_and_right, Verdict::caution,
           "rest on the file's " + mri.orientation_source +
               ", which any program on the way may have changed: compare a mole, a scar or the parting with "
               "the person",
@@ -126,12 +129,12 @@ CheckFinding checkScale(const std::vector<FaceMeasure>& measures) {
       unusual += (unusual.empty() ? "" : ", ") + measure.name + formatted(" %.0f mm", measure.value_mm);
     }
   if (measures.empty())
-    return {"scale", Verdict::caution, "no landmark was found, so nothing can be held against the person",
-            kWholeHead};
+    return {CheckTopic::scale, Verdict::caution,
+            "no landmark was found, so nothing can be held against the person", kWholeHead};
   if (count == 0)
-    return {"scale", Verdict::fine,
+    return {CheckTopic::scale, Verdict::fine,
             std::to_string(measures.size()) + " measures of face and head lie within the adult range", ""};
-  return {"scale", Verdict::caution,
+  return {CheckTopic::scale, Verdict::caution,
           "outside the adult range: " + unusual +
               "; a child, another population, a template head or a wrong voxel size: measure the person",
           ""};
@@ -149,8 +152,40 @@ Verdict verdictFrom(const std::string& words) {
   throw Error("is no verdict (fine, caution, not usable)", words);
 }
 
+std::string toString(CheckTopic topic) {
+  switch (topic) {
+    case CheckTopic::face:
+      return "face";
+    case CheckTopic::ears:
+      return "ears";
+    case CheckTopic::vertex:
+      return "vertex";
+    case CheckTopic::spacing:
+      return "spacing";
+    case CheckTopic::noise:
+      return "noise";
+    case CheckTopic::ghosts:
+      return "ghosts";
+    case CheckTopic::wrap_around:
+      return "wrap-around";
+    case CheckTopic::left_and_right:
+      return "left and right";
+    case CheckTopic::scale:
+      return "scale";
+  }
+  return {};
+}
+
+CheckTopic topicFrom(const std::string& words) {
+  for (const CheckTopic topic :
+       {CheckTopic::face, CheckTopic::ears, CheckTopic::vertex, CheckTopic::spacing, CheckTopic::noise,
+        CheckTopic::ghosts, CheckTopic::wrap_around, CheckTopic::left_and_right, CheckTopic::scale})
+    if (toString(topic) == words) return topic;
+  throw Error("is no topic of the import check", words);
+}
+
 std::string inWords(const CheckFinding& finding) {
-  return finding.topic + ", " + toString(finding.verdict) + ": " + finding.finding +
+  return toString(finding.topic) + ", " + toString(finding.verdict) + ": " + finding.finding +
          (finding.ask.empty() ? "" : "; ask for " + finding.ask);
 }
 

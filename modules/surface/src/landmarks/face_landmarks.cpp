@@ -22,6 +22,9 @@ using Eigen::Vector3d;
 /// photogrammetry and on MRI skin (0.5-1.5 mm for points on the midline and the eyes' inner corners, 2-3 mm
 /// for those on smooth skin).
 constexpr double kSharp_mm = 1.0, kFair_mm = 1.5, kSmooth_mm = 2.5;
+/// Of the inion, which is a bend here, and often no bump (midline_profile.h). On Colin27 it lies 18 mm above
+/// the published place.
+constexpr double kInion_mm = 15.0;
 
 std::vector<Vector3d> inHead(const Eigen::Isometry3d& frame, const TriangleMesh& mesh) {
   std::vector<Vector3d> points;
@@ -86,6 +89,7 @@ class LandmarkFinder {
     add("subnasale", onMidline(middle.subnasale), kSharp_mm);
     add("pogonion", onMidline(middle.pogonion), kSmooth_mm);
     add("opisthocranion", onMidline(middle.opisthocranion), kFair_mm);
+    add("inion", onMidline(middle.inion), kInion_mm);
   }
 
   void addEyesAndNose(const MidlineLandmarks& middle) {

@@ -12,8 +12,21 @@ constexpr const char* kStyle =
     "table{border-collapse:collapse;margin:.4em 0}"
     "th,td{padding:.2em .8em .2em 0;border-bottom:1px solid #ccd;text-align:left;vertical-align:top}"
     "th{background:#eef3f8}table.facts td:first-child{color:#445;min-width:17em}"
-    "tr,svg{break-inside:avoid}svg{margin:.4em .6em .4em 0}"
+    "tr,svg,img{break-inside:avoid}svg,img{margin:.4em .6em .4em 0}img{max-width:100%}"
     "@media print{body{font-size:11px;margin:0;padding:0}}";
+
+/// RFC 4648.
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = bytes.size() - i;
+    const unsigned group = unsigned(bytes[i]) << 16 | (left > 1 ? unsigned(bytes[i + 1]) << 8 : 0u) |
+                           (left > 2 ? unsigned(bytes[i + 2]) : 0u);
+    for (std::size_t d = 0; d < 4; ++d) text += d <= left ? kDigits[(group >> (18 - 6 * d)) & 63u] : '=';
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -58,6 +71,10 @@ std::string tableHtml(const TableRow& columns, const std::vector<TableRow>& rows
 
 std::string headingHtml(const std::string& words) { return "<h2>" + escapedHtml(words) + "</h2>\n"; }
 std::string paragraphHtml(const std::string& words) { return "<p>" + escapedHtml(words) + "</p>\n"; }
+
+std::string pictureHtml(const std::vector<std::uint8_t>& png) {
+  return "<img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\">\n";
+}
 
 std::string pageHtml(const std::string& title, const std::string& subtitle, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escapedHtml(title) +

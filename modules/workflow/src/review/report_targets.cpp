@@ -17,7 +17,7 @@ struct UsedTarget {
   int pulses = 0;
 };
 
-/// One entry a name and pose, in the order of their first pulse: a target that was moved counts anew.
+/// One entry per name and pose, in the order of their first pulse: a moved target gets a new entry.
 std::vector<UsedTarget> usedTargets(const casefile::KeptSession& session) {
   std::vector<UsedTarget> used;
   for (const auto& [pulse, is_excluded, note] : session.pulses.pulses) {

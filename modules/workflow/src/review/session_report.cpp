@@ -6,12 +6,15 @@
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/guidance.h"
+#include "facenav/scene/png.h"
+#include "facenav/workflow/review_charts.h"
 #include "facenav/workflow/session_review.h"
 #include "facenav/workflow/software_version.h"
 #include "report_html.h"
-#include "report_svg.h"
 #include "report_targets.h"
 
 namespace facenav::workflow {
@@ -20,7 +23,6 @@ namespace {
 constexpr const char* kNotRecorded = "not recorded";
 constexpr std::size_t kMostRows = 60;  // of a table on paper; pulses.csv and events.jsonl hold all
 constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // the share of pulses that published sheets state
-constexpr double kDegree = 180.0 / M_PI;
 constexpr double kDistanceBin_mm = 0.5, kTiltBin_deg = 1.0;
 
 /// Words with a path: without its folders, whose names may be the patient's.
@@ -57,10 +59,11 @@ std::string detailsOf(const casefile::KeptSession& session, const std::string& e
 
 std::string nearWords(const casefile::KeptSession& session) {
   int near = 0, all = 0;
-  for (const auto& [pulse, is_excluded, note] : session.pulses.pulses) {
-    if (is_excluded) continue;
+  for (const auto& reviewed : session.pulses.pulses) {
+    if (reviewed.is_excluded) continue;
+    const auto& offset = reviewed.pulse.offset;
     ++all;
-    near += pulse.offset && pulse.offset->distance_mm <= kNear_mm && pulse.offset->tilt_deg <= kNear_deg;
+    near += offset && offset->distance_mm <= kNear_mm && offset->tilt_deg <= kNear_deg;
   }
   return formatted("%d of %d", near, all) + shareWords(near, all);
 }
@@ -72,6 +75,45 @@ std::string intensityWords(const casefile::KeptSession& session) {
   if (pct.empty()) return kNotRecorded;
   const auto [low, high] = std::minmax_element(pct.begin(), pct.end());
   return formatted("%g to %g %% of maximal output, stated for %zu pulses", *low, *high, pct.size());
+}
+
+std::string mepWords(const casefile::KeptSession& session) {
+  std::vector<double> meps_uv;
+  for (const auto& reviewed : session.pulses.pulses)
+    if (!reviewed.is_excluded && reviewed.pulse.mep_uv) meps_uv.push_back(*reviewed.pulse.mep_uv);
+  if (meps_uv.empty()) return kNotRecorded;
+  const auto spread = spreadOf(meps_uv);
+  return formatted("%zu, median / 95th percentile %.0f / %.0f uV, %zu of them entered after their pulse",
+                   meps_uv.size(), spread->median, spread->p95, session.pulses.edited_meps.size());
+}
+
+std::string gapWords(const casefile::KeptSession& session) {
+  std::vector<double> gaps_mm;
+  for (const auto& reviewed : session.pulses.pulses)
+    if (!reviewed.is_excluded && reviewed.pulse.gap_mm) gaps_mm.push_back(*reviewed.pulse.gap_mm);
+  return gaps_mm.empty() ? kNotRecorded : formatted("median %.1f mm", median(gaps_mm));
+}
+
+/// As given, from the times of the pulses; pulses further apart than this begin another train.
+constexpr double kTrainPause_s = 1.5;
+
+std::string trainWords(const casefile::KeptSession& session) {
+  std::vector<double> steps_s, pauses_s;
+  std::optional<double> last_s;
+  int trains = 0, pulses = 0;
+  for (const auto& reviewed : session.pulses.pulses) {
+    const auto& t_s = reviewed.pulse.t_s;
+    if (!t_s) continue;
+    ++pulses;
+    const bool is_in_train = last_s && *t_s - *last_s <= kTrainPause_s;
+    if (!is_in_train) ++trains;
+    if (last_s) (is_in_train ? steps_s : pauses_s).push_back(*t_s - *last_s);
+    last_s = t_s;
+  }
+  if (steps_s.empty()) return pulses == 0 ? kNotRecorded : formatted("%d single pulses", pulses);
+  std::string words = formatted("%d trains, %.1f pulses each on average, %.1f Hz", trains,
+                                double(pulses) / trains, 1.0 / median(steps_s));
+  return words + (pauses_s.empty() ? "" : formatted(", pauses of %.1f s (medians)", median(pauses_s)));
 }
 
 std::string errorWords(const casefile::KeptSession& session) {
@@ -101,24 +143,27 @@ std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSe
              {{"Start (UTC)", summary.started_utc},
               {"Duration", timeWords(summary.duration_s)},
               {"End", summary.has_ended ? "ended normally" : "not ended: it still runs, or it was cut off"},
-              {"Operator", kNotRecorded},
+              {"Operator", detailsOf(session, "operator")},
               {"Head model checked by", signOffWords(store)},
               {"Treated without a sign-off",
                detailsOf(session, "override") == kNotRecorded ? "no" : detailsOf(session, "override")},
-              {"Pain before / after (0 to 10)", kNotRecorded},
+              {"Protocol", detailsOf(session, "protocol")},
+              {"Pauses, with their reasons", detailsOf(session, "pause")},
+              {"Pain before (0 to 10)", detailsOf(session, "pain before")},
+              {"Pain after (0 to 10)", detailsOf(session, "pain after")},
               {"Adverse events", detailsOf(session, "adverse event")}});
 }
 
 std::string stimulationPart(const casefile::KeptSession& session, const SessionSummary& s) {
   const int counted = s.pulses - s.excluded;
   return headingHtml("Stimulation") +
-         factsHtml({{"Stimulator (make, model)", kNotRecorded},
+         factsHtml({{"Stimulator (make, model)", detailsOf(session, "stimulator")},
                     {"Coil", detailsOf(session, "coil")},
-                    {"Muscles", kNotRecorded},
-                    {"Motor threshold (method, criterion, hits of all)", kNotRecorded},
+                    {"Muscles", detailsOf(session, "muscle")},
+                    {"Motor threshold (method, criterion, hits of all)", detailsOf(session, "threshold")},
                     {"Intensity", intensityWords(session)},
-                    {"Intensity in % of the motor threshold", kNotRecorded},
-                    {"Trains (frequency, pulses, pauses)", kNotRecorded},
+                    {"MEPs", mepWords(session)},
+                    {"Trains (frequency, pulses, pauses)", trainWords(session)},
                     {"Pulses", formatted("%d", s.pulses)},
                     {"of these on target", formatted("%d", s.on_target) + shareWords(s.on_target, counted)},
                     {"outside the tolerance", formatted("%d", s.outside) + shareWords(s.outside, counted)},
@@ -147,38 +192,65 @@ std::string accuracyPart(const casefile::KeptSession& session, const SessionSumm
   return headingHtml("Navigation accuracy") + factsHtml(rows);
 }
 
-std::string figuresPart(const casefile::KeptSession& session) {
-  std::vector<double> distance_mm, tilt_deg;
+/// Adds the figure to the report; returns its place in the body.
+std::string placed(SessionReport::Figure figure, SessionReport& report) {
+  report.figures.push_back(std::move(figure));
+  return formatted("<img src=\"figure:%zu\">\n", report.figures.size() - 1);
+}
+
+std::vector<PlacedPulse> placesOf(const casefile::KeptSession& session) {
   std::vector<PlacedPulse> places;
-  for (const auto& [pulse, is_excluded, note] : session.pulses.pulses) {
+  for (const auto& reviewed : session.pulses.pulses) {
+    const casefile::Pulse& pulse = reviewed.pulse;
     if (!pulse.offset || !pulse.target) continue;
     const auto target_T_coil = pulse.target->mri_T_target.inverse() * *pulse.mri_T_coil();
     const Eigen::Vector3d centre_mm = target_T_coil.translation_mm();
-    places.push_back(
-        {centre_mm.x(), centre_mm.y(), pulse.status == casefile::PulseStatus::on_target, is_excluded});
-    if (is_excluded) continue;
-    distance_mm.push_back(pulse.offset->distance_mm);
-    tilt_deg.push_back(pulse.offset->tilt_deg);
+    places.push_back({centre_mm.x(), centre_mm.y(), pulse.status == casefile::PulseStatus::on_target,
+                      reviewed.is_excluded});
   }
+  return places;
+}
+
+std::string figuresPart(const casefile::KeptSession& session, SessionReport& report) {
+  const auto places = placesOf(session);
   if (places.empty()) return {};
+  std::vector<double> distance_mm, tilt_deg;
+  for (const auto& reviewed : session.pulses.pulses) {
+    if (reviewed.is_excluded || !reviewed.pulse.offset || !reviewed.pulse.target) continue;
+    distance_mm.push_back(reviewed.pulse.offset->distance_mm);
+    tilt_deg.push_back(reviewed.pulse.offset->tilt_deg);
+  }
   const guidance::Tolerance tolerance{};
+  const auto chart = [&](Chart drawn) { return placed({std::move(drawn), {}}, report); };
   return headingHtml("Pulses against their targets") +
-         histogramSvg("Distance", "mm", distance_mm, kDistanceBin_mm, kNear_mm) +
-         histogramSvg("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegree) +
-         placesSvg("Where the coil's centre was", places, tolerance.lateral_mm) +
+         chart(histogramChart("Distance", "mm", distance_mm, kDistanceBin_mm, kNear_mm)) +
+         chart(histogramChart("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegPerRad)) +
+         chart(placesChart("Where the coil's centre was", places, tolerance.lateral_mm)) +
+         chart(driftChart(session.pulses.pulses, PulseColumn::distance)) +
          paragraphHtml(
              "Filled circle: on target. Open square: outside the tolerance. Grey cross: excluded, in "
              "no bar. Dashed: 2 mm, and the tolerance of tilt and place.");
 }
 
+std::string picturesPart(const ReportOptions& options, SessionReport& report) {
+  if (options.pictures.empty()) return {};
+  std::string html = headingHtml("Where the pulses went");
+  for (const ReportPicture& picture : options.pictures)
+    html += placed({std::nullopt, picture.image}, report) + paragraphHtml(picture.caption);
+  return html;
+}
+
 std::string exceptionsPart(const casefile::KeptSession& session) {
   std::vector<TableRow> rows;
   std::size_t all = 0;
-  for (const auto& [pulse, is_excluded, note] : session.pulses.pulses) {
+  for (const auto& reviewed : session.pulses.pulses) {
+    const casefile::Pulse& pulse = reviewed.pulse;
+    const bool is_excluded = reviewed.is_excluded;
     if (!is_excluded && pulse.status == casefile::PulseStatus::on_target) continue;
     if (++all <= kMostRows)
       rows.push_back({formatted("%d", pulse.number), pulse.utc,
-                      is_excluded ? "excluded" : toString(pulse.status), is_excluded ? note : pulse.reason});
+                      is_excluded ? "excluded" : toString(pulse.status),
+                      is_excluded ? reviewed.note : pulse.reason});
   }
   if (rows.empty()) return {};
   return headingHtml("Pulses not on target, or excluded") +
@@ -209,23 +281,43 @@ std::string cautionsPart(const SessionSummary& summary) {
 
 }  // namespace
 
-std::string sessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
-                          const ReportOptions& options) {
+SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
+                                const ReportOptions& options) {
   const SessionSummary summary = summarise(session);
-  const std::string subtitle = "Case " + store.caseId() +
-                               (options.has_name && !store.label().empty() ? ", " + store.label() : "") +
-                               ", session " + session.name;
+  SessionReport report;
+  report.title = "TMS session report";
+  report.subtitle = "Case " + store.caseId() +
+                    (options.has_name && !store.label().empty() ? ", " + store.label() : "") + ", session " +
+                    session.name;
   const std::string head = headingHtml("Head") + factsHtml({{"Nasion to inion", kNotRecorded},
                                                             {"Between the preauricular points", kNotRecorded},
                                                             {"Circumference", kNotRecorded},
-                                                            {"Hair (gap measured)", kNotRecorded}});
+                                                            {"Hair (gap measured)", gapWords(session)}});
   const std::string foot =
       paragraphHtml("FaceNav " + softwareVersion() + ". Not a medical device: for research and development.");
-  return pageHtml("TMS session report", subtitle,
-                  sessionPart(store, session, summary) + targetsPart(store, session) +
-                      stimulationPart(session, summary) + accuracyPart(session, summary) +
-                      figuresPart(session) + exceptionsPart(session) + head + eventsPart(session) +
-                      cautionsPart(summary) + foot);
+  report.body = sessionPart(store, session, summary) + targetsPart(store, session) +
+                stimulationPart(session, summary) + accuracyPart(session, summary);
+  report.body += picturesPart(options, report);
+  report.body += figuresPart(session, report);
+  report.body += exceptionsPart(session) + head + eventsPart(session) + cautionsPart(summary) + foot;
+  return report;
+}
+
+std::string toHtml(const SessionReport& report) {
+  std::string body = report.body;
+  for (std::size_t i = 0; i < report.figures.size(); ++i) {
+    const std::string place = formatted("<img src=\"figure:%zu\">", i);
+    const auto& figure = report.figures[i];
+    const std::string drawn =
+        figure.chart ? chartSvg(*figure.chart) : pictureHtml(scene::pngOf(figure.picture));
+    body.replace(body.find(place), place.size(), drawn);
+  }
+  return pageHtml(report.title, report.subtitle, body);
+}
+
+std::string sessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
+                          const ReportOptions& options) {
+  return toHtml(makeSessionReport(store, session, options));
 }
 
 void writeSessionReport(const std::filesystem::path& case_folder,

@@ -22,7 +22,7 @@ std::string startOf(const std::string& name) {
 }
 
 void countPulses(const casefile::SessionPulses& session, SessionSummary& summary) {
-  std::vector<double> distance_mm, tilt_deg;
+  std::vector<double> distance_mm, tilt_deg, error_mm;
   for (const auto& [pulse, is_excluded, note] : session.pulses) {
     ++summary.pulses;
     if (is_excluded) {
@@ -32,12 +32,15 @@ void countPulses(const casefile::SessionPulses& session, SessionSummary& summary
     summary.on_target += pulse.status == casefile::PulseStatus::on_target;
     summary.outside += pulse.status == casefile::PulseStatus::outside;
     summary.lost += pulse.status == casefile::PulseStatus::lost;
+    summary.meps += pulse.mep_uv.has_value();
+    if (pulse.predicted_error_mm) error_mm.push_back(*pulse.predicted_error_mm);
     if (!pulse.offset) continue;
     distance_mm.push_back(pulse.offset->distance_mm);
     tilt_deg.push_back(pulse.offset->tilt_deg);
   }
   summary.distance_mm = spreadOf(std::move(distance_mm));
   summary.tilt_deg = spreadOf(std::move(tilt_deg));
+  if (!error_mm.empty()) summary.predicted_error_mm = median(error_mm);
 }
 
 /// The monotonic clock cannot be set; what the time of day gains or loses against it was set by someone.
@@ -65,6 +68,8 @@ void countEvents(const std::vector<casefile::SessionEvent>& events, SessionSumma
   summary.adverse_events = count("adverse event");
   summary.double_triggers = count("double trigger");
   summary.has_ended = count("session ended") > 0;
+  for (const auto& e : events)
+    if (e.event == "alignment") summary.alignment = e.detail;
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 // exchanged; a right camera that was knocked; any other pose of it (another rig's calibration); none (the two
 // exposures are of different moments: face, hair and clothes moved apart, and no camera pose fits all).
 //
-// Corners of eyes and brows move with the skull, and may fit a moved camera by themselves. When they do, matches
-// are grown over the skin: it moves otherwise than the skull when the face does. Only a head that moved as one
-// rigid piece, with an unchanged expression, looks like a moved camera. One frame cannot tell these two apart,
-// and the advice for a moved camera says so.
+// Corners of eyes and brows move with the skull, and may fit a moved camera by themselves. When they do,
+// matches are grown over the skin: it moves otherwise than the skull when the face does. Only a head that
+// moved as one rigid piece, with an unchanged expression, looks like a moved camera. One frame cannot tell
+// these two apart, and the advice for a moved camera says so.
 
 #include <string>
 #include <vector>
@@ -18,11 +18,11 @@
 namespace facenav::cameras {
 
 enum class PairFault {
-  unknown,      // too little is seen in both pictures
+  unknown,      // too little is visible in both pictures
   none,         // the calibration holds
   out_of_step,  // the two pictures are of different moments
   swapped,      // left and right are exchanged
-  moved,        // the right camera stands a little otherwise than calibrated
+  moved,        // the right camera is slightly off its calibrated pose
   other_rig,    // the calibration is not of these cameras
 };
 
@@ -32,11 +32,11 @@ struct PairDiagnosis {
   double agreement = 0;  // share of the matches that fit the best explanation
   double calibrated_agreement = 0;
   double residual_px = 0;  // median, of the calibration as it is
-  double skin_px = 0;      // off the best explanation's lines, as neighbouring skin shares it; 0: not asked
+  double skin_px = 0;      // residual shared by neighbouring skin under the best explanation; 0: not tested
   /// The best explanation's pose of the right camera (the baseline's length is the calibration's).
   RigidTransform<RightCamera, Camera> right_T_left;
 
-  /// Whether a camera's pose is said to be the cause; skin is asked then.
+  /// Whether the diagnosis blames a camera's pose; only then is the skin tested.
   bool isOfCameras() const { return fault == PairFault::moved || fault == PairFault::other_rig; }
   bool isFault() const { return fault != PairFault::unknown && fault != PairFault::none; }
   /// What happened: "the two cameras' pictures are of different moments". Empty without a fault.
@@ -47,11 +47,12 @@ struct PairDiagnosis {
 
 /// From matches of one pair, sigma_px of each across the epipolar line.
 PairDiagnosis diagnoseMatches(const StereoRig& rig, const std::vector<Correspondence>& matches);
-/// What skin says to a diagnosis of moved cameras or of another rig: that, or pictures of two moments.
-/// `skin`: matches grown over the face (growMatches). Any other diagnosis is given back as it is.
+/// Refines a diagnosis of moved cameras or of another rig by the skin: it is confirmed, or the pictures are
+/// of two moments. `skin`: matches grown over the face (growMatches). Any other diagnosis is returned
+/// unchanged.
 PairDiagnosis withSkin(const StereoRig& rig, PairDiagnosis diagnosis,
                        const std::vector<Correspondence>& skin);
-/// From the pictures, skin included: half a second, a second where the rig does not fit.
+/// From the pictures, including the skin: half a second, or a second where the rig does not fit.
 PairDiagnosis diagnosePair(const StereoRig& rig, const StereoFrame& frame);
 
 }  // namespace facenav::cameras

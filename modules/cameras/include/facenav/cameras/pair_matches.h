@@ -1,8 +1,8 @@
 #pragma once
-// Matches of one scene in two pictures, found without a rig. They tell whether a rig fits, whether left and
+// Matches of one scene in two pictures, found without a rig. They show whether a rig fits, whether left and
 // right are exchanged, and whether both pictures are of one moment. SIFT features (Lowe 2004, IJCV 60:91)
-// that agree with their neighbours are the seeds. From these, textured corners are matched to a fraction of a
-// pixel, each patch warped as its neighbourhood is.
+// that agree with their neighbours are the seeds. From these, textured corners are matched with sub-pixel
+// precision; each patch is warped by its neighbourhood's motion.
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -11,14 +11,14 @@
 
 namespace facenav::cameras {
 
-/// 8-bit grey images, of any sizes. Some hundred places on a face 300 px wide; few or none where the pictures
-/// show different scenes, or nothing. About 0.3 s for two pictures of a megapixel: for the cold path.
+/// 8-bit grey images of any size. Some hundred matches on a face 300 px wide; few or none where the pictures
+/// show different scenes or no texture. About 0.3 s for two pictures of a megapixel: not for each frame.
 std::vector<Correspondence> matchPictures(const cv::Mat& left, const cv::Mat& right);
 
-/// Matches grown from those over all that surrounds them: windows of 29 px, every 10 px of the left image. Each
-/// is searched for where its neighbours predict it, across the epipolar line as well as along it. Gives about a
-/// thousand on a face 400 px wide, on plain skin, too. Growth ends where the images show different things.
-/// About 0.5 s.
+/// Matches grown from those seeds over their surroundings: windows of 29 px, every 10 px of the left image.
+/// Each is searched around the place predicted by its neighbours, across the epipolar line as well as along
+/// it. Gives about a thousand on a face 400 px wide, also on plain skin. Growth ends where the images show
+/// different things. About 0.5 s.
 std::vector<Correspondence> growMatches(const cv::Mat& left, const cv::Mat& right,
                                         const std::vector<Correspondence>& seeds);
 

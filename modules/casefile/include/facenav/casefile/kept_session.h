@@ -36,7 +36,12 @@ std::vector<std::filesystem::path> sessionFolders(const std::filesystem::path& c
 /// The session of that name, or of the only one that starts with it; empty: the newest. Throws Error if there
 /// is none, naming those that exist.
 std::filesystem::path findSession(const std::filesystem::path& case_folder, const std::string& name);
-/// Damaged lines are left out and named in pulses.problems. Throws Error where a file cannot be read at all.
+/// Notes something about a session that has ended (pain afterwards, an adverse event): one more event, in
+/// notes.jsonl beside events.jsonl. Synced when it returns. Throws Error.
+void addNote(const std::filesystem::path& session_folder, const std::string& event,
+             const std::string& detail);
+/// Events and notes by their time. Damaged lines are left out and named in pulses.problems. Throws Error
+/// where a file cannot be read at all.
 KeptSession readSession(const std::filesystem::path& session_folder);
 
 }  // namespace facenav::casefile

@@ -1,9 +1,11 @@
 #pragma once
-// The pulses of a kept session, with their exclusions, and pulses.csv (FORMATS.md). A pulse can be excluded
-// with a reason and taken in again; nothing removes it. Exclusions are appended to pulse_edits.jsonl beside
-// pulses.jsonl, so that the whole history stays.
+// The pulses of a kept session, with what was changed afterwards, and pulses.csv (FORMATS.md). A pulse can be
+// excluded with a reason and taken in again, and its MEP can be entered; nothing removes it. Changes are
+// appended to pulse_edits.jsonl beside pulses.jsonl, so that the whole history stays.
 
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct ReviewedPulse {
 
 struct SessionPulses {
   std::vector<ReviewedPulse> pulses;
+  std::set<int> edited_meps;          // numbers of the pulses whose MEP was entered after the pulse
   std::vector<std::string> problems;  // lines that could not be read, in words: they are left out
 };
 
@@ -34,6 +37,20 @@ struct PulseEdit {
 };
 /// Appends and syncs. Throws Error: no such pulse, an exclusion without a reason, or already so.
 void editPulse(const std::filesystem::path& session_folder, const PulseEdit& edit);
+/// The same for several, all of them or none.
+void editPulses(const std::filesystem::path& session_folder, const std::vector<PulseEdit>& edits);
+
+constexpr double kLargestMep_uv = 50000;  // compound action potentials of a hand muscle reach some 20 mV
+
+/// Entered after the pulse; absent: not known (which takes back an earlier entry).
+struct MepEdit {
+  int number = 0;
+  std::optional<double> mep_uv, latency_ms;
+  std::string reason, by;  // reason: where the value comes from ("typed", "file.csv"); both may be empty
+};
+/// All of them or none; appends and syncs once. Throws Error: no such pulse, or a value that is no MEP
+/// (0..kLargestMep_uv) or no latency (0..1000 ms).
+void editMeps(const std::filesystem::path& session_folder, const std::vector<MepEdit>& edits);
 
 /// The whole of pulses.csv; an empty field is not known, `excluded` is 1 or 0.
 std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses);

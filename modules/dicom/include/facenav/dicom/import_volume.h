@@ -1,7 +1,6 @@
 #pragma once
-// The door for every MRI: a DICOM folder or file, or a NIfTI file, becomes a Volume together with the words
-// that say what was chosen and what left and right rest on. Used by `facenav prepare` and the Prepare
-// workspace.
+// Entry point for every MRI: reads a DICOM folder or file, or a NIfTI file, into a Volume. States what was
+// chosen and where left and right come from. Used by `facenav prepare` and the Prepare workspace.
 
 #include <filesystem>
 #include <optional>
@@ -19,7 +18,7 @@ struct ImportedVolume {
   volume::Volume volume;  // RAS mm
   std::vector<std::string>
       description;  // what was read, its left-right evidence; one line each, no patient name
-  std::vector<std::string> warnings;  // what the user should know before trusting it
+  std::vector<std::string> warnings;  // what the user should know before using it
   std::optional<SeriesInfo> series;   // empty for NIfTI
 };
 

@@ -1,8 +1,8 @@
 #pragma once
-// JoinedSlices: the finding that a series' slices carry a Series Instance UID each, as some anonymisers leave
-// them, and were put together by what agrees. A Series Instance UID has to be one for the whole series
-// (PS3.3 C.7.3.1), so such files break the standard; that they belong together is inferred, not stated.
-// Code asks the struct, `findingId` names it in files, `inWords` says it to people.
+// JoinedSlices: the finding that each slice of a series carries its own Series Instance UID, as some
+// anonymisers write them, and that the slices were joined by other attributes. The standard requires one UID
+// for the whole series (PS3.3 C.7.3.1), so such files break it. That they belong together is inferred, not
+// stated. Code reads the struct, `findingId` names it in files, `inWords` describes it to users.
 
 #include <string>
 #include <vector>
@@ -11,25 +11,24 @@ namespace facenav::dicom {
 
 struct SeriesInfo;
 
-/// What the slices' headers may say of the scan they belong to. Modality, scanner, contrast agent,
-/// TR, TI, flip angle, orientation, matrix, pixel spacing and slice thickness agree in any case.
+/// Attributes of the slices' headers that may agree. Modality, scanner, contrast agent, TR, TI, flip angle,
+/// orientation, matrix, pixel spacing and slice thickness always agree.
 enum class SliceTrait { patient, series_number, series_time, description };
 
 struct JoinedSlices {
-  std::string series_uid;                         // stands for all: the first of theirs in alphabetical order
-  std::string study_uid, frame_of_reference_uid;  // of the slice that carries `series_uid`
-  int series_uids = 0, study_uids = 0;            // different ones among the slices
-  int frame_of_reference_uids = 0;                // of these; where not one, no UID says that the positions
-                                                  // share a frame of reference
-  std::vector<SliceTrait> agreeing;               // stated by the slices, the same in all
-  std::vector<SliceTrait> unstated;               // empty or left out in all
-  int readings = 1;                               // ways to read the same slices, this one included; more
-                                                  // than one: only a person can say which is meant
+  std::string series_uid;  // used for all: the first of their UIDs in alphabetical order
+  std::string study_uid, frame_of_reference_uid;  // of the slice with `series_uid`
+  int series_uids = 0, study_uids = 0;            // number of different ones among the slices
+  // Likewise. If not one, no UID says that the positions share a frame of reference.
+  int frame_of_reference_uids = 0;
+  std::vector<SliceTrait> agreeing;  // present and equal in all slices
+  std::vector<SliceTrait> unstated;  // empty or absent in all slices
+  int readings = 1;  // ways to read the same slices, this one included; with several, a person must choose
 };
 
 /// True where the same slices can be read in several ways.
 bool isOneOfSeveralReadings(const SeriesInfo& series);
-/// How many loadable entries of `series` are such readings.
+/// Number of loadable entries of `series` that are such readings.
 int readingCount(const std::vector<SeriesInfo>& series);
 
 /// "slices_joined", or "slices_joined_in_several_ways".

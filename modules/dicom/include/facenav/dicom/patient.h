@@ -1,6 +1,6 @@
 #pragma once
-// Whose images a series holds. Lists carry a number per patient only (SeriesInfo::patient), so that nothing
-// shows or keeps a name that nobody asked for; the name is read from the file when somebody asks.
+// The patient of a series. Lists carry only a number per patient (SeriesInfo::patient), so that no name is
+// shown or kept without request. The name is read from the file on request.
 
 #include <string>
 #include <vector>
@@ -24,8 +24,8 @@ std::string nameInWords(const Patient& patient);
 /// "Family, Given, born 1970-01-31, F, ID 4711"; "no patient named" where the files name none.
 std::string inWords(const Patient& patient);
 
-/// How many patients the images among `series` are of. Images that name nobody count as one more: they
-/// may be of anybody's head.
+/// Number of patients among the images of `series`. Images without a name count as one more patient, since
+/// they may show anyone's head.
 int patientCount(const std::vector<SeriesInfo>& series);
 
 }  // namespace facenav::dicom

@@ -15,34 +15,33 @@
 
 namespace facenav::dicom {
 
-/// Why a series gives no volume. Code asks for this; `SeriesInfo::problem` says it to people.
+/// Why a series gives no volume. For code; `SeriesInfo::problem` is the text for users.
 enum class SeriesProblem {
   none,
-  no_volume,   // another kind of object, a localizer, a modality that is not read
-  unreadable,  // voxels or compression that are not read
+  no_volume,   // another kind of object, a localizer, an unsupported modality
+  unreadable,  // unsupported voxels or compression
   damaged,     // cut off, slices missing
-  geometry,    // places that make no regular stack
+  geometry,    // positions that form no regular stack
   single_slice,
-  several_volumes,  // at one place
+  several_volumes,  // several at one place
   too_large,
 };
-/// "damaged", "single_slice", ..: for other programs; it stays the same when the words change. Empty for
-/// none.
+/// "damaged", "single_slice", ..: for other programs; stays the same when the texts change. Empty for none.
 const char* idOf(SeriesProblem problem);
 
-/// One volume that a series holds, or would hold. A series whose UID covers several (echoes, magnitude and
-/// phase, stacks) gives one entry each, told apart by `part`.
+/// One volume that a series holds, or would hold. A series whose UID covers several volumes (echoes,
+/// magnitude and phase, stacks) gives one entry each, distinguished by `part`.
 struct SeriesInfo {
   std::string series_uid, study_uid;
-  std::string id;                           // what --series takes: the UID, with "#2", "#3" for further parts
+  std::string id;                           // value for --series: the UID, with "#2", "#3" for further parts
   std::string description, modality, date;  // date as YYYY-MM-DD or empty; never the patient's name
   std::string part;                    // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
-  std::optional<JoinedSlices> joined;  // the slices carry UIDs of their own and were put together
-  bool is_magnitude_part = false;      // told from the UID's other parts as magnitude
+  std::optional<JoinedSlices> joined;  // the slices carry different UIDs and were joined
+  bool is_magnitude_part = false;      // the other parts of the UID show that this one is magnitude
   bool has_contrast_agent = false;
-  std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty where unknown
+  std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty: unknown
   int series_number = 0;
-  std::optional<int> patient;  // 1, 2, .. among the series listed together. Whose they are: patient.h
+  std::optional<int> patient;  // 1, 2, .. among the series listed together; see patient.h
   int rows = 0, columns = 0, slices = 0;
   Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();  // column, row, slice
   Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();   // along right, anterior, superior
@@ -52,21 +51,21 @@ struct SeriesInfo {
       frames;  // per file the frames of this volume; empty: every frame of every file
   bool is_loadable = false;
   SeriesProblem problem_kind = SeriesProblem::none;
-  std::string problem;                   // why not, in words, when !is_loadable
-  std::filesystem::path problem_file;    // the file at fault, where there is one
-  std::vector<std::string> notes;        // duplicates dropped, lossy compression, CT gives the scalp only, ..
-  bool is_fit_for_navigation = false;    // a T1 of the whole head with voxels of at most 1.2 mm
-  std::string fitness;                   // "fit for navigation", or what stands against it, in words
-  bool is_recommended = false;           // the best T1 for navigation among those listed; none where
-                                         // these are of several patients or that one is one of several
-                                         // readings of the same slices
-  std::filesystem::path thumbnail_file;  // its middle image, for thumbnail.h; empty where it holds none
+  std::string problem;                 // why not, as text, when !is_loadable
+  std::filesystem::path problem_file;  // the file with the fault, if there is one
+  std::vector<std::string> notes;      // duplicates dropped, lossy compression, CT gives the scalp only, ..
+  bool is_fit_for_navigation = false;  // a T1 of the whole head with voxels of at most 1.2 mm
+  std::string fitness;                 // "fit for navigation", or the reasons against it
+  // The best T1 for navigation in the list. None if the list has several patients, or if that T1 is one of
+  // several readings of the same slices.
+  bool is_recommended = false;
+  std::filesystem::path thumbnail_file;  // file of the middle image, for thumbnail.h; empty: no image
   int thumbnail_frame = 0;
 };
 
-/// Every series under `folder` (recursively) or of the one file given, the recommended first. A DICOMDIR
-/// stands for its folder. Files that are not DICOM are passed over. Throws Error when the path does not exist
-/// or holds no DICOM at all.
+/// Every series under `folder` (recursively) or of the one given file, the recommended one first. A DICOMDIR
+/// means its folder. Files other than DICOM are skipped. Throws Error when the path does not exist or holds
+/// no DICOM.
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& folder, TaskMonitor& monitor);
 
 /// Throws Error naming the file: missing slice, unequal spacing, mixed orientation, truncated pixel data, ...

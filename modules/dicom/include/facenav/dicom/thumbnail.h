@@ -1,6 +1,6 @@
 #pragma once
-// A small grey picture of a series, for lists: its middle image as the scanner stored it, windowed between
-// the 1st and 99.5th percentile, in the patient's proportions. Cheap enough to be made while a list is shown.
+// A small grey image of a series, for lists: its middle image as stored by the scanner, windowed between the
+// 1st and 99.5th percentile, in the patient's proportions. Fast enough to be made while a list is shown.
 
 #include <cstdint>
 #include <optional>
@@ -16,8 +16,8 @@ struct Thumbnail {
   std::vector<std::uint8_t> grey;
 };
 
-/// The longer side has `side_px` (8 to 1024) pixels. Nothing for what holds no grey image that can be read
-/// (reports, colour, damage): a picture is never what stops a list.
+/// The longer side has `side_px` (8 to 1024) pixels. Empty without a readable grey image (reports, colour,
+/// damage): a missing image must not stop a list.
 std::optional<Thumbnail> makeThumbnail(const SeriesInfo& series, int side_px = 128);
 
 }  // namespace facenav::dicom

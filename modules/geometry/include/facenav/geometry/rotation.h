@@ -9,6 +9,9 @@ inline namespace geometry {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+inline constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+inline constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
+
 /// Rotation by |w| rad about w (exponential map).
 Eigen::Matrix3d expRotation(const Eigen::Vector3d& rotation_vector_rad);
 /// The rotation vector of R, length in 0..pi rad.

@@ -23,7 +23,8 @@ struct HandleAngle {
 /// reference stays anterior. The midline is that of planTarget.
 HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp);
 
-/// Gap between contact face and scalp (hair), along the coil's z.
+/// Gap for hair: between contact face and the scalp that the plate touches, along the coil's z. The skin
+/// under the coil's centre may lie deeper by target.lift_mm.
 double hairGap_mm(const Target& target);
 
 constexpr double kMostHandle_rad = M_PI;  // to either side

@@ -3,11 +3,14 @@
 // targets.json.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "facenav/core/file_access.h"
 #include "facenav/geometry/rigid_transform.h"
+#include "facenav/guidance/dose.h"
+#include "facenav/guidance/target_record.h"
 #include "facenav/surface/scalp_surface.h"
 
 namespace facenav::guidance {
@@ -18,6 +21,12 @@ struct Target {
       mri_T_target;  // Coil convention: +z into the head, +y along the handle's prolongation
   Point<Mri> cortex_point, scalp_point;
   std::string note;
+  double lift_mm = 0;  // the coil's centre above the skin when its plate touches it without hair: a hollow
+  bool is_locked = false;             // it may not be changed
+  std::optional<Dose> dose = {};      // its own; else the case's protocol holds
+  std::optional<GridSpec> grid = {};  // of the grid of which it is the seed
+  std::optional<GridPlace> grid_place = {};
+  std::vector<Change> changes = {};  // oldest first
 };
 
 struct TreatmentPlan {

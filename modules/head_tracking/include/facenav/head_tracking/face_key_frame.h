@@ -1,6 +1,6 @@
 #pragma once
-// FaceKeyFrame: the patient's face as one pair of pictures showed it at a known pose: another expression,
-// side or light than the reference's. A lost face is searched for in every look that is known.
+// FaceKeyFrame: one stereo pair with the patient's face at a known pose, with another expression, side or
+// light than the reference. A lost face is searched for with every known key frame.
 
 #include <Eigen/Geometry>
 
@@ -14,9 +14,9 @@ struct FaceKeyFrame {
   cameras::StereoRig rig;      // of the cameras that took it
   cameras::StereoFrame frame;  // black outside the face
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
-  Matrix6d covariance = Matrix6d::Zero();  // of that pose, HeadPose's, about the face's centre
-  /// The same, of what lies between its session and this one: stated with poses found by it, no reason to
-  /// refuse them.
+  Matrix6d covariance = Matrix6d::Zero();  // of that pose, as in HeadPose, about the face's centre
+  /// The same, for changes between its session and this one. It is stated with poses found by this key frame,
+  /// but does not make the tracker refuse them.
   Matrix6d between_sessions = Matrix6d::Zero();
 };
 

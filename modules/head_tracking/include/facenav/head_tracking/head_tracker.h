@@ -35,50 +35,50 @@ struct HeadPose {
   Point<Camera> face_centre;  // of the tracked points, at this pose
   std::vector<FaceFeature> features;
   std::optional<cv::Rect> face_left;  // where the face was found in the left image
-  // How far the face may have moved from the left camera's exposure to the right one's. The pose allows for
-  // what is known of it; what else compares both images must not, beyond some tenths.
+  // How far the face may have moved between the left camera's exposure and the right one's. The pose is
+  // corrected for the known part of it. Other comparisons of the two images are valid only up to some tenths.
   double between_exposures_mm = 0.0;
 };
 
-/// What the tracker learns the face from: a frame without dots, and, where the face was measured densely at
-/// the same head position, its points (Camera, mm) with their pixels in the left image as recorded.
+/// Input from which the tracker learns the face: a frame without dots and, if the face was measured densely
+/// at the same head position, its points (Camera, mm) with their pixels in the left image as recorded.
 struct HeadReference {
   cameras::StereoFrame frame;
-  PointCloud<Camera> surface;  // may be empty: then depth comes from the frame itself
+  PointCloud<Camera> surface;  // may be empty: depth then comes from the frame itself
   std::vector<Eigen::Vector2f> surface_left_px;
   std::vector<FaceKeyFrame> key_frames = {};  // the patient's face in earlier sessions
 };
 
-/// What becomes of work that takes longer than a frame (a lost face found anew).
+/// When and where work runs that takes longer than a frame (recovery of a lost face).
 enum class Pace {
-  as_live,  // done in its frame, its answer counts 0.1 s later: a recording gives what a live session would
-  live,     // in a thread of its own
-  patient,  // done in its frame and used there: for recordings that nobody waits for
+  as_live,  // in its frame; its answer counts 0.1 s later, so that a recording gives the same result as live
+  live,     // in its own thread
+  patient,  // in its frame, and used there: for recordings, if time does not matter
 };
 
-/// What the session knows when a frame's turn comes.
+/// Input from the session for each frame.
 struct HeadContext {
-  FrameWork reserved;  // work of this frame to be left for the other tracker
-  /// The drift watchdog has raised an alarm: forget what was learnt since start(), track from the reference
-  /// anew.
+  FrameWork reserved;  // work of this frame that is reserved for the other tracker
+  /// The drift watchdog has raised an alarm: discard what was learnt since start(), and track from the
+  /// reference.
   bool is_learnt_in_doubt = false;
 };
 
-/// The pose, or Lost, with what the frame has told besides.
+/// The pose or Lost, with further results of the frame.
 struct HeadResult : Tracked<HeadPose> {
   using Tracked<HeadPose>::Tracked;
   HeadResult(Tracked<HeadPose> pose) : Tracked<HeadPose>(std::move(pose)) {}
   LossDetail loss_detail = LossDetail::unknown;  // of a loss
-  cameras::ExposureOffset exposure_offset;       // as learnt from the moving head so far
-  FrameWork work;                                // done in this frame; 0 where the method does not count
-  double beside_ms = 0.0;  // part of this call's time that a live session spends beside the frames
+  cameras::ExposureOffset exposure_offset;       // estimated from the moving head so far
+  FrameWork work;                                // done in this frame; 0 if the method does not count it
+  double beside_ms = 0.0;  // part of this call's time that a live session spends in parallel with the frames
 };
 
 class HeadTracker {
  public:
   virtual ~HeadTracker() = default;
-  /// Begins anew: nothing is kept of an earlier start. Throws Error("no face ...") when no face is found in
-  /// the reference frame.
+  /// Starts again without anything from an earlier start. Throws Error("no face ...") when no face is found
+  /// in the reference frame.
   virtual void start(const cameras::StereoRig& rig, const HeadReference& reference, Pace pace) = 0;
   void start(const cameras::StereoRig& rig, const HeadReference& reference) {
     start(rig, reference, Pace::as_live);
@@ -87,11 +87,11 @@ class HeadTracker {
   /// reference. A frame that cannot be used (no image, another size) is Lost{camera}. Never throws.
   virtual HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) = 0;
   HeadResult track(const cameras::StereoFrame& frame) { return track(frame, HeadContext()); }
-  /// Looks learnt since start() that are sure enough to be kept with the case.
+  /// Key frames learnt since start() that are reliable enough to be saved with the case.
   virtual std::vector<FaceKeyFrame> learntKeyFrames() const { return {}; }
 };
 
-/// Each makes its own face detector, or shares the one given (its landmark model takes 100 MB).
+/// Each makes its own face detector, or shares the given one (its landmark model takes 100 MB).
 std::unique_ptr<HeadTracker> makeFeatureHeadTracker(
     std::shared_ptr<const face::FaceDetector> detector = nullptr);  // "features7"
 std::unique_ptr<HeadTracker> makeModelHeadTracker(

@@ -1,6 +1,6 @@
 #pragma once
-// SkinFieldModel: the prior on the smooth field of skin motion that is estimated with the pose of a face
-// found anew (module's skin_field.h), and what its covariance cannot know.
+// SkinFieldModel: prior of the smooth field of skin motion that is estimated together with the pose of a
+// recovered face (see skin_field.h), and the errors that its covariance cannot include.
 
 #include "facenav/core/setting.h"
 

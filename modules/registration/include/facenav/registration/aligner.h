@@ -16,19 +16,20 @@
 
 namespace facenav::registration {
 
-/// What is known before the fit, all optional (nothing is clicked). Directions and points in Camera.
+/// What is known before the fit. All of it is optional: nothing is clicked. Directions and points in Camera.
 struct AlignmentStart {
   std::optional<Direction<Camera>> patient_right;     // e.g. from left-eye to right-eye landmarks
   std::optional<Direction<Camera>> patient_superior;  // e.g. from chin or mouth to brow
   std::optional<Point<Camera>> nose_tip;
   std::optional<RigidTransform<Camera, Mri>> guess;  // a previous alignment
-  /// Standard error that all depths of the cloud share (calibration, matching): no residual shows it, the
-  /// bound holds it.
+  /// Standard error that all depths of the cloud share (calibration, matching). No residual shows it; the
+  /// error bound includes it.
   double shared_depth_sigma_mm = 0.0;
 };
 
-/// Size of the live face over that of the scan, with its standard error (how well the face fixes it; what
-/// scans and calibrations are off by is not in it). The pose does not follow it.
+/// Size of the live face divided by that of the scan, with its standard error. The standard error says how
+/// well the face fixes it; errors of scanner and calibration are not included. The pose is not corrected by
+/// it.
 struct FaceScale {
   double value = 1.0, sigma = 0.0;
 };
@@ -40,12 +41,12 @@ struct AlignmentResult {
   int points = 0;                          // inliers
   std::vector<bool> is_inlier;             // one per cloud point
   std::vector<double> residual_mm;         // signed along the skin's outward normal, one per cloud point
-  Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm), left increment in Camera at
-                                           // the origin of Mri's image
+  Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm): left increment in Camera at
+                                           // the image of Mri's origin
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
-  std::optional<FaceScale> face_scale;  // nothing: not estimated
-  std::vector<std::string> cautions;  // plain words: what a clinician should look at before trusting the fit
+  std::optional<FaceScale> face_scale;  // empty: not estimated
+  std::vector<std::string> cautions;    // plain words: what a clinician must check before trusting the fit
 
   PoseUncertainty uncertainty() const { return {covariance, freedom}; }
   /// Predicted standard error at a point of the patient (pose covariance carried there), mm.
@@ -58,15 +59,15 @@ class Aligner {
  public:
   virtual ~Aligner() = default;
   /// Throws Error("not aligned: ...") when the fit cannot be trusted: no face in the scan, too few points,
-  /// mirrored or wrong head, too large a residual, an ambiguous pose. Never returns a doubtful fit.
+  /// mirrored or wrong head, too large a residual, an ambiguous pose.
   virtual AlignmentResult align(const ScalpField& scalp, const PointCloud<Camera>& face,
                                 const AlignmentStart& start, TaskMonitor& monitor) const = 0;
 };
 
 /// The paper's method: point-to-point ICP (equation 1). Selectable as "icp". As the paper writes it
-/// (untrimmed, from a nearby start) it fails by 12-27 degrees on scans that end above the chin, so the
-/// farthest 30 % of the pairs and those at the scan's cut edge are dropped, and it starts from the search's
-/// rough poses.
+/// (untrimmed, from a nearby start) it fails by 12-27 degrees on scans that end above the chin. Therefore the
+/// farthest 30 % of the pairs and the pairs at the scan's cut edge are dropped, and it starts from the
+/// search's rough poses.
 std::unique_ptr<Aligner> makeIcpAligner();
 /// The default, "surface": robust point-to-plane on the scalp's distance field, many starts, coarse to fine.
 std::unique_ptr<Aligner> makeSurfaceAligner();

@@ -1,6 +1,6 @@
 #pragma once
-// FieldGrids: ScalpField's two grids as raw arrays, for kernels that look many points up at once. Nothing of
-// a library, so that it may be included where code is compiled for one kind of processor only. Mri mm.
+// FieldGrids: ScalpField's two grids as raw arrays, for kernels that read many points at once. It uses no
+// library, so that files compiled for one kind of processor only can include it. Mri mm.
 
 #include <cstdint>
 
@@ -16,7 +16,7 @@ struct FieldGrids {
   int coarse_size[3] = {0, 0, 0};          // nodes
   int brick_size[3] = {0, 0, 0};           // bricks
   const float* coarse = nullptr;           // x fastest
-  const std::int32_t* brick_at = nullptr;  // number of each brick; -1: none, the coarse grid holds
+  const std::int32_t* brick_at = nullptr;  // number of each brick; -1: no brick, the coarse grid is used
   const float* bricks = nullptr;           // kBrickNodes each, x fastest
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 // FitLimits: when an alignment is refused, or accepted with a caution. A wider limit may let another person's
-// scan pass: a change is to be judged by `facenav evaluate` on heads and faces that are not among those named
-// here.
+// scan pass. Judge a change by `facenav evaluate` on heads and faces that are not among those named here.
 
 #include "facenav/core/setting.h"
 
@@ -70,25 +69,26 @@ struct FitLimits {
     visitor(
         kScanner("scanner_scale", 0, 0.05, "1", "standard error of size that scanners and calibrations have"),
         self.scanner_scale);
-    visitor(kLever("caution_scale", 0, 0.1, "1", "size error that is said: a millimetre at the cortex"),
-            self.caution_scale);
+    visitor(
+        kLever("caution_scale", 0, 0.1, "1", "size error above which a caution is given: 1 mm at the cortex"),
+        self.caution_scale);
     visitor(kChance("caution_scale_z", 1, 10, "1",
-                    "size error, in standard errors, that is said: one in twenty by chance"),
+                    "size error, in standard errors, above which a caution is given: one in 20 by chance"),
             self.caution_scale_z);
     visitor(kChance("refused_scale_z", 2, 20, "1",
                     "size error, in standard errors, that is refused: hardly ever by chance"),
             self.refused_scale_z);
     visitor(kLever("refused_scale", 0, 0.1, "1", "size error that may be refused: 2 mm at the cortex"),
             self.refused_scale);
-    visitor(kNotRecorded("loose_mm", 0.1, 3, "mm",
-                         "distance of the bare skin, or size of the misfit, that is said as a loose fit"),
-            self.loose_mm);
+    visitor(
+        kNotRecorded("loose_mm", 0.1, 3, "mm",
+                     "distance of the bare skin, or size of the misfit, above which a loose fit is reported"),
+        self.loose_mm);
     visitor(kNotRecorded("suspect_mm", 0.05, 2, "mm",
                          "distance of the bare skin from which on other sizes of the face are tried"),
             self.suspect_mm);
-    visitor(
-        kNotRecorded("hairy", 0.05, 1, "1", "where hair is this frequent, it says nothing about the head"),
-        self.hairy);
+    visitor(kNotRecorded("hairy", 0.05, 1, "1", "places with hair more often than this are not compared"),
+            self.hairy);
     visitor(kExtent("least_extent_mm", 10, 120, "mm",
                     "least extent of the measured face: a whole one has 120, forehead to mid-nose 80"),
             self.least_extent_mm);
@@ -114,14 +114,14 @@ struct FitLimits {
                                   "on clouds resized in the virtual room: 4, 5 and 10 % are refused with the "
                                   "size in words; no other heads held out"};
   static constexpr Evidence kScanner{
-      Origin::chosen, "the rim of what scanners (some tenths of a percent) and calibrations are off by"};
+      Origin::chosen, "upper end of the size errors of scanners (some tenths of a percent) and calibrations"};
   static constexpr Evidence kLever{Origin::physics,
                                    "the cortex lies some 100 mm from where the face is measured"};
   static constexpr Evidence kChance{Origin::physics, "tails of the normal distribution"};
   static constexpr Evidence kNotRecorded{Origin::chosen,
                                          "origin not recorded; in development on heads of the virtual room"};
   static constexpr Evidence kExtent{Origin::chosen, "well below the extent of a part that fixes the pose"};
-  static constexpr Evidence kGoal{Origin::chosen, "what navigation may be off at most"};
+  static constexpr Evidence kGoal{Origin::chosen, "the largest error that navigation may have"};
 };
 
 }  // namespace facenav::registration

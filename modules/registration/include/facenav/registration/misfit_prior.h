@@ -1,7 +1,7 @@
 #pragma once
-// MisfitPrior: what is believed about the misfit of live skin and MRI before it is seen (module's
-// misfit_model.h). It decides how wide the stated error bound is: a change is to be judged by the share of
-// alignments inside their bound (`facenav evaluate`), on heads that are not among those named here.
+// MisfitPrior: prior of the misfit between live skin and MRI (see misfit_model.h). It decides how wide the
+// stated error bound is. Judge a change by the share of alignments inside their bound (`facenav evaluate`),
+// on heads that are not among those named here.
 
 #include <array>
 #include <utility>
@@ -14,22 +14,23 @@ struct MisfitPrior {
   static constexpr const char* kModule = "registration";
   static constexpr const char* kSubject = "misfit of live skin and MRI";
 
-  using Sizes = std::array<std::pair<double, double>, 3>;  // sigma, how often
-  // Of the whole skin along its normals, mm. Most scans show the skin's edge within a fraction of a voxel;
-  // where the dermis is dark it is the fat's.
+  using Sizes = std::array<std::pair<double, double>, 3>;  // sigma, its probability
+  // Offset of the whole skin along its normals, mm. Most scans show the skin's edge within a fraction of a
+  // voxel. Where the dermis is dark, they show the edge of the fat.
   Sizes offsets_mm{{{0.1, 0.4}, {0.3, 0.35}, {0.9, 0.25}}};
-  // Of the scan, along each axis. Scanners are within some tenths of a percent as a rule, without correction
-  // of the gradients off by one.
+  // Scale error of the scan along each axis. Scanners are usually within some tenths of a percent; without
+  // gradient correction the error is one percent.
   Sizes scales{{{0.001, 0.45}, {0.002, 0.35}, {0.005, 0.2}}};
   double field_mm = 0.35;     // median size of the smooth field
-  double field_spread = 0.8;  // of the size's logarithm
-  // The working covariance, by which the pose itself is estimated: it trusts no long reach.
+  double field_spread = 0.8;  // standard deviation of that size's natural logarithm
+  // Working covariance, under which the pose itself is estimated. It assumes that only near neighbours are
+  // correlated.
   double working_field_mm = 0.05, working_reach_mm = 12.0, working_soft = 2.5;
   double working_offset_mm = 0.2, working_scale = 0.001;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    const char* share = "how often that is so, beside the other two";
+    const char* share = "probability of this size, relative to the other two";
     visitor(kSizes("offset_small_mm", 0.01, 5, "mm", "sigma of the whole skin's offset, small"),
             self.offsets_mm[0].first);
     visitor(kSizes("offset_usual_mm", 0.01, 5, "mm", "sigma of the whole skin's offset, usual"),
@@ -85,7 +86,7 @@ struct MisfitPrior {
       "6 heads, 3 rigs) that were not used all inside the bound, later 79 of 80"};
   static constexpr Evidence kWorking{
       Origin::chosen,
-      "weights that trust no long reach; which values were compared is not recorded; 53 captures of four "
+      "only near neighbours are correlated; which values were compared is not recorded; 53 captures of four "
       "heads in the virtual room: medians of 0.16 to 0.47 mm at the cortex"};
   static constexpr Evidence kNotRecorded{Origin::chosen, "origin not recorded"};
 };

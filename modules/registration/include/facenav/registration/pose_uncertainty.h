@@ -1,7 +1,6 @@
 #pragma once
-// PoseUncertainty: by how much an alignment may be off, at any point of the patient: the pose's covariance
-// carried to that point. Data flow: AlignmentResult -> alignment.json -> guidance, whenever a target is made,
-// moved or renamed.
+// PoseUncertainty: the error of an alignment at any point of the patient, from the pose's covariance. Data
+// flow: AlignmentResult -> alignment.json -> guidance, whenever a target is made, moved or renamed.
 
 #include "facenav/geometry/point.h"
 #include "facenav/geometry/rigid_transform.h"
@@ -10,8 +9,8 @@
 namespace facenav::registration {
 
 struct PoseUncertainty {
-  Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm), left increment in Camera at
-                                           // the origin of Mri's image
+  Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm): left increment in Camera at
+                                           // the image of Mri's origin
   double freedom = 30.0;  // degrees of freedom of the t distribution that the pose's error has
 
   /// Predicted standard error of `camera_T_mri` at a point of the patient, mm.

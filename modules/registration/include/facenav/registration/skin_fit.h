@@ -1,7 +1,7 @@
 #pragma once
-// The skin's fit, part of the face by part, for people: where the live skin lies outside or inside of the
-// MRI's. Data flow: AlignmentResult (signed residuals) -> regions in words; the map itself are the residuals
-// at their points.
+// The skin's fit by region of the face, in words for users: where the live skin lies outside or inside the
+// MRI's. Data flow: AlignmentResult (signed residuals) -> regions in words. The residuals at their points are
+// the map.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace facenav::registration {
 struct RegionFit {
   std::string region;      // "left cheek": the patient's left
   double offset_mm = 0.0;  // median signed residual: positive where the live skin lies outside the MRI's
-  double foreign = 0.0;    // share of the points there that did not count in the fit (hair, a hand)
+  double foreign = 0.0;    // share of the region's points that the fit did not use (hair, a hand)
   int points = 0;
 };
 

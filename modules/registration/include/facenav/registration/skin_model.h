@@ -1,6 +1,5 @@
 #pragma once
-// SkinModel: the skin of the MRI as module registration takes it (Mri, mm), free of the types of other
-// modules.
+// SkinModel: the skin of the MRI as input of this module (Mri, mm). It uses no types of the surface module.
 
 #include <utility>
 #include <vector>
@@ -13,7 +12,7 @@ namespace facenav::registration {
 struct SkinModel {
   PointCloud<Mri> points;
   std::vector<Eigen::Vector3i> triangles;
-  /// Where the scan ends (the planes of the field of view), Mri: points of the cloud beyond them have no
+  /// Planes of the field of view, Mri, where the scan ends. Points of the cloud beyond them have no
   /// counterpart. Unit normals point out of the scan.
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
   bool has_face = true;

@@ -19,7 +19,7 @@ struct GroundTruth {
   std::string label;                   // the event, in words
   double face_visible_fraction = 1.0;  // share of the face's skin that both cameras see, 0..1 (0 with a
                                        // camera fault or without the patient)
-  bool is_patient_there = true;  // false: another person or nobody is there; camera_T_mri is then meaningless
+  bool is_patient_there = true;  // false: another person or no one is there; camera_T_mri is then meaningless
   bool must_be_lost = false;     // the images of this frame do not allow a head pose
   bool is_out_of_step = false;   // the right picture is older than the left; the poses are the left's
   double jaw_mm = 0.0;           // how far the chin is lowered (talking)

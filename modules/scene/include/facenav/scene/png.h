@@ -1,7 +1,10 @@
 #pragma once
-// Writes an RgbImage as PNG, completely or not at all (temporary name, then rename).
+// Writes an RgbImage as PNG: into a file, completely or not at all (temporary name, then rename), or into
+// memory.
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "facenav/core/file_access.h"
 #include "facenav/core/rgb_image.h"
@@ -11,5 +14,7 @@ namespace facenav::scene {
 /// Throws Error if the folder cannot be written to or the image is empty.
 void writePng(const RgbImage& image, const std::filesystem::path& path,
               FileAccess access = FileAccess::by_umask);
+/// The bytes of such a file.
+std::vector<std::uint8_t> pngOf(const RgbImage& image);
 
 }  // namespace facenav::scene

@@ -1,7 +1,7 @@
 #pragma once
-// BrainGrowth: how the brain is grown from white matter to the fluid around it (module's brain_refinement.h),
-// and at which sharpness and noise a scan is judged. Three heads are few: a change is to be judged by
-// `facenav evaluate prepare` on heads that are not among those named here.
+// BrainGrowth: how the brain is grown from white matter to the fluid around it (see brain_refinement.h), and
+// to which sharpness and noise a scan is brought first. Three heads are few: judge a change by `facenav
+// evaluate prepare` on heads that are not among those named here.
 
 #include "facenav/core/setting.h"
 
@@ -43,7 +43,7 @@ struct BrainGrowth {
                         "lower limit of what is grown from white matter: most of a voxel may be fluid"),
             self.tissue_share);
     visitor(kThreeHeads("rise", 0, 1, "1",
-                        "what noise may rise on the way down, as a share of white matter less open fluid"),
+                        "rise by noise allowed on the way down, as a share of white matter less open fluid"),
             self.rise);
     visitor(
         kNotRecorded("brightest", 1, 3, "1", "upper limit, times white matter: above it are fat and vessels"),
@@ -82,10 +82,11 @@ struct BrainGrowth {
     visitor(kNoise("calm_noise", 0.01, 1, "1",
                    "noise left, per contrast: single voxels lie 5 deviations from the limit"),
             self.calm_noise);
-    visitor(kDoubt("strict_share", 0, 0.5, "1", "how much stricter a limit of tissue the stated doubt tries"),
+    visitor(kDoubt("strict_share", 0, 0.5, "1",
+                   "how much stricter the strict limit of tissue is, for the stated uncertainty"),
             self.strict_share);
     visitor(kDoubt("generous_share", 0, 0.3, "1",
-                   "how much more generous a limit of tissue the stated doubt tries"),
+                   "how much more generous the generous limit of tissue is, for the stated uncertainty"),
             self.generous_share);
     visitor(kDoubt("generous_rise", 0, 1, "1", "the rise that the generous limit allows"),
             self.generous_rise);

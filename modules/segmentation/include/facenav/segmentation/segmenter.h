@@ -1,6 +1,6 @@
 #pragma once
-// Segmenter: Volume -> Mask. "head": everything inside the skin; "brain": tissue of the brain.
-// Meets the surface module only through Mask.
+// Segmenter: Volume -> Mask. "head": everything inside the skin; "brain": tissue of the brain. Only Mask
+// connects it to the surface module.
 
 #include <memory>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace facenav::segmentation {
 
-/// How uncertain a place of the mask's surface is: the same method with its thresholds set otherwise, within
-/// what the scan allows, puts the surface this far away.
+/// Uncertainty of a place on the mask's surface: the distance to the surface that the same method finds with
+/// other thresholds, within the range that the scan allows.
 struct BoundaryDoubt {
   Point<Mri> place;
   float doubt_mm;
@@ -22,7 +22,7 @@ struct SegmentationResult {
   volume::Mask mask;                  // on the grid of the input volume
   std::vector<std::string> warnings;  // plain words for the radiographer
   std::vector<BoundaryDoubt> doubts =
-      {};  // spread evenly over the mask's surface; empty: the method states none
+      {};  // evenly spread over the mask's surface; empty: the method gives none
 };
 
 class Segmenter {
@@ -33,9 +33,9 @@ class Segmenter {
   virtual SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const = 0;
 };
 
-/// Filled head without inner cavities, threshold robust to noise, bias and ghosting; T1 MR and CT.
+/// Filled head without inner cavities. The threshold is robust to noise, bias and ghosting. T1 MR and CT.
 std::unique_ptr<Segmenter> makeHeadSegmenter();
-/// "bet": a deformable surface after Smith 2002, with what heads with a long neck need.
+/// "bet": a deformable surface after Smith 2002, adapted to heads with a long neck.
 std::unique_ptr<Segmenter> makeBetSegmenter();
 /// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
 /// the learned prior, where both agree; else, and in any other contrast of MR, the prior's outline fitted to

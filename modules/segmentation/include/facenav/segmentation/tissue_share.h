@@ -1,7 +1,7 @@
 #pragma once
-// From a scan and its brain mask (sulci closed) to how much of each place is tissue: the field whose 0.5
-// level is the cortex with open sulci. Works on any mask, drawn by hand or found, so that an edited case can
-// be modelled anew.
+// Tissue share of each voxel, from a scan and its brain mask (sulci closed). The 0.5 level of this field is
+// the cortex with open sulci. Works on any mask, drawn or segmented, so that an edited case can be modelled
+// again.
 
 #include "facenav/core/task_monitor.h"
 #include "facenav/volume/volume.h"
@@ -9,9 +9,10 @@
 namespace facenav::segmentation {
 
 /// On a RAS grid of cubic voxels (`spacing_mm`) around the brain: 0 in fluid and outside the mask, 1 in
-/// tissue, between them by intensity (fluid's to grey matter's mean, bias field taken off). Fluid that tissue
-/// encloses (ventricles) counts as tissue: the field has no inner surfaces but where these open to the
-/// outside. Throws Error for an empty mask and where grey and white matter do not differ.
+/// tissue. Between them linear in the bias-corrected intensity, from the mean of fluid to that of grey
+/// matter. Fluid enclosed by tissue (ventricles) counts as tissue, so that the field has inner surfaces only
+/// where ventricles open to the outside. Throws Error for an empty mask, and where grey and white matter do
+/// not differ.
 volume::Volume tissueShare(const volume::Volume& mri, const volume::Mask& brain, double spacing_mm,
                            TaskMonitor& monitor);
 

@@ -1,8 +1,7 @@
 #pragma once
-// Navigator: one stereo frame in, one NavigationState out (the TREAT arrow of the data flow), synchronous;
-// the CLI, the demo and the live thread use this same one. Head = Camera at the reference frame, so
-// head_T_mri equals camera_T_mri at that moment and stays fixed; per frame camera_T_mri = camera_T_head *
-// head_T_mri.
+// Navigator: one stereo frame in, one NavigationState out (the TREAT arrow of the data flow), synchronous.
+// Command line, demo and live thread use it. Head = Camera at the reference frame, so head_T_mri equals
+// camera_T_mri at that moment and stays fixed; per frame camera_T_mri = camera_T_head * head_T_mri.
 
 #include <memory>
 #include <optional>
@@ -19,13 +18,13 @@ namespace facenav::session {
 struct NavigatorSetup {
   cameras::StereoRig rig;
   head_tracking::HeadReference reference;
-  /// Of the reference frame's moment; none: the head is tracked, but not placed in the MRI.
+  /// At the moment of the reference frame. Empty: the head is tracked, but not placed in the MRI.
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri_at_reference;
   coil_tracking::CoilModel coil;
   guidance::Tolerance tolerance;
-  /// The skin that was aligned, for the drift watchdog; null: none watches.
+  /// The aligned skin, for the drift watchdog; null: no watchdog.
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
-  /// Of what takes longer than a frame: the drift watchdog, a lost face found anew.
+  /// For work that takes longer than a frame: the drift watchdog, recovery of a lost face.
   head_tracking::Pace pace = head_tracking::Pace::as_live;
   /// The patient's face in earlier sessions; used where the head is placed in the MRI.
   std::vector<casefile::StoredKeyFrame> key_frames = {};
@@ -38,10 +37,11 @@ class Navigator {
             std::unique_ptr<coil_tracking::CoilTracker> coil);
 
   void setTarget(std::optional<ChosenTarget> target);
-  /// In place of the one that the setup's scalp gave; null: none.
+  /// Replaces the watchdog made from the setup's scalp; null: no watchdog.
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   const cameras::StereoRig& rig() const { return rig_; }
-  /// The patient's face as this session learnt it, to be kept with the case; empty without an alignment.
+  /// Key frames of the patient's face from this session, to be saved with the case; empty without an
+  /// alignment.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
   /// ("camera").
@@ -61,8 +61,8 @@ class Navigator {
   std::unique_ptr<monitoring::DriftWatchdog> watchdog_;  // null: none
   std::unique_ptr<head_tracking::HeadTracker> head_;
   std::unique_ptr<coil_tracking::CoilTracker> coil_;
-  FrameWork coil_deferred_;          // by the last frame, to the next one
-  bool is_learnt_in_doubt_ = false;  // told to the head's tracker with the next frame
+  FrameWork coil_deferred_;          // work deferred by the last frame to the next one
+  bool is_learnt_in_doubt_ = false;  // passed to the head's tracker with the next frame
   /// Null: none.
   std::shared_ptr<const ChosenTarget> target_;
   guidance::GuidanceState previous_;

@@ -12,10 +12,22 @@
 
 namespace facenav::session {
 
+/// Pulses by their verdict; together those whose frames have come.
+struct PulseCounts {
+  int on_target = 0, outside = 0, lost = 0;
+};
+/// The newest pulse with a verdict.
+struct JudgedPulse {
+  int number = 0;
+  casefile::PulseStatus status = casefile::PulseStatus::lost;
+  std::string reason;  // in words; empty: on target
+};
+
 class PulseKeeper {
  public:
-  /// Makes pulses.jsonl. Throws Error if that fails.
-  explicit PulseKeeper(const std::filesystem::path& session_folder);
+  /// Makes pulses.jsonl. `scalp`: for the gap; may be null. Throws Error if the file cannot be made.
+  explicit PulseKeeper(const std::filesystem::path& session_folder,
+                       std::shared_ptr<const registration::ScalpField> scalp = nullptr);
   /// Writes what still waits, without a frame after it if need be.
   ~PulseKeeper();
   PulseKeeper(const PulseKeeper&) = delete;
@@ -25,6 +37,11 @@ class PulseKeeper {
   bool add(const PulseTrigger& trigger);
   /// A new frame; returns at once.
   void follow(const NavigationState& state);
+  /// Verdicts are known about one frame after the pulse, before it is on the disk.
+  PulseCounts counts() const;
+  std::optional<JudgedPulse> last() const;
+  /// Pulses taken by add(): the number of the newest one.
+  int added() const;
   /// Pulses that are in the file, synced.
   int kept() const;
   /// Pulses that are not there yet: they wait for a frame or for the disk.

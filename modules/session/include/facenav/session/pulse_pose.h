@@ -2,25 +2,17 @@
 // Where the coil was at a pulse: the poses of the frames before and after it, interpolated to its own time,
 // and judged against the target as it was then. Pure functions.
 
-#include <chrono>
 #include <optional>
 #include <string>
 
 #include "facenav/casefile/pulse.h"
+#include "facenav/links/pulse_trigger.h"
+#include "facenav/registration/scalp_field.h"
 #include "facenav/session/navigation_state.h"
 
 namespace facenav::session {
 
-/// A pulse as it arrives from a key, a pedal, a line.
-struct PulseTrigger {
-  std::string source = "keyboard";
-  Timestamp at = Timestamp::now();  // steady clock
-  std::chrono::system_clock::time_point utc = std::chrono::system_clock::now();
-  /// A second trigger of the same source within this time is a bounce, not a pulse. It must be shorter than
-  /// the time between the pulses of a train.
-  double dead_time_s = 0.15;
-  std::optional<double> intensity_pct = {};
-};
+using links::PulseTrigger;
 
 /// What a pulse needs of a frame; without its images.
 struct PosedFrame {
@@ -39,10 +31,17 @@ constexpr double kLongestBetweenFrames_s = 0.25;
 /// The frame after a pulse comes within this time, or its pose is lost.
 constexpr double kLongestWait_s = 0.1;
 
+/// A pulse is outside where the gap to the skin exceeds the planned one by more (12 % of the field, at 4 % a
+/// mm), and where the alignment's predicted error at the target is larger: as large as the lateral tolerance,
+/// it cannot be told whether the coil was on target.
+constexpr double kMostGapBeyondPlan_mm = 3.0, kMostPredictedError_mm = 2.0;
+
 /// The pulse without its number. `before`: the last frame taken at or before the pulse, `after`: the first
 /// one later; nothing where there is none. Lost if either frame is missing or has lost head or coil.
-/// Tolerances hold as they are, without the hysteresis of guidance. The target is that of `before`.
+/// Tolerances hold as they are, without the hysteresis of guidance. The target is that of `before`. The gap
+/// is the distance of the contact face's centre from `scalp`; null, or skin beyond the scan: not known.
 casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& before,
-                             const std::optional<PosedFrame>& after);
+                             const std::optional<PosedFrame>& after,
+                             const registration::ScalpField* scalp = nullptr);
 
 }  // namespace facenav::session

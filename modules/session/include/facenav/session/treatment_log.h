@@ -17,8 +17,10 @@ namespace facenav::session {
 class TreatmentLog {
  public:
   /// Only the log may take() states of `session`. Its thread reads the session until the log is destroyed and
-  /// keeps it alive until then. Throws Error when the case folder cannot be written to.
-  TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder);
+  /// keeps it alive until then. `scalp`: for the gap of each pulse; may be null. Throws Error when the case
+  /// folder cannot be written to.
+  TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder,
+               std::shared_ptr<const registration::ScalpField> scalp = nullptr);
   /// Writes what is left, syncs it to the disk and joins.
   ~TreatmentLog();
   TreatmentLog(const TreatmentLog&) = delete;
@@ -29,6 +31,13 @@ class TreatmentLog {
   /// Keeps a TMS pulse; returns at once. A second trigger within the source's dead time is noted as an event
   /// and not counted.
   void addPulse(const PulseTrigger& trigger = {});
+  /// What the muscle did at the newest pulse: its MEP, or yes or no. Kept with the pulse; returns at once.
+  /// False: there is no pulse yet, or no such MEP (0 to casefile::kLargestMep_uv).
+  bool answerPulse(double mep_uv);
+  bool answerPulse(bool has_twitched);
+  PulseCounts counts() const;
+  /// The newest pulse with a verdict, about one frame after it.
+  std::optional<JudgedPulse> lastPulse() const;
   /// Pulses that are in the session's file, on the disk. A pulse gets there when the frame after it has come.
   int pulses() const;
   /// Pulses that are not there yet.

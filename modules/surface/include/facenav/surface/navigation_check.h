@@ -17,9 +17,14 @@ std::string toString(Verdict verdict);
 /// Throws Error for any other text.
 Verdict verdictFrom(const std::string& words);
 
+enum class CheckTopic { face, ears, vertex, spacing, noise, ghosts, wrap_around, left_and_right, scale };
+/// As in navigation_check.json: "face", "wrap-around", "left and right", ..
+std::string toString(CheckTopic topic);
+/// Throws Error for any other text.
+CheckTopic topicFrom(const std::string& words);
+
 struct CheckFinding {
-  std::string topic;  // "face", "ears", "vertex", "spacing", "noise", "ghosts", "wrap-around", "left and
-                      // right", "scale"
+  CheckTopic topic = CheckTopic::face;
   Verdict verdict = Verdict::fine;
   std::string finding;  // what was found and why it matters
   std::string ask;      // what to request from the scanner's staff; may be empty

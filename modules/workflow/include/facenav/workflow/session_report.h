@@ -1,21 +1,47 @@
 #pragma once
-// The report of a session for the chart: one HTML page without script or other files, to read and to print.
-// Its fields are those of the TMSMultiLab session sheet v4.1 with navigation added; what no file of the
-// session holds reads "not recorded". It names the case by its id.
+// The report of a session for the chart, to read and to print. Its fields are those of the TMSMultiLab
+// session sheet v4.1 with navigation added; what no file of the session holds reads "not recorded". It names
+// the case by its id. Written as one HTML page without script or other files; ui/report_pdf.h prints the same
+// content.
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/kept_session.h"
+#include "facenav/core/rgb_image.h"
+#include "facenav/workflow/chart.h"
 
 namespace facenav::workflow {
 
-struct ReportOptions {
-  bool has_name = false;  // adds the case's label, which may be the patient's name
+struct ReportPicture {
+  std::string caption;
+  RgbImage image;
 };
 
-/// The page's text. Throws Error where the case cannot be read.
+struct ReportOptions {
+  bool has_name = false;                     // adds the case's label, which may be the patient's name
+  std::vector<ReportPicture> pictures = {};  // as of pulse_pictures.h
+};
+
+struct SessionReport {
+  struct Figure {
+    std::optional<Chart> chart;  // else: a picture
+    RgbImage picture;
+  };
+  std::string title, subtitle;
+  std::string body;  // HTML; figure N stands there as <img src="figure:N">
+  std::vector<Figure> figures;
+};
+
+/// Throws Error where the case cannot be read.
+SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
+                                const ReportOptions& options = {});
+/// The page's text, with all figures in it.
+std::string toHtml(const SessionReport& report);
+/// Both steps.
 std::string sessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
                           const ReportOptions& options = {});
 

@@ -29,7 +29,10 @@ struct SessionSummary {
   int face_losses = 0, coil_losses = 0, faults = 0, adverse_events = 0;
   bool has_ended = false;             // false: it still runs, or the program or the machine stopped
   std::optional<double> clock_set_s;  // the largest step of the time of day between two pulses, over 1 s
-  std::vector<std::string> problems;  // damaged lines, in words
+  std::optional<double> predicted_error_mm;  // at the target, as stated with the pulses; median
+  std::optional<std::string> alignment;      // as the session's event says
+  int meps = 0;                              // pulses that have one
+  std::vector<std::string> problems;         // damaged lines, in words
 };
 
 SessionSummary summarise(const casefile::KeptSession& session);

@@ -34,4 +34,8 @@ std::vector<MissingForSignOff> missingForSignOff(const SignOffClaim& claim);
 /// casefile::signOff.
 casefile::SignOff signOffChecked(const casefile::CaseStore& store, const casefile::SignOffRequest& request);
 
+/// The gate before a treatment, read from the files as they are now. Throws Error where the case is neither
+/// signed off nor overridden, saying what is missing.
+void requireSignOff(const casefile::CaseStore& store, bool is_overridden);
+
 }  // namespace facenav::workflow

@@ -1,0 +1,33 @@
+#pragma once
+// RecordingPictures: single frames of a recording, in any order (FrameSource plays it from its beginning).
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "facenav/cameras/stereo_frame.h"
+
+namespace facenav::capture {
+
+class RecordingPictures {
+ public:
+  /// Throws the same Errors as openRecording.
+  explicit RecordingPictures(const std::filesystem::path& recording);
+  ~RecordingPictures();
+  RecordingPictures(RecordingPictures&&) noexcept;
+  RecordingPictures& operator=(RecordingPictures&&) noexcept;
+
+  /// Of each frame, increasing.
+  const std::vector<std::int64_t>& numbers() const;
+  const std::vector<double>& times_s() const;
+  /// The frame of that number; null if the recording has none. A step forward is fast; with videos, a step
+  /// back reads from the beginning. Throws Error if it cannot be read.
+  std::shared_ptr<const cameras::StereoFrame> frame(std::int64_t number);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace facenav::capture

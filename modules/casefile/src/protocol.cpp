@@ -1,0 +1,80 @@
+#include "facenav/casefile/protocol.h"
+
+#include <nlohmann/json.hpp>
+
+#include "facenav/core/error.h"
+#include "facenav/core/json_reader.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/guidance/dose_json.h"
+
+namespace facenav::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+fs::path protocolFile(const fs::path& case_folder) { return case_folder / "protocol.json"; }
+
+/// Its own words, and whether they fit: a protocol is named by people.
+void requireNamed(const Protocol& protocol) {
+  if (protocol.name.empty()) throw Error("a protocol needs a name", {}, "give one");
+  if (protocol.version < 1) throw Error("a protocol's version starts at 1", {}, "give 1, 2, ..");
+}
+
+}  // namespace
+
+bool Protocol::operator==(const Protocol& other) const {
+  return name == other.name && version == other.version && dose == other.dose && sessions == other.sessions &&
+         note == other.note;
+}
+
+Protocol readProtocol(const fs::path& path) {
+  const JsonReader json = JsonReader::readFile(path);
+  Protocol protocol;
+  protocol.name = json.at("name").text();
+  if (protocol.name.empty()) json.at("name").refuse("a protocol needs a name");
+  protocol.version = json.at("version").integer();
+  if (protocol.version < 1) json.at("version").refuse("a whole number from 1 was expected");
+  protocol.dose = guidance::readDose(json);
+  if (json.has("sessions")) {
+    protocol.sessions = json.at("sessions").integer();
+    if (*protocol.sessions < 1) json.at("sessions").refuse("a whole number from 1 was expected");
+  }
+  if (json.has("note")) protocol.note = json.at("note").text();
+  return protocol;
+}
+
+void writeProtocol(const Protocol& protocol, const fs::path& path, FileAccess access) {
+  requireNamed(protocol);
+  guidance::requireSensible(protocol.dose);
+  Json json{{"name", protocol.name}, {"version", protocol.version}};
+  for (const auto& [key, value] : guidance::doseNumbers(protocol.dose))
+    value == double(int(value)) ? json[key] = int(value) : json[key] = value;
+  if (protocol.sessions) json["sessions"] = *protocol.sessions;
+  if (!protocol.note.empty()) json["note"] = protocol.note;
+  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", access);
+}
+
+std::optional<Protocol> protocolOf(const fs::path& case_folder) {
+  if (!fs::exists(protocolFile(case_folder))) return std::nullopt;
+  return readProtocol(protocolFile(case_folder));
+}
+
+void setProtocol(const fs::path& case_folder, const Protocol& protocol) {
+  const auto old = protocolOf(case_folder);
+  if (old && old->name == protocol.name && old->version == protocol.version && *old != protocol)
+    throw Error(
+        "the case has version " + std::to_string(old->version) + " of '" + old->name + "' with other numbers",
+        protocolFile(case_folder).string(), "give the changed protocol a new version");
+  writeProtocol(protocol, protocolFile(case_folder), FileAccess::owner_only);
+}
+
+void removeProtocol(const fs::path& case_folder) {
+  std::error_code fault;
+  fs::remove(protocolFile(case_folder), fault);
+  if (fault)
+    throw Error("the protocol cannot be removed (" + fault.message() + ")",
+                protocolFile(case_folder).string(), "check the folder's permissions");
+}
+
+}  // namespace facenav::casefile

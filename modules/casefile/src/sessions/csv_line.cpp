@@ -1,0 +1,71 @@
+#include "csv_line.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace facenav::casefile {
+namespace {
+
+/// Where the field that begins at `begin` ends.
+std::size_t endOfField(const std::string& line, std::size_t begin) {
+  bool is_quoted = false;
+  for (std::size_t i = begin; i < line.size(); ++i) {
+    if (line[i] == '"') is_quoted = !is_quoted;
+    if (line[i] == ',' && !is_quoted) return i;
+  }
+  return line.size();
+}
+
+std::string unquoted(const std::string& field) {
+  if (field.size() < 2 || field.front() != '"' || field.back() != '"') return field;
+  std::string text;
+  for (std::size_t i = 1; i + 1 < field.size(); ++i) {
+    text += field[i];
+    if (field[i] == '"') ++i;  // "" stands for one
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> fieldAt(const std::string& line, std::size_t column) {
+  std::size_t begin = 0;
+  for (std::size_t at = 0;; ++at) {
+    const std::size_t end = endOfField(line, begin);
+    if (at == column) return line.substr(begin, end - begin);
+    if (end == line.size()) return std::nullopt;
+    begin = end + 1;
+  }
+}
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+  std::vector<std::string> fields;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = endOfField(line, begin);
+    fields.push_back(unquoted(line.substr(begin, end - begin)));
+    if (end == line.size()) return fields;
+    begin = end + 1;
+  }
+}
+
+std::optional<std::size_t> columnOf(const std::string& header, const std::string& name) {
+  const auto names = fieldsOf(header);
+  for (std::size_t column = 0; column < names.size(); ++column)
+    if (names[column] == name) return column;
+  return std::nullopt;
+}
+
+std::optional<double> numberOf(const std::string& text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+std::optional<double> numberAt(const std::string& line, std::size_t column) {
+  const auto field = fieldAt(line, column);
+  return field ? numberOf(*field) : std::nullopt;
+}
+
+}  // namespace facenav::casefile

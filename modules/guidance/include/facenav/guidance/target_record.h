@@ -1,0 +1,36 @@
+#pragma once
+// What a target carries besides its pose: who changed it and when, and its place in a grid of targets.
+
+#include <optional>
+#include <string>
+
+namespace facenav::guidance {
+
+/// One change of a target.
+struct Change {
+  std::string utc;   // 2026-11-23T14:05:09.123Z
+  std::string by;    // who made it; empty: not known
+  std::string what;  // "planned", "moved", "handle turned"
+};
+
+enum class GridOn { scalp, cortex };
+
+/// A grid of targets round a seed, which is its centre.
+struct GridSpec {
+  int rows = 5, columns = 5;  // rows lie one behind the other along the handle, columns beside each other
+  double spacing_mm = 7.5;    // measured on the scalp as with a tape, or on the brain's hull
+  GridOn on = GridOn::scalp;
+
+  bool operator==(const GridSpec& other) const {
+    return rows == other.rows && columns == other.columns && spacing_mm == other.spacing_mm && on == other.on;
+  }
+};
+
+/// A target that a grid made.
+struct GridPlace {
+  std::string seed;         // name of the target that it belongs to
+  int row = 1, column = 1;  // from 1; row 1 is the foremost, column 1 the leftmost seen from above the coil
+  bool is_edited = false;   // by hand: it stays where it is when the seed moves
+};
+
+}  // namespace facenav::guidance

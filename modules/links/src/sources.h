@@ -1,0 +1,33 @@
+#pragma once
+// The sources behind openPulseSource().
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "facenav/links/pulse_source.h"
+
+namespace facenav::links {
+
+struct NetworkAddress {
+  bool is_tcp = false;
+  std::string host = "0.0.0.0";
+  int port = 0;
+};
+std::unique_ptr<PulseSource> makeNetworkSource(const std::string& name, const NetworkAddress& address,
+                                               double dead_time_s);
+
+enum class SerialSignal { byte, cts, dsr };
+struct SerialPort {
+  std::string device;
+  int baud = 9600;
+  SerialSignal signal = SerialSignal::byte;
+};
+std::unique_ptr<PulseSource> makeSerialSource(const std::string& name, const SerialPort& port,
+                                              double dead_time_s);
+
+/// Throws Error where liblsl is not installed. An empty stream: any marker stream.
+std::unique_ptr<PulseSource> makeLslSource(const std::string& name, const std::string& stream,
+                                           double dead_time_s);
+
+}  // namespace facenav::links

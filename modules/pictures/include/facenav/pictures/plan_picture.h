@@ -1,0 +1,25 @@
+#pragma once
+// The plan on the head: scalp with landmarks, EEG sites, and each target's coil as its plate's outline with
+// the handle's direction. Drawn without a screen.
+
+#include <string>
+#include <vector>
+
+#include "facenav/core/rgb_image.h"
+#include "facenav/guidance/coil_plate.h"
+#include "facenav/surface/scalp_surface.h"
+
+namespace facenav::pictures {
+
+struct NamedPlace {
+  std::string name;
+  Point<Mri> point;
+};
+
+/// From the left, the front, above, the right and behind, side by side; 2 pixels per mm, along the axes of
+/// Mri. A place is drawn where no skin hides it. `landmarks` are orange, `sites` green, targets blue.
+RgbImage drawPlan(const surface::ScalpSurface& scalp, const std::vector<NamedPlace>& landmarks,
+                  const std::vector<NamedPlace>& sites, const std::vector<guidance::Target>& targets,
+                  const guidance::CoilPlate& plate);
+
+}  // namespace facenav::pictures

@@ -1,0 +1,120 @@
+#pragma once
+// TREAT: opens what a session needs (case, cameras or a recording, coil, trackers) and runs it with its log.
+// The window and `facenav track --pulses` use the same functions; they only differ in what they show.
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/casefile/protocol.h"
+#include "facenav/links/pulse_source.h"
+#include "facenav/session/treatment_log.h"
+#include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/session_notes.h"
+
+namespace facenav::workflow {
+
+/// A recording that is played in place of cameras, and the coil filmed in it.
+struct TreatmentFilm {
+  capture::Recording recording;
+  coil_tracking::CoilModel coil;
+};
+/// The coil is that of coil.json in the recording, else the default one. Throws Error.
+TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder);
+
+/// A clinician treats a case without a valid sign-off.
+struct SignOffOverride {
+  std::string by, reason;
+};
+
+struct TreatmentRequest {
+  casefile::CaseStore store;
+  capture::Recording recording;  // with live cameras: their rig
+  bool is_live = false;
+  coil_tracking::CoilModel coil;
+  std::shared_ptr<const AlignmentOutcome> alignment;
+  std::optional<SignOffOverride> override = {};
+};
+
+/// How trackers and frames are opened; a test replaces them.
+struct TreatmentDevices {
+  std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
+  std::function<std::unique_ptr<capture::FrameSource>()> openSource;
+};
+
+/// Everything opened, nothing running.
+struct PreparedTreatment {
+  TreatmentRequest request;
+  std::unique_ptr<session::Navigator> navigator;
+  std::unique_ptr<capture::FrameSource> source;
+};
+/// Slow; for a worker thread. Throws Error: not signed off and no override, no face, a camera that is busy.
+PreparedTreatment prepareTreatment(const TreatmentRequest& request, const TreatmentDevices& devices);
+
+/// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", for log, window and command line. `target` may be
+/// null.
+std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target);
+/// With the error that the alignment predicts at the target; `alignment` may be null.
+session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment);
+
+/// A running session and its log in the case. Used by one thread, except end() and keepReport().
+class Treatment {
+ public:
+  /// Starts. Throws Error when the case cannot be written to; then nothing has started.
+  Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target);
+  ~Treatment();
+  Treatment(const Treatment&) = delete;
+  Treatment& operator=(const Treatment&) = delete;
+
+  /// Pulses that the target's own dose, else the case's protocol, wants in this session; nothing: not stated.
+  std::optional<int> plannedPulses() const { return planned_pulses_; }
+
+  // Until end():
+  session::Session& session() { return *session_; }
+  const session::Session& session() const { return *session_; }
+  session::TreatmentLog& log() { return *log_; }
+  const session::TreatmentLog& log() const { return *log_; }
+  /// `name` is logged; nothing: no target.
+  void chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name);
+
+  /// The pulses of a source, from now on; beside it the keyboard is always there. What keeps a source from
+  /// working is an event. Throws Error when it cannot be opened; none is added then.
+  void listen(std::unique_ptr<links::PulseSource> source);
+  /// No more pulses from these sources.
+  void stopListening();
+  /// A pulse by the window's key or button.
+  void pressPulse() { keyboard_.press(); }
+  /// Of the following pulses, where their source does not know it; % of the maximal output.
+  void setIntensity(std::optional<double> intensity_pct);
+  /// Pauses with a reason, or goes on. Only an event: pulses are judged as ever.
+  void pause(const std::string& reason);
+  void resume();
+  bool isPaused() const { return is_paused_; }
+
+  /// Stops, keeps the looks of the face with the case, and closes the log. It waits for a camera that hangs,
+  /// so a window calls it on another thread. Nothing but keepReport() may follow.
+  void end();
+  /// After end(). A report that cannot be written is logged as a warning; `facenav report` makes it again.
+  void keepReport() const;
+
+ private:
+  links::PulseListener listenerFor(const std::string& source);
+  void plan(const guidance::Target* target);
+
+  std::filesystem::path case_folder_, session_folder_;
+  std::shared_ptr<session::Session> session_;
+  std::unique_ptr<session::TreatmentLog> log_;
+  std::atomic<double> intensity_pct_{-1};  // < 0: not known; read by the sources' threads
+  std::optional<casefile::Protocol> protocol_;
+  std::optional<int> planned_pulses_;
+  bool is_paused_ = false;
+  links::KeyboardSource keyboard_;
+  std::vector<std::unique_ptr<links::PulseSource>> sources_;  // they stop before the log ends
+};
+
+}  // namespace facenav::workflow

@@ -1,0 +1,181 @@
+#include "facenav/workflow/treatment.h"
+
+#include "facenav/casefile/face_looks.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
+#include "facenav/workflow/session_report.h"
+#include "facenav/workflow/sign_off_gate.h"
+
+namespace facenav::workflow {
+namespace {
+
+/// Key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without them.
+std::vector<casefile::StoredKeyFrame> storedKeyFrames(const std::filesystem::path& case_folder) {
+  try {
+    return casefile::readKeyFrames(case_folder);
+  } catch (const Error& error) {
+    logWarning(error.what());
+    return {};
+  }
+}
+
+void keepKeyFrames(const session::Session& session, const std::filesystem::path& case_folder) {
+  try {
+    casefile::addKeyFrames(case_folder, session.learntKeyFrames());
+  } catch (const std::exception& error) {  // no caller to report to
+    logWarning(std::string("the looks of the face were not kept: ") + error.what());
+  }
+}
+
+/// Nothing without one, or where it cannot be read: the session then counts without a goal, and that is
+/// logged.
+std::optional<casefile::Protocol> protocolFor(const std::filesystem::path& case_folder,
+                                              session::TreatmentLog& log) {
+  try {
+    auto protocol = casefile::protocolOf(case_folder);
+    if (protocol)
+      log.addEvent("protocol", protocol->name + formatted(", version %d: %d pulses", protocol->version,
+                                                          protocol->dose.pulses));
+    return protocol;
+  } catch (const Error& error) {
+    log.addEvent("protocol", std::string("cannot be read, no goal: ") + error.what());
+    return std::nullopt;
+  }
+}
+
+void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const guidance::Target* target) {
+  if (const auto& given = request.override) log.addEvent("override", given->by + ": " + given->reason);
+  log.addEvent("target", target ? target->name : "");
+  log.addEvent("coil", request.coil.name);
+  log.addEvent("alignment", alignmentWords(*request.alignment, target));
+}
+
+}  // namespace
+
+TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder) {
+  TreatmentFilm film{capture::openRecording(folder), coil_tracking::defaultCoil()};
+  const auto coil_file = folder / "coil.json";
+  if (std::filesystem::exists(coil_file)) film.coil = coil_tracking::readCoil(coil_file);
+  return film;
+}
+
+PreparedTreatment prepareTreatment(const TreatmentRequest& request, const TreatmentDevices& devices) {
+  FACENAV_EXPECT(request.alignment != nullptr, "a treatment needs an alignment");
+  requireSignOff(request.store, request.override.has_value());
+  session::NavigatorSetup setup;
+  setup.rig = request.recording.rig;
+  setup.reference = request.alignment->reference;
+  setup.camera_T_mri_at_reference = request.alignment->result.camera_T_mri;
+  setup.coil = request.coil;
+  setup.scalp = request.alignment->scalp;
+  setup.pace = head_tracking::Pace::live;
+  setup.key_frames = storedKeyFrames(request.store.folder());
+  PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
+  prepared.source = devices.openSource();
+  return prepared;
+}
+
+std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
+  std::string words =
+      formatted("aligned: %.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
+  if (target)
+    words += formatted(", \u00b1%.1f mm at ", alignment.result.predictedError_mm(target->cortex_point)) +
+             target->name;
+  return words;
+}
+
+session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment) {
+  return {target, alignment ? alignment->result.predictedError_mm(target.cortex_point) : 0.0};
+}
+
+Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
+    : case_folder_(prepared.request.store.folder()) {
+  prepared.navigator->setTarget(target);
+  session::SessionOptions options;
+  options.is_paced = !prepared.request.is_live;
+  session_ =
+      std::make_shared<session::Session>(std::move(prepared.source), std::move(prepared.navigator), options);
+  log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, prepared.request.alignment->scalp);
+  session_folder_ = log_->folder();
+  logStart(*log_, prepared.request, target ? &target->target : nullptr);
+  protocol_ = protocolFor(case_folder_, *log_);
+  plan(target ? &target->target : nullptr);
+  keyboard_.start(listenerFor(keyboard_.name()));
+  session_->start();
+}
+
+links::PulseListener Treatment::listenerFor(const std::string& source) {
+  session::TreatmentLog* log = log_.get();
+  return {[this, log](links::PulseTrigger trigger) {
+            const double set_pct = intensity_pct_;
+            if (!trigger.intensity_pct && set_pct >= 0) trigger.intensity_pct = set_pct;
+            log->addPulse(trigger);
+          },
+          [log, source](const std::string& words) {
+            log->addEvent(session_events::kSource, source + ": " + (words.empty() ? "works again" : words));
+          }};
+}
+
+void Treatment::listen(std::unique_ptr<links::PulseSource> source) {
+  source->start(listenerFor(source->name()));
+  log_->addEvent(session_events::kSource, source->name() + ": listening");
+  sources_.push_back(std::move(source));
+}
+
+/// The target's own dose wins.
+void Treatment::plan(const guidance::Target* target) {
+  planned_pulses_.reset();
+  if (protocol_) planned_pulses_ = protocol_->dose.pulses;
+  if (target && target->dose) planned_pulses_ = target->dose->pulses;
+}
+
+void Treatment::stopListening() {
+  for (const auto& source : sources_)
+    log_->addEvent(session_events::kSource, source->name() + ": no longer listened to");
+  sources_.clear();
+}
+
+void Treatment::setIntensity(std::optional<double> intensity_pct) {
+  intensity_pct_ = intensity_pct.value_or(-1);
+}
+
+void Treatment::pause(const std::string& reason) {
+  if (is_paused_) return;
+  is_paused_ = true;
+  log_->addEvent(session_events::kPause, reason);
+}
+
+void Treatment::resume() {
+  if (!is_paused_) return;
+  is_paused_ = false;
+  log_->addEvent(session_events::kResume);
+}
+
+Treatment::~Treatment() { end(); }
+
+void Treatment::chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name) {
+  session_->setTarget(target);
+  log_->addEvent("target", name);
+  plan(target ? &target->target : nullptr);
+}
+
+void Treatment::end() {
+  if (!session_) return;
+  keyboard_.stop();
+  sources_.clear();
+  session_->stop();
+  keepKeyFrames(*session_, case_folder_);
+  log_.reset();  // before the session: its thread reads it
+  session_.reset();
+}
+
+void Treatment::keepReport() const {
+  try {
+    writeSessionReport(case_folder_, session_folder_);
+  } catch (const std::exception& error) {  // no caller to report to
+    logWarning(std::string("the session's report was not written: ") + error.what());
+  }
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,254 @@
+// Review: sessions, pulses, replay, comparison and report in the window, on sessions of known content.
+
+#include <gmock/gmock.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPushButton>
+#include <QTableView>
+#include <QTableWidget>
+#include <cmath>
+#include <fstream>
+
+#include "facenav/casefile/kept_session.h"
+#include "facenav/core/csv_table.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/scene/display.h"
+#include "gui_fixtures.h"
+#include "main_window.h"
+#include "pdf_text.h"
+#include "presenters/pulse_table.h"
+#include "support/made_session.h"
+#include "views/scene_view.h"
+#include "workspaces/review/review_workspace.h"
+
+namespace facenav::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+guidance::Target someTarget(const casefile::PreparedCase& prepared) {
+  return guidance::planTarget("M1 hand L", prepared.scalp, Point<Mri>(-28, 4, 28), 0.8, 4.0);
+}
+
+class ReviewTest : public ::testing::Test {
+ protected:
+  ReviewTest() {
+    const auto prepared = fixtures::ballWithBrain();
+    const auto store = casefile::CaseStore::create(folder_.path() / "case", prepared, {}, false);
+    store.setLabel("Jane Quixley");
+    guidance::TreatmentPlan plan;
+    plan.targets.push_back(someTarget(prepared));
+    store.setTargets(plan);
+    testing::MadeSession made;
+    first_ = testing::writeMadeSession(store.folder(), someTarget(prepared), made);
+    made.off_mm = {1.5, 0, 0}, made.has_meps = true, made.seed = 6;
+    second_ = testing::writeMadeSession(store.folder(), someTarget(prepared), made);
+    TaskMonitor monitor;
+    model_.open(loadCase(store.folder(), monitor));
+  }
+  void waitForSession(const ReviewPresenter& review) {
+    ASSERT_TRUE(fixtures::waitFor([&] { return review.session() && !review.isReading(); }));
+  }
+  testing::TemporaryFolder folder_;
+  fs::path first_, second_;
+  CaseModel model_;
+};
+
+TEST_F(ReviewTest, TheNewestSessionIsShownWithThePulsesOfItsFile) {
+  ReviewPresenter review(model_);
+  review.refresh();
+  waitForSession(review);
+  ASSERT_EQ(review.sessions().size(), 2u);
+  EXPECT_EQ(review.chosen().toStdString(), second_.filename().string());
+  PulseTable table(review);
+  ASSERT_EQ(table.rowCount(), 40);
+  const auto session = casefile::readSession(second_);
+  for (int row = 0; row < 40; ++row) {
+    const auto& pulse = session.pulses.pulses[std::size_t(row)].pulse;
+    const auto shown = table.index(row, PulseTable::columnOf(workflow::PulseColumn::distance))
+                           .data(Qt::DisplayRole)
+                           .toString();
+    if (pulse.offset)
+      EXPECT_NEAR(shown.toDouble(), pulse.offset->distance_mm, 0.0501) << row;
+    else
+      EXPECT_EQ(shown, "") << "a lost pulse has no error";
+  }
+  ASSERT_TRUE(review.session()->map);
+  EXPECT_NEAR(review.session()->map->centre_of_gravity.mm.norm(), 40, 3) << "on the brain";
+}
+
+TEST_F(ReviewTest, ExclusionsNeedAReasonAreWrittenAndCanBeUndone) {
+  ReviewPresenter review(model_);
+  QString refused;
+  QObject::connect(&review, &ReviewPresenter::refused, [&](const QString& words) { refused = words; });
+  review.refresh();
+  waitForSession(review);
+  review.exclude({3, 4}, "  ", "AB");
+  EXPECT_THAT(refused.toStdString(), HasSubstr("only with a reason"));
+  EXPECT_FALSE(fs::exists(second_ / "pulse_edits.jsonl"));
+  review.exclude({3, 4}, "patient moved", "AB");
+  ASSERT_TRUE(fixtures::waitFor([&] { return review.sessions().back().excluded == 2; }));
+  ASSERT_TRUE(fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[2].is_excluded; }));
+  EXPECT_EQ(review.session()->kept.pulses.pulses.size(), 40u) << "nothing is deleted";
+  review.undo();
+  ASSERT_TRUE(fixtures::waitFor([&] { return review.sessions().back().excluded == 0; }));
+  EXPECT_FALSE(casefile::readSessionPulses(second_).pulses[2].is_excluded);
+}
+
+TEST_F(ReviewTest, AnMepTypedIntoTheTableIsKeptAndOneThatIsNoNumberIsRefused) {
+  ReviewPresenter review(model_);
+  QString refused;
+  QObject::connect(&review, &ReviewPresenter::refused, [&](const QString& words) { refused = words; });
+  review.choose(QString::fromStdString(first_.filename().string()));
+  waitForSession(review);
+  PulseTable table(review);
+  const auto cell = table.index(6, PulseTable::columnOf(workflow::PulseColumn::mep));
+  EXPECT_TRUE(table.flags(cell) & Qt::ItemIsEditable);
+  EXPECT_TRUE(table.setData(cell, "412,5", Qt::EditRole));
+  ASSERT_TRUE(
+      fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[6].pulse.mep_uv == 412.5; }));
+  EXPECT_EQ(casefile::readSessionPulses(first_).pulses[6].pulse.mep_uv, 412.5);
+  EXPECT_TRUE(review.session()->map) << "computed again";
+  table.setData(cell, "big", Qt::EditRole);
+  EXPECT_THAT(refused.toStdString(), HasSubstr("'big' is no number"));
+  EXPECT_EQ(casefile::readSessionPulses(first_).pulses[6].pulse.mep_uv, 412.5);
+}
+
+TEST_F(ReviewTest, MepsAreImportedByTimeAndTheOffsetIsSaid) {
+  ReviewPresenter review(model_);
+  QString said;
+  QObject::connect(&review, &ReviewPresenter::said, [&](const QString& words) { said = words; });
+  review.choose(QString::fromStdString(first_.filename().string()));
+  waitForSession(review);
+  const auto csv = folder_.path() / "emg.csv";
+  std::ofstream(csv) << "t_s,mep_uv\n"
+                     << 50.14 + 3.0 << ",120\n"  // pulse 1 is given in frame 7
+                     << 50.44 + 3.0 << ",130\n";
+  review.importMeps(QString::fromStdString(csv.string()), -3.0);
+  ASSERT_TRUE(
+      fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[0].pulse.mep_uv.has_value(); }));
+  EXPECT_EQ(review.session()->kept.pulses.pulses[0].pulse.mep_uv, 120.0);
+  EXPECT_THAT(said.toStdString(), HasSubstr("clock offset -3.000 s (given: 2 of 2 rows fit)"));
+}
+
+TEST_F(ReviewTest, ReplayShowsTheFilesNumbersAndALossAsLost) {
+  ReviewPresenter review(model_);
+  ReplayPresenter replay(review, model_);
+  review.choose(QString::fromStdString(first_.filename().string()));
+  waitForSession(review);
+  replay.open();
+  ASSERT_TRUE(fixtures::waitFor([&] { return replay.isOpen(); }));
+  replay.goTo(123);
+  const CsvTable guidance(first_ / "guidance.csv");
+  EXPECT_THAT(
+      replay.figures().toStdString(),
+      HasSubstr("error " +
+                QString::number(guidance.number(123, guidance.column("distance_mm")), 'f', 1).toStdString() +
+                " mm"));
+  EXPECT_THAT(replay.timeWords().toStdString(), HasSubstr("frame 123"));
+  EXPECT_EQ(replay.lossWords(), "");
+  replay.goTo(230);
+  EXPECT_EQ(replay.lossWords(), "face lost: no_face");
+  EXPECT_THAT(replay.figures().toStdString(), Not(HasSubstr("mm")));
+  replay.step(100000);
+  EXPECT_EQ(replay.index(), 599);
+  replay.step(-1);
+  EXPECT_EQ(replay.index(), 598);
+  replay.goTo(590);
+  replay.play();
+  EXPECT_TRUE(replay.isPlaying());
+  ASSERT_TRUE(fixtures::waitFor([&] { return !replay.isPlaying(); })) << "it ends at the last frame";
+  EXPECT_EQ(replay.index(), 599);
+  EXPECT_THAT(replay.picturesWords().toStdString(), HasSubstr("no pictures were kept"));
+  EXPECT_EQ(replay.pulses().size(), 40u);
+  const auto track = folder_.path() / "track";  // as `facenav track` leaves it: no guidance, no pulses
+  fs::create_directories(track);
+  fs::copy(first_ / "poses.csv", track / "poses.csv");
+  replay.openFolder(QString::fromStdString(track.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return replay.isOpen(); }));
+  EXPECT_TRUE(replay.pulses().empty());
+  EXPECT_EQ(replay.figures(), "") << "without guidance.csv there is no figure";
+}
+
+TEST_F(ReviewTest, ComparisonStatesTheReturnErrorOfTheTwoSessions) {
+  ReviewPresenter review(model_);
+  review.refresh();
+  waitForSession(review);
+  const auto comparison = review.compareWith(QString::fromStdString(first_.filename().string()));
+  ASSERT_TRUE(comparison && comparison->targets.size() == 1);
+  // 1.5 mm by construction, and what 38 pulses with a spread of 1.2 mm leave: 1.2 * sqrt(2 / 38) = 0.28 mm a
+  // side.
+  EXPECT_NEAR(comparison->targets[0].distance_mm, 1.5, 0.8);
+  EXPECT_NEAR(comparison->targets[0].angle_deg, 0.0, 1e-4);
+}
+
+TEST_F(ReviewTest, TheReportNamesNobodyUnlessAskedInHtmlPdfAndCsv) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  ReviewPresenter review(model_);
+  review.refresh();
+  waitForSession(review);
+  review.makeReport(false);
+  const auto wordsOf = [&](const char* name) { return readWholeFile(second_ / name); };
+  const std::string pdf = fixtures::wordsOfPdf(wordsOf("report.pdf"));
+  EXPECT_THAT(pdf, HasSubstr("TMSsessionreport")) << "the PDF's words can be read";
+  EXPECT_THAT(pdf, HasSubstr("figure-870mm"));
+  EXPECT_THAT(pdf, HasSubstr(model_.current().id.toStdString()));
+  EXPECT_THAT(wordsOf("report.html"), HasSubstr("figure-8 70 mm"));
+  EXPECT_THAT(wordsOf("report.html"), HasSubstr("data:image/png;base64,")) << "pulses on the cortex";
+  EXPECT_THAT(wordsOf("report.html"), HasSubstr("Map of the MEPs"));
+  for (const char* file : {"report.html", "report.pdf", "pulses.csv"}) {
+    EXPECT_THAT(wordsOf(file), Not(HasSubstr("Quixley"))) << file;
+    EXPECT_THAT(wordsOf(file), Not(HasSubstr(folder_.path().filename().string()))) << file;
+  }
+  EXPECT_THAT(pdf, Not(HasSubstr("Quixley")));
+  review.makeReport(true);
+  EXPECT_THAT(fixtures::wordsOfPdf(wordsOf("report.pdf")), HasSubstr("JaneQuixley"));
+  EXPECT_THAT(wordsOf("report.html"), HasSubstr("Jane Quixley"));
+}
+
+TEST_F(ReviewTest, TheWindowShowsPulsesReplayAndComparison) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  MainWindow window{Services{}};
+  window.resize(1366, 768);
+  window.show();
+  window.openCase(QString::fromStdString((folder_.path() / "case").string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  window.setWorkspace(Workspace::review);
+  waitForSession(window.review());
+  auto* page = window.findChild<ReviewWorkspace*>();
+  ASSERT_TRUE(page);
+  const auto pictureOf = [&] {
+    fixtures::waitFor([] { return false; }, 300);
+    return page->grab().toImage();
+  };
+  const QImage pulses = pictureOf();
+  window.review().setColumn(workflow::PulseColumn::mep);
+  EXPECT_NE(pulses, pictureOf()) << "other colours and charts";
+  for (auto* heat : page->findChildren<QCheckBox*>())
+    if (heat->text() == "MEP map") heat->click();
+  EXPECT_NE(pulses, pictureOf());
+  page->setPage(ReviewPage::replay);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.replay().isOpen(); }));
+  window.replay().goTo(10);
+  auto* scene = [&] {
+    for (auto* view : page->findChildren<SceneView*>())
+      if (view->isVisible()) return view;
+    return static_cast<SceneView*>(nullptr);
+  }();
+  ASSERT_TRUE(scene);
+  EXPECT_TRUE(scene->scene().showsCoil());
+  window.replay().goTo(230);
+  EXPECT_FALSE(scene->scene().showsCoil()) << "lost is shown as lost";
+  page->setPage(ReviewPage::compare);
+  fixtures::waitFor([] { return false; }, 200);
+  int figures = 0;
+  for (auto* table : page->findChildren<QTableWidget*>())
+    if (table->isVisible() && table->horizontalHeaderItem(1)->text() == "figure") figures = table->rowCount();
+  EXPECT_GE(figures, 7);
+}
+
+}  // namespace
+}  // namespace facenav::ui

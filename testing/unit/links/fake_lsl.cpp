@@ -1,0 +1,66 @@
+// A stand-in for liblsl.so.2: one marker stream, whose samples the test sends.
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <mutex>
+
+namespace {
+
+std::mutex g_mutex;
+std::condition_variable g_changed;
+std::deque<double> g_samples;
+bool g_has_stream = true;
+constexpr double kAhead_s = 1000.0;  // the stream's clock is behind this machine's
+
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+extern "C" {
+
+/// For the test: a sample now.
+void fake_lsl_send() {
+  const std::lock_guard lock(g_mutex);
+  g_samples.push_back(steady_s() - kAhead_s);
+  g_changed.notify_all();
+}
+void fake_lsl_show(int has_stream) { g_has_stream = has_stream != 0; }
+
+double lsl_local_clock() { return steady_s(); }
+std::int32_t lsl_resolve_byprop(void** infos, std::uint32_t, const char* property, const char* value,
+                                std::int32_t, double) {
+  const bool is_asked_for = (std::strcmp(property, "type") == 0 && std::strcmp(value, "Markers") == 0) ||
+                            (std::strcmp(property, "name") == 0 && std::strcmp(value, "tms") == 0);
+  infos[0] = &g_samples;
+  return is_asked_for && g_has_stream ? 1 : 0;
+}
+std::int32_t lsl_get_channel_count(void*) { return 2; }
+void lsl_destroy_streaminfo(void*) {}
+void* lsl_create_inlet(void* info, std::int32_t, std::int32_t, std::int32_t) {
+  const std::lock_guard lock(g_mutex);
+  g_samples.clear();  // an inlet hears only what comes after it
+  return info;
+}
+void lsl_destroy_inlet(void*) {}
+double lsl_time_correction(void*, double, std::int32_t* fault) {
+  *fault = 0;
+  return kAhead_s;
+}
+double lsl_pull_sample_str(void*, char** texts, std::int32_t count, double timeout_s, std::int32_t* fault) {
+  std::unique_lock lock(g_mutex);
+  *fault = 0;
+  if (!g_changed.wait_for(lock, std::chrono::duration<double>(timeout_s), [] { return !g_samples.empty(); }))
+    return 0;
+  for (std::int32_t i = 0; i < count; ++i) texts[i] = ::strdup("pulse");
+  const double stamp = g_samples.front();
+  g_samples.pop_front();
+  return stamp;
+}
+void lsl_destroy_string(char* text) { std::free(text); }
+}

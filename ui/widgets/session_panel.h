@@ -1,0 +1,39 @@
+#pragma once
+// SessionPanel: what belongs to the session and not to the coil: pain before and after, adverse events,
+// pauses with their reason, where pulses come from, and the sounds.
+
+#include <QFrame>
+
+#include "presenters/session_sounds.h"
+#include "presenters/treat_presenter.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+
+namespace facenav::ui {
+
+class SessionPanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  SessionPanel(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makePain();
+  QWidget* makeAdverse();
+  QWidget* makePause();
+  QWidget* makeSource();
+  QWidget* makeSound();
+  void showState();
+
+  TreatPresenter& treat_;
+  SessionSounds& sounds_;
+  QComboBox* reason_;
+  QPushButton* pause_;
+  QLineEdit* source_;
+  QCheckBox* sound_;
+};
+
+}  // namespace facenav::ui
