@@ -24,9 +24,12 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
-                   registration::MisfitPrior, head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
-                   head_tracking::SkinFieldModel, head_tracking::StepLimits>;
+using All =
+    Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
+           registration::MisfitPrior, head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
+           head_tracking::SkinFieldModel, head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget,
+           guidance::PlateRest, stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions,
+           MepImportLimits>;
 
 }  // namespace
 
