@@ -14,6 +14,8 @@
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
 #include "facenav/segmentation/prior_use.h"
+#include "facenav/stimulation/threshold_rules.h"
+#include "facenav/workflow/mep_import.h"
 
 namespace facenav::workflow {
 namespace {
