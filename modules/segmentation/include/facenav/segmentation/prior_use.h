@@ -29,7 +29,8 @@ struct PriorUse {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor(kHeads("search_mm", 0, 30, "mm", "tissue is grown at most this far outside the prior's outline"),
+    visitor(kHeads("prior_search_mm", 0, 30, "mm",
+                   "tissue is grown at most this far outside the prior's outline"),
             self.search_mm);
     visitor(kHeads("core_mm", 0, 30, "mm", "what lies this deep within the prior's outline is brain"),
             self.core_mm);
