@@ -32,27 +32,29 @@ struct PriorUse {
     visitor(kHeads("prior_search_mm", 0, 30, "mm",
                    "tissue is grown at most this far outside the prior's outline"),
             self.search_mm);
-    visitor(kHeads("core_mm", 0, 30, "mm", "what lies this deep within the prior's outline is brain"),
+    visitor(kHeads("prior_core_mm", 0, 30, "mm", "what lies this deep within the prior's outline is brain"),
             self.core_mm);
-    visitor(kHeads("least_agreement", 0, 1, "1",
+    visitor(kHeads("prior_least_agreement", 0, 1, "1",
                    "Dice of growth and refined prior below which the refined prior is taken"),
             self.least_agreement);
-    visitor(
-        kHeads("band_mm", 0, 20, "mm", "the scan's intensities move the prior's outline at most this far"),
-        self.band_mm);
-    visitor(
-        kHeads("sample_mm", 1, 30, "mm", "this far on either side of the outline intensities are compared"),
-        self.sample_mm);
-    visitor(kHeads("lattice_mm", 4, 40, "mm", "distance of the places where they are compared"),
+    visitor(kHeads("prior_band_mm", 0, 20, "mm",
+                   "the scan's intensities move the prior's outline at most this far"),
+            self.band_mm);
+    visitor(kHeads("prior_sample_mm", 1, 30, "mm",
+                   "this far on either side of the outline intensities are compared"),
+            self.sample_mm);
+    visitor(kHeads("prior_lattice_mm", 4, 40, "mm", "distance of the places where they are compared"),
             self.lattice_mm);
-    visitor(kHeads("lattice_smoothings", 0, 10, "1", "how often neighbouring places are averaged"),
+    visitor(kHeads("prior_lattice_smoothings", 0, 10, "1", "how often neighbouring places are averaged"),
             self.lattice_smoothings);
-    visitor(kHeads("evidence", 0, 5, "1", "weight of the intensities against the prior"), self.evidence);
-    visitor(kHeads("evidence_smoothings", 0, 20, "1", "how often the evidence of neighbours is averaged"),
-            self.evidence_smoothings);
-    visitor(kHeads("rounds", 0, 5, "1", "how often intensities are compared anew"), self.rounds);
-    visitor(kHeads("sulcus_mm", 0, 10, "mm", "sulci up to twice this wide are closed"), self.sulcus_mm);
-    visitor(kHeads("smooth_mm", 0, 5, "mm", "spikes thinner than twice this are cut"), self.smooth_mm);
+    visitor(kHeads("prior_evidence", 0, 5, "1", "weight of the intensities against the prior"),
+            self.evidence);
+    visitor(
+        kHeads("prior_evidence_smoothings", 0, 20, "1", "how often the evidence of neighbours is averaged"),
+        self.evidence_smoothings);
+    visitor(kHeads("prior_rounds", 0, 5, "1", "how often intensities are compared anew"), self.rounds);
+    visitor(kHeads("prior_sulcus_mm", 0, 10, "mm", "sulci up to twice this wide are closed"), self.sulcus_mm);
+    visitor(kHeads("prior_smooth_mm", 0, 5, "mm", "spikes thinner than twice this are cut"), self.smooth_mm);
     visitDoubt(self, visitor);
   }
 
