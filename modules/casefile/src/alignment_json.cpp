@@ -5,6 +5,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
+#include "facenav/geometry/normal_equations.h"
 
 namespace facenav::casefile {
 namespace {
@@ -42,7 +43,7 @@ Matrix6d readCovariance(const JsonReader& json) {
   const double size = covariance.norm();
   if ((covariance - covariance.transpose()).norm() > kRounding * size)
     json.refuse("a symmetric matrix was expected");
-  if (Eigen::SelfAdjointEigenSolver<Matrix6d>(covariance).eigenvalues().minCoeff() < -kRounding * size)
+  if (principalAxes(covariance).values(0) < -kRounding * size)
     json.refuse("a covariance has no negative eigenvalue");
   return 0.5 * (covariance + covariance.transpose());
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <random>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/registration/pose_uncertainty.h"
 #include "support/changed_settings.h"
 #include "support/model_head.h"
@@ -100,7 +101,7 @@ TEST(MisfitModel, TheCovarianceIsSymmetricAndPositive) {
   const PosePosterior posterior = posteriorOf(patches, kRegions, kPivot, MisfitPrior());
   EXPECT_LT((posterior.covariance - posterior.covariance.transpose()).norm(),
             1e-9 * posterior.covariance.norm());
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix6d>(posterior.covariance).eigenvalues()[0], 0.0);
+  EXPECT_GT(principalAxes(posterior.covariance).values[0], 0.0);
   EXPECT_GE(posterior.freedom, 5.0);
   EXPECT_LE(posterior.freedom, 60.0);
   EXPECT_GT(posterior.scale_sigma, 0.0);
