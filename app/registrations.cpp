@@ -32,6 +32,8 @@ workflow::Registrations makeRegistrations() {
   all.brain_segmenters.add("brain", "tissue classes on a deformable surface",
                            segmentation::makeBrainSegmenter);
   all.brain_segmenters.add("bet", "plain deformable surface", segmentation::makeBetSegmenter);
+  all.brain_segmenters.add("prior", "learned outline fitted to the scan, any contrast",
+                           segmentation::makePriorSegmenter);
   all.aligners.add("surface", "robust point-to-plane on the skin's distance field",
                    registration::makeSurfaceAligner);
   all.aligners.add("icp", "the 2010 paper's iterative closest point", registration::makeIcpAligner);

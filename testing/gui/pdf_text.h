@@ -33,10 +33,14 @@ inline PdfObjects objectsOf(const std::string& pdf) {
     objects.heads[number] = pdf.substr(at + 6, std::min(end, stream) - at - 6);
     if (stream > end || stream == std::string::npos) continue;
     const std::size_t stop = pdf.find("endstream", stream);
-    objects.streams[number] = inflated(pdf.substr(stream + 7, stop - stream - 7));
+    const std::string bytes = pdf.substr(stream + 7, stop - stream - 7);
+    const bool is_packed = objects.heads[number].find("/FlateDecode") != std::string::npos;
+    objects.streams[number] = is_packed ? inflated(bytes) : bytes;
   }
   return objects;
 }
+
+constexpr const char* kLigatures[] = {"ff", "fi", "fl", "ffi", "ffl"};  // U+FB00 to U+FB04
 
 using Glyphs = std::map<unsigned, unsigned>;  // glyph -> UTF-16 unit
 
@@ -84,7 +88,9 @@ inline std::string wordsOfPdf(const std::string& pdf) {
       const std::string run = (*it)[2];
       for (std::size_t i = 0; font && i + 4 <= run.size(); i += 4) {
         const auto unit = font->find(unsigned(std::stoul(run.substr(i, 4), nullptr, 16)));
-        if (unit != font->end() && unit->second > 32 && unit->second < 127) words += char(unit->second);
+        if (unit == font->end()) continue;
+        if (unit->second > 32 && unit->second < 127) words += char(unit->second);
+        if (unit->second >= 0xFB00 && unit->second <= 0xFB04) words += kLigatures[unit->second - 0xFB00];
       }
     }
   }

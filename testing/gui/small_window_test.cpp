@@ -156,6 +156,17 @@ std::filesystem::path someCase(const std::filesystem::path& folder) {
   return store.folder();
 }
 
+/// The visible widgets that ask for over 300 px, with what they ask for.
+std::string widestParts(const QWidget& window) {
+  std::string out;
+  for (const auto* widget : window.findChildren<QWidget*>())
+    if (const int least = std::max(widget->minimumSizeHint().width(), widget->minimumWidth());
+        widget->isVisible() && least > 300)
+      out += std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString() + " " +
+             std::to_string(least) + "\n";
+  return out;
+}
+
 /// Checks every page; restores the normal text size.
 void expectEveryPageFits(const QSize& size, double text_scale, const QString& prefix) {
   applyAppearance(*qApp, text_scale);
@@ -172,7 +183,7 @@ void expectEveryPageFits(const QSize& size, double text_scale, const QString& pr
       window.resize(size);
       fixtures::waitFor([] { return false; }, 400);  // time for layout and drawing
       EXPECT_EQ(window.size(), size);
-      EXPECT_LE(window.minimumSizeHint().width(), size.width());
+      EXPECT_LE(window.minimumSizeHint().width(), size.width()) << widestParts(window);
       EXPECT_LE(window.minimumSizeHint().height(), size.height());
       expectAlwaysThere(window);
       if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))

@@ -107,7 +107,7 @@ TEST_F(Motor, AfterKillNineTheSearchHasEveryAnswerThatWasShown) {
     auto state = facenav.hear();
     ASSERT_EQ(state["pulses"], shown) << "what was shown before the kill is there";
     for (int i = 0; i < 3; ++i) {
-      facenav.say(state["next_pct"].get<double>() >= 50 ? "y" : "n");
+      facenav.say(state["next_pct"].get<double>() >= 30 ? "y" : "n");
       state = facenav.hear();
       shown = state["pulses"];
     }
@@ -147,7 +147,7 @@ fs::path treat(const fs::path& case_folder) {
     auto pulse = casefile::madePulse(i);
     const double z_mm = 90, angle = 0.05 * i;
     const RigidTransform<Mri, Coil> mri_T_coil(
-        Eigen::Quaterniond(Eigen::AngleAxisd(M_PI - angle, Eigen::Vector3d::UnitY())),
+        Eigen::Quaterniond(Eigen::AngleAxisd(M_PI + angle, Eigen::Vector3d::UnitY())),
         {z_mm * std::sin(angle), 0, z_mm * std::cos(angle)});
     pulse.camera_T_coil = *pulse.camera_T_mri * mri_T_coil;
     pulse.intensity_pct = 50 + i;

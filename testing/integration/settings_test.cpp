@@ -75,7 +75,7 @@ TEST_F(SettingsOfTheProgram, ThatDifferChangeTheBrainAndAreRecordedWithIt) {
                                at("mine.json") + " --set segmentation.tissue_share=0.7");
   ASSERT_EQ(made.status, 0) << made.errors;
   const auto store = casefile::CaseStore::open(at("case"));
-  EXPECT_LT(store.brainMask()->volume_ml(), 1700);
+  EXPECT_LT(store.brainMask()->volume_ml(), 1750);  // 1791 ml with the defaults
   EXPECT_THAT(store.provenance().at(0).settings,
               ElementsAre(Pair("segmentation.core_share", 0.8), Pair("segmentation.tissue_share", 0.7)));
   const auto said = HasSubstr(

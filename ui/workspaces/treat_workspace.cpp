@@ -29,6 +29,18 @@ constexpr int kRefresh_ms = 33;
 constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
 constexpr int kLow_px = 740;      // below it, no room for the bull's eye above the figures
 
+/// Asks for the width of the page that is shown, not for that of the widest.
+class ShownPage : public QStackedWidget {
+ public:
+  explicit ShownPage(QWidget* parent) : QStackedWidget(parent) {
+    connect(this, &QStackedWidget::currentChanged, this, &QWidget::updateGeometry);
+  }
+  QSize minimumSizeHint() const override {
+    const QWidget* page = currentWidget();
+    return page ? page->minimumSizeHint().expandedTo(page->minimumSize()) : QSize();
+  }
+};
+
 }  // namespace
 
 TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
@@ -71,7 +83,7 @@ QWidget* TreatWorkspace::makeSide() {
   auto* side = new QWidget(side_);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
-  tools_ = new QStackedWidget(side);
+  tools_ = new ShownPage(side);
   bulls_eye_ = new BullsEyeView(tools_);
   tools_->addWidget(bulls_eye_);
   tools_->addWidget(new ScrollColumn(new MotorPanel(motor_, presenter_, tools_), 0, tools_));

@@ -8,6 +8,7 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
+#include "scan_grid.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -99,17 +100,6 @@ BetIntensities intensitiesIn(const Volume& working, const Mask& head, const BetS
   return found;
 }
 
-Eigen::Vector3d centreOf_mm(const Mask& mask) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double count = 0;
-  const auto& n = mask.grid.size;
-  for (int k = 0; k < n[2]; ++k)
-    for (int j = 0; j < n[1]; ++j)
-      for (int i = 0; i < n[0]; ++i)
-        if (mask.at(i, j, k)) sum += Eigen::Vector3d(i, j, k), ++count;
-  return mask.grid.toMri(sum / count).mm;
-}
-
 }  // namespace
 
 Volume workingVolume(const Volume& volume, double spacing_mm) {
@@ -126,13 +116,13 @@ Volume workingVolume(const Volume& volume, double spacing_mm) {
   return is_fine ? volume::resample(above, grid) : volume::resampleCubic(above, grid);
 }
 
-Volume halved(const Volume& volume) {
+Volume halved(const Volume& volume, int first) {
   Volume out;
   out.modality = volume.modality;
   out.orientation_source = volume.orientation_source;
   out.grid = volume.grid;
-  for (int a = 0; a < 3; ++a) out.grid.size[a] = std::max(1, volume.grid.size[a] / 2);
-  out.grid.mri_from_voxel.translate(Eigen::Vector3d::Constant(0.5));
+  for (int a = 0; a < 3; ++a) out.grid.size[a] = std::max(1, (volume.grid.size[a] - first) / 2);
+  out.grid.mri_from_voxel.translate(Eigen::Vector3d::Constant(first + 0.5));
   out.grid.mri_from_voxel.linear() *= 2;
   out.voxels.resize(out.grid.count());
   const std::size_t row = volume.grid.size[0], slab = row * volume.grid.size[1];
@@ -140,7 +130,7 @@ Volume halved(const Volume& volume) {
   for (int k = 0; k < out.grid.size[2]; ++k)
     for (int j = 0; j < out.grid.size[1]; ++j)
       for (int i = 0; i < out.grid.size[0]; ++i, ++o) {
-        const float* p = &volume.voxels[volume.grid.index(2 * i, 2 * j, 2 * k)];
+        const float* p = &volume.voxels[volume.grid.index(2 * i + first, 2 * j + first, 2 * k + first)];
         out.voxels[o] =
             (p[0] + p[1] + p[row] + p[row + 1] + p[slab] + p[slab + 1] + p[slab + row] + p[slab + row + 1]) /
             8;
@@ -161,7 +151,7 @@ BrainStart centredOnBrain(const Volume& working, const BrainStart& start, double
   if (core.volume_ml() == 0) return start;
   BrainStart out;
   const double radius_mm = std::cbrt(dilate(core, kBallInBrain_mm).volume_ml() * 1e3 * 3 / (4 * M_PI));
-  out.sphere = {centreOf_mm(core), radius_mm};
+  out.sphere = {ballLike(core).centre_mm, radius_mm};
   const float t98 = start.intensities.t98;
   out.intensities = intensitiesIn(working, headOf(working, kHeadShare * t98), out.sphere, t98);
   return out;

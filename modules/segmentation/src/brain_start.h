@@ -15,8 +15,8 @@ struct BrainStart {
 /// `volume` minus its robust minimum, so that air is about 0, on a RAS grid of cubic voxels with some
 /// millimetres of air around it. All later steps use this volume. Non-finite values count as air.
 volume::Volume workingVolume(const volume::Volume& volume, double spacing_mm);
-/// Mean of 2 x 2 x 2 voxels.
-volume::Volume halved(const volume::Volume& volume);
+/// Mean of 2 x 2 x 2 voxels, from voxel (first, first, first) on.
+volume::Volume halved(const volume::Volume& volume, int first = 0);
 
 /// Throws Error "no brain can be modelled: ..." where no head-sized object is there.
 BrainStart findBrainStart(const volume::Volume& working);

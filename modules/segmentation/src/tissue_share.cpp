@@ -6,6 +6,7 @@
 #include "brain_checks.h"
 #include "brain_refinement.h"
 #include "brain_start.h"
+#include "contrast_seen.h"
 #include "facenav/anatomy/brain_norms.h"
 #include "facenav/core/error.h"
 #include "facenav/volume/mask_morphology.h"
@@ -29,7 +30,18 @@ Volume shareOf(const Volume& flat, const TissueModel& tissue) {
   return share;
 }
 
-/// Fills ventricles and cisterns: too deep for a sulcus, and not connected to the outside through fluid.
+/// Where white matter is darker than grey, the classes would be taken for each other.
+void requireWhiteAboveGrey(const Volume& image, const Mask& brain) {
+  const Volume coarse = halved(image);
+  const Volume inside = halved({brain.grid, {brain.voxels.begin(), brain.voxels.end()}, {}, {}});
+  const Volume no_fluid{coarse.grid, std::vector<float>(coarse.voxels.size()), {}, {}};
+  if (contrastSeen(coarse, inside, no_fluid).isInverted())
+    throw Error("the sulci cannot be opened: white matter is darker than grey matter", {},
+                "a T1-weighted MR is needed");
+}
+
+/// Ventricles and cisterns: what lies too deep to be a sulcus, and what no path through fluid joins to the
+/// outside.
 void fillEnclosed(Volume& share, const Mask& brain) {
   const auto depth_mm = volume::depthWithin(brain);
   Mask tissue{share.grid, std::vector<std::uint8_t>(share.voxels.size())};
@@ -49,6 +61,7 @@ Volume tissueShare(const Volume& mri, const Mask& brain, double spacing_mm, Task
   Volume image = volume::resample(mri, grid);
   for (float& value : image.voxels) value = std::isfinite(value) ? std::max(0.f, value - air) : 0.f;
   const Mask inside = volume::resample(brain, grid);
+  requireWhiteAboveGrey(image, inside);
   monitor.report("opening the sulci", 0.3);
   // In a core without fluid, part of the grey matter would be classified as fluid. Therefore the first fit
   // includes the fluid around the brain.

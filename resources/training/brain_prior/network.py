@@ -6,7 +6,7 @@ from torch.nn import functional
 SIZE = (48, 56, 48)  # voxels of 4 mm, RAS: the window about the head
 SPACING_MM = 4.0
 CLASSES = 4  # air, brain with closed sulci, fluid around it, the rest of the head
-CHANNELS = (32, 64, 64)
+CHANNELS = (48, 64, 64)
 SLOPE = 0.1  # of the leaky rectifier
 
 

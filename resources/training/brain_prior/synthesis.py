@@ -9,7 +9,8 @@ from torch.nn import functional
 from heads import AIR, BRAIN, FLUID_CLASS, OTHER
 from network import SIZE, SPACING_MM
 
-SHIFT_MM = 24          # of the window against the brain's centre, each axis
+SHIFT_MM = 20          # of the window against the brain's centre, each axis
+FAR_SHARE, FAR_SHIFT_MM = 0.2, 60  # the first look at a scan, before its brain's place is known
 CHILD_SHARE = 0.15     # heads scaled down to a child's
 EDGE_PERCENTILES = (0.02, 0.98)  # of the window: black and white of the network's input
 
@@ -45,7 +46,8 @@ def deformed_places(rng, head):
     """Where each voxel of the window lies in the head's array (voxels of 1 mm): (3, *SIZE)."""
     axes = [(torch.arange(n, dtype=torch.float32) - (n - 1) / 2) * SPACING_MM for n in SIZE]
     window = torch.stack(torch.meshgrid(*axes, indexing='ij')).reshape(3, -1)
-    window = window + torch.from_numpy(rng.uniform(-SHIFT_MM, SHIFT_MM, (3, 1)).astype(numpy.float32))
+    most = FAR_SHIFT_MM if rng.random() < FAR_SHARE else SHIFT_MM
+    window = window + torch.from_numpy(rng.uniform(-most, most, (3, 1)).astype(numpy.float32))
     places = torch.from_numpy(turned(rng).astype(numpy.float32)) @ window
     places = (places + torch.from_numpy(head.centre)[:, None]).reshape(3, *SIZE)
     for knots, most_mm in (((5, 6, 5), 5.0), ((10, 12, 10), 2.5)):

@@ -7,8 +7,8 @@ import time
 
 import numpy
 import torch
+from torch import multiprocessing
 from torch.nn import functional
-from torch.utils.data import DataLoader, IterableDataset
 
 import heads
 import synthesis
@@ -16,27 +16,56 @@ from network import BrainPrior
 from weights_file import write_weights
 
 T1_SHARE = 0.5
-BATCH = 2
-RATE, WARM_UP, LAST_RATE = 2e-3, 50, 0.02  # Adam's rate, steps until it is reached, share of it at the end
+BATCH = 2  # heads a step, a process each
+RATE, WARM_UP, LAST_RATE = 2e-3, 50, 0.01  # Adam's rate, steps until it is reached, share of it at the end
+FULL_RATE_SHARE = 0.3  # of the training, before the rate falls
 AVERAGE = 0.995  # of the weights that are kept
 VALIDATION_PER_HEAD = 4
 
 
-class Samples(IterableDataset):
-    """Pairs without end; sample i of a seed is the same whatever the number of workers."""
+def sample_of(anatomy, statistics, seed, index):
+    """Sample `index` of a seed is the same whatever the number of processes: image and shares, a batch of one."""
+    rng = numpy.random.default_rng((seed, index))
+    head = anatomy[int(rng.integers(len(anatomy)))]
+    image, shares = synthesis.sample(rng, head, statistics, rng.random() < T1_SHARE)
+    return image[None], shares[None]
 
-    def __init__(self, anatomy, statistics, seed, start):
-        self.anatomy, self.statistics, self.seed, self.start = anatomy, statistics, seed, start
 
-    def __iter__(self):
-        worker = torch.utils.data.get_worker_info()
+class Workers:
+    """Processes that each make a head and its gradient; weights and gradients lie in shared memory."""
+
+    def __init__(self, network, anatomy, statistics, seed):
+        self.weights = torch.nn.utils.parameters_to_vector(network.parameters()).detach().clone().share_memory_()
+        self.gradients = torch.zeros(BATCH, len(self.weights)).share_memory_()
+        self.losses, self.first = torch.zeros(BATCH).share_memory_(), torch.zeros(1, dtype=torch.int64).share_memory_()
+        self.barrier = multiprocessing.Barrier(BATCH + 1)
+        for rank in range(BATCH):
+            multiprocessing.Process(target=self.work, args=(rank, anatomy, statistics, seed), daemon=True).start()
+
+    def work(self, rank, anatomy, statistics, seed):
         torch.set_num_threads(1)
-        index, stride = (self.start + worker.id, worker.num_workers) if worker else (self.start, 1)
+        network = BrainPrior().train()
         while True:
-            rng = numpy.random.default_rng((self.seed, index))
-            head = self.anatomy[int(rng.integers(len(self.anatomy)))]
-            yield synthesis.sample(rng, head, self.statistics, rng.random() < T1_SHARE)
-            index += stride
+            self.barrier.wait()
+            image, shares = sample_of(anatomy, statistics, seed, int(self.first) + rank)
+            torch.nn.utils.vector_to_parameters(self.weights.clone(), network.parameters())
+            # Half precision takes half the time; weights, loss and their steps stay in single.
+            with torch.autocast('cpu', torch.bfloat16):
+                scores = network(image)
+            loss = loss_of(scores.float(), shares)
+            network.zero_grad()
+            loss.backward()
+            self.gradients[rank] = torch.cat([p.grad.reshape(-1) for p in network.parameters()])
+            self.losses[rank] = float(loss)
+            self.barrier.wait()
+
+    def gradient(self, network, first):
+        """Of samples first, first + 1, .., their mean; and the mean of the losses."""
+        self.weights.copy_(torch.nn.utils.parameters_to_vector(network.parameters()).detach())
+        self.first[0] = first
+        self.barrier.wait()
+        self.barrier.wait()
+        return self.gradients.mean(0), float(self.losses.mean())
 
 
 def loss_of(scores, shares):
@@ -71,10 +100,11 @@ def validate(network, validation):
     return {('t1' if k else 'any'): (float(numpy.median(v)), min(v)) for k, v in scores.items() if v}
 
 
-def rate_at(step, steps):
+def rate_at(step, done):
+    """Adam's rate; `done`: share of the training that is over. Full for a third, then a falling line."""
     if step < WARM_UP:
         return RATE * (step + 1) / WARM_UP
-    return RATE * (LAST_RATE + (1 - LAST_RATE) * max(0.0, 1 - (step - WARM_UP) / max(1, steps - WARM_UP)))
+    return RATE * (LAST_RATE + (1 - LAST_RATE) * min(1.0, max(0.0, (1 - done) / (1 - FULL_RATE_SHARE))))
 
 
 def keep_average(average, network):
@@ -104,13 +134,14 @@ class Run:
         torch.save(state, self.checkpoint + '.new')
         os.replace(self.checkpoint + '.new', self.checkpoint)
 
-    def learn(self, image, shares, steps):
+    def learn(self, workers, done):
         for group in self.optimiser.param_groups:
-            group['lr'] = rate_at(self.step, steps)
-        self.network.train()
-        loss = loss_of(self.network(image), shares)
-        self.optimiser.zero_grad()
-        loss.backward()
+            group['lr'] = rate_at(self.step, done)
+        gradient, loss = workers.gradient(self.network, BATCH * self.step)
+        at = 0
+        for parameter in self.network.parameters():
+            parameter.grad = gradient[at:at + parameter.numel()].reshape(parameter.shape).clone()
+            at += parameter.numel()
         torch.nn.utils.clip_grad_norm_(self.network.parameters(), 1.0)
         self.optimiser.step()
         self.step += 1
@@ -119,18 +150,17 @@ class Run:
             self.average.load_state_dict(self.network.state_dict())
         else:
             keep_average(self.average, self.network)
-        return float(loss)
+        return loss
 
 
 def arguments_of():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--labels', required=True, help='folder of the label maps')
-    parser.add_argument('--fold', type=int, choices=range(4), help='leave every fourth head out, from this one on; absent: train on all')
-    parser.add_argument('--steps', type=int, default=6000, help='of two heads each; the rate falls to the last one')
+    parser.add_argument('--fold', type=int, choices=range(4), 
+                        help='leave every fourth head out, from this one on; absent: train on all')
+    parser.add_argument('--hours', type=float, default=2, help='how long to train; the rate falls until then')
     parser.add_argument('--seed', type=int, default=1)
-    parser.add_argument('--workers', type=int, default=1, help='processes that make heads')
-    parser.add_argument('--threads', type=int, default=2)
-    parser.add_argument('--every', type=int, default=100, help='steps between checkpoints and scores')
+    parser.add_argument('--every', type=int, default=250, help='steps between checkpoints and scores')
     parser.add_argument('-o', '--output', required=True, help='weights file; a checkpoint beside it goes on where it stopped')
     return parser.parse_args()
 
@@ -148,7 +178,7 @@ def report(run, arguments, losses, validation, out):
 
 def main():
     arguments = arguments_of()
-    torch.set_num_threads(arguments.threads)
+    torch.set_num_threads(1)
     statistics = heads.read_statistics(arguments.labels)
     names = heads.list_heads(arguments.labels)
     left_out = heads.fold_of(names, arguments.fold)
@@ -156,17 +186,16 @@ def main():
     anatomy = [prepared[n] for n in names if n not in left_out]
     validation = validation_set([prepared[n] for n in left_out], statistics)
     run = Run(arguments)
-    samples = Samples(anatomy, statistics, arguments.seed, BATCH * run.step)
-    losses, began = [], time.monotonic()
-    for image, shares in DataLoader(samples, batch_size=BATCH, num_workers=arguments.workers):
-        losses.append(run.learn(image, shares, arguments.steps))
+    workers = Workers(run.network, anatomy, statistics, arguments.seed)
+    losses, began, over = [], time.monotonic(), False
+    while not over:
+        losses.append(run.learn(workers, run.seconds / (3600 * arguments.hours)))
         now = time.monotonic()
         run.seconds, began = run.seconds + now - began, now
-        if run.step % arguments.every == 0 or run.step >= arguments.steps:
+        over = run.seconds >= 3600 * arguments.hours
+        if run.step % arguments.every == 0 or over:
             report(run, arguments, losses, validation, arguments.output)
             losses = []
-        if run.step >= arguments.steps:
-            return
 
 
 if __name__ == '__main__':

@@ -90,6 +90,7 @@ QWidget* PulsesPage::makeChoice() {
   heat_ = new QCheckBox(tr("MEP map"), bar);
   heat_->setToolTip(tr("the MEPs, smoothed over the brain's surface, in place of the pulses"));
   skin_ = new QCheckBox(tr("skin"), bar);
+  skin_->setToolTip(tr("shows the scalp over the brain"));
   skin_->setChecked(true);
   row->addWidget(column_);
   row->addWidget(legend_, 1);

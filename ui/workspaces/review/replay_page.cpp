@@ -81,6 +81,10 @@ QWidget* ReplayPage::makeControls() {
   time_ = new QLabel(bar);
   makeNarrow(*time_);
   row->addWidget(time_, 1);
+  button(tr("Track\u2026"), tr("another folder with poses.csv, as `facenav track` writes it"), [this] {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder with poses.csv"));
+    if (!folder.isEmpty()) presenter_.openFolder(folder);
+  });
   pictures_ =
       button(tr("Pictures\u2026"), tr("the folder of the session's recording, if it is elsewhere"), [this] {
         const QString folder = QFileDialog::getExistingDirectory(this, tr("Recording of this session"));

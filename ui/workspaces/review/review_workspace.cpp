@@ -56,7 +56,7 @@ QWidget* ReviewWorkspace::makeHead() {
                            tr("the session frame by frame (Alt+2)"), tr("against another session (Alt+3)")};
   for (int i = 0; i < 3; ++i) {
     auto* button = new QPushButton(names[i], bar);
-    button->setObjectName("step");
+    button->setObjectName("tool");
     button->setCheckable(true);
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::ALT + Qt::Key_1 + i));
@@ -64,8 +64,9 @@ QWidget* ReviewWorkspace::makeHead() {
     row->addWidget(button);
   }
   row->addStretch(1);
-  meps_ = new QPushButton(tr("Import MEPs\u2026"), bar);
-  meps_->setToolTip(tr("from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
+  meps_ = new QPushButton(tr("MEPs\u2026"), bar);
+  meps_->setToolTip(
+      tr("import from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
   with_name_ = new QCheckBox(tr("with label"), bar);
   with_name_->setToolTip(tr("adds the case's label, which may be the patient's name, to the report"));
   report_ = new QPushButton(tr("Report"), bar);

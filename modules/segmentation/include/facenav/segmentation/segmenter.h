@@ -37,8 +37,13 @@ class Segmenter {
 std::unique_ptr<Segmenter> makeHeadSegmenter();
 /// "bet": a deformable surface after Smith 2002, adapted to heads with a long neck.
 std::unique_ptr<Segmenter> makeBetSegmenter();
-/// "brain", the default: BET's surface, then bias field and tissue classes, then grey and white matter with
-/// closed sulci, separated from dura, eyes and neck. T1 MR.
+/// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
+/// the learned prior, where both agree; else, and in any other contrast of MR, the prior's outline fitted to
+/// the scan (a warning says so). Without the prior's weights: growth from BET's surface alone.
 std::unique_ptr<Segmenter> makeBrainSegmenter();
+
+/// "prior": the learned brain prior's outline (Data/brain_prior), fitted to the scan; any contrast of MR.
+/// Throws Error also where the weights are missing or damaged.
+std::unique_ptr<Segmenter> makePriorSegmenter();
 
 }  // namespace facenav::segmentation

@@ -1,0 +1,85 @@
+#pragma once
+// PriorUse: how the learned brain prior (Data/brain_prior) is refined by the scan's own intensities, and how
+// far it bounds the growth of brain_growth.h.
+
+#include "facenav/core/setting.h"
+
+namespace facenav::segmentation {
+
+struct PriorUse {
+  static constexpr const char* kModule = "segmentation";
+  static constexpr const char* kSubject = "brain prior";
+
+  double search_mm = 2;
+  double core_mm = 6;
+  double least_agreement = 0.955;
+  double band_mm = 5;
+  double sample_mm = 8;
+  double lattice_mm = 10;
+  int lattice_smoothings = 2;
+  double evidence = 3;
+  int evidence_smoothings = 2;
+  int rounds = 2;
+  double sulcus_mm = 2;
+  double smooth_mm = 1.5;
+  double doubt_base_mm = 0.2;
+  double doubt_width = 0.15;
+  double doubt_moved = 0.3;
+  double doubt_other_contrast = 1.6;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(kHeads("prior_search_mm", 0, 30, "mm",
+                   "tissue is grown at most this far outside the prior's outline"),
+            self.search_mm);
+    visitor(kHeads("prior_core_mm", 0, 30, "mm", "what lies this deep within the prior's outline is brain"),
+            self.core_mm);
+    visitor(kHeads("prior_least_agreement", 0, 1, "1",
+                   "Dice of growth and refined prior below which the refined prior is taken"),
+            self.least_agreement);
+    visitor(kHeads("prior_band_mm", 0, 20, "mm",
+                   "the scan's intensities move the prior's outline at most this far"),
+            self.band_mm);
+    visitor(kHeads("prior_sample_mm", 1, 30, "mm",
+                   "this far on either side of the outline intensities are compared"),
+            self.sample_mm);
+    visitor(kHeads("prior_lattice_mm", 4, 40, "mm", "distance of the places where they are compared"),
+            self.lattice_mm);
+    visitor(kHeads("prior_lattice_smoothings", 0, 10, "1", "how often neighbouring places are averaged"),
+            self.lattice_smoothings);
+    visitor(kHeads("prior_evidence", 0, 5, "1", "weight of the intensities against the prior"),
+            self.evidence);
+    visitor(
+        kHeads("prior_evidence_smoothings", 0, 20, "1", "how often the evidence of neighbours is averaged"),
+        self.evidence_smoothings);
+    visitor(kHeads("prior_rounds", 0, 5, "1", "how often intensities are compared anew"), self.rounds);
+    visitor(kHeads("prior_sulcus_mm", 0, 10, "mm", "sulci up to twice this wide are closed"), self.sulcus_mm);
+    visitor(kHeads("prior_smooth_mm", 0, 5, "mm", "spikes thinner than twice this are cut"), self.smooth_mm);
+    visitDoubt(self, visitor);
+  }
+
+ private:
+  template <class Self, class Visitor>
+  static void visitDoubt(Self& self, Visitor&& visitor) {
+    visitor(kDoubts("doubt_base_mm", 0, 5, "mm", "stated doubt of the refined outline, least"),
+            self.doubt_base_mm);
+    visitor(
+        kDoubts("doubt_width", 0, 5, "1", "stated doubt per distance of the prior's levels 0.25 and 0.75"),
+        self.doubt_width);
+    visitor(kDoubts("doubt_moved", 0, 5, "1", "stated doubt per distance that the scan moved the outline"),
+            self.doubt_moved);
+    visitor(kDoubts("doubt_other_contrast", 1, 10, "1", "stated doubt, times this where the scan is no T1"),
+            self.doubt_other_contrast);
+  }
+
+  static constexpr Evidence kHeads{
+      Origin::fitted,
+      "on nine synthetic heads of the anatomy that the network learned from (T1: 03 04 09 14 20, any "
+      "contrast: 06 11 15 "
+      "18), Colin27 and one whole head, a few values tried of each; heads 02 07 12 17 held out"};
+  static constexpr Evidence kDoubts{Origin::chosen,
+                                    "so that about as many places are stated within 2 mm as are, on the same "
+                                    "heads; heads 02 07 12 17 held out"};
+};
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,20 @@
+#pragma once
+// Which contrast a scan shows, by the brain within a first mask: in a T1 the white matter, which lies deeper
+// than the cortex, is brighter than it, and fluid is the darkest.
+
+#include "facenav/volume/volume.h"
+
+namespace facenav::segmentation {
+
+struct ContrastSeen {
+  double deep_to_rim = 1;   // median value deep in the brain per that of its rim, shading taken off
+  double fluid_to_rim = 1;  // of the fluid around it
+  bool isLikeT1() const;
+  bool isInverted() const;  // white matter is darker than grey: no T1
+};
+
+/// `coarse`: RAS, voxels of about 2 mm, air 0; `brain`, `fluid`: probabilities on its grid.
+ContrastSeen contrastSeen(const volume::Volume& coarse, const volume::Volume& brain,
+                          const volume::Volume& fluid);
+
+}  // namespace facenav::segmentation

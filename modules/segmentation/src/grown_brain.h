@@ -1,0 +1,38 @@
+#pragma once
+// The brain grown downhill from white matter within a first mask (brain_refinement.h), in a T1: bias off,
+// brought to one sharpness, noise calmed, tissue classes. The first mask is BET's surface or the learned
+// prior's outline.
+
+#include "bet_surface.h"
+#include "brain_tissue.h"
+#include "facenav/core/task_monitor.h"
+#include "facenav/segmentation/brain_growth.h"
+#include "facenav/segmentation/segmenter.h"
+
+namespace facenav::segmentation {
+
+struct GrowthStart {
+  volume::Volume working;  // bias taken off roughly
+  BetSphere sphere;        // the brain's place and size
+  TissueModel rough;
+  volume::Mask first;    // on a part of the working grid
+  double search_mm = 8;  // tissue is sought this far outside `first`
+  double core_mm = 4;    // this deep in `first` there is nothing but brain
+};
+
+/// BET's surface, from the head's top and girth. `working`: see workingVolume. Throws Error "no brain can be
+/// modelled: ...", Cancelled.
+GrowthStart startFromHead(const volume::Volume& working, TaskMonitor& monitor);
+/// `outline`: of the learned prior, on a part of the working grid.
+GrowthStart startFromOutline(const volume::Volume& working, const volume::Mask& outline, double search_mm);
+
+struct GrownBrain {
+  volume::Mask mask;  // on a part of the working grid
+  std::vector<BoundaryDoubt> doubts;
+};
+/// `scan`: the grid of the scan, whose voxel size tells its sharpness. Throws Error "no brain can be
+/// modelled:
+/// ..." where grey and white matter do not differ.
+GrownBrain growBrain(const GrowthStart& start, const volume::VoxelGrid& scan, TaskMonitor& monitor);
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,28 @@
+#pragma once
+// The learned brain prior of a scan of any contrast: how probable brain (tissue with closed sulci) is at each
+// place. The network sees a window of 192 x 224 x 192 mm. Windows side by side cover the scan; the one that
+// holds most brain is moved until the brain is in its middle, whatever neck, shoulders or air the scan holds.
+
+#include <optional>
+
+#include "prior/prior_network.h"
+
+namespace facenav::segmentation {
+
+struct BrainPrior {
+  volume::Volume brain, fluid;  // 0..1, RAS grid of 2 mm, the last window's extent
+  volume::Mask mask() const;    // 0.5 and more, in one piece, without holes
+};
+
+/// `working`: RAS, voxels of 1 mm, air about 0. Nothing where the network sees less brain than an infant's.
+std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const volume::Volume& working);
+
+/// Data/brain_prior/weights.fnbp, read once in a process; null where the file is missing or damaged.
+/// FACENAV_DATA names another Data folder.
+struct InstalledPrior {
+  std::optional<PriorNetwork> network;
+  std::string fault;  // why there is none
+};
+const InstalledPrior& installedPrior();
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,77 @@
+#include "prior/prior_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/volume/mask_morphology.h"
+#include "facenav/volume/regrid.h"
+#include "facenav/volume/smoothing.h"
+#include "prior/local_evidence.h"
+
+namespace facenav::segmentation {
+namespace {
+
+using volume::Mask;
+using volume::Volume;
+
+constexpr double kMargin_mm = 14;
+constexpr float kMostLogit = 6;
+
+Mask whole(const Mask& brain, const PriorUse& use) {
+  const Mask closed = fillHoles(close(brain, use.sulcus_mm));
+  return largestPart(open(closed, use.smooth_mm));
+}
+
+constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
+
+/// How far apart the levels 0.25 and 0.75 of the prior lie, and how far the scan moved its outline.
+std::vector<BoundaryDoubt> doubtsOf(const RefinedPrior& refined, const Volume& probability,
+                                    const PriorUse& use) {
+  const std::vector<float> moved_mm = volume::distanceTo(volume::surfaceVoxels(refined.outline));
+  const auto away = [&](float level) {
+    Mask mask{probability.grid, std::vector<std::uint8_t>(probability.voxels.size())};
+    for (std::size_t v = 0; v < mask.voxels.size(); ++v) mask.voxels[v] = probability.voxels[v] >= level;
+    return volume::distanceTo(volume::surfaceVoxels(volume::largestPart(mask)));
+  };
+  const std::vector<float> wide_mm = away(0.25f), narrow_mm = away(0.75f);
+  const Mask surface = volume::surfaceVoxels(refined.mask);
+  std::vector<BoundaryDoubt> doubts;
+  std::size_t v = 0;
+  for (int k = 0; k < surface.grid.size[2]; ++k)
+    for (int j = 0; j < surface.grid.size[1]; ++j)
+      for (int i = 0; i < surface.grid.size[0]; ++i, ++v)
+        if (surface.voxels[v] && (i + j + k) % kDoubtStep == 0)
+          doubts.push_back({surface.grid.toMri({double(i), double(j), double(k)}),
+                            float(use.doubt_base_mm + use.doubt_width * (wide_mm[v] + narrow_mm[v]) +
+                                  use.doubt_moved * moved_mm[v])});
+  return doubts;
+}
+
+float logit(float p) { return std::clamp(std::log((p + 1e-6f) / (1 - p + 1e-6f)), -kMostLogit, kMostLogit); }
+
+}  // namespace
+
+RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
+  const volume::VoxelGrid grid =
+      volume::gridAround(prior.mask(), working.grid.spacing_mm().mean(), kMargin_mm);
+  const Volume image = volume::smoothed(volume::resample(working, grid));
+  const Volume probability = volume::resample(prior.brain, grid);
+  RefinedPrior refined;
+  refined.outline = {grid, std::vector<std::uint8_t>(grid.count())};
+  for (std::size_t v = 0; v < grid.count(); ++v) refined.outline.voxels[v] = probability.voxels[v] >= 0.5f;
+  refined.outline = fillHoles(largestPart(refined.outline));
+  const std::vector<float> from_outline = depthBelow(refined.outline);
+  refined.mask = refined.outline;
+  for (int round = 0; round < use.rounds; ++round) {
+    const Volume evidence = localEvidence(image, round ? depthBelow(refined.mask) : from_outline, use);
+    Mask next = refined.outline;
+    for (std::size_t v = 0; v < next.voxels.size(); ++v)
+      if (std::abs(from_outline[v]) < use.band_mm)
+        next.voxels[v] = logit(probability.voxels[v]) + float(use.evidence) * evidence.voxels[v] > 0;
+    refined.mask = whole(next, use);
+  }
+  refined.doubts = doubtsOf(refined, probability, use);
+  return refined;
+}
+
+}  // namespace facenav::segmentation

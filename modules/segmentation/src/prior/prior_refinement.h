@@ -1,0 +1,19 @@
+#pragma once
+// The learned prior's outline, moved within a narrow band to where the scan's own intensities change.
+
+#include "facenav/segmentation/prior_use.h"
+#include "facenav/segmentation/segmenter.h"
+#include "prior/brain_prior.h"
+
+namespace facenav::segmentation {
+
+struct RefinedPrior {
+  volume::Mask outline;               // the prior's own, on the grid of `mask`
+  volume::Mask mask;                  // refined
+  std::vector<BoundaryDoubt> doubts;  // of its surface
+};
+
+/// On the part of the grid of `working` that holds the brain.
+RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
+
+}  // namespace facenav::segmentation
