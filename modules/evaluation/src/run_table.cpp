@@ -124,19 +124,18 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
   std::ostringstream csv;
   csv.imbue(std::locale::classic());
   csv.precision(6);
-  csv << "scenario,from,must_be_refused,head,rig,seed,failure";
+  csv << "scenario,head,rig,seed,failure";
   for (const auto& [name, ignored] : figuresOf(RunRecord{})) csv << ',' << name;
-  csv << '\n';
+  csv << ",from,must_be_refused\n";
   for (const RunRecord& run : runs) {
     const std::string failure = run.failure.empty() && run.alignment ? run.alignment->refusal : run.failure;
-    csv << quotedIfNeeded(run.scenario) << ',' << run.from << ',' << (run.must_be_refused ? "1" : "") << ','
-        << quoted(run.head) << ',' << quoted(run.rig) << ',' << run.seed << ','
-        << (failure.empty() ? "" : quoted(failure));
+    csv << quotedIfNeeded(run.scenario) << ',' << quoted(run.head) << ',' << quoted(run.rig) << ','
+        << run.seed << ',' << (failure.empty() ? "" : quoted(failure));
     for (const auto& [ignored, value] : figuresOf(run)) {
       csv << ',';
       if (std::isfinite(value)) csv << value;
     }
-    csv << '\n';
+    csv << ',' << run.from << ',' << (run.must_be_refused ? "1" : "") << '\n';
   }
   return csv.str();
 }

@@ -196,6 +196,21 @@ TEST_F(MisledAlignment, IsMeasuredByTheMatcherAskedFor) {
   EXPECT_NE(by_ssd.result.points, by_field.result.points);
 }
 
+TEST_F(MisledAlignment, SaysThatTheProjectorWasOff) {
+  testing::SceneOptions off;
+  off.dots_grey = 0;
+  aligner.enough = 1000000;
+  const auto pictures = testing::Scene(testing::sphere({60, 0, 680}, 85), off).render(rig);
+  TaskMonitor monitor;
+  try {
+    alignFromCapture(rig, {pictures, pictures}, AlignedFrom::dots, {scalp, aligner, detector, {}}, monitor);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("shows none (switch the projector on"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(MisledAlignment, GivesTheFirstReasonWhereNothingIsFoundEither) {
   aligner.enough = 1000000;
   try {

@@ -29,8 +29,9 @@ struct SharedError {
       Origin::fitted,
       "on clouds of one real face without dots, five moments, each by two pairs of real cameras: product of "
       "the differences at 16 to 64 mm from each other, and root mean square of their means (-0.76, -0.16, "
-      "-0.11, -0.09, -0.11 mm, 0.72 mm stated); taken to hold with dots and for films too; judged by "
-      "evaluate's plain_align"};
+      "-0.11, -0.09, -0.11 mm, 0.72 mm stated); no other head was used; taken to hold with dots and for "
+      "films "
+      "too; to be judged by evaluate's plain_align"};
 };
 
 }  // namespace facenav::stereo
