@@ -82,6 +82,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
     json["face_scale_sigma"] = alignment.face_scale->sigma;
   }
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
+  if (alignment.from) json["from"] = *alignment.from;
   if (alignment.matcher) json["matcher"] = *alignment.matcher;
   if (!alignment.settings.empty()) json["settings"] = alignment.settings;
   writeWholeFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
@@ -108,6 +109,7 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
         registration::FaceScale{atLeastZero(json.at("face_scale")), atLeastZero(json.at("face_scale_sigma"))};
   if (json.has("cautions"))
     for (const auto& words : json.at("cautions").elements()) alignment.cautions.push_back(words.text());
+  if (json.has("from")) alignment.from = json.at("from").text();
   if (json.has("matcher")) alignment.matcher = json.at("matcher").text();
   return alignment;
 }

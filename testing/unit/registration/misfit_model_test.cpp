@@ -125,6 +125,34 @@ TEST(MisfitModel, TheBoundGrowsAsLessOfTheFaceIsSeen) {
   }
 }
 
+/// A face that a far camera sees too near by one amount all over is a face moved by that amount.
+TEST(MisfitModel, AnErrorOfTheCloudThatAllOfItSharesIsAShiftAlongTheView) {
+  constexpr double kSigma_mm = 0.4;
+  const Eigen::Vector3d view = Eigen::Vector3d(0.2, 1.0, -0.1).normalized();
+  auto patches = face();
+  std::mt19937 random(3);
+  addField(patches, 0.2, 25, 1, random);
+  const SeenFrom far{kPivot + 1e7 * view, {kSigma_mm, 1e6}};
+  const auto without = posteriorOf(patches, kRegions, kPivot, MisfitPrior());
+  const auto with = posteriorOf(patches, kRegions, kPivot, MisfitPrior(), far);
+  const Matrix6d added = with.covariance - without.covariance;
+  const Eigen::Matrix3d shift = added.bottomRightCorner<3, 3>(), turn = added.topLeftCorner<3, 3>();
+  EXPECT_NEAR(view.dot(shift * view), kSigma_mm * kSigma_mm, 1e-4);
+  EXPECT_NEAR(shift.trace(), kSigma_mm * kSigma_mm, 1e-4);
+  EXPECT_LT(std::sqrt(turn.trace()), 1e-5);
+  EXPECT_EQ((with.error - without.error).norm(), 0.0) << "the pose itself does not follow it";
+}
+
+TEST(MisfitModel, AnErrorThatNeighboursShareIsCounted) {
+  auto patches = face();
+  const auto bound = [&](double sigma_mm, double reach_mm) {
+    return bound_mm(posteriorOf(patches, kRegions, kPivot, MisfitPrior(),
+                                {kPivot + Eigen::Vector3d(0, 600, 0), {sigma_mm, reach_mm}}));
+  };
+  EXPECT_GT(bound(0.3, 40), 1.2 * bound(0.0, 40));
+  EXPECT_GT(bound(0.3, 40), bound(0.3, 10)) << "what fewer share averages out";
+}
+
 TEST(MisfitModel, TheBoundAndTheFieldGrowWithTheMisfit) {
   const auto of = [](double size_mm) {
     std::mt19937 random(4);
