@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/session_commands.h"
 #include "facenav/core/error.h"
+#include "facenav/workflow/session_return.h"
 #include "facenav/workflow/track_recording.h"
 #include "facenav/workflow/treat_recording.h"
 
@@ -17,7 +19,20 @@ struct Treated {
   std::vector<std::string> sources;
   std::string target, by, reason;
   std::optional<double> intensity_pct;
+  bool goes_on = false, has_commands = false;
+  std::string session;
+  double speed = 1;
+  int passes = 1;
 };
+
+/// A session that was cut off is not forgotten in silence.
+void noteInterrupted(const std::filesystem::path& case_folder, const Treated& treated,
+                     const Context& context) {
+  if (treated.goes_on || context.is_quiet) return;
+  if (const auto session = workflow::interruptedSession(case_folder))
+    std::fprintf(stderr, "note: %s; --continue goes on with it\n",
+                 workflow::inWords(*session, workflow::plannedPulses(case_folder, session->target)).c_str());
+}
 
 void treat(const workflow::TrackRequest& track, const Treated& treated, const std::filesystem::path& output,
            Context& context) {
@@ -26,14 +41,43 @@ void treat(const workflow::TrackRequest& track, const Treated& treated, const st
       track.recording,    *track.case_folder, track.coil_file, track.aligner,         track.head_tracker,
       track.coil_tracker, treated.target,     treated.sources, treated.intensity_pct, {}};
   if (!treated.reason.empty()) request.override = {treated.by, treated.reason};
+  request.goes_on = treated.goes_on;
+  request.session = treated.session;
+  request.speed = treated.speed;
+  request.passes = treated.passes;
+  SessionCommands commands;
+  if (treated.has_commands)
+    request.look = [&commands](workflow::Treatment& treatment) { return commands.look(treatment); };
+  noteInterrupted(*track.case_folder, treated, context);
   const auto outcome = workflow::treatRecording(context.registrations, request, context.monitor);
   casefile::writePoses(casefile::readPoses(outcome.session / "poses.csv"), output);
-  if (context.is_quiet) return;
+  if (context.is_quiet || treated.has_commands) return;
   const auto& pulses = outcome.pulses;
   std::printf("session %s: %d pulses on target, %d outside, %d with head or coil lost\n",
               outcome.session.filename().c_str(), pulses.on_target, pulses.outside, pulses.lost);
   std::printf("%d frames; %.1f ms a frame (median), %.1f ms (p99)\n", outcome.frames,
               outcome.processing_ms_median, outcome.processing_ms_p99);
+}
+
+void addSessionOptions(CLI::App& verb, Treated& treated) {
+  auto* goes_on = verb.add_flag("--continue", treated.goes_on,
+                                "with --pulses: goes on with the case's newest session, on the case's own "
+                                "alignment, which is checked first; pulses are counted on");
+  verb.add_option("--session", treated.session, "with --continue: another session, or how its name begins")
+      ->needs(goes_on);
+  verb.add_flag(
+      "--commands", treated.has_commands,
+      "with --pulses: takes commands on standard input, and tells each pulse that is on the disk as "
+      "a line of JSON: " +
+          sessionCommandWords());
+  verb.add_option("--speed", treated.speed, "with --pulses: plays slower or faster than it was")
+      ->check(CLI::Range(0.05, 20.0))
+      ->capture_default_str();
+  verb.add_option(
+          "--passes", treated.passes,
+          "with --pulses: plays so often, forwards and backwards in turn (a rehearsal); 0: without end")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -74,6 +118,7 @@ void addTrack(CLI::App& app, Context& context) {
   auto* by = verb->add_option("--by", treated->by, "who overrides a missing sign-off");
   verb->add_option("--override", treated->reason, "with --pulses: treats a case without a sign-off; why")
       ->needs(by);
+  addSessionOptions(*verb, *treated);
   verb->callback([&context, request, output, treated] {
     if (!treated->sources.empty()) return treat(*request, *treated, *output, context);
     const auto outcome = workflow::trackRecording(context.registrations, *request, context.monitor);

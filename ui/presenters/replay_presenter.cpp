@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "facenav/casefile/evidence.h"
 #include "facenav/core/error.h"
 
 namespace facenav::ui {
@@ -28,6 +29,7 @@ ReplayPresenter::ReplayPresenter(ReviewPresenter& review, CaseModel& model, QObj
     if (std::exchange(session_folder_, folder) != folder) close();
     if (isOpen()) placePulses();
   });
+  connect(&review_, &ReviewPresenter::markedChanged, this, &ReplayPresenter::goToMarked);
   connect(&reader_, &TaskRunner::failed, this, [this](const QString& words) {
     if (folder_ != being_read_) return folder_.isEmpty() ? void() : read(folder_);
     problem_ = words;
@@ -85,9 +87,26 @@ void ReplayPresenter::read(const QString& folder) {
       placePulses();
       emit opened();
       goTo(0);
+      goToMarked();
     };
   });
   emit opened();
+}
+
+/// The frame whose pictures were kept with the pulse; else the one before the pulse.
+void ReplayPresenter::goToMarked() {
+  const auto session = folder_ == session_folder_ ? review_.session() : nullptr;
+  if (!isOpen() || !session || review_.marked() == 0) return;
+  for (const auto& reviewed : session->kept.pulses.pulses) {
+    const auto& pulse = reviewed.pulse;
+    if (pulse.number != review_.marked() || !pulse.t_s) continue;
+    pause();
+    const auto frame = casefile::evidenceFrame(session->kept.folder, pulse);
+    const int before = int(track().at(*pulse.t_s));
+    const bool is_next = frame && before + 1 < int(track().moments.size()) &&
+                         track().moments[std::size_t(before) + 1].frame == *frame;
+    return goTo(is_next ? before + 1 : before);
+  }
 }
 
 void ReplayPresenter::placePulses() {

@@ -75,6 +75,7 @@ class ReplayPresenter : public QObject {
   void readPicture();
   void advance();
   void placePulses();
+  void goToMarked();
 
   ReviewPresenter& review_;
   CaseModel& model_;

@@ -51,6 +51,14 @@ double quantileOf(const std::vector<double>& probabilities, double share) {
   return kHighestCell_pct;
 }
 
+/// The posterior is too sure: it takes the spread of the response curve as known, which differs from person
+/// to person. Its 95 % interval is widened about the median.
+std::array<double, 2> widened(const std::vector<double>& probabilities, double factor) {
+  const double middle = quantileOf(probabilities, 0.5);
+  return {std::max(0.0, middle + factor * (quantileOf(probabilities, kTail) - middle)),
+          middle + factor * (quantileOf(probabilities, 1 - kTail) - middle)};
+}
+
 }  // namespace
 
 ThresholdState bayesAfter(const std::vector<ThresholdAnswer>& answers, const ThresholdRules& rules) {
@@ -58,7 +66,7 @@ ThresholdState bayesAfter(const std::vector<ThresholdAnswer>& answers, const Thr
   ThresholdState state;
   const double mean = meanOf(probabilities);
   state.estimate_pct = mean;
-  state.interval_pct = {quantileOf(probabilities, kTail), quantileOf(probabilities, 1 - kTail)};
+  state.interval_pct = widened(probabilities, rules.interval_widening);
   const double width = (*state.interval_pct)[1] - (*state.interval_pct)[0];
   const bool is_done = int(answers.size()) >= rules.most_pulses || width <= rules.stop_width_pct;
   if (!is_done) state.next_pct = std::clamp(std::round(mean), 1.0, kFullOutput_pct);

@@ -1,5 +1,6 @@
 #include "facenav/workflow/settings.h"
 
+#include "facenav/casefile/evidence.h"
 #include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/guidance/coil_plate.h"
@@ -10,6 +11,7 @@
 #include "facenav/head_tracking/skin_field_model.h"
 #include "facenav/head_tracking/step_limits.h"
 #include "facenav/links/pulse_dead_times.h"
+#include "facenav/monitoring/registration_check.h"
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
@@ -17,6 +19,7 @@
 #include "facenav/stereo/shared_error.h"
 #include "facenav/stimulation/threshold_rules.h"
 #include "facenav/workflow/mep_import.h"
+#include "facenav/workflow/session_return.h"
 
 namespace facenav::workflow {
 namespace {
@@ -31,7 +34,8 @@ using All = Groups<segmentation::BrainGrowth, segmentation::PriorUse, registrati
                    registration::MisfitPrior, stereo::SharedError, head_tracking::SkinDetailLimits,
                    head_tracking::IdentityModel, head_tracking::SkinFieldModel, head_tracking::StepLimits,
                    FrameBudget, head_tracking::SearchBudget, guidance::PlateRest, stimulation::ThresholdRules,
-                   links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits>;
+                   links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits, casefile::EvidenceRules,
+                   monitoring::RegistrationCheckRules, ReturnRules>;
 
 }  // namespace
 

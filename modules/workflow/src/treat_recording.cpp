@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <thread>
 
+#include "facenav/capture/swinging_source.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/workflow/align_case.h"
+#include "facenav/workflow/session_return.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
 
@@ -22,32 +24,42 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
     casefile::recordOverride(store, request.override->by, request.override->reason, softwareVersion());
   requireSignOff(store, request.override.has_value());
   auto film = openTreatmentFilm(request.recording);
+  std::filesystem::path goes_on;
+  if (request.goes_on) {  // the face as it was at the alignment of that session, not as it is now
+    goes_on = sessionToGoOnWith(request.case_folder, request.session).folder;
+    film.recording.capture.reset();
+  }
   if (request.coil_file) film.coil = coil_tracking::readCoil(*request.coil_file);
   AlignOrder order{request.aligner};
   order.stored_pair_stands_in = true;
   const auto alignment = std::make_shared<AlignmentOutcome>(
       alignRecording(methods, store, film.recording, order, monitor).outcome);
-  return {store, film.recording, false, film.coil, alignment, request.override};
+  return {store, film.recording, false, film.coil, alignment, request.override, goes_on, request.speed};
 }
 
 TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingRequest& request,
                            const capture::Recording& recording) {
-  return {[&methods, request](const session::NavigatorSetup& setup) {
-            return std::make_unique<session::Navigator>(setup,
-                                                        methods.head_trackers.create(request.head_tracker),
-                                                        methods.coil_trackers.create(request.coil_tracker));
-          },
-          [recording] { return capture::makeSource(recording); }};
+  return {
+      [&methods, request](const session::NavigatorSetup& setup) {
+        return std::make_unique<session::Navigator>(setup, methods.head_trackers.create(request.head_tracker),
+                                                    methods.coil_trackers.create(request.coil_tracker));
+      },
+      [recording, passes = request.passes] {
+        return passes == 1 ? capture::makeSource(recording) : capture::makeSwingingSource(recording, passes);
+      }};
 }
 
-std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment, const std::string& name) {
+/// Of a session that goes on, the target that it had.
+std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment, std::string name) {
   const auto plan = treatment.store.targets();
+  if (name.empty() && !treatment.goes_on.empty()) name = casefile::sessionSoFar(treatment.goes_on).target;
   if (name.empty() && plan.targets.empty()) return std::nullopt;
   return chosenTarget(name.empty() ? plan.targets.front() : plan.find(name), treatment.alignment.get());
 }
 
 /// Until the recording's end; the time that each frame took.
-std::vector<double> follow(const Treatment& treatment, std::int64_t frames, TaskMonitor& monitor) {
+std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
+                           TaskMonitor& monitor) {
   std::vector<double> processing_ms;
   std::int64_t last = -1;
   while (!treatment.session().hasEnded()) {
@@ -56,8 +68,10 @@ std::vector<double> follow(const Treatment& treatment, std::int64_t frames, Task
       last = state->frame;
       processing_ms.push_back(state->processing_ms);
     }
+    if (request.look && !request.look(treatment)) break;
     try {
-      monitor.report("treating", double(last + 1) / double(std::max<std::int64_t>(1, frames)));
+      const double all = double(std::max<std::int64_t>(1, frames)) * std::max(1, request.passes);
+      monitor.report("treating", std::min(1.0, double(last + 1) / all));
     } catch (const Cancelled&) {  // the session ends as it should, with all that was logged
       break;
     }
@@ -78,14 +92,17 @@ TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRe
   treatment.setIntensity(request.intensity_pct);
   for (auto& source : sources) treatment.listen(std::move(source));
   TreatRecordingOutcome outcome;
-  const auto processing_ms = follow(treatment, wanted.recording.frame_count, monitor);
+  const auto processing_ms = follow(treatment, request, wanted.recording.frame_count, monitor);
   while (treatment.log().pulsesWaiting() > 0 && treatment.log().failure().empty())
     std::this_thread::sleep_for(kLook);
+  if (request.look) request.look(treatment);  // the last pulses
   outcome.session = treatment.log().folder();
   outcome.pulses = treatment.log().counts();
   outcome.frames = int(processing_ms.size());
-  outcome.processing_ms_median = median(processing_ms);
-  outcome.processing_ms_p99 = valueAtRank(processing_ms, std::size_t(0.99 * double(processing_ms.size())));
+  if (!processing_ms.empty()) {
+    outcome.processing_ms_median = median(processing_ms);
+    outcome.processing_ms_p99 = valueAtRank(processing_ms, std::size_t(0.99 * double(processing_ms.size())));
+  }
   treatment.end();
   treatment.keepReport();
   return outcome;

@@ -1,9 +1,11 @@
 #include "facenav/workflow/treatment.h"
 
 #include "facenav/casefile/face_looks.h"
+#include "facenav/casefile/session_so_far.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/workflow/session_report.h"
 #include "facenav/workflow/sign_off_gate.h"
 
@@ -90,13 +92,19 @@ session::ChosenTarget chosenTarget(const guidance::Target& target, const Alignme
 }
 
 Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
-    : case_folder_(prepared.request.store.folder()) {
+    : case_folder_(prepared.request.store.folder()), alignment_(prepared.request.alignment) {
   prepared.navigator->setTarget(target);
   session::SessionOptions options;
   options.is_paced = !prepared.request.is_live;
+  options.speed = prepared.request.speed;
+  const auto rig = prepared.request.recording.rig;
   session_ =
       std::make_shared<session::Session>(std::move(prepared.source), std::move(prepared.navigator), options);
-  log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, prepared.request.alignment->scalp);
+  const auto& goes_on = prepared.request.goes_on;
+  if (!goes_on.empty()) is_paused_ = casefile::sessionSoFar(goes_on).is_paused;
+  log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp,
+                                                 session::TreatmentLogOptions{rig, goes_on});
+  if (!goes_on.empty()) session_->checkRegistration(true);
   session_folder_ = log_->folder();
   logStart(*log_, prepared.request, target ? &target->target : nullptr);
   protocol_ = protocolFor(case_folder_, *log_);
@@ -126,8 +134,15 @@ void Treatment::listen(std::unique_ptr<links::PulseSource> source) {
 /// The target's own dose wins.
 void Treatment::plan(const guidance::Target* target) {
   planned_pulses_.reset();
-  if (protocol_) planned_pulses_ = protocol_->dose.pulses;
-  if (target && target->dose) planned_pulses_ = target->dose->pulses;
+  auto plan = protocol_;
+  if (target && target->dose) plan = casefile::Protocol{target->name, 1, *target->dose, {}, {}};
+  if (!plan) return;
+  planned_pulses_ = plan->dose.pulses;
+  try {  // the session's own copy: the report compares with what was planned then
+    casefile::writeProtocol(*plan, session_folder_ / "protocol.json", FileAccess::owner_only);
+  } catch (const Error& error) {
+    log_->addEvent("protocol", std::string("its copy is not kept: ") + error.what());
+  }
 }
 
 void Treatment::stopListening() {
@@ -158,6 +173,23 @@ void Treatment::chooseTarget(const std::optional<session::ChosenTarget>& target,
   session_->setTarget(target);
   log_->addEvent("target", name);
   plan(target ? &target->target : nullptr);
+}
+
+void Treatment::chooseTargetNamed(const std::string& name) {
+  const auto target = casefile::CaseStore::open(case_folder_).targets().find(name);
+  chooseTarget(chosenTarget(target, alignment_.get()), name);
+}
+
+void Treatment::checkRegistration() { session_->checkRegistration(); }
+
+/// A check that could not measure enough is still asked for.
+bool Treatment::isCheckDue() {
+  const auto finding = session_->latest()->check;
+  if (finding && finding->number != last_check_) {
+    last_check_ = finding->number;
+    if (finding->measurements > 0) checked_ = Timestamp::now();
+  }
+  return Timestamp::now() - checked_ > 60 * settingsOf<monitoring::RegistrationCheckRules>().ask_after_min;
 }
 
 void Treatment::end() {

@@ -242,5 +242,49 @@ TEST(Navigator, AFrameOfAnotherSizeIsACameraFault) {
   EXPECT_FALSE(state.camera_T_coil);
 }
 
+/// After three seconds of frames: a check is done by then.
+NavigationState checkedState(Navigator& navigator, std::int64_t& n) {
+  NavigationState state;
+  for (int i = 0; i < 30; ++i, ++n) state = navigator.process(fakes::frame(n, 0.1 * double(n)));
+  return state;
+}
+
+TEST(Navigator, AFailedCheckWithholdsTheHeadUntilOnePasses) {
+  auto verdict = monitoring::DriftFinding::Verdict::agrees;
+  Navigator navigator(fakes::setup(), std::make_unique<fakes::Head>([](std::int64_t) {
+                        return std::optional(RigidTransform<Camera, Head>());
+                      }),
+                      std::make_unique<fakes::Coil>(std::nullopt));
+  EXPECT_FALSE(navigator.checkRegistration()) << "no scalp to check against";
+  navigator.setCheck(std::make_unique<monitoring::RegistrationCheck>(
+      [&](const auto&, const auto&) {
+        monitoring::DriftFinding finding;
+        finding.verdict = verdict;
+        finding.shift_mm = 3.1;
+        return finding;
+      },
+      monitoring::DriftWatchdog::Mode::in_line));
+  std::int64_t n = 0;
+  ASSERT_TRUE(navigator.checkRegistration(true));
+  const auto first = navigator.process(fakes::frame(n++, 0));
+  EXPECT_FALSE(first.camera_T_mri) << "withheld until it is checked";
+  EXPECT_NE(lossInWords(first).find("REGISTRATION NOT CHECKED"), std::string::npos);
+  auto state = checkedState(navigator, n);
+  EXPECT_TRUE(state.camera_T_mri);
+  ASSERT_TRUE(state.check);
+  EXPECT_TRUE(state.check->hasPassed());
+  verdict = monitoring::DriftFinding::Verdict::drifted;
+  ASSERT_TRUE(navigator.checkRegistration());
+  state = checkedState(navigator, n);
+  EXPECT_FALSE(state.camera_T_mri);
+  EXPECT_NE(lossInWords(state).find("REGISTRATION FAILED: the face is 3.1 mm"), std::string::npos);
+  verdict = monitoring::DriftFinding::Verdict::unknown;
+  navigator.checkRegistration();
+  EXPECT_FALSE(checkedState(navigator, n).camera_T_mri) << "unknown clears nothing";
+  verdict = monitoring::DriftFinding::Verdict::agrees;
+  navigator.checkRegistration();
+  EXPECT_TRUE(checkedState(navigator, n).camera_T_mri);
+}
+
 }  // namespace
 }  // namespace facenav::session

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "facenav/casefile/evidence.h"
 #include "facenav/casefile/poses_csv.h"
 #include "facenav/casefile/session_pulses.h"
 #include "session_fakes.h"
@@ -123,6 +124,68 @@ TEST(TreatmentLog, IsRefusedWhereTheCaseCannotBeWritten) {
   const testing::TemporaryFolder folder;
   auto idle = session();
   EXPECT_THROW(TreatmentLog(idle, folder.path() / "nowhere"), Error);
+}
+
+/// A session that is played to its end with one pulse at the key and two by a pedal.
+void playOnce(const std::filesystem::path& case_folder, const std::filesystem::path& goes_on,
+              std::filesystem::path& place) {
+  auto running = session();
+  TreatmentLog log(running, case_folder, nullptr, {fakes::rig(), goes_on});
+  place = log.folder();
+  running->start();
+  while (running->latest()->frame < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  log.addPulse();
+  log.addPulse({"pedal"});
+  while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  log.addPulse({"pedal"});  // after the end: without a frame
+}
+
+TEST(TreatmentLog, ASessionThatGoesOnCountsItsPulsesAndFramesOn) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place, second;
+  playOnce(folder.path(), {}, place);
+  playOnce(folder.path(), place, second);
+  EXPECT_EQ(place, second);
+  const auto pulses = casefile::readSessionPulses(place).pulses;
+  ASSERT_EQ(pulses.size(), 6u);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(pulses[std::size_t(i)].pulse.number, i + 1);
+  ASSERT_TRUE(pulses[3].pulse.frames && pulses[3].pulse.t_s);
+  EXPECT_GE((*pulses[3].pulse.frames)[0], kFrames) << "the second run's frames follow the first one's";
+  EXPECT_GT(*pulses[3].pulse.t_s, 0.02 * kFrames + 1);
+  const auto rows = casefile::readPoses(place / "poses.csv");
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_GE(rows[i].frame, rows[i - 1].frame);
+    EXPECT_GE(rows[i].t_s, rows[i - 1].t_s);
+  }
+  EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("after 3 pulses"));
+}
+
+TEST(TreatmentLog, BothPicturesOfEachPulsesFrameAreKept) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  playOnce(folder.path(), {}, place);
+  playOnce(folder.path(), place, place);
+  int with_pictures = 0;
+  for (const auto& reviewed : casefile::readSessionPulses(place).pulses)
+    with_pictures += casefile::evidenceFrame(place, reviewed.pulse).has_value();
+  EXPECT_EQ(with_pictures, 4) << "two of six pulses came after the last frame";
+}
+
+TEST(TreatmentLog, APictureFolderThatCannotBeMadeIsSaidAndPulsesAreKept) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path(), nullptr, {fakes::rig(), {}});
+    place = log.folder();
+    std::ofstream(casefile::evidenceFolder(place)) << "a file in the folder's place";
+    running->start();
+    while (running->latest()->frame < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    log.addPulse();
+    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_EQ(casefile::readSessionPulses(place).pulses.size(), 1u);
+  EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("pulse pictures"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "appended_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -59,6 +60,11 @@ void AppendedFile::sync() {
   if (::fsync(descriptor_) != 0) refuse(std::strerror(errno));
 }
 
+void AppendedFile::lock() {
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    throw Error("another program writes this session", path_.parent_path().string(), "end it there first");
+}
+
 bool AppendedFile::isRemoved() const {
   struct stat status {};
   return ::fstat(descriptor_, &status) == 0 && status.st_nlink == 0;
@@ -82,6 +88,14 @@ void AppendedFile::undoLast() {
 
 void AppendedFile::refuse(const std::string& why) const {
   throw Error("cannot be written (" + why + ")", path_.string(), "check free disk space and permissions");
+}
+
+bool isLocked(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+  ::close(descriptor);
+  return !is_free;
 }
 
 }  // namespace facenav::casefile

@@ -21,6 +21,9 @@ class AppendedFile {
   void append(const std::string& lines);
   /// fsync. Throws Error.
   void sync();
+  /// No other program may lock() it until this one has closed it, or has died. Throws Error if another one
+  /// holds it.
+  void lock();
   /// True if the file was removed: what is written can no longer be found by name.
   bool isRemoved() const;
   /// Everything in it, also after it was removed. Throws Error.
@@ -34,5 +37,8 @@ class AppendedFile {
   int descriptor_ = -1;
   long long size_ = 0, size_before_ = 0;  // bytes of whole lines
 };
+
+/// Another program holds the file's lock(). False where there is no such file.
+bool isLocked(const std::filesystem::path& path);
 
 }  // namespace facenav::casefile

@@ -64,4 +64,24 @@ std::optional<double> readDuration_s(const std::filesystem::path& poses_csv) {
   return *last_s - *first_s;
 }
 
+std::optional<LastFrame> readLastFrame(const std::filesystem::path& poses_csv) {
+  std::ifstream stream(poses_csv);
+  std::string line;
+  if (!std::getline(stream, line)) return std::nullopt;
+  const auto frame_column = columnOf(line, "frame"), t_column = columnOf(line, "t_s");
+  if (!frame_column || !t_column) return std::nullopt;
+  const std::streamoff after_header = stream.tellg();
+  stream.seekg(0, std::ios::end);
+  const std::streamoff tail = std::streamoff(stream.tellg()) - kTail_bytes;
+  stream.seekg(std::max(after_header, tail));
+  if (tail > after_header) std::getline(stream, line);  // it may be a part of a line
+  std::optional<LastFrame> last;
+  while (std::getline(stream, line)) {
+    const auto frame = numberAt(line, *frame_column), t_s = numberAt(line, *t_column);
+    if (stream.eof() || !frame || !t_s) continue;  // cut short
+    if (!last || *frame > double(last->frame)) last = LastFrame{std::int64_t(*frame), *t_s};
+  }
+  return last;
+}
+
 }  // namespace facenav::casefile

@@ -1,6 +1,7 @@
 #pragma once
 // Times of a session from its two tables. They can hold millions of lines, so no table is kept in memory.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -13,5 +14,13 @@ namespace facenav::casefile {
 std::optional<GuidedTime> readGuidedTime(const std::filesystem::path& guidance_csv);
 /// Time from the first to the last frame, s; reads only both ends of the file. Nothing as above.
 std::optional<double> readDuration_s(const std::filesystem::path& poses_csv);
+
+struct LastFrame {
+  std::int64_t frame = 0;
+  double t_s = 0;
+};
+/// The last whole frame of poses.csv; reads only the end of the file. Nothing
+/// as above.
+std::optional<LastFrame> readLastFrame(const std::filesystem::path& poses_csv);
 
 }  // namespace facenav::casefile

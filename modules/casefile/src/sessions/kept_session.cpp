@@ -73,6 +73,13 @@ void addNote(const fs::path& session_folder, const std::string& event, const std
   file.sync();
 }
 
+std::vector<SessionEvent> readSessionEvents(const fs::path& session_folder) {
+  std::vector<SessionEvent> events;
+  std::vector<std::string> ignored;
+  readEvents(session_folder / kEvents, events, ignored);
+  return events;
+}
+
 KeptSession readSession(const fs::path& session_folder) {
   KeptSession session;
   session.folder = session_folder;

@@ -39,9 +39,11 @@ struct PulseFile::Implementation {
   }
 };
 
-PulseFile::PulseFile(const fs::path& session_folder) : implementation_(std::make_unique<Implementation>()) {
+PulseFile::PulseFile(const fs::path& session_folder, Begin begin)
+    : implementation_(std::make_unique<Implementation>()) {
   implementation_->folder = session_folder;
-  implementation_->open(AppendedFile::Start::fresh);
+  implementation_->open(begin == Begin::fresh ? AppendedFile::Start::fresh
+                                              : AppendedFile::Start::old_or_fresh);
 }
 
 PulseFile::~PulseFile() = default;

@@ -27,17 +27,29 @@ fs::path makeSessionFolder(const fs::path& case_folder) {
 }  // namespace
 
 struct SessionLog::Implementation {
-  explicit Implementation(const fs::path& case_folder)
-      : folder(makeSessionFolder(case_folder)),
-        poses(folder / "poses.csv", posesCsvHeader()),
-        guidance(folder / "guidance.csv", guidance::guidanceCsvHeader()),
-        events(folder / "events.jsonl", "") {}
+  Implementation(fs::path session_folder, AppendedFile::Start start)
+      : folder(std::move(session_folder)),
+        events(folder / "events.jsonl", "", start),
+        poses(folder / "poses.csv", posesCsvHeader(), start),
+        guidance(folder / "guidance.csv", guidance::guidanceCsvHeader(), start) {
+    events.lock();
+  }
   fs::path folder;
-  AppendedFile poses, guidance, events;
+  AppendedFile events, poses, guidance;
 };
 
 SessionLog::SessionLog(const fs::path& case_folder)
-    : implementation_(std::make_unique<Implementation>(case_folder)) {
+    : SessionLog(
+          std::make_unique<Implementation>(makeSessionFolder(case_folder), AppendedFile::Start::fresh)) {}
+
+SessionLog SessionLog::goOn(const fs::path& session_folder) {
+  if (!fs::exists(session_folder / "events.jsonl"))
+    throw Error("this is no session", session_folder.string(), "choose one of the case's sessions");
+  return SessionLog(std::make_unique<Implementation>(session_folder, AppendedFile::Start::old_or_fresh));
+}
+
+SessionLog::SessionLog(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {
   for (const std::string& setting : changedSettingsInWords()) addEvent("changed_setting", setting);
 }
 SessionLog::~SessionLog() = default;

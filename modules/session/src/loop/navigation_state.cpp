@@ -93,13 +93,15 @@ NavigationState blanked(const NavigationState& state, LostReason reason) {
 std::string lossWord(const NavigationState& state) {
   if (state.head) return {};
   if (!state.rig_fault.empty()) return toString(state.rig_fault_detail);
-  return state.has_drifted ? "drift" : toString(state.head_detail);
+  if (state.has_drifted) return "drift";
+  return state.withheld.empty() ? toString(state.head_detail) : "not_checked";
 }
 
 std::string lossInWords(const NavigationState& state) {
   if (!state.failure.empty()) return "STOPPED: " + state.failure;
   if (!state.rig_fault.empty()) return detailWords(state.rig_fault_detail);
   if (state.has_drifted) return "DRIFT: the face no longer matches the MRI, align again";
+  if (!state.withheld.empty()) return state.withheld;
   if (!state.head) return headLossInWords(state);
   if (!state.is_aligned) return "NOT ALIGNED: align the head first";
   if (!state.camera_T_mri) return headWords(state.camera_T_mri.reason(), state.head_detail);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "facenav/core/number_text.h"
 #include "facenav/monitoring/pair_fault.h"
 #include "facenav/session/face_memory.h"
 
@@ -12,6 +13,20 @@ namespace {
 // The watchdog's dense measurement does not correct for the time between the exposures. It takes sideways
 // motion between them for about five times as much depth.
 constexpr double kMostBetweenExposures_mm = 0.2;
+
+constexpr const char* kNotChecked = "REGISTRATION NOT CHECKED: show the whole face to both cameras";
+
+std::string failedWords(const monitoring::RegistrationFinding& finding) {
+  return formatted("REGISTRATION FAILED: the face is %.1f mm and %.1f deg off, align again", finding.shift_mm,
+                   finding.turn_deg);
+}
+
+/// Nothing of the head is shown before the registration is known to hold.
+void withhold(NavigationState& state) {
+  if (state.withheld.empty()) return;
+  state.head = Lost{LostReason::high_residual};
+  state.camera_T_mri = Lost{LostReason::high_residual};
+}
 
 bool isUsable(const cameras::StereoFrame& frame, const cameras::StereoRig& rig) {
   const auto fits = [&](const cv::Mat& image) {
@@ -40,10 +55,13 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
     const auto check = std::make_shared<const monitoring::DriftCheck>(rig_, setup.scalp, setup.reference,
                                                                       *setup.camera_T_mri_at_reference);
-    watchdog_ = std::make_unique<monitoring::DriftWatchdog>(
-        [check](const auto& frame, const auto& camera_T_mri) { return check->measure(frame, camera_T_mri); },
-        setup.pace == head_tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
-                                                : monitoring::DriftWatchdog::Mode::in_line);
+    const auto measure = [check](const auto& frame, const auto& camera_T_mri) {
+      return check->measure(frame, camera_T_mri);
+    };
+    const auto mode = setup.pace == head_tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
+                                                              : monitoring::DriftWatchdog::Mode::in_line;
+    watchdog_ = std::make_unique<monitoring::DriftWatchdog>(measure, mode);
+    check_ = std::make_unique<monitoring::RegistrationCheck>(measure, mode);
   }
 }
 
@@ -73,6 +91,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
     watching_ms += track(*frame, state);
     place(state);
     const Timestamp tracked = Timestamp::now();
+    check(frame, state);
     watch(frame, state);
     if (watchdog_) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
@@ -115,13 +134,37 @@ void Navigator::place(NavigationState& state) const {
     state.camera_T_coil = Lost{state.coil.reason()};
 }
 
+bool Navigator::checkRegistration(bool is_withheld_until) {
+  if (!check_) return false;
+  check_->begin();
+  if (is_withheld_until) withheld_ = kNotChecked;
+  return true;
+}
+
+/// It measures at the pose that is tracked, also while that is withheld.
+void Navigator::check(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
+  if (!check_) return;
+  check_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
+  if (auto finding = check_->take()) {
+    using Verdict = monitoring::DriftFinding::Verdict;
+    if (finding->verdict == Verdict::agrees) withheld_.clear();
+    if (finding->verdict == Verdict::drifted) withheld_ = failedWords(*finding);
+    const bool must_repeat = finding->verdict == Verdict::unknown && withheld_ == kNotChecked;
+    if (must_repeat) check_->begin();
+    if (!must_repeat || !finding_)
+      finding_ = std::make_shared<const monitoring::RegistrationFinding>(*finding);
+  }
+  state.check = finding_;
+  state.withheld = withheld_;
+}
+
 /// A face that is no longer where it is tracked is lost, whatever the tracker says.
 void Navigator::watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
-  if (!watchdog_) return;
+  if (!watchdog_) return withhold(state);
   const bool was_alarmed = watchdog_->isAlarmed();
   if (!state.head || state.head->between_exposures_mm < kMostBetweenExposures_mm)
     watchdog_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
-  if (!watchdog_->isAlarmed()) return;
+  if (!watchdog_->isAlarmed()) return withhold(state);
   if (!was_alarmed) is_learnt_in_doubt_ = true;
   state.has_drifted = true;
   state.head = Lost{LostReason::high_residual};

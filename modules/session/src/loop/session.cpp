@@ -29,6 +29,7 @@ struct Session::Implementation {
   mutable std::mutex mutex;  // guards the members below, up to `end`
   std::condition_variable stop_requested;
   std::optional<std::optional<ChosenTarget>> new_target;
+  std::optional<bool> wanted_check;  // its value: poses are withheld until it passes
   std::string failure;
   std::optional<Timestamp> started, ended;
   SessionEnd end = SessionEnd::none;
@@ -122,6 +123,8 @@ void Session::Implementation::track() {
       std::lock_guard lock(mutex);
       if (new_target) navigator->setTarget(std::move(*new_target));
       new_target.reset();
+      if (wanted_check) navigator->checkRegistration(*wanted_check);
+      wanted_check.reset();
     }
     auto state = std::make_shared<NavigationState>(navigator->process(next->frame));
     state->arrived = next->arrived;
@@ -199,6 +202,11 @@ double Session::elapsed_s() const {
 void Session::setTarget(std::optional<ChosenTarget> target) {
   std::lock_guard lock(implementation_->mutex);
   implementation_->new_target = std::move(target);
+}
+
+void Session::checkRegistration(bool is_withheld_until) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->wanted_check = is_withheld_until || implementation_->wanted_check.value_or(false);
 }
 
 std::vector<casefile::StoredKeyFrame> Session::learntKeyFrames() const {

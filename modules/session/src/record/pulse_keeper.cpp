@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "facenav/casefile/pulse_file.h"
+#include "facenav/casefile/session_so_far.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 
@@ -25,10 +26,16 @@ struct Waiting {
 }  // namespace
 
 struct PulseKeeper::Implementation {
-  Implementation(const std::filesystem::path& folder, std::shared_ptr<const registration::ScalpField> scalp_)
-      : scalp(std::move(scalp_)), file(folder) {}
+  Implementation(const std::filesystem::path& folder, std::shared_ptr<const registration::ScalpField> scalp_,
+                 bool goes_on, Placed placed_)
+      : scalp(std::move(scalp_)),
+        tell_placed(std::move(placed_)),
+        file(folder, goes_on ? casefile::PulseFile::Begin::go_on : casefile::PulseFile::Begin::fresh) {
+    if (goes_on) countEarlier(folder);
+  }
 
   const std::shared_ptr<const registration::ScalpField> scalp;
+  const Placed tell_placed;  // may be empty
 
   casefile::PulseFile file;  // used only by the thread
   mutable std::mutex mutex;  // guards the members below, up to `is_stopping`
@@ -36,6 +43,7 @@ struct PulseKeeper::Implementation {
   std::deque<PosedFrame> frames;          // by the time they were taken
   std::deque<Waiting> pulses;             // in the order of arrival
   std::deque<casefile::Pulse> unwritten;  // with their poses
+  std::deque<casefile::Pulse> told;       // written, for takeKept()
   std::map<std::string, Timestamp> last_of_source;
   std::string failure;
   Timestamp retry;
@@ -45,6 +53,7 @@ struct PulseKeeper::Implementation {
   bool is_stopping = false;
   std::thread thread;
 
+  void countEarlier(const std::filesystem::path& folder);
   // All but run() and write() are called with the mutex locked.
   void run();
   void write();
@@ -55,6 +64,12 @@ struct PulseKeeper::Implementation {
   casefile::Pulse placed(const Waiting& pulse);
   void count(const casefile::Pulse& pulse);
 };
+
+void PulseKeeper::Implementation::countEarlier(const std::filesystem::path& folder) {
+  const auto so_far = casefile::sessionSoFar(folder);
+  added = numbered = kept = so_far.last_pulse;
+  counts = {so_far.on_target, so_far.outside, so_far.lost};
+}
 
 bool PulseKeeper::Implementation::isReady(const Waiting& pulse) const {
   if (is_stopping || Timestamp::now() - pulse.added >= kLongestWait_s) return true;
@@ -88,6 +103,7 @@ casefile::Pulse PulseKeeper::Implementation::placed(const Waiting& pulse) {
                    after == frames.end() ? std::nullopt : std::optional(*after), scalp.get());
   result.number = ++numbered;
   count(result);
+  if (tell_placed) tell_placed(result);
   return result;
 }
 
@@ -118,6 +134,8 @@ void PulseKeeper::Implementation::write() {
     failure = fault;
     retry = {Timestamp::now().s + kRetry_s};
     if (!fault.empty()) return;
+    told.push_back(std::move(unwritten.front()));
+    if (told.size() > kMostTold) told.pop_front();
     unwritten.pop_front();
     ++kept;
   }
@@ -140,8 +158,9 @@ void PulseKeeper::Implementation::run() {
 }
 
 PulseKeeper::PulseKeeper(const std::filesystem::path& session_folder,
-                         std::shared_ptr<const registration::ScalpField> scalp)
-    : implementation_(std::make_unique<Implementation>(session_folder, std::move(scalp))) {
+                         std::shared_ptr<const registration::ScalpField> scalp, bool goes_on, Placed placed)
+    : implementation_(
+          std::make_unique<Implementation>(session_folder, std::move(scalp), goes_on, std::move(placed))) {
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
 
@@ -201,6 +220,14 @@ int PulseKeeper::added() const {
 int PulseKeeper::kept() const {
   std::lock_guard lock(implementation_->mutex);
   return implementation_->kept;
+}
+
+std::vector<casefile::Pulse> PulseKeeper::takeKept() {
+  std::lock_guard lock(implementation_->mutex);
+  std::vector<casefile::Pulse> taken(std::make_move_iterator(implementation_->told.begin()),
+                                     std::make_move_iterator(implementation_->told.end()));
+  implementation_->told.clear();
+  return taken;
 }
 
 int PulseKeeper::waiting() const {

@@ -1,5 +1,6 @@
 #include "facenav/session/treatment_log.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <deque>
@@ -10,6 +11,7 @@
 
 #include "facenav/casefile/session_log.h"
 #include "facenav/casefile/session_pulses.h"
+#include "facenav/casefile/session_so_far.h"
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
@@ -26,23 +28,51 @@ struct Answer {
   std::variant<double, bool> said;  // MEP in uV, or whether it twitched
 };
 
+/// What is added to the numbers and times of the frames, so that they follow those of the session's files.
+struct FollowOn {
+  std::int64_t frames = 0;
+  double seconds = 0;
+};
+
+constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
 constexpr double kRetry_s = 1.0;       // after a fault of the disk
 constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
+
+std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
+  return folder.empty() ? std::nullopt : std::optional(casefile::sessionSoFar(folder));
+}
+
+/// Live cameras' clock may have gone on; frame numbers begin again, and so does a recording's clock.
+FollowOn followOn(const casefile::SessionSoFar& so_far, const NavigationState& first) {
+  FollowOn on;
+  if (!so_far.last_frame) return on;
+  if (first.frame <= *so_far.last_frame) on.frames = *so_far.last_frame + 1;
+  if (first.captured.s <= so_far.last_t_s)
+    on.seconds = so_far.last_t_s + std::max(kLeastBreak_s, so_far.idle_s) - first.captured.s;
+  return on;
+}
 
 }  // namespace
 
 struct TreatmentLog::Implementation {
   Implementation(std::shared_ptr<Session> session_, const std::filesystem::path& case_folder,
-                 std::shared_ptr<const registration::ScalpField> scalp)
+                 std::shared_ptr<const registration::ScalpField> scalp, const TreatmentLogOptions& options)
       : session(std::move(session_)),
-        log(case_folder),
+        so_far(soFar(options.goes_on)),
+        log(so_far ? casefile::SessionLog::goOn(options.goes_on) : casefile::SessionLog(case_folder)),
         folder(log.folder()),
-        pulses(folder, std::move(scalp)) {}
+        evidence(options.evidence_rig ? std::make_unique<EvidenceKeeper>(folder, *options.evidence_rig)
+                                      : nullptr),
+        pulses(folder, std::move(scalp), so_far.has_value(), [this](const casefile::Pulse& pulse) {
+          if (evidence) evidence->add(pulse);
+        }) {}
 
   const std::shared_ptr<Session> session;
-  casefile::SessionLog log;  // used only by the thread once it runs
+  const std::optional<casefile::SessionSoFar> so_far;  // of a session that is gone on with
+  casefile::SessionLog log;                            // used only by the thread once it runs
   const std::filesystem::path folder;
   std::atomic<bool> is_stopping{false};
+  const std::unique_ptr<EvidenceKeeper> evidence;  // null: none is kept
   PulseKeeper pulses;
   mutable std::mutex mutex;  // guards events, failure
   std::deque<Event> events;
@@ -51,7 +81,10 @@ struct TreatmentLog::Implementation {
   std::thread thread;
   // Used only by the thread: what held at the previous frame.
   bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
-  std::optional<Timestamp> broken;  // since when nothing can be written
+  int noted_check = 0;
+  std::string evidence_fault;
+  std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
+  std::optional<Timestamp> broken;    // since when nothing can be written
   Timestamp retry;
 
   void run();
@@ -59,6 +92,8 @@ struct TreatmentLog::Implementation {
   void writeAnswers();
   bool answer(std::variant<double, bool> said);
   void noteEnd();
+  void noteEvidence();
+  std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
   void write(const NavigationState& state);
   template <class Work>
   void tried(Work work);
@@ -88,6 +123,32 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
   const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
   if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
   has_faulted = !fault.empty();
+  if (state.check && state.check->number != noted_check) {
+    log.addEvent("registration check", inWords(*state.check));
+    noted_check = state.check->number;
+  }
+}
+
+std::shared_ptr<const NavigationState> TreatmentLog::Implementation::asLogged(
+    std::shared_ptr<const NavigationState> state) {
+  if (!so_far || !state || state->frame < 0) return state;
+  if (!follow_on) follow_on = followOn(*so_far, *state);
+  if (follow_on->frames == 0 && follow_on->seconds == 0) return state;
+  auto shifted = std::make_shared<NavigationState>(*state);
+  shifted->frame += follow_on->frames;
+  shifted->captured.s += follow_on->seconds;
+  return shifted;
+}
+
+/// What keeps pictures from being kept, and that they are kept again.
+void TreatmentLog::Implementation::noteEvidence() {
+  if (!evidence) return;
+  const std::string fault = evidence->failure();
+  if (fault == evidence_fault) return;
+  log.addEvent("pulse pictures", fault.empty()
+                                     ? formatted("kept again, %d frames are missing", evidence->leftOut())
+                                     : "not kept: " + fault);
+  evidence_fault = fault;
 }
 
 /// One is taken from the list only once it is written.
@@ -187,12 +248,14 @@ void TreatmentLog::Implementation::end() {
 
 void TreatmentLog::Implementation::run() {
   while (!is_stopping) {
-    const auto state = session->take(std::chrono::milliseconds(50));
+    const auto state = asLogged(session->take(std::chrono::milliseconds(50)));
+    if (state && evidence) evidence->follow(*state);  // first: a pulse is placed by the next line
     if (state) pulses.follow(*state);
     tried([&] {
       if (state) write(*state);
       writeEvents();
       writeAnswers();
+      noteEvidence();
       if (!state && session->hasEnded()) noteEnd();
     });
     if (!state && session->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -201,9 +264,16 @@ void TreatmentLog::Implementation::run() {
 }
 
 TreatmentLog::TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder,
-                           std::shared_ptr<const registration::ScalpField> scalp)
-    : implementation_(std::make_unique<Implementation>(std::move(session), case_folder, std::move(scalp))) {
-  implementation_->log.addEvent("session started");
+                           std::shared_ptr<const registration::ScalpField> scalp,
+                           const TreatmentLogOptions& options)
+    : implementation_(
+          std::make_unique<Implementation>(std::move(session), case_folder, std::move(scalp), options)) {
+  const auto& so_far = implementation_->so_far;
+  if (so_far)
+    implementation_->log.addEvent("session continued",
+                                  formatted("after %d pulses and %.0f s", so_far->pulses(), so_far->idle_s));
+  else
+    implementation_->log.addEvent("session started");
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
 
@@ -232,6 +302,7 @@ bool TreatmentLog::answerPulse(bool has_twitched) { return implementation_->answ
 PulseCounts TreatmentLog::counts() const { return implementation_->pulses.counts(); }
 std::optional<JudgedPulse> TreatmentLog::lastPulse() const { return implementation_->pulses.last(); }
 
+std::vector<casefile::Pulse> TreatmentLog::takeKept() { return implementation_->pulses.takeKept(); }
 int TreatmentLog::pulses() const { return implementation_->pulses.kept(); }
 int TreatmentLog::pulsesWaiting() const { return implementation_->pulses.waiting(); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/casefile/evidence.h"
+#include "facenav/casefile/session_so_far.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 
@@ -33,6 +35,11 @@ void requireSameFrames(const casefile::SessionTrack& track, const capture::Recor
                 "choose the recording of this session");
 }
 
+/// A crash may have cut a pulse's pictures short.
+void mendUnlessRunning(const fs::path& session_folder) {
+  if (!casefile::sessionSoFar(session_folder).is_running) casefile::mendEvidence(session_folder);
+}
+
 }  // namespace
 
 std::shared_ptr<capture::RecordingPictures> openPictures(const fs::path& recording,
@@ -48,9 +55,10 @@ SessionReplay openReplay(const fs::path& folder) {
   if (replay.track.moments.empty())
     throw Error("poses.csv has no frames", folder.string(), "there is nothing to replay");
   replay.pictures_words = "no pictures were kept with the session";
-  for (const fs::path& recording : {folder / "recording", folder}) {
+  for (const fs::path& recording : {folder / "recording", folder, casefile::evidenceFolder(folder)}) {
     if (!fs::exists(recording / "stereo.yml")) continue;
     try {
+      if (recording == casefile::evidenceFolder(folder)) mendUnlessRunning(folder);
       replay.pictures = openPictures(recording, replay.track);
       replay.pictures_words.clear();
     } catch (const Error& error) {

@@ -15,6 +15,7 @@
 #include "facenav/workflow/session_review.h"
 #include "facenav/workflow/software_version.h"
 #include "report_html.h"
+#include "report_protocol.h"
 #include "report_targets.h"
 
 namespace facenav::workflow {
@@ -49,11 +50,19 @@ std::string spreadWords(const std::optional<Spread>& spread, const char* unit) {
                 : std::string("no pulse has a pose");
 }
 
+/// These are written at each start; a session that was gone on with has several.
+bool isOfStart(const std::string& event) {
+  return event == "alignment" || event == "coil" || event == "override" || event == "protocol";
+}
+
 /// The details of all events of that name, the last one last.
 std::string detailsOf(const casefile::KeptSession& session, const std::string& event) {
-  std::string words;
-  for (const auto& e : session.events)
-    if (e.event == event) words += (words.empty() ? "" : "; ") + e.detail;
+  std::string words, before;
+  for (const auto& e : session.events) {
+    if (e.event != event || (isOfStart(event) && !words.empty() && e.detail == before)) continue;
+    words += (words.empty() ? "" : "; ") + e.detail;
+    before = e.detail;
+  }
   return words.empty() ? kNotRecorded : words;
 }
 
@@ -94,28 +103,6 @@ std::string gapWords(const casefile::KeptSession& session) {
   return gaps_mm.empty() ? kNotRecorded : formatted("median %.1f mm", median(gaps_mm));
 }
 
-/// As given, from the times of the pulses; pulses further apart than this begin another train.
-constexpr double kTrainPause_s = 1.5;
-
-std::string trainWords(const casefile::KeptSession& session) {
-  std::vector<double> steps_s, pauses_s;
-  std::optional<double> last_s;
-  int trains = 0, pulses = 0;
-  for (const auto& reviewed : session.pulses.pulses) {
-    const auto& t_s = reviewed.pulse.t_s;
-    if (!t_s) continue;
-    ++pulses;
-    const bool is_in_train = last_s && *t_s - *last_s <= kTrainPause_s;
-    if (!is_in_train) ++trains;
-    if (last_s) (is_in_train ? steps_s : pauses_s).push_back(*t_s - *last_s);
-    last_s = t_s;
-  }
-  if (steps_s.empty()) return pulses == 0 ? kNotRecorded : formatted("%d single pulses", pulses);
-  std::string words = formatted("%d trains, %.1f pulses each on average, %.1f Hz", trains,
-                                double(pulses) / trains, 1.0 / median(steps_s));
-  return words + (pauses_s.empty() ? "" : formatted(", pauses of %.1f s (medians)", median(pauses_s)));
-}
-
 std::string errorWords(const casefile::KeptSession& session) {
   std::vector<double> error_mm;
   for (const auto& reviewed : session.pulses.pulses)
@@ -143,6 +130,9 @@ std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSe
              {{"Start (UTC)", summary.started_utc},
               {"Duration", timeWords(summary.duration_s)},
               {"End", summary.has_ended ? "ended normally" : "not ended: it still runs, or it was cut off"},
+              {"Gone on with", detailsOf(session, "session continued") == kNotRecorded
+                                   ? "no"
+                                   : detailsOf(session, "session continued")},
               {"Operator", detailsOf(session, "operator")},
               {"Head model checked by", signOffWords(store)},
               {"Treated without a sign-off",
@@ -154,7 +144,8 @@ std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSe
               {"Adverse events", detailsOf(session, "adverse event")}});
 }
 
-std::string stimulationPart(const casefile::KeptSession& session, const SessionSummary& s) {
+std::string stimulationPart(const casefile::CaseStore& store, const casefile::KeptSession& session,
+                            const SessionSummary& s) {
   const int counted = s.pulses - s.excluded;
   return headingHtml("Stimulation") +
          factsHtml({{"Stimulator (make, model)", detailsOf(session, "stimulator")},
@@ -163,7 +154,7 @@ std::string stimulationPart(const casefile::KeptSession& session, const SessionS
                     {"Motor threshold (method, criterion, hits of all)", detailsOf(session, "threshold")},
                     {"Intensity", intensityWords(session)},
                     {"MEPs", mepWords(session)},
-                    {"Trains (frequency, pulses, pauses)", trainWords(session)},
+                    {"Trains (frequency, pulses, pauses)", trainWords(store, session)},
                     {"Pulses", formatted("%d", s.pulses)},
                     {"of these on target", formatted("%d", s.on_target) + shareWords(s.on_target, counted)},
                     {"outside the tolerance", formatted("%d", s.outside) + shareWords(s.outside, counted)},
@@ -175,6 +166,7 @@ std::string stimulationPart(const casefile::KeptSession& session, const SessionS
 std::string accuracyPart(const casefile::KeptSession& session, const SessionSummary& s) {
   std::vector<TableRow> rows{
       {"Alignment of MRI and head", detailsOf(session, "alignment")},
+      {"Re-checks of the registration", detailsOf(session, "registration check")},
       {"Predicted error at the target", errorWords(session)},
       {"Distance of coil and target at the pulses, median / 95th percentile",
        spreadWords(s.distance_mm, "mm")},
@@ -296,7 +288,8 @@ SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile
   const std::string foot =
       paragraphHtml("FaceNav " + softwareVersion() + ". Not a medical device: for research and development.");
   report.body = sessionPart(store, session, summary) + targetsPart(store, session) +
-                stimulationPart(session, summary) + accuracyPart(session, summary);
+                stimulationPart(store, session, summary) + protocolPart(store, session) +
+                accuracyPart(session, summary);
   report.body += picturesPart(options, report);
   report.body += figuresPart(session, report);
   report.body += exceptionsPart(session) + head + eventsPart(session) + cautionsPart(summary) + foot;

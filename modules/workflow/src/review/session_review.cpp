@@ -67,9 +67,12 @@ void countEvents(const std::vector<casefile::SessionEvent>& events, SessionSumma
   summary.faults = count("fault");
   summary.adverse_events = count("adverse event");
   summary.double_triggers = count("double trigger");
-  summary.has_ended = count("session ended") > 0;
-  for (const auto& e : events)
+  summary.continuations = count("session continued");
+  for (const auto& e : events) {
     if (e.event == "alignment") summary.alignment = e.detail;
+    if (e.event == "session ended" || e.event == "session continued")  // the last one counts
+      summary.has_ended = e.event == "session ended";
+  }
 }
 
 }  // namespace

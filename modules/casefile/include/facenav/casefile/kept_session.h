@@ -40,6 +40,8 @@ std::filesystem::path findSession(const std::filesystem::path& case_folder, cons
 /// notes.jsonl beside events.jsonl. Synced when it returns. Throws Error.
 void addNote(const std::filesystem::path& session_folder, const std::string& event,
              const std::string& detail);
+/// The session's own events, in the order of the file; damaged lines are left out.
+std::vector<SessionEvent> readSessionEvents(const std::filesystem::path& session_folder);
 /// Events and notes by their time. Damaged lines are left out and named in pulses.problems. Throws Error
 /// where a file cannot be read at all.
 KeptSession readSession(const std::filesystem::path& session_folder);

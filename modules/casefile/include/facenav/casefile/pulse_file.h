@@ -12,8 +12,10 @@ namespace facenav::casefile {
 
 class PulseFile {
  public:
-  /// Makes pulses.jsonl (0600). Throws Error if it exists or cannot be written.
-  explicit PulseFile(const std::filesystem::path& session_folder);
+  enum class Begin { fresh, go_on };
+  /// `fresh`: makes pulses.jsonl (0600); throws Error if it exists. `go_on`: appends to the one that is
+  /// there. Throws Error if it cannot be written.
+  explicit PulseFile(const std::filesystem::path& session_folder, Begin begin = Begin::fresh);
   ~PulseFile();
   PulseFile(const PulseFile&) = delete;
   PulseFile& operator=(const PulseFile&) = delete;

@@ -17,6 +17,9 @@ class SessionLog {
   /// Makes sessions/<UTC time>/ in the case folder (with a counter appended if that second is taken). Throws
   /// Error when it cannot be written.
   explicit SessionLog(const std::filesystem::path& case_folder);
+  /// Appends to the files of an earlier session, after a crash or a closed window. Throws Error when they
+  /// cannot be written, or when another program writes them.
+  static SessionLog goOn(const std::filesystem::path& session_folder);
   ~SessionLog();
   SessionLog(SessionLog&&) noexcept;
   SessionLog& operator=(SessionLog&&) noexcept;
@@ -31,6 +34,7 @@ class SessionLog {
 
  private:
   struct Implementation;
+  explicit SessionLog(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
 };
 

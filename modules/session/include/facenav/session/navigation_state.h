@@ -13,6 +13,7 @@
 #include "facenav/core/tracked.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/head_tracking/head_tracker.h"
+#include "facenav/monitoring/registration_check.h"
 
 namespace facenav::session {
 
@@ -52,6 +53,11 @@ struct NavigationState {
   bool has_drifted = false;                // the watchdog's alarm: the face is not where tracking places it
   std::string rig_fault;  // why every pose is refused, in words: the cameras moved, are out of step, ..
   head_tracking::LossDetail rig_fault_detail = head_tracking::LossDetail::unknown;  // the same as one word
+  /// Why every pose of the head is withheld until a check of the registration passes, in words; empty: none
+  /// is.
+  std::string withheld;
+  /// The newest check of the registration in this session; null: none was made.
+  std::shared_ptr<const monitoring::RegistrationFinding> check;
   std::string failure;  // an Error that ended the session, in words
 };
 

@@ -10,6 +10,7 @@
 #include "facenav/casefile/face_looks.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/monitoring/drift_watchdog.h"
+#include "facenav/monitoring/registration_check.h"
 #include "facenav/monitoring/rig_check.h"
 #include "facenav/session/navigation_state.h"
 
@@ -39,6 +40,12 @@ class Navigator {
   void setTarget(std::optional<ChosenTarget> target);
   /// Replaces the watchdog made from the setup's scalp; null: no watchdog.
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
+  /// Checks the registration on the next frames; NavigationState::check tells the finding. After a failed
+  /// check every pose of the head is withheld until one passes; with `is_withheld_until` already from now on.
+  /// False: without an alignment to a scalp there is nothing to check.
+  bool checkRegistration(bool is_withheld_until = false);
+  /// Replaces the check made from the setup's scalp; null: none.
+  void setCheck(std::unique_ptr<monitoring::RegistrationCheck> check) { check_ = std::move(check); }
   const cameras::StereoRig& rig() const { return rig_; }
   /// Key frames of the patient's face from this session, to be saved with the case; empty without an
   /// alignment.
@@ -51,6 +58,7 @@ class Navigator {
   double track(const cameras::StereoFrame& frame, NavigationState& state);
   void place(NavigationState& state) const;
   void watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
+  void check(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void guide(NavigationState& state);
 
   cameras::StereoRig rig_;
@@ -58,7 +66,10 @@ class Navigator {
   RigidTransform<Marker, Coil> marker_T_coil_;
   guidance::Tolerance tolerance_;
   monitoring::RigCheck rig_check_;
-  std::unique_ptr<monitoring::DriftWatchdog> watchdog_;  // null: none
+  std::unique_ptr<monitoring::DriftWatchdog> watchdog_;   // null: none
+  std::unique_ptr<monitoring::RegistrationCheck> check_;  // null: none
+  std::shared_ptr<const monitoring::RegistrationFinding> finding_;
+  std::string withheld_;  // why poses of the head are withheld; empty: they are not
   std::unique_ptr<head_tracking::HeadTracker> head_;
   std::unique_ptr<coil_tracking::CoilTracker> coil_;
   FrameWork coil_deferred_;          // work deferred by the last frame to the next one

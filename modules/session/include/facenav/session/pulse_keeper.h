@@ -5,8 +5,10 @@
 // and are tried again twice a second.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "facenav/session/pulse_pose.h"
 
@@ -25,9 +27,14 @@ struct JudgedPulse {
 
 class PulseKeeper {
  public:
-  /// Makes pulses.jsonl. `scalp`: for the gap; may be null. Throws Error if the file cannot be made.
+  /// Told of each pulse when it has its pose and number, before it is on the disk; must return at once and
+  /// call nothing of the keeper.
+  using Placed = std::function<void(const casefile::Pulse&)>;
+  /// Makes pulses.jsonl; or, with `goes_on`, appends to that of an earlier session: numbers and counts go on.
+  /// `scalp`: for the gap; may be null. Throws Error if the file cannot be made.
   explicit PulseKeeper(const std::filesystem::path& session_folder,
-                       std::shared_ptr<const registration::ScalpField> scalp = nullptr);
+                       std::shared_ptr<const registration::ScalpField> scalp = nullptr, bool goes_on = false,
+                       Placed placed = {});
   /// Writes what still waits, without a frame after it if need be.
   ~PulseKeeper();
   PulseKeeper(const PulseKeeper&) = delete;
@@ -40,10 +47,14 @@ class PulseKeeper {
   /// Verdicts are known about one frame after the pulse, before it is on the disk.
   PulseCounts counts() const;
   std::optional<JudgedPulse> last() const;
-  /// Pulses taken by add(): the number of the newest one.
+  /// The number of the newest pulse taken by add().
   int added() const;
-  /// Pulses that are in the file, synced.
+  /// The number of the newest pulse that is in the file, synced; all before it are there, too.
   int kept() const;
+  /// The pulses that came to the file since the last call, at most kMostTold of them, for a caller that tells
+  /// them on.
+  std::vector<casefile::Pulse> takeKept();
+  static constexpr std::size_t kMostTold = 1000;
   /// Pulses that are not there yet: they wait for a frame or for the disk.
   int waiting() const;
   /// Why pulses cannot be written now; empty: they can.

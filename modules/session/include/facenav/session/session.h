@@ -56,6 +56,8 @@ class Session {
   /// From start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
+  /// As Navigator::checkRegistration, from the next frame on.
+  void checkRegistration(bool is_withheld_until = false);
   const Recorder* recorder() const;
   /// After stop(): key frames of the patient's face from this session, to keep with the case.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;

@@ -9,10 +9,19 @@
 #include <memory>
 #include <string>
 
+#include "facenav/session/evidence_keeper.h"
 #include "facenav/session/pulse_keeper.h"
 #include "facenav/session/session.h"
 
 namespace facenav::session {
+
+struct TreatmentLogOptions {
+  /// The cameras: both pictures of each pulse's frame are kept (evidence/). Nothing: no pictures are kept.
+  std::optional<cameras::StereoRig> evidence_rig = {};
+  /// The folder of an earlier session of the case that is gone on with; empty: a new one. Its pulses are
+  /// counted on, and frames and times follow those of its files.
+  std::filesystem::path goes_on = {};
+};
 
 class TreatmentLog {
  public:
@@ -20,7 +29,8 @@ class TreatmentLog {
   /// keeps it alive until then. `scalp`: for the gap of each pulse; may be null. Throws Error when the case
   /// folder cannot be written to.
   TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder,
-               std::shared_ptr<const registration::ScalpField> scalp = nullptr);
+               std::shared_ptr<const registration::ScalpField> scalp = nullptr,
+               const TreatmentLogOptions& options = {});
   /// Writes what is left, syncs it to the disk and joins.
   ~TreatmentLog();
   TreatmentLog(const TreatmentLog&) = delete;
@@ -40,6 +50,8 @@ class TreatmentLog {
   std::optional<JudgedPulse> lastPulse() const;
   /// Pulses that are in the session's file, on the disk. A pulse gets there when the frame after it has come.
   int pulses() const;
+  /// As PulseKeeper::takeKept.
+  std::vector<casefile::Pulse> takeKept();
   /// Pulses that are not there yet.
   int pulsesWaiting() const;
   const std::filesystem::path& folder() const;

@@ -21,7 +21,8 @@ struct SessionReplay {
 };
 
 /// poses.csv and guidance.csv in `folder` (a session, or any folder with the output of track and guide). The
-/// pictures are those of the recording kept in the folder (itself or recording/). Throws Error without poses.
+/// pictures are those of the recording kept in the folder (itself or recording/), else those of the pulses
+/// (evidence/: of their frames alone). Throws Error without poses.
 SessionReplay openReplay(const std::filesystem::path& folder);
 /// The pictures of another recording folder. Throws Error if they are not those of this track: its frames
 /// must have the numbers and, within 1 ms, the times of the track's.

@@ -3,6 +3,8 @@
 // outside, logged into the case like a session of the window (`facenav track --pulses`).
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,12 @@ struct TreatRecordingRequest {
   std::vector<std::string> sources;                 // words of links::openPulseSource
   std::optional<double> intensity_pct;
   std::optional<SignOffOverride> override;
+  bool goes_on = false;      // with an earlier session of the case, on the case's own alignment
+  std::string session = {};  // which; empty: the newest
+  double speed = 1.0;        // relative to real time
+  int passes = 1;            // through the recording, forwards and backwards in turn; 0: without end
+  /// Called every few milliseconds while the session runs; false: it ends. May be empty.
+  std::function<bool(Treatment&)> look = {};
 };
 
 struct TreatRecordingOutcome {

@@ -39,6 +39,10 @@ struct TreatmentRequest {
   coil_tracking::CoilModel coil;
   std::shared_ptr<const AlignmentOutcome> alignment;
   std::optional<SignOffOverride> override = {};
+  /// The folder of an earlier session of the case that is gone on with (session_return.h); empty: a new one.
+  /// The alignment is then the case's own, and guidance is withheld until it is checked.
+  std::filesystem::path goes_on = {};
+  double speed = 1.0;  // of a recording, relative to real time
 };
 
 /// How trackers and frames are opened; a test replaces them.
@@ -81,6 +85,8 @@ class Treatment {
   const session::TreatmentLog& log() const { return *log_; }
   /// `name` is logged; nothing: no target.
   void chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name);
+  /// A target of the case's plan, as it is there now. Throws Error if there is none of that name.
+  void chooseTargetNamed(const std::string& name);
 
   /// The pulses of a source, from now on; beside it the keyboard is always there. What keeps a source from
   /// working is an event. Throws Error when it cannot be opened; none is added then.
@@ -95,6 +101,11 @@ class Treatment {
   void pause(const std::string& reason);
   void resume();
   bool isPaused() const { return is_paused_; }
+  /// Measures for two seconds whether the MRI is still aligned with the face. The finding is in the next
+  /// states (NavigationState::check) and in the log; one that failed withholds guidance until one passes.
+  void checkRegistration();
+  /// It is asked for: the last one, or the alignment, is longer ago than RegistrationCheckRules says.
+  bool isCheckDue();
 
   /// Stops, keeps the looks of the face with the case, and closes the log. It waits for a camera that hangs,
   /// so a window calls it on another thread. Nothing but keepReport() may follow.
@@ -107,12 +118,15 @@ class Treatment {
   void plan(const guidance::Target* target);
 
   std::filesystem::path case_folder_, session_folder_;
+  std::shared_ptr<const AlignmentOutcome> alignment_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;
   std::atomic<double> intensity_pct_{-1};  // < 0: not known; read by the sources' threads
   std::optional<casefile::Protocol> protocol_;
   std::optional<int> planned_pulses_;
   bool is_paused_ = false;
+  Timestamp checked_ = Timestamp::now();  // the registration, last
+  int last_check_ = 0;
   links::KeyboardSource keyboard_;
   std::vector<std::unique_ptr<links::PulseSource>> sources_;  // they stop before the log ends
 };

@@ -1,0 +1,147 @@
+#include "commands/session_commands.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+
+namespace facenav::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void say(const Json& line) {
+  std::printf("%s\n", line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+  std::fflush(stdout);
+}
+
+Json toJson(const casefile::Pulse& pulse) {
+  Json json{{"pulse", pulse.number},
+            {"status", toString(pulse.status)},
+            {"reason", pulse.reason},
+            {"source", pulse.source},
+            {"target", pulse.target ? pulse.target->name : ""}};
+  if (pulse.intensity_pct) json["intensity_pct"] = *pulse.intensity_pct;
+  if (pulse.offset) json["distance_mm"] = pulse.offset->distance_mm;
+  return json;
+}
+
+double numberFrom(const std::string& text, const char* what) {
+  std::size_t end = 0;
+  try {
+    const double value = std::stod(text, &end);
+    if (end == text.size()) return value;
+  } catch (const std::exception&) {  // no number
+  }
+  throw Error(std::string(what) + " is a number, not '" + text.substr(0, 40) + "'");
+}
+
+[[noreturn]] void refuse(const std::string& line) {
+  throw Error("not understood: '" + line.substr(0, 60) + "'", {}, "commands: " + sessionCommandWords());
+}
+
+void answer(const std::string& word, const std::string& value, workflow::Treatment& treatment) {
+  const bool is_twitch = word == "twitch";
+  if (is_twitch && value != "y" && value != "n") throw Error("twitch is answered y or n");
+  const bool is_kept = is_twitch ? treatment.log().answerPulse(value == "y")
+                                 : treatment.log().answerPulse(numberFrom(value, "the MEP"));
+  if (!is_kept) throw Error("there is no pulse yet, or no such MEP", {}, "give its amplitude in uV");
+}
+
+void setIntensity(const std::string& value, workflow::Treatment& treatment) {
+  const double pct = numberFrom(value, "the intensity");
+  if (!(pct >= 0 && pct <= 100)) throw Error(formatted("an intensity of %g %% is not possible", pct));
+  treatment.setIntensity(pct);
+}
+
+}  // namespace
+
+std::string sessionCommandWords() {
+  return "pause REASON, resume, target NAME, intensity PCT, mep UV, twitch y|n (of the newest pulse), check "
+         "(the registration), note WORDS (an adverse event), end";
+}
+
+bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatment) {
+  const auto blank = line.find(' ');
+  const std::string word = line.substr(0, blank),
+                    rest = blank == std::string::npos ? std::string() : line.substr(blank + 1);
+  if (word == "end") return false;
+  if (word == "pause")
+    treatment.pause(workflow::noteWords(rest, "reason of the pause"));
+  else if (word == "resume")
+    treatment.resume();
+  else if (word == "target")
+    treatment.chooseTargetNamed(rest);
+  else if (word == "intensity")
+    setIntensity(rest, treatment);
+  else if (word == "mep" || word == "twitch")
+    answer(word, rest, treatment);
+  else if (word == "check")
+    treatment.checkRegistration();
+  else if (word == "note")
+    treatment.log().addEvent(workflow::session_events::kAdverse, workflow::noteWords(rest, "note"));
+  else
+    refuse(line);
+  say({{"done", word}});
+  return true;
+}
+
+bool SessionCommands::readInput(workflow::Treatment& treatment) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (has_input_ && ::poll(&input, 1, 0) > 0) {
+    char buffer[1024];
+    const ssize_t size = ::read(STDIN_FILENO, buffer, sizeof buffer);
+    if (size <= 0) has_input_ = false;  // who gave commands has gone; the session goes on
+    if (size > 0) input_.append(buffer, std::size_t(size));
+  }
+  for (std::size_t end; (end = input_.find('\n')) != std::string::npos;) {
+    std::string line = input_.substr(0, end);
+    input_.erase(0, end + 1);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty()) continue;
+    try {
+      if (!obey(line, treatment)) return false;
+    } catch (const Error& error) {
+      say({{"error", error.what()}});
+    }
+  }
+  return true;
+}
+
+void SessionCommands::tell(workflow::Treatment& treatment) {
+  for (const auto& pulse : treatment.log().takeKept()) say(toJson(pulse));
+  const auto state = treatment.session().latest();
+  if (state->check && state->check->number != told_check_) {
+    told_check_ = state->check->number;
+    say({{"check", state->check->hasPassed()}, {"words", inWords(*state->check)}});
+  }
+  if (state->frame >= 0 && state->withheld != told_withheld_) {
+    told_withheld_ = state->withheld;
+    say({{"withheld", told_withheld_}});
+  }
+  if (treatment.isCheckDue() != is_check_due_) {
+    is_check_due_ = !is_check_due_;
+    say({{"check_due", is_check_due_}});
+  }
+}
+
+bool SessionCommands::look(workflow::Treatment& treatment) {
+  if (!has_begun_) {
+    has_begun_ = true;
+    const auto counts = treatment.log().counts();
+    Json begin{{"session", treatment.log().folder().filename().string()},
+               {"pulses", counts.on_target + counts.outside + counts.lost},
+               {"paused", treatment.isPaused()}};
+    if (const auto planned = treatment.plannedPulses()) begin["planned"] = *planned;
+    say(begin);
+  }
+  const bool goes_on = readInput(treatment);
+  tell(treatment);
+  return goes_on;
+}
+
+}  // namespace facenav::app

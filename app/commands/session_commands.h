@@ -1,0 +1,31 @@
+#pragma once
+// Commands to a running session, line by line on standard input, and what happens in it as JSON lines on
+// standard output: for programs that drive `facenav track --pulses --commands`.
+
+#include <string>
+
+#include "facenav/workflow/treatment.h"
+
+namespace facenav::app {
+
+/// For the help text.
+std::string sessionCommandWords();
+
+class SessionCommands {
+ public:
+  /// Takes commands that have come, and tells what is new: pulses that are on the disk (only those: what was
+  /// told survives a crash), checks, losses. Returns at once. False: the session is to end.
+  bool look(workflow::Treatment& treatment);
+
+ private:
+  bool readInput(workflow::Treatment& treatment);
+  bool obey(const std::string& line, workflow::Treatment& treatment);
+  void tell(workflow::Treatment& treatment);
+
+  std::string input_;
+  bool has_begun_ = false, has_input_ = true, is_check_due_ = false;
+  int told_check_ = 0;
+  std::string told_withheld_;
+};
+
+}  // namespace facenav::app
