@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kColin27 = "/usr/share/mricron/templates/ch2.nii.gz";
-constexpr double kCortexDepth_mm = 20.0, kHairGap_mm = 4.0;
+constexpr double kCortexDepth_mm = 20.0, kPatientsHairGap_mm = 4.0;
 
 struct Variant {
   const char* name;
@@ -95,9 +95,10 @@ surface::ScalpSurface scalpOf(Context& context, const volume::Volume& mri) {
 guidance::Target leftHand(const room::VirtualPatient& patient) {
   guidance::Target target;
   target.name = "left hand area";
-  target.mri_T_target = room::leftHandArea(patient, kHairGap_mm);
-  target.scalp_point = target.mri_T_target * Point<frames::Target>(0.0, 0.0, kHairGap_mm);
-  target.cortex_point = target.mri_T_target * Point<frames::Target>(0.0, 0.0, kHairGap_mm + kCortexDepth_mm);
+  target.mri_T_target = room::leftHandArea(patient, kPatientsHairGap_mm);
+  target.scalp_point = target.mri_T_target * Point<frames::Target>(0.0, 0.0, kPatientsHairGap_mm);
+  target.cortex_point =
+      target.mri_T_target * Point<frames::Target>(0.0, 0.0, kPatientsHairGap_mm + kCortexDepth_mm);
   return target;
 }
 
