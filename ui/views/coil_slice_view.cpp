@@ -52,8 +52,8 @@ QString CoilSliceView::caption() const {
     if (target.name == scene_->active_target) {
       const auto passing = scene::beamPassing(coil_->mri_T_coil, target.cortex_point);
       return cut_ == scene::CoilCut::along_handle
-                 ? tr("%1  cortex %2 mm deep").arg(name).arg(passing.depth_mm, 0, 'f', 0)
-                 : tr("%1  beam %2 mm off").arg(name).arg(passing.miss_mm, 0, 'f', 1);
+                 ? tr("along: cortex %1 mm deep").arg(passing.depth_mm, 0, 'f', 0)
+                 : tr("across: beam %1 mm off").arg(passing.miss_mm, 0, 'f', 1);
     }
   return name;
 }

@@ -27,7 +27,7 @@ class CoilSliceView : public QWidget {
   void reset();
   /// True while a slice is drawn.
   bool showsSlice() const { return coil_ && scene_ && scene_->mri; }
-  /// "along the handle  cortex 21 mm deep, 0.4 mm beside the beam".
+  /// "along: cortex 21 mm deep", "across: beam 0.4 mm off"; "along the handle" without a target.
   QString caption() const;
   /// What stands in place of the slice.
   QString words() const { return words_; }

@@ -153,6 +153,7 @@ QWidget* TreatWorkspace::makeSteps() {
   target_->setMinimumContentsLength(14);
   target_->setToolTip(tr("the target to guide to"));
   show_slices_ = new QPushButton(tr("MRI slices"), bar);
+  show_slices_->setObjectName("tool");
   show_slices_->setCheckable(true);
   show_slices_->setChecked(QSettings().value(kSlicesShown, true).toBool());
   show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));

@@ -96,8 +96,8 @@ bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   return (n * sum_ab - sum_a * sum_b) / spread > kSame;
 }
 
-/// Copies targets, protocol, coil, landmarks and overlays (of the same scan) and sessions to the new case. Session files are
-/// hard-linked: recordings are large, and the swap stays atomic.
+/// Copies targets, protocol, coil, landmarks and overlays (of the same scan) and sessions to the new case.
+/// Session files are hard-linked: recordings are large, and the swap stays atomic.
 void keepFromOld(const fs::path& old_case, const fs::path& fresh, const volume::Volume& mri) {
   for (const char* file : {"targets.json", "protocol.json", "coil.json"})
     if (fs::exists(old_case / file)) fs::copy_file(old_case / file, fresh / file);

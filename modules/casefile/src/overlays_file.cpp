@@ -66,7 +66,8 @@ OverlaySpace overlaySpaceFrom(const std::string& word) {
 void requireSensible(const OverlayEntry& entry) {
   if (!(entry.opacity >= 0 && entry.opacity <= 1))
     throw Error("an overlay's opacity lies between 0 and 1", {}, "give another");
-  if (!(entry.threshold >= 0)) throw Error("a map's threshold is 0 or more, for both signs", {}, "give another");
+  if (!(entry.threshold >= 0))
+    throw Error("a map's threshold is 0 or more, for both signs", {}, "give another");
   if (entry.kind == OverlayKind::map && !(entry.full > entry.threshold))
     throw Error("a map's colours end above its threshold", {}, "give a lower threshold or a higher end");
 }

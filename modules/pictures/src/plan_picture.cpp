@@ -68,7 +68,8 @@ RgbImage drawPlan(const surface::ScalpSurface& scalp, const std::vector<NamedPla
     canvases.push_back(drawSkin(view, scalp.mesh));
     SkinCanvas& canvas = canvases.back();
     for (const auto& target : targets)
-      if (isPlaceSeen(view, skin, target.scalp_point)) drawPlannedCoil(canvas, target, plate, drawnAs(target, active));
+      if (isPlaceSeen(view, skin, target.scalp_point))
+        drawPlannedCoil(canvas, target, plate, drawnAs(target, active));
     drawPlaces(canvas, skin, sites, kSite);
     drawPlaces(canvas, skin, landmarks, kLandmark);
     drawTitle(canvas);

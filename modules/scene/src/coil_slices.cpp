@@ -57,7 +57,8 @@ void paintPlate(const CoilPen& pen, const guidance::CoilPlate& plate, CoilCut cu
   pen.stroke({ends->first, 0}, {ends->second, 0}, palette::kCoil, 3.0, 1.0);
   if (cut == CoilCut::across_handle) return;
   const double thick_px = kHandleThick_mm / pen.plane.spacing_mm;
-  pen.stroke({-kHandle_mm, -kHandleThick_mm}, {ends->first, -kHandleThick_mm}, palette::kCoil, thick_px, 0.45);
+  pen.stroke({-kHandle_mm, -kHandleThick_mm}, {ends->first, -kHandleThick_mm}, palette::kCoil, thick_px,
+             0.45);
 }
 
 /// The beam with a tick every centimetre, and the predicted error beside it.
@@ -72,6 +73,24 @@ void paintBeam(const CoilPen& pen, const SlicedCoil& coil, const std::optional<d
   if (ring_depth_mm)
     circle(pen.image, pen.at(0, *ring_depth_mm), *coil.error_mm / pen.plane.spacing_mm, palette::kText, 1.4,
            0.95);
+}
+
+/// The patient's sides. The letters at the top stand below the line of words that a window puts there.
+void paintCoilLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale) {
+  const double w = image.width_px, h = image.height_px;
+  const double size = std::clamp(0.045 * h * text_scale, 9.0 * text_scale, 18.0 * text_scale);
+  const auto word = [&](const Direction<Mri>& side, double u, double v, double anchor) {
+    const std::string letters = sideLetters(side);
+    double at_u = u - anchor * size * double(letters.size() - 1);
+    for (const char each : letters) {
+      letter(image, each, {at_u, v}, size, palette::kText);
+      at_u += size;
+    }
+  };
+  word(Direction<Mri>(-plane.right.v), size, h / 2, 0.0);
+  word(plane.right, w - size, h / 2, 1.0);
+  word(Direction<Mri>(-plane.down.v), w / 2, 2.6 * size, 0.5);
+  word(plane.down, w / 2, h - size, 0.5);
 }
 
 }  // namespace
@@ -99,6 +118,7 @@ RgbImage coilSlicePicture(const SliceScene& scene, const SlicedCoil& coil, CoilC
                           const volume::SlicePlane& plane) {
   SliceScene shown = scene;
   shown.targets.clear();
+  shown.has_letters = false;
   std::optional<double> ring_depth_mm;
   for (const auto& target : scene.targets)
     if (target.name == scene.active_target) {
@@ -109,6 +129,7 @@ RgbImage coilSlicePicture(const SliceScene& scene, const SlicedCoil& coil, CoilC
   const CoilPen pen{image, plane, plane.toPixel(Point<Mri>(coil.mri_T_coil.translation_mm())).head<2>()};
   paintPlate(pen, coil.plate, cut);
   paintBeam(pen, coil, ring_depth_mm);
+  if (scene.has_letters) paintCoilLetters(image, plane, scene.text_scale);
   return image;
 }
 

@@ -68,7 +68,8 @@ vtkSmartPointer<vtkActor> mapActor(const Overlay& overlay, const surface::Triang
   OverlayPoints points;
   for (std::size_t i = 0; i < brain.vertices_mm.size(); ++i) {
     points.add(brain.vertices_mm[i] + kOverBrain_mm * brain.normals[i],
-               is_mask ? overlay.colour : mapColour(values[i], overlay.threshold, overlay.full), overlay.opacity);
+               is_mask ? overlay.colour : mapColour(values[i], overlay.threshold, overlay.full),
+               overlay.opacity);
     points.normals->InsertNextTuple(brain.normals[i].data());
   }
   vtkNew<vtkCellArray> triangles;
@@ -87,7 +88,8 @@ vtkSmartPointer<vtkActor> tractActor(const Overlay& overlay) {
     if (end < begin + 2) continue;
     lines->InsertNextCell(int(end - begin));
     for (std::size_t p = begin; p < end; ++p) {
-      const Eigen::Vector3f along = tracts.points_mm[std::min(p + 1, end - 1)] - tracts.points_mm[p > begin ? p - 1 : p];
+      const Eigen::Vector3f along =
+          tracts.points_mm[std::min(p + 1, end - 1)] - tracts.points_mm[p > begin ? p - 1 : p];
       lines->InsertCellPoint(
           points.add(tracts.points_mm[p].cast<double>(), directionColour(along), overlay.opacity));
     }

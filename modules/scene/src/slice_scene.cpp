@@ -112,7 +112,8 @@ std::string sideLetters(const Direction<Mri>& direction) {
             [&](int a, int b) { return std::abs(direction.v[a]) > std::abs(direction.v[b]); });
   std::string letters(1, sideLetter(direction));
   const int second = axes[1];
-  if (std::abs(direction.v[second]) > least) letters += direction.v[second] > 0 ? "RAS"[second] : "LPI"[second];
+  if (std::abs(direction.v[second]) > least)
+    letters += direction.v[second] > 0 ? "RAS"[second] : "LPI"[second];
   return letters;
 }
 

@@ -215,8 +215,8 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
   map.is_template_space = code >= NIFTI_XFORM_TALAIRACH;
   map.grid = is_sform ? sform : qform;
   requireOrthogonal(map.grid.mri_from_voxel, where);
-  map.evidence = map.name + " (" + spaceOf(code) + ")" +
-                 (choice == NiftiTransform::automatic ? "" : ", as asked for");
+  map.evidence =
+      map.name + " (" + spaceOf(code) + ")" + (choice == NiftiTransform::automatic ? "" : ", as asked for");
   if (!has_sform || !has_qform) return map;
   const std::string other = is_sform ? "qform" : "sform";
   const std::string contradicted = contradiction(sform, qform);

@@ -16,7 +16,8 @@ SliceScene cubeOf(ValueAt value_at) {
   mri->grid.mri_from_voxel.translation() = Eigen::Vector3d(80, -80, -80);
   for (int k = 0; k < 161; ++k)
     for (int j = 0; j < 161; ++j)
-      for (int i = 0; i < 161; ++i) mri->voxels.push_back(float(value_at(Eigen::Vector3d(80 - i, j - 80, k - 80))));
+      for (int i = 0; i < 161; ++i)
+        mri->voxels.push_back(float(value_at(Eigen::Vector3d(80 - i, j - 80, k - 80))));
   SliceScene scene;
   scene.mri = mri;
   scene.has_letters = false;
@@ -26,13 +27,15 @@ SliceScene cubeOf(ValueAt value_at) {
 /// A coil over the left side of the head: z into it, handle backwards and down.
 RigidTransform<Mri, Coil> leftCoil() {
   const Eigen::Vector3d z = Eigen::Vector3d(0.6, -0.1, -0.79).normalized();
-  const Eigen::Vector3d y = (Eigen::Vector3d(0.5, 0.8, 0.1) - z.dot(Eigen::Vector3d(0.5, 0.8, 0.1)) * z).normalized();
+  const Eigen::Vector3d y =
+      (Eigen::Vector3d(0.5, 0.8, 0.1) - z.dot(Eigen::Vector3d(0.5, 0.8, 0.1)) * z).normalized();
   Eigen::Matrix3d axes;
   axes << y.cross(z), y, z;
   return {Eigen::Quaterniond(axes), {-30, 4, 40}};
 }
 
-RgbImage pictureOf(const SliceScene& scene, const SlicedCoil& coil, CoilCut cut, int width = 200, int height = 220) {
+RgbImage pictureOf(const SliceScene& scene, const SlicedCoil& coil, CoilCut cut, int width = 200,
+                   int height = 220) {
   return coilSlicePicture(scene, coil, cut, coilPlane(coil.mri_T_coil, cut, width, height));
 }
 
@@ -82,7 +85,8 @@ TEST(CoilSlices, ShowABallOnItsOwnSide) {
   };
   const auto [ahead_left, ahead_right] = halves(pictureOf(ballAt(0, 20), coil, CoilCut::along_handle));
   EXPECT_GT(ahead_right - ahead_left, 1e4) << "the handle's prolongation is on the right";
-  const auto [left_wing_left, left_wing_right] = halves(pictureOf(ballAt(20, 0), coil, CoilCut::across_handle));
+  const auto [left_wing_left, left_wing_right] =
+      halves(pictureOf(ballAt(20, 0), coil, CoilCut::across_handle));
   EXPECT_GT(left_wing_left - left_wing_right, 1e4) << "the coil's +x is on the left, as behind the handle";
   const auto [off_left, off_right] = halves(pictureOf(ballAt(20, 0), coil, CoilCut::along_handle));
   EXPECT_NEAR(off_left, off_right, 2e3) << "a ball beside the slice does not show";

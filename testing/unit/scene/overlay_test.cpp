@@ -19,9 +19,9 @@ std::shared_ptr<volume::Volume> twoBlobs(float value) {
     for (int j = 0; j < 81; ++j)
       for (int i = 0; i < 81; ++i) {
         const Eigen::Vector3d p(40 - i, j - 40, k - 40);
-        map->voxels.push_back((p - Eigen::Vector3d(-20, 0, 0)).norm() < 8   ? value
+        map->voxels.push_back((p - Eigen::Vector3d(-20, 0, 0)).norm() < 8  ? value
                               : (p - Eigen::Vector3d(20, 0, 0)).norm() < 8 ? -value
-                                                                            : 0.f);
+                                                                           : 0.f);
       }
   return map;
 }
@@ -117,9 +117,9 @@ TEST(Overlay, TheCortexShowsWhatLiesUnderIt) {
   surface.vertices_mm = {{-31, 0, 0}, {31, 0, 0}, {-34, 0, 0}};
   surface.normals = {{-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
   const auto values = valuesUnder(surface, *map);
-  EXPECT_FLOAT_EQ(values[0], 5.f);   // the ball ends 3 mm under it
+  EXPECT_FLOAT_EQ(values[0], 5.f);  // the ball ends 3 mm under it
   EXPECT_FLOAT_EQ(values[1], -5.f);
-  EXPECT_FLOAT_EQ(values[2], 0.f);   // 6 mm
+  EXPECT_FLOAT_EQ(values[2], 0.f);  // 6 mm
 }
 
 TEST(Overlay, ColoursAreSymmetricInBrightnessAndEndAtFull) {

@@ -115,10 +115,11 @@ TEST(TractFiles, TckIsRasMillimetresAndComesBack) {
 TEST(TractFiles, TckOfDoublesAndOtherByteOrder) {
   const testing::TemporaryFolder folder;
   const auto file = [&](const std::string& type, bool is_swapped) {
-    std::string bytes = "mrtrix tracks\ncommand_history: x\ndatatype: " + type + "\ncount: 1\nfile: . 100\nEND\n";
+    std::string bytes =
+        "mrtrix tracks\ncommand_history: x\ndatatype: " + type + "\ncount: 1\nfile: . 100\nEND\n";
     bytes.resize(100, '\0');
-    for (double value : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, double(NAN), double(NAN), double(NAN), double(INFINITY),
-                         double(INFINITY), double(INFINITY)}) {
+    for (double value : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, double(NAN), double(NAN), double(NAN),
+                         double(INFINITY), double(INFINITY), double(INFINITY)}) {
       std::string one;
       append(one, value);
       bytes += is_swapped ? std::string(one.rbegin(), one.rend()) : one;
@@ -164,13 +165,15 @@ TEST(TractFiles, TrxIsRasMillimetresInEveryPrecision) {
   const std::vector<float> xyz{-40, 10, 60.5f, -41, 12, 62, 30, -8, 4};
   const std::string floats = rawOf(xyz), doubles = rawOf(std::vector<double>(xyz.begin(), xyz.end()));
   // -40, 10, 60.5, -41, 12, 62, 30, -8, 4 in half precision
-  const std::string halves = rawOf(std::vector<std::uint16_t>{0xd100, 0x4900, 0x5390, 0xd120, 0x4a00, 0x53c0,
-                                                              0x4f80, 0xc800, 0x4400});
-  const std::string wide = rawOf(std::vector<std::uint64_t>{0, 2}), ended = rawOf(std::vector<std::uint32_t>{0, 2, 3});
-  const auto read = [&](const std::string& positions, const std::string& values, const std::string& offsets_name,
-                        const std::string& offsets) {
-    return readTracts(write(folder.path(), "a.trx",
-                            zipOf({{"header.json", kTrxHeader}, {positions, values}, {offsets_name, offsets}})));
+  const std::string halves = rawOf(
+      std::vector<std::uint16_t>{0xd100, 0x4900, 0x5390, 0xd120, 0x4a00, 0x53c0, 0x4f80, 0xc800, 0x4400});
+  const std::string wide = rawOf(std::vector<std::uint64_t>{0, 2}),
+                    ended = rawOf(std::vector<std::uint32_t>{0, 2, 3});
+  const auto read = [&](const std::string& positions, const std::string& values,
+                        const std::string& offsets_name, const std::string& offsets) {
+    return readTracts(
+        write(folder.path(), "a.trx",
+              zipOf({{"header.json", kTrxHeader}, {positions, values}, {offsets_name, offsets}})));
   };
   for (const auto& tracts : {read("positions.3.float32", floats, "offsets.uint64", wide),
                              read("positions.3.float64", doubles, "offsets.uint32", ended),
@@ -225,7 +228,8 @@ TEST(TractFiles, DamagedFilesAreRefusedInOneLine) {
       EXPECT_EQ(std::string(fault.what()).find('\n'), std::string::npos);
     }
   };
-  for (std::size_t size : {std::size_t(0), std::size_t(4), tck.size() / 2, tck.size() - 12}) refused("x.tck", tck.substr(0, size));
+  for (std::size_t size : {std::size_t(0), std::size_t(4), tck.size() / 2, tck.size() - 12})
+    refused("x.tck", tck.substr(0, size));
   for (std::size_t size : {std::size_t(0), std::size_t(999), trk.size() - 1, std::size_t(1004)})
     refused("x.trk", trk.substr(0, size));
   for (std::size_t size = 0; size < trx.size(); size += 7) refused("x.trx", trx.substr(0, size));
@@ -254,11 +258,12 @@ TEST(TractFiles, HundredThousandLinesComeBackWhole) {
 TEST(MeshReader, ReadsWhatOthersWriteAndTurnsLps) {
   const testing::TemporaryFolder folder;
   const auto ply = [&](const std::string& comment) {
-    return write(folder.path(), "m.ply",
-                 "ply\nformat ascii 1.0\ncomment " + comment +
-                     "\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                     "property list uchar int vertex_indices\nend_header\n-10 0 0\n10 0 0\n10 20 1\n-10 20 2\n"
-                     "4 0 1 2 3\n");
+    return write(
+        folder.path(), "m.ply",
+        "ply\nformat ascii 1.0\ncomment " + comment +
+            "\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+            "property list uchar int vertex_indices\nend_header\n-10 0 0\n10 0 0\n10 20 1\n-10 20 2\n"
+            "4 0 1 2 3\n");
   };
   const auto ras = readMesh(ply("made here"));
   ASSERT_EQ(ras.triangles.size(), 2u);  // a square becomes two

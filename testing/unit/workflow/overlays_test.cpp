@@ -29,7 +29,8 @@ class Overlays : public ::testing::Test {
       nodes.mri_from_voxel.translation().setConstant(-100);
       Eigen::Affine3d mri_from_mni = Eigen::Affine3d::Identity();
       mri_from_mni.translation() << -10, 0, 0;
-      prepared.atlas = atlas::AtlasMap(mri_from_mni, nodes, std::vector<Eigen::Vector3f>(8, Eigen::Vector3f::Zero()));
+      prepared.atlas =
+          atlas::AtlasMap(mri_from_mni, nodes, std::vector<Eigen::Vector3f>(8, Eigen::Vector3f::Zero()));
     }
     return casefile::CaseStore::create(folder_.path() / "case", prepared, {}, false);
   }
@@ -54,7 +55,8 @@ class Overlays : public ::testing::Test {
 Eigen::Vector3d peakOf(const volume::Volume& map) {
   const auto at = std::max_element(map.voxels.begin(), map.voxels.end()) - map.voxels.begin();
   const auto& grid = map.grid;
-  return grid.mri_from_voxel * Eigen::Vector3d(double(at % grid.size[0]), double(at / grid.size[0] % grid.size[1]),
+  return grid.mri_from_voxel * Eigen::Vector3d(double(at % grid.size[0]),
+                                               double(at / grid.size[0] % grid.size[1]),
                                                double(at / (grid.size[0] * grid.size[1])));
 }
 

@@ -60,6 +60,8 @@ QWidget* ReviewWorkspace::makeHead() {
     button->setCheckable(true);
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::ALT + Qt::Key_1 + i));
+    button->ensurePolished();
+    button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
     tabs_->addButton(button, i);
     row->addWidget(button);
   }

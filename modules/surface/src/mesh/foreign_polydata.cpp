@@ -2,6 +2,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
@@ -26,7 +27,8 @@ namespace {
 
 std::string endingOf(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   return ending;
 }
 
@@ -40,6 +42,7 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& path) {
   vtkNew<ErrorListener> listener;
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->AddObserver(vtkCommand::WarningEvent, listener);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);  // speaks for a reader that fails
   reader->SetFileName(path.c_str());
   reader->Update();
   if (listener->has_error || reader->GetErrorCode() != 0 || !reader->GetOutput())
@@ -75,7 +78,8 @@ void toRas(vtkPolyData& poly, const std::filesystem::path& path) {
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> readForeignPolyData(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw Error("file does not exist", path.string(), "check the path");
+  if (!std::filesystem::is_regular_file(path))
+    throw Error("file does not exist", path.string(), "check the path");
   const std::string ending = endingOf(path);
   vtkSmartPointer<vtkPolyData> read;
   if (ending == ".ply") read = readWith<vtkPLYReader>(path);
@@ -131,7 +135,8 @@ TractLines readVtkLines(const std::filesystem::path& path) {
     const vtkIdType* ids = nullptr;
     cell->GetCurrentCell(size, ids);
     for (vtkIdType i = 0; i < size; ++i) {
-      if (ids[i] < 0 || ids[i] >= poly->GetNumberOfPoints()) refuseTracts(path, "a line names a missing point");
+      if (ids[i] < 0 || ids[i] >= poly->GetNumberOfPoints())
+        refuseTracts(path, "a line names a missing point");
       tracts.points_mm.push_back(Eigen::Map<const Eigen::Vector3d>(poly->GetPoint(ids[i])).cast<float>());
     }
     tracts.ends.push_back(tracts.points_mm.size());
@@ -145,7 +150,8 @@ bool isTractName(const std::filesystem::path& path) {
 }
 
 TractLines readTracts(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw Error("file does not exist", path.string(), "check the path");
+  if (!std::filesystem::is_regular_file(path))
+    throw Error("file does not exist", path.string(), "check the path");
   const std::string ending = endingOf(path);
   TractLines tracts = ending == ".trk"   ? readTrk(path)
                       : ending == ".tck" ? readTck(path)

@@ -14,10 +14,11 @@ namespace facenav::surface {
 namespace {
 
 /// The text before the data, by key; throws where it has no end.
-std::map<std::string, std::string> readTckHeader(const std::string& bytes, const std::filesystem::path& path) {
+std::map<std::string, std::string> readTckHeader(const std::string& bytes,
+                                                 const std::filesystem::path& path) {
   constexpr std::size_t kLongest = 1 << 20;
   const auto end = bytes.compare(0, 13, "mrtrix tracks") == 0 ? bytes.substr(0, kLongest).find("\nEND")
-                                                               : std::string::npos;
+                                                              : std::string::npos;
   if (end == std::string::npos) refuseTracts(path, "it is no .tck file");
   std::istringstream lines(bytes.substr(0, end));
   std::map<std::string, std::string> header;
@@ -85,11 +86,13 @@ void writeTck(const TractLines& tracts, const std::filesystem::path& path, FileA
   std::string bytes = "mrtrix tracks\ndatatype: Float32LE\ncount: " + std::to_string(tracts.lines()) +
                       "\nfile: . " + std::to_string(kHeader) + "\nEND\n";
   bytes.resize(kHeader, '\0');
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinity = std::numeric_limits<float>::infinity();
   const float line_end[3] = {nan, nan, nan}, file_end[3] = {infinity, infinity, infinity};
   for (std::size_t line = 0; line < tracts.lines(); ++line) {
     const std::size_t begin = tracts.begin(line), count = tracts.ends[line] - begin;
-    bytes.append(reinterpret_cast<const char*>(tracts.points_mm.data() + begin), count * sizeof(Eigen::Vector3f));
+    bytes.append(reinterpret_cast<const char*>(tracts.points_mm.data() + begin),
+                 count * sizeof(Eigen::Vector3f));
     bytes.append(reinterpret_cast<const char*>(line_end), sizeof line_end);
   }
   bytes.append(reinterpret_cast<const char*>(file_end), sizeof file_end);

@@ -28,7 +28,8 @@ struct TrkHeader {
 };
 
 TrkHeader readHeader(const std::string& bytes, const std::filesystem::path& path) {
-  if (bytes.size() < kTrkHeader || bytes.compare(0, 5, "TRACK") != 0) refuseTracts(path, "it is no .trk file");
+  if (bytes.size() < kTrkHeader || bytes.compare(0, 5, "TRACK") != 0)
+    refuseTracts(path, "it is no .trk file");
   const auto stated = atOffset<std::int32_t>(bytes, 996);
   if (stated != int(kTrkHeader))
     refuseTracts(path, stated == int(0xe8030000) ? "it is big-endian" : "its header is damaged");
@@ -47,8 +48,8 @@ TrkHeader readHeader(const std::string& bytes, const std::filesystem::path& path
   for (std::size_t i = 0; i < 3; ++i)
     if (const char letter = bytes[948 + i]) header.order += letter;
   if (header.order.empty()) header.order = "LPS";  // TrackVis' rule
-  if (!(header.voxel_mm.minCoeff() > 0) || header.scalars < 0 || header.properties < 0 || header.scalars > 10 ||
-      header.properties > 10)
+  if (!(header.voxel_mm.minCoeff() > 0) || header.scalars < 0 || header.properties < 0 ||
+      header.scalars > 10 || header.properties > 10)
     refuseTracts(path, "its header is damaged");
   if (!header.ras_from_voxel.matrix().allFinite() || atOffset<float>(bytes, 500) == 0 ||
       std::abs(header.ras_from_voxel.linear().determinant()) < 1e-9f)
@@ -95,7 +96,8 @@ TractLines readTrk(const std::filesystem::path& path) {
   const std::string bytes = readWholeFile(path);
   const TrkHeader header = readHeader(bytes, path);
   const Eigen::Affine3f ras_from_mm = rasFromTrackvis(header, path);
-  const std::size_t point_bytes = 4 * std::size_t(3 + header.scalars), line_bytes = 4 * std::size_t(header.properties);
+  const std::size_t point_bytes = 4 * std::size_t(3 + header.scalars),
+                    line_bytes = 4 * std::size_t(header.properties);
   TractLines tracts;
   tracts.points_mm.reserve((bytes.size() - kTrkHeader) / point_bytes);
   std::size_t at = kTrkHeader;

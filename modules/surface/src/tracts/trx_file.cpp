@@ -59,7 +59,8 @@ std::vector<std::uint64_t> offsetsOf(const Entries& entries, const std::filesyst
 
 }  // namespace
 
-/// Positions are RAS mm. An offset is where a line begins; a last one, where present, is the number of points.
+/// Positions are RAS mm. An offset is where a line begins; a last one, where present, is the number of
+/// points.
 TractLines readTrx(const std::filesystem::path& path) {
   const Entries entries = readZip(readWholeFile(path), path);
   if (!entries.count("header.json")) refuseTracts(path, "it holds no header.json");
@@ -70,7 +71,8 @@ TractLines readTrx(const std::filesystem::path& path) {
   const double lines = header.at("NB_STREAMLINES").number(), points = header.at("NB_VERTICES").number();
   if (double(tracts.points_mm.size()) != points) refuseTracts(path, "it holds fewer points than it states");
   if (double(offsets.size()) == lines) offsets.push_back(tracts.points_mm.size());
-  if (double(offsets.size()) != lines + 1 || offsets.front() != 0 || offsets.back() != tracts.points_mm.size())
+  if (double(offsets.size()) != lines + 1 || offsets.front() != 0 ||
+      offsets.back() != tracts.points_mm.size())
     refuseTracts(path, "its lines do not fit its points");
   for (std::size_t i = 1; i < offsets.size(); ++i) {
     if (offsets[i] < offsets[i - 1]) refuseTracts(path, "its lines do not fit its points");

@@ -26,7 +26,8 @@ class ZipReader {
     std::size_t at = bytes_.size() < 22 ? std::string::npos : bytes_.rfind("PK\5\6", bytes_.size() - 22);
     if (at == std::string::npos) refuseTracts(path_, "it is no whole .trx archive");
     std::uint64_t count = number<std::uint16_t>(at + 10), directory = number<std::uint32_t>(at + 16);
-    if ((count == 0xffff || directory == 0xffffffff) && at >= 20 && bytes_.compare(at - 20, 4, "PK\6\7") == 0) {
+    if ((count == 0xffff || directory == 0xffffffff) && at >= 20 &&
+        bytes_.compare(at - 20, 4, "PK\6\7") == 0) {
       const std::uint64_t end = number<std::uint64_t>(at - 12);
       count = number<std::uint64_t>(end + 32);
       directory = number<std::uint64_t>(end + 48);
@@ -40,7 +41,8 @@ class ZipReader {
   template <class T>
   T number(std::uint64_t at) const {
     T value;
-    if (at > bytes_.size() || bytes_.size() - at < sizeof value) refuseTracts(path_, "its archive is cut short");
+    if (at > bytes_.size() || bytes_.size() - at < sizeof value)
+      refuseTracts(path_, "its archive is cut short");
     std::memcpy(&value, bytes_.data() + at, sizeof value);
     return value;
   }
@@ -51,12 +53,15 @@ class ZipReader {
     const int method = number<std::uint16_t>(at + 10);
     std::uint64_t packed = number<std::uint32_t>(at + 20), whole = number<std::uint32_t>(at + 24),
                   local = number<std::uint32_t>(at + 42);
-    const std::uint64_t name_size = number<std::uint16_t>(at + 28), extra_size = number<std::uint16_t>(at + 30);
-    const std::uint64_t extra = at + 46 + name_size, next = extra + extra_size + number<std::uint16_t>(at + 32);
+    const std::uint64_t name_size = number<std::uint16_t>(at + 28),
+                        extra_size = number<std::uint16_t>(at + 30);
+    const std::uint64_t extra = at + 46 + name_size,
+                        next = extra + extra_size + number<std::uint16_t>(at + 32);
     if (extra > bytes_.size()) refuseTracts(path_, "its archive is cut short");
     const std::string name = bytes_.substr(at + 46, name_size);
     for (std::uint64_t e = extra; e + 4 <= extra + extra_size; e += 4 + number<std::uint16_t>(e + 2)) {
-      if (number<std::uint16_t>(e) != 1) continue;  // 64-bit sizes, in this order, where the short ones are full
+      if (number<std::uint16_t>(e) != 1)
+        continue;  // 64-bit sizes, in this order, where the short ones are full
       std::uint64_t value = e + 4;
       for (auto* size : {&whole, &packed, &local})
         if (*size == 0xffffffff) *size = number<std::uint64_t>(value), value += 8;

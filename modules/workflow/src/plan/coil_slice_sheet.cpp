@@ -22,7 +22,8 @@ RgbImage coilSliceSheet(const scene::SliceScene& scene, const guidance::Target& 
   scene::SliceScene shown = scene;
   shown.targets = {target};
   shown.active_target = target.name;
-  const scene::SlicedCoil coil{target.mri_T_target.reframe<Mri, Coil>(), plate, error_mm};  // the planned coil
+  const scene::SlicedCoil coil{target.mri_T_target.reframe<Mri, Coil>(), plate,
+                               error_mm};  // the planned coil
   const auto slice = [&](scene::CoilCut cut) {
     return coilSlicePicture(shown, coil, cut, coilPlane(coil.mri_T_coil, cut, kWidth_px, kHeight_px));
   };
@@ -31,7 +32,8 @@ RgbImage coilSliceSheet(const scene::SliceScene& scene, const guidance::Target& 
   return pictures::titledRow(
       {{target.name + formatted(": along the handle (on the left), cortex %.0f mm deep", passing.depth_mm),
         slice(scene::CoilCut::along_handle)},
-       {"across the handle, as seen from it; a tick is 10 mm" + error, slice(scene::CoilCut::across_handle)}});
+       {"across the handle, as seen from it; a tick is 10 mm" + error,
+        slice(scene::CoilCut::across_handle)}});
 }
 
 RgbImage mapScale(const casefile::OverlayEntry& entry) {

@@ -114,7 +114,8 @@ void requireAtHead(const casefile::CaseStore& store, const OverlayContent& conte
   for (const Vector3d& p : places) {
     const Point<Mri> at = map ? map->toMri(Point<Mni>(p)) : Point<Mri>(p);
     const Vector3d ijk = grid.toVoxel(at);
-    within += ijk.minCoeff() >= -0.5 && ijk.x() < grid.size[0] && ijk.y() < grid.size[1] && ijk.z() < grid.size[2];
+    within +=
+        ijk.minCoeff() >= -0.5 && ijk.x() < grid.size[0] && ijk.y() < grid.size[1] && ijk.z() < grid.size[2];
   }
   if (2 * within < places.size())
     throw Error("most of it lies beside the head (" + std::to_string(100 * within / places.size()) +
@@ -134,14 +135,17 @@ void chooseColours(OverlayEntry& entry, const NewOverlay& wanted, const volume::
   };
   entry.threshold = wanted.threshold.value_or(threeDigits(*at));
   const double largest = *std::max_element(sizes.begin(), sizes.end());
-  entry.full = wanted.full.value_or(largest > entry.threshold ? threeDigits(largest) : 2 * entry.threshold + 1);
-  if (entry.full <= entry.threshold && !wanted.full) entry.full = entry.threshold + 0.01 * std::max(1.0, largest);
+  entry.full =
+      wanted.full.value_or(largest > entry.threshold ? threeDigits(largest) : 2 * entry.threshold + 1);
+  if (entry.full <= entry.threshold && !wanted.full)
+    entry.full = entry.threshold + 0.01 * std::max(1.0, largest);
 }
 
 std::string freeOverlayName(const std::vector<OverlayEntry>& entries, OverlayKind kind) {
   for (int n = 1;; ++n) {
     const std::string name = toString(kind) + " " + std::to_string(n);
-    if (std::none_of(entries.begin(), entries.end(), [&](const auto& e) { return e.name == name; })) return name;
+    if (std::none_of(entries.begin(), entries.end(), [&](const auto& e) { return e.name == name; }))
+      return name;
   }
 }
 
@@ -174,7 +178,8 @@ std::vector<OverlayEntry>::iterator findEntry(std::vector<OverlayEntry>& entries
   const auto found =
       std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.name == name; });
   if (found == entries.end())
-    throw Error("the case has no overlay '" + name + "'", case_folder.string(), "--list-overlays shows its names");
+    throw Error("the case has no overlay '" + name + "'", case_folder.string(),
+                "--list-overlays shows its names");
   return found;
 }
 

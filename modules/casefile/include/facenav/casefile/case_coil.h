@@ -1,7 +1,7 @@
 #pragma once
 // The coil that a case is planned for: CASE/coil.json, a copy of the coil's own file, so that planning does
-// not change when the original does. Its contact outline rests on the head. This is the one place that decides
-// which outline window and command line use.
+// not change when the original does. Its contact outline rests on the head. This is the one place that
+// decides which outline window and command line use.
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// Overlay: something of another program shown over the MRI, on slices and in 3-D: a statistical map, a mask, a
-// surface, tracts. Everything is in Mri already. Exactly one of its contents is set.
+// Overlay: something of another program shown over the MRI, on slices and in 3-D: a statistical map, a mask,
+// a surface, tracts. Everything is in Mri already. Exactly one of its contents is set.
 
 #include <memory>
 #include <string>
@@ -24,11 +24,11 @@ BoxedTracts boxed(surface::TractLines tracts);
 struct Overlay {
   std::string name;
   double opacity = 0.7;
-  std::shared_ptr<const volume::Volume> map;  // shown where |value| >= threshold
+  std::shared_ptr<const volume::Volume> map;   // shown where |value| >= threshold
   std::shared_ptr<const volume::Volume> mask;  // 0 to 1; shown from 0.5
   std::shared_ptr<const BoxedTracts> tracts;
   std::shared_ptr<const surface::TriangleMesh> mesh;
-  double threshold = 0, full = 1;  // of a map: where its colours begin and end, both signs
+  double threshold = 0, full = 1;        // of a map: where its colours begin and end, both signs
   palette::Rgb colour{0.25, 0.9, 0.45};  // of mask and mesh; tracts show their direction
 };
 

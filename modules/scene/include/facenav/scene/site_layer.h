@@ -1,6 +1,6 @@
 #pragma once
-// SiteLayer: named places on the scalp in the 3-D scene, such as the EEG sites of the 10-20 system. World must
-// be Mri (ViewFrame::head_fixed).
+// SiteLayer: named places on the scalp in the 3-D scene, such as the EEG sites of the 10-20 system. World
+// must be Mri (ViewFrame::head_fixed).
 
 #include <memory>
 #include <string>

@@ -25,8 +25,9 @@ struct TractLines {
 /// ".trk", ".tck", ".trx". (.vtk and .vtp hold lines or a surface; the file itself says which.)
 bool isTractName(const std::filesystem::path& path);
 
-/// Reads any of them. trk: the voxel order and vox_to_ras of its header are applied. vtk: RAS, or LPS where its
-/// title says SPACE=LPS. Throws Error naming the file: missing, damaged, cut short, no line, no place in space.
+/// Reads any of them. trk: the voxel order and vox_to_ras of its header are applied. vtk: RAS, or LPS where
+/// its title says SPACE=LPS. Throws Error naming the file: missing, damaged, cut short, no line, no place in
+/// space.
 TractLines readTracts(const std::filesystem::path& path);
 
 /// MRtrix's format, single precision, without words about its origin; whole file or nothing.

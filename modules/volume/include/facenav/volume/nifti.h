@@ -1,8 +1,8 @@
 #pragma once
 // Reads and writes NIfTI-1 (through niftiio, the reference implementation). World coordinates are RAS mm:
 // from sform if its code is > 0, else from qform. The result states which one was used and whether the two
-// disagree. Lengths stated in metres or micrometres become mm. If they disagree about left and right or about the size of the head, the warning says so; a case
-// keeps it as a finding that its sign-off must acknowledge.
+// disagree. Lengths stated in metres or micrometres become mm. If they disagree about left and right or about
+// the size of the head, the warning says so; a case keeps it as a finding that its sign-off must acknowledge.
 
 #include <filesystem>
 #include <optional>
@@ -23,7 +23,7 @@ struct NiftiRead {
   Volume volume;         // orientation_source is "sform" or "qform"
   std::string evidence;  // in words: which map was used, why, and whether the other one agrees
   std::optional<std::string>
-      warning;  // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
+      warning;                     // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
   bool is_template_space = false;  // the map used leads to MNI, Talairach or another template, by its code
   std::string statistic;           // of a statistical map, by its intent: "t", "z", "F", "r", "p"; else empty
 };

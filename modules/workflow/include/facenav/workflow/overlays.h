@@ -17,7 +17,7 @@ struct NewOverlay {
   /// Where its coordinates live. Nothing: native, unless the file says that it is in a template's space; then
   /// it is refused, because a map of a group lies in nobody's own head.
   std::optional<casefile::OverlaySpace> space;
-  std::string name;                       // empty: "map 1", "tracts 2": a file's name may be a patient's
+  std::string name;  // empty: "map 1", "tracts 2": a file's name may be a patient's
   double opacity = 0.7;
   std::optional<double> threshold, full;  // of a map; absent: 95th percentile, and the largest, of its sizes
 };
