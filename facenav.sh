@@ -119,7 +119,7 @@ build() {
   if [ ! -f build/release/build.ninja ] || ! grep -q "FACENAV_BUILD_TESTS:BOOL=$tests" build/release/CMakeCache.txt; then
     say "configuring"
     [ "$tests" = ON ] && nvcc=$(working_nvcc)
-    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_BUILD_BENCHMARKS="$tests" -DFACENAV_ONLY= \
+    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= \
       ${nvcc:+-DFACENAV_CUDA=ON "-DCMAKE_CUDA_COMPILER=$nvcc"} >"$log" 2>&1 || explain "configuring"
   fi
   ninja -C build/release -n 2>/dev/null | grep -q 'no work to do' && return

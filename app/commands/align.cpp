@@ -1,4 +1,5 @@
-// facenav align CASE RECORDING: capture pair -> CASE/alignment.json (or --rig, --left, --right, -o).
+// facenav align CASE RECORDING: what the recording holds (pair with dots, plain pair, film) ->
+// CASE/alignment.json (or --rig, --left, --right, -o).
 
 #include <cmath>
 #include <cstdio>
@@ -14,7 +15,7 @@ struct AlignRequest {
   std::filesystem::path case_folder;
   std::optional<std::filesystem::path> recording, rig, output;
   std::vector<std::filesystem::path> left, right;  // with dots, without
-  std::string aligner, matcher = stereo::kDefaultMatcher;
+  std::string aligner, matcher = stereo::kDefaultMatcher, from;
 };
 
 cv::Mat readGrey(const std::filesystem::path& path) {
@@ -24,33 +25,27 @@ cv::Mat readGrey(const std::filesystem::path& path) {
   return image;
 }
 
-/// Capture pair and rig from single files. Without a plain pair, the pair with dots is used for both.
-std::pair<cameras::StereoRig, capture::CapturePair> fromFiles(const AlignRequest& request) {
+/// Capture pair and rig from single files: the pair with dots, then the one without; a single one is both.
+capture::Recording fromFiles(const AlignRequest& request) {
   if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
       request.left.size() > 2)
     throw Error("give a RECORDING, or --rig with as many --left as --right images", {},
                 "first the image with dots, then the one without");
-  const auto rig = cameras::readRig(*request.rig);
+  capture::Recording recording;
+  recording.rig = cameras::readRig(*request.rig);
   capture::CapturePair pair;
   pair.pattern.left = readGrey(request.left.front());
   pair.pattern.right = readGrey(request.right.front());
   pair.plain.left = readGrey(request.left.back());
   pair.plain.right = readGrey(request.right.back());
   for (const auto& image : {pair.pattern.left, pair.pattern.right, pair.plain.left, pair.plain.right})
-    if (image.cols != rig.width_px || image.rows != rig.height_px)
+    if (image.cols != recording.rig.width_px || image.rows != recording.rig.height_px)
       throw Error("image is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) +
-                      ", the rig's are " + std::to_string(rig.width_px) + " x " +
-                      std::to_string(rig.height_px),
+                      ", the rig's are " + std::to_string(recording.rig.width_px) + " x " +
+                      std::to_string(recording.rig.height_px),
                   request.left.front().string(), "use the rig's own calibration");
-  return {rig, pair};
-}
-
-std::pair<cameras::StereoRig, capture::CapturePair> fromRecording(const std::filesystem::path& folder) {
-  auto recording = capture::openCapture(folder);
-  if (!recording.capture)
-    throw Error("has no capture/ pair", folder.string(),
-                "record one with the dots projected and one without");
-  return {recording.rig, *recording.capture};
+  recording.capture = pair;
+  return recording;
 }
 
 /// Prints the parts of the face that fit worse than expected of a good skin model and a still face.
@@ -64,12 +59,17 @@ void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
 
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
-  const auto [rig, pair] = request.recording ? fromRecording(*request.recording) : fromFiles(request);
-  const auto outcome = workflow::alignCase(context.registrations, store, rig, pair, request.aligner,
-                                           context.monitor, request.matcher);
+  const auto recording = request.recording ? capture::openCapture(*request.recording) : fromFiles(request);
+  workflow::AlignOrder order{request.aligner};
+  order.matcher = request.matcher;
+  order.from = workflow::alignedFrom(request.from);
+  const auto aligned =
+      workflow::alignRecording(context.registrations, store, recording, order, context.monitor);
+  const auto& outcome = aligned.outcome;
   const auto stored = outcome.stored();
   if (request.output) casefile::writeAlignment(stored, *request.output);
   if (context.is_quiet) return;
+  std::printf("%s\n", inWords(aligned).c_str());
   if (stored.matcher) std::printf("face measured by the matcher %s\n", stored.matcher->c_str());
   std::printf("aligned: residual rms %.2f mm, max %.2f mm, %d points (%.0f %% of the face)\n", stored.rms_mm,
               stored.max_mm, stored.points, 100 * stored.inlier_fraction);
@@ -83,12 +83,13 @@ void runAlign(Context& context, const AlignRequest& request) {
 }  // namespace
 
 void addAlign(CLI::App& app, Context& context) {
-  auto* verb =
-      app.add_subcommand("align", "capture pair with projected dots -> alignment of the MRI to the face");
+  auto* verb = app.add_subcommand(
+      "align", "what a recording holds of the face (dots, plain pair, film) -> alignment of the MRI to it");
   auto request = std::make_shared<AlignRequest>();
   request->aligner = context.registrations.aligners.defaultName();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
-  verb->add_option("RECORDING", request->recording, "recording folder with stereo.yml and capture/");
+  verb->add_option("RECORDING", request->recording,
+                   "recording folder with stereo.yml and capture/ or a film");
   verb->add_option("--rig", request->rig, "stereo.yml, instead of RECORDING");
   verb->add_option("--left", request->left, "left image with dots, then the one without");
   verb->add_option("--right", request->right, "right image with dots, then the one without");
@@ -96,7 +97,12 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("--aligner", request->aligner,
                    "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();
-  verb->add_option("--matcher", request->matcher, "measures the face by: " + stereo::denseMatcherList())
+  verb->add_option("--using", request->from,
+                   "align from this: dots, plain (the pair without dots) or film (its first two seconds, in "
+                   "which the head turns to both sides); default: the one with the smallest predicted error")
+      ->check(CLI::IsMember({"dots", "plain", "film"}));
+  verb->add_option("--matcher", request->matcher,
+                   "measures a face with dots by: " + stereo::denseMatcherList())
       ->capture_default_str();
   verb->callback([&context, request] { runAlign(context, *request); });
 }

@@ -9,6 +9,7 @@
 #include "evaluate/evaluation_head.h"
 #include "evaluate/evaluation_plan.h"
 #include "evaluate/evaluation_run.h"
+#include "evaluate/plain_align_run.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/evaluation/evaluation_report.h"
 #include "facenav/guidance/hand_knob.h"
@@ -34,8 +35,9 @@ std::string nameOf(const evaluation::RunRecord& run) {
   return run.scenario + ", " + run.head + ", seed " + std::to_string(run.seed);
 }
 
-void playHead(Context& context, const EvaluateRequest& request, const EvaluationHead& head, double done,
-              double share, std::vector<evaluation::RunRecord>& runs) {
+void playHead(Context& context, const EvaluateRequest& request, const EvaluationHead& head,
+              const surface::ScalpSurface* other, double done, double share,
+              std::vector<evaluation::RunRecord>& runs) {
   const auto planned = plannedRuns(request.room);
   std::optional<AlignedCapture> last;
   for (std::size_t i = 0; i < planned.size(); ++i) {
@@ -51,6 +53,11 @@ void playHead(Context& context, const EvaluateRequest& request, const Evaluation
                              done + share * (double(i) + part) / double(planned.size()));
     };
     report(0.0);
+    if (run.scenario == room::kPlainAlign) {
+      for (auto& one : runPlainAlign(context, planned[i].options, head, other, request.methods, run))
+        runs.push_back(std::move(one));
+      continue;
+    }
     auto sequence = roomSequence(planned[i].options, head);
     runSequence(context, sequence, head.scalp, head.target, request.methods, last, run, report);
     if (run.scenario == "capture") run.frames.clear();  // it exists only because a recording needs a frame
@@ -61,9 +68,11 @@ void playHead(Context& context, const EvaluateRequest& request, const Evaluation
 std::vector<evaluation::RunRecord> playRoom(Context& context, const EvaluateRequest& request) {
   std::vector<evaluation::RunRecord> runs;
   const double share = 1.0 / double(request.room.heads.size());
+  std::optional<EvaluationHead> before;
   for (std::size_t i = 0; i < request.room.heads.size(); ++i) {
-    const auto head = makeEvaluationHead(context, request.room.heads[i]);
-    playHead(context, request, head, double(i) * share, share, runs);
+    auto head = makeEvaluationHead(context, request.room.heads[i]);
+    playHead(context, request, head, before ? &before->scalp : nullptr, double(i) * share, share, runs);
+    before = std::move(head);
   }
   return runs;
 }

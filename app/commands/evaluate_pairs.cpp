@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "evaluate/face_to_face.h"
 #include "evaluate/person_pairs.h"
 
 namespace facenav::app {
@@ -20,12 +21,23 @@ void addEvaluatePairs(CLI::App& evaluate, Context& context) {
       ->check(CLI::ExistingDirectory);
   verb->add_option("--rigs", *rigs, "folder of <a><b>_stereo.yml (default: the first person's)")
       ->check(CLI::ExistingDirectory);
-  verb->add_option("--head-tracker", *method, "method: " + workflow::namesOf(context.registrations.head_trackers))
+  verb->add_option("--head-tracker", *method,
+                   "method: " + workflow::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
-  verb->callback([&context, people, rigs, method] {
+  auto is_aligned_only = std::make_shared<bool>(false);
+  verb->add_flag("--align", *is_aligned_only,
+                 "instead: each pair aligned to the face that one measured at another moment, without dots");
+  verb->callback([&context, people, rigs, method, is_aligned_only] {
+    const auto& folder = rigs->empty() ? people->front() : *rigs;
+    if (*is_aligned_only) {
+      const auto agreements =
+          alignToMeasuredFaces(context, *people, folder, context.registrations.aligners.defaultName());
+      std::printf("%s", facesTable(agreements).c_str());
+      return;
+    }
     const auto result = evaluatePairs(
-        *people, rigs->empty() ? people->front() : *rigs,
-        [&] { return context.registrations.head_trackers.create(*method); }, context.monitor);
+        *people, folder, [&] { return context.registrations.head_trackers.create(*method); },
+        context.monitor);
     std::printf("%s", pairsTable(result).c_str());
   });
 }

@@ -8,29 +8,36 @@
 #include <cstdlib>
 
 #include "commands/commands.h"
+#include "commands/overlay_steps.h"
 #include "commands/plan_print.h"
+#include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/pictures/plan_picture.h"
+#include "facenav/pictures/titled_row.h"
 #include "facenav/scene/png.h"
 #include "facenav/volume/map_peak.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/workflow/case_landmarks.h"
+#include "facenav/workflow/case_pictures.h"
+#include "facenav/workflow/coil_slice_sheet.h"
+#include "facenav/workflow/overlays.h"
 #include "facenav/workflow/plan_editor.h"
 
 namespace facenav::app {
 namespace {
 
 struct PlanRequest {
-  std::filesystem::path case_folder, coil, protocol, picture, map;
+  std::filesystem::path case_folder, coil, protocol, picture, slices, map;
   bool is_json = false, lists_presets = false, lists_landmarks = false, measures = false,
        shows_protocol = false;
   std::vector<std::string> set_landmarks, find_landmarks, compare;
   std::string preset, name, by = "", target, note, grid_on = "scalp", map_space = "mni";
   std::vector<int> grid;
   std::vector<double> within;
+  OverlayRequest overlays;
   double handle_deg = 45, gap_mm = 0, spacing_mm = 7.5, radius_mm = 15;
   bool duplicates = false, mirrors = false, locks = false, unlocks = false, removes = false, has_note = false,
        removes_grid = false, wants_lowest = false;
@@ -59,12 +66,15 @@ class PlanSteps {
       : request_(request), is_quiet_(is_quiet), store_(casefile::CaseStore::open(request.case_folder)) {}
 
   void run() {
+    if (!request_.coil.empty()) casefile::setCoil(store_.folder(), request_.coil);
     bool has_done = landmarkSteps();
     has_done |= protocolSteps();
     has_done |= targetSteps();
+    has_done |= overlaySteps(request_.overlays, store_, request_.is_json, is_quiet_);
     if (request_.measures) printMeasures(headMeasures(), request_.is_json), has_done = true;
     if (request_.compare.size() == 2) compare(), has_done = true;
     if (!request_.picture.empty()) draw(), has_done = true;
+    if (!request_.slices.empty()) drawSlices(), has_done = true;
     if (!has_done || (!is_quiet_ && has_edited_)) printPlan(store_.targets(), head(), request_.is_json);
   }
 
@@ -72,7 +82,6 @@ class PlanSteps {
   const workflow::PlannedHead& head() {
     if (!head_) {
       head_ = workflow::plannedHead(store_);
-      if (!request_.coil.empty()) head_->plate = guidance::readPlate(request_.coil);
     }
     return *head_;
   }
@@ -186,9 +195,28 @@ class PlanSteps {
       for (const auto& site : measures.eegSites().sites) sites.push_back({site.name, site.point});
       sites.push_back({"Beam F3", measures.beamF3().point});
     }
-    scene::writePng(
-        pictures::drawPlan(*head().scalp, landmarks, sites, store_.targets().targets, head().plate),
-        request_.picture);
+    scene::writePng(pictures::drawPlan(*head().scalp, landmarks, sites, store_.targets().targets,
+                                       head().plate, request_.target),
+                    request_.picture);
+  }
+
+  /// Along the coil's axis: of the named target, else of every one.
+  void drawSlices() {
+    scene::SliceScene scene;
+    scene.mri = std::make_shared<const volume::Volume>(store_.mri());
+    scene::setUsualWindow(scene);
+    scene.overlays = workflow::loadOverlays(store_, scene.mri->grid);
+    const auto plan = store_.targets();
+    std::vector<RgbImage> rows;
+    for (const auto& target : plan.targets)
+      if (request_.target.empty() || target.name == plan.find(request_.target).name)
+        rows.push_back(
+            workflow::coilSliceSheet(scene, target, head().plate, workflow::alignedError_mm(store_, target)));
+    if (rows.empty()) throw Error("the case has no target", store_.folder().string(), "add one first");
+    for (const auto& entry : casefile::readOverlays(store_.folder()))
+      if (entry.is_shown && entry.kind == casefile::OverlayKind::map)
+        rows.push_back(workflow::mapScale(entry));
+    workflow::writePrivatePng(pictures::stacked(rows), request_.slices);
   }
 
   void compare() {
@@ -226,7 +254,8 @@ void addTargetOptions(CLI::App& verb, PlanRequest& request) {
   verb.add_option("--gap-mm", request.gap_mm, "between coil and scalp (hair)")
       ->check(CLI::Range(0.0, guidance::kMostGap_mm))
       ->capture_default_str();
-  verb.add_option("--coil", request.coil, "coil.json with contact_outline_mm, the plate's outline");
+  verb.add_option("--coil", request.coil,
+                  "coil.json that the case is planned for from now on (contact_outline_mm: its plate)");
   verb.add_option("--target", request.target, "the target that the next options change");
   verb.add_option("--grid", request.grid, "a grid round the target: rows columns")->expected(2);
   verb.add_option("--spacing-mm", request.spacing_mm, "of the grid")->capture_default_str();
@@ -262,7 +291,10 @@ void addPlan(CLI::App& app, Context& context) {
       ->allow_extra_args(false);
   verb->add_flag("--measures", request->measures, "tape measures, EEG sites and Beam F3");
   verb->add_option("--picture", request->picture, "PNG of the head with landmarks, EEG sites and coils");
+  verb->add_option("--slices", request->slices,
+                   "PNG of the MRI along the coil's axis, at --target or at every target");
   verb->add_option("--compare", request->compare, "two targets: how they differ")->expected(2);
+  addOverlayOptions(*verb, request->overlays);
   verb->add_option("--protocol", request->protocol, "protocol file that the case uses from now on");
   verb->add_flag("--show-protocol", request->shows_protocol, "the case's protocol");
   verb->add_option("--by", request->by, "who makes the change (default: the user's login name)");

@@ -40,7 +40,7 @@ double numberFrom(const std::string& text, const char* what) {
   throw Error(std::string(what) + " is a number, not '" + text.substr(0, 40) + "'");
 }
 
-[[noreturn]] void refuse(const std::string& line) {
+[[noreturn]] void refuseCommand(const std::string& line) {
   throw Error("not understood: '" + line.substr(0, 60) + "'", {}, "commands: " + sessionCommandWords());
 }
 
@@ -85,7 +85,7 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
   else if (word == "note")
     treatment.log().addEvent(workflow::session_events::kAdverse, workflow::noteWords(rest, "note"));
   else
-    refuse(line);
+    refuseCommand(line);
   say({{"done", word}});
   return true;
 }

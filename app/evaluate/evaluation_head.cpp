@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "demo/virtual_patient_files.h"
+#include "evaluate/painted_head.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kColin27 = "/usr/share/mricron/templates/ch2.nii.gz";
-constexpr double kCortexDepth_mm = 20.0, kHairGap_mm = 4.0;
+constexpr double kCortexDepth_mm = 20.0, kPatientsHairGap_mm = 4.0;
 
 struct Variant {
   const char* name;
@@ -94,9 +95,10 @@ surface::ScalpSurface scalpOf(Context& context, const volume::Volume& mri) {
 guidance::Target leftHand(const room::VirtualPatient& patient) {
   guidance::Target target;
   target.name = "left hand area";
-  target.mri_T_target = room::leftHandArea(patient, kHairGap_mm);
-  target.scalp_point = target.mri_T_target * Point<frames::Target>(0.0, 0.0, kHairGap_mm);
-  target.cortex_point = target.mri_T_target * Point<frames::Target>(0.0, 0.0, kHairGap_mm + kCortexDepth_mm);
+  target.mri_T_target = room::leftHandArea(patient, kPatientsHairGap_mm);
+  target.scalp_point = target.mri_T_target * Point<frames::Target>(0.0, 0.0, kPatientsHairGap_mm);
+  target.cortex_point =
+      target.mri_T_target * Point<frames::Target>(0.0, 0.0, kPatientsHairGap_mm + kCortexDepth_mm);
   return target;
 }
 
@@ -128,12 +130,15 @@ EvaluationHead makeEvaluationHead(Context& context, const std::string& spec) {
   head.is_unseen = words.front() != "patient";
   std::optional<casefile::CaseStore> store;
   if (fs::exists(fs::path(words.front()) / "case.json")) store = casefile::CaseStore::open(words.front());
-  volume::Volume mri = store ? store->mri() : volumeOf(context, words.front());
+  const auto painted = paintedHead(words.front());
+  volume::Volume mri = store ? store->mri() : painted ? painted->scan : volumeOf(context, words.front());
+  volume::Volume person = painted ? painted->person : mri;
   int cut_at = -1;
   room::PatientOptions look;
   for (auto word = words.begin() + 1; word != words.end(); ++word) {
     const Variant& variant = variantOf(*word);
     mri = stretched(mri, variant.scale);
+    person = stretched(person, variant.scale);
     head.is_unseen = head.is_unseen || !variant.scale.isOnes();
     if (variant.landmark >= 0) cut_at = variant.landmark;
     look.has_hair = look.has_hair && variant.look.has_hair;
@@ -142,7 +147,7 @@ EvaluationHead makeEvaluationHead(Context& context, const std::string& spec) {
   }
   const bool is_as_prepared = store && words.size() == 1;
   head.patient = std::make_shared<const room::VirtualPatient>(
-      is_as_prepared ? roomPatient(context, *store, look) : room::makePatient(mri, look, context.monitor));
+      is_as_prepared ? roomPatient(context, *store, look) : room::makePatient(person, look, context.monitor));
   head.target = leftHand(*head.patient);
   if (cut_at >= 0) {
     if (head.patient->landmarks68_mm.empty())

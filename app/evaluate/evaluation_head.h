@@ -22,7 +22,8 @@ struct EvaluationHead {
   bool is_unseen = false;    // true unless it is the patient used in development
 };
 
-/// `spec`: "patient" (the virtual patient), "colin27", a NIfTI file or a case folder; then, after colons,
+/// `spec`: "patient" (the virtual patient), "colin27", a NIfTI file (a labelled head is painted twice, see
+/// painted_head.h) or a case folder; then, after colons,
 /// variants: "child" (0.85 of the size), "big" (1.1), "wide" (1.08 wide, 0.95 high), "smooth" and "dark"
 /// (skin), "bald", "lip" and "nose" (the workstation's scan ends there; the room's head is whole). Throws
 /// Error for anything else, and for "lip" or "nose" where no face is found.

@@ -12,6 +12,7 @@ namespace {
 constexpr const char* kCapture = "capture";
 // At a capture the patient may sit anywhere. During treatment no patient sits turned by 30 degrees.
 constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
+constexpr double kAlignTurn_deg = 12.0, kAlignShift_mm = 30.0;  // to align, the patient looks at the cameras
 constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90;
 
 std::vector<std::string> allScenarios() {
@@ -36,17 +37,30 @@ std::string inWords(const room::RigOptions& rig) {
   return name;
 }
 
+/// To align, each seed has its own cameras: of every three, one pair near the face and two random ones.
+room::ScenarioOptions onItsOwnRig(room::ScenarioOptions options, std::uint64_t seed) {
+  constexpr std::uint64_t kOfThree = 3, kRigs = 5000;  // beyond those of --rigs
+  if (!options.rig_name.empty()) return options;
+  if (seed % kOfThree == 0)
+    options.rig_name = "close";
+  else
+    options.rig = room::randomRig(kRigs + seed), options.rig_name = "room";
+  return options;
+}
+
 /// Rig 0 is that of the room or of the scenario; the others are random, with the number as seed.
 PlannedRun planned(const EvaluationRequest& request, int rig, const std::string& scenario,
                    std::uint64_t seed) {
   room::ScenarioOptions options = request.room;
   if (rig > 0) options.rig = room::randomRig(std::uint64_t(rig)), options.rig_name = "room";
+  if (scenario == room::kPlainAlign) options = onItsOwnRig(options, seed);
   options.name = scenario;
   options.seed = seed;
   const bool is_capture = scenario == kCapture;
   options.frames = is_capture ? 1 : framesOf(request, scenario);
-  options.seat_turn_deg = is_capture ? kCaptureTurn_deg : kSeatTurn_deg;
-  options.seat_shift_mm = is_capture ? kCaptureShift_mm : kSeatShift_mm;
+  const bool is_to_align = scenario == room::kPlainAlign;
+  options.seat_turn_deg = is_capture ? kCaptureTurn_deg : is_to_align ? kAlignTurn_deg : kSeatTurn_deg;
+  options.seat_shift_mm = is_capture ? kCaptureShift_mm : is_to_align ? kAlignShift_mm : kSeatShift_mm;
   return {options, inWords(room::resolved(options).rig)};
 }
 

@@ -51,9 +51,11 @@ std::optional<AlignedCapture> align(Context& context, const EvaluationSequence& 
   try {
     AlignedCapture aligned;
     aligned.pattern_left = sequence.capture->pattern.left;
+    const std::vector<guidance::Target> targets{target};
+    const auto detector = context.registrations.face_detector();
     aligned.outcome =
-        workflow::alignFromCapture(sequence.source->rig(), *sequence.capture, scalp, *aligner,
-                                   *context.registrations.face_detector(), {target}, context.monitor);
+        workflow::alignFromCapture(sequence.source->rig(), *sequence.capture, workflow::AlignedFrom::dots,
+                                   {scalp, *aligner, *detector, targets}, context.monitor);
     const auto& result = aligned.outcome.result;
     run.alignment->measure_ms = processorTime_ms() - start_ms - fit.ms;
     run.alignment->fit_ms = fit.ms;

@@ -9,6 +9,7 @@
 #include "evaluate/camera_pictures.h"
 #include "evaluate/picture_changes.h"
 #include "facenav/core/error.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::app {
@@ -110,7 +111,7 @@ PairAgreement agreementOf(const Motion& a, const Motion& b) {
   agreement.off_deg = rotationAngle(a.motion.linear().transpose() * b.motion.linear()) * 180 / M_PI;
   agreement.off_mm = off.norm();
   const Eigen::Matrix3d covariance = covarianceAt(a, by_a) + covarianceAt(b, by_b);
-  agreement.is_inside = off.dot(covariance.ldlt().solve(off)) < kChiSquare95;
+  agreement.is_inside = off.dot(solveSymmetric(covariance, off)) < kChiSquare95;
   return agreement;
 }
 

@@ -1,4 +1,5 @@
 #include "evaluate/picture_changes.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -57,8 +58,7 @@ cameras::StereoFrame mirroredPair(const cameras::StereoRig& rig, const cameras::
   const Eigen::Vector3d shift_mm = rig.right_T_left.translation_mm();
   const Eigen::Matrix3d mirrored_turn = mirror * turn.transpose() * mirror;
   const Eigen::Vector3d mirrored_shift_mm = -(mirror * turn.transpose() * shift_mm);
-  const Eigen::Matrix3d of_right =
-      Eigen::Quaterniond::FromTwoVectors(mirrored_shift_mm, shift_mm).toRotationMatrix();
+  const Eigen::Matrix3d of_right = rotationBetween(mirrored_shift_mm, shift_mm).toRotationMatrix();
   const Eigen::Matrix3d of_left = turn.transpose() * of_right * mirrored_turn;
   cameras::StereoFrame mirrored = frame;
   mirrored.left = mirroredPicture(rig.left, of_left, rig.right, frame.right);

@@ -4,8 +4,8 @@
 option(FACENAV_PRECOMPILED "precompile the headers that most files read" ON)
 set(FACENAV_COMMON_HEADERS
   <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <deque> <filesystem> <fstream> <functional> <map> <memory> <mutex> <optional>
-  <random> <set> <sstream> <stdexcept> <string> <string_view> <thread> <utility> <variant> <vector> <Eigen/Dense> <nlohmann/json.hpp> <opencv2/imgproc.hpp>)
-set(FACENAV_COMMON_LIBS Eigen3::Eigen nlohmann_json::nlohmann_json opencv_imgproc)
+  <random> <set> <sstream> <stdexcept> <string> <string_view> <thread> <utility> <variant> <vector> <Eigen/Dense> <opencv2/imgproc.hpp>)
+set(FACENAV_COMMON_LIBS Eigen3::Eigen opencv_imgproc)
 set(FACENAV_TEST_HEADERS ${FACENAV_COMMON_HEADERS} <gtest/gtest.h> <gmock/gmock.h>)
 # Qt's programs are position independent code: they cannot take the header of the modules.
 set(FACENAV_QT_HEADERS ${FACENAV_COMMON_HEADERS} <QtWidgets/QtWidgets>)

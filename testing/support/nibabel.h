@@ -14,12 +14,13 @@
 namespace facenav::testing {
 
 /// The points that the script `python` prints, one per line. nibabel is imported and the file is loaded as
-/// `image`. A failed assertion in the script fails the test.
+/// `image`, by `load`. A failed assertion in the script fails the test.
 inline std::vector<Eigen::Vector3d> pointsByNibabel(const std::filesystem::path& file,
-                                                    const std::string& python) {
+                                                    const std::string& python,
+                                                    const std::string& load = "nibabel.load(sys.argv[1])") {
   const TemporaryFolder folder;
   const auto script = folder.path() / "read.py";
-  std::ofstream(script) << "import nibabel, sys\nimage = nibabel.load(sys.argv[1])\n" << python;
+  std::ofstream(script) << "import nibabel, sys\nimage = " << load << "\n" << python;
   std::vector<Eigen::Vector3d> points;
   FILE* pipe = popen(("/usr/bin/python3 '" + script.string() + "' '" + file.string() + "'").c_str(), "r");
   if (!pipe) {

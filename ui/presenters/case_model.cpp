@@ -8,7 +8,7 @@ namespace facenav::ui {
 std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMonitor& monitor) {
   auto store = casefile::CaseStore::open(folder);
   auto loaded =
-      std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
+      std::make_shared<LoadedCase>(LoadedCase{store, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}});
   loaded->id = QString::fromStdString(store.caseId());
   loaded->label = QString::fromStdString(store.label());
   loaded->shown_sha256 = casefile::seenFiles(store);  // before reading, so that no later change is missed
@@ -23,6 +23,7 @@ std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMo
   loaded->findings = store.findings();
   loaded->plan = store.targets();
   loaded->atlas = store.atlas();
+  loaded->coil = casefile::coilOf(folder);
   loaded->sign_off = casefile::signOffStatus(store);
   return loaded;
 }
@@ -36,6 +37,12 @@ void CaseModel::open(std::shared_ptr<LoadedCase> loaded) {
 void CaseModel::setPlan(const guidance::TreatmentPlan& plan) {
   case_->store.setTargets(plan);
   case_->plan = plan;
+  emit planChanged();
+}
+
+void CaseModel::setCoil(const std::filesystem::path& coil_json) {
+  casefile::setCoil(case_->store.folder(), coil_json);
+  case_->coil = casefile::coilOf(case_->store.folder());
   emit planChanged();
 }
 

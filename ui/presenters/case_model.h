@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/task_monitor.h"
@@ -24,6 +25,7 @@ struct LoadedCase {
   std::vector<std::string> findings;
   guidance::TreatmentPlan plan;
   std::optional<atlas::AtlasMap> atlas;             // absent: no MNI coordinates
+  casefile::CaseCoil coil;                          // that targets are planned for
   std::map<std::string, std::string> shown_sha256;  // of the files that a sign-off covers, as loaded
   casefile::SignOffStatus sign_off;
 
@@ -56,6 +58,8 @@ class CaseModel : public QObject {
   void open(std::shared_ptr<LoadedCase> loaded);
   /// Stores the plan in the case. Throws Error if it cannot be written, and keeps the old plan.
   void setPlan(const guidance::TreatmentPlan& plan);
+  /// Stores a copy of the coil's file in the case, and plans for it. Throws Error, and keeps the old coil.
+  void setCoil(const std::filesystem::path& coil_json);
   /// The label is already stored.
   void setLabel(const QString& label);
   void setSignOff(const casefile::SignOffStatus& status);

@@ -95,4 +95,10 @@ std::optional<Point<Mri>> HeadPresenter::site(const QString& name) {
   return place;
 }
 
+std::vector<guidance::EegSite> HeadPresenter::sites() {
+  std::vector<guidance::EegSite> all;
+  if (const auto* head = measures()) attempt([&] { all = head->eegSites().sites; });
+  return all;
+}
+
 }  // namespace facenav::ui

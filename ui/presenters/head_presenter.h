@@ -27,6 +27,8 @@ class HeadPresenter : public QObject {
   QString describe();
   /// The place of an EEG site, or Beam F3; nothing, with a reason by refused(), if it cannot be measured.
   std::optional<Point<Mri>> site(const QString& name);
+  /// All EEG sites on the skin; empty, with a reason by refused(), if they cannot be measured.
+  std::vector<guidance::EegSite> sites();
 
  signals:
   void changed();

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/casefile/protocol.h"
 #include "facenav/guidance/compare_targets.h"
 #include "facenav/guidance/handle.h"
+#include "facenav/workflow/coil_slice_sheet.h"
 #include "presenters/typed_coordinates.h"
 
 namespace facenav::ui {
@@ -49,7 +51,7 @@ workflow::PlannedCase PlanPresenter::planned() {
   return {[this]() -> const guidance::TreatmentPlan& { return plan(); },
           [this] {
             const auto& c = model_.current();
-            return workflow::PlannedHead{c.scalp, c.head_mask, c.brain};
+            return workflow::PlannedHead{c.scalp, c.head_mask, c.brain, c.coil.plate};
           },
           [this](const guidance::TreatmentPlan& next) { model_.setPlan(next); },
           [](int n) { return tr("Target %1").arg(n).toStdString(); },
@@ -67,6 +69,14 @@ void PlanPresenter::setActive(const QString& name) {
   if (name == activeName()) return;
   editor_.setActive(name.toStdString());
   emit changed();
+}
+
+std::optional<scene::SlicedCoil> PlanPresenter::slicedCoil() const {
+  const auto* target = active();
+  if (!target) return std::nullopt;
+  return scene::SlicedCoil{target->mri_T_target.reframe<Mri, Coil>(),  // the planned coil
+                           model_.current().coil.plate,
+                           workflow::alignedError_mm(model_.current().store, *target)};
 }
 
 template <class Edit>
@@ -175,6 +185,67 @@ void PlanPresenter::setNote(const QString& note) {
   if (active()) attempt([&] { editor_.setNote(note.trimmed().toStdString()); });
 }
 
+void PlanPresenter::setDose(const std::optional<guidance::Dose>& dose) {
+  if (!active()) return;
+  attempt([&] {
+    if (dose) guidance::requireSensible(*dose);
+    editor_.setDose(dose);
+  });
+}
+
+void PlanPresenter::setProtocol(const QString& file) {
+  attempt([&] {
+    casefile::setProtocol(model_.current().store.folder(), casefile::readProtocol(file.toStdString()));
+  });
+}
+
+void PlanPresenter::removeProtocol() {
+  attempt([&] { casefile::removeProtocol(model_.current().store.folder()); });
+}
+
+void PlanPresenter::setCoil(const QString& file) {
+  attempt([&] { model_.setCoil(file.toStdString()); });
+}
+
+std::optional<guidance::Dose> PlanPresenter::doseInForce() const {
+  if (!model_.isOpen()) return std::nullopt;
+  if (active() && active()->dose) return active()->dose;
+  try {
+    const auto protocol = casefile::protocolOf(model_.current().store.folder());
+    return protocol ? std::optional(protocol->dose) : std::nullopt;
+  } catch (const Error&) {  // protocolWords() says it
+    return std::nullopt;
+  }
+}
+
+QString PlanPresenter::protocolWords() const {
+  if (!model_.isOpen()) return tr("no case is open");
+  try {
+    const auto protocol = casefile::protocolOf(model_.current().store.folder());
+    if (!protocol) return tr("none");
+    return tr("'%1', version %2: %3 pulses")
+        .arg(QString::fromStdString(protocol->name))
+        .arg(protocol->version)
+        .arg(protocol->dose.pulses);
+  } catch (const Error& fault) {
+    return QString::fromUtf8(fault.what());
+  }
+}
+
+QString PlanPresenter::durationWords() const {
+  const auto dose = doseInForce();
+  const auto duration_s = dose ? dose->duration_s() : std::nullopt;
+  if (!duration_s) return {};
+  return tr("%1 min %2 s").arg(int(*duration_s) / 60).arg(int(*duration_s) % 60);
+}
+
+QString PlanPresenter::coilWords() const {
+  if (!model_.isOpen()) return {};
+  const auto& coil = model_.current().coil;
+  if (coil.is_default) return tr("a usual figure-of-eight (the case names none)");
+  return coil.name.empty() ? tr("without a name") : QString::fromStdString(coil.name);
+}
+
 void PlanPresenter::setGrid(const std::optional<guidance::GridSpec>& grid) {
   if (active()) attempt([&] { editor_.setGrid(grid); });
 }
@@ -213,7 +284,7 @@ QString PlanPresenter::handleWords(const guidance::Target& target) const {
 
 QString PlanPresenter::contactWords(const guidance::Target& target) const {
   try {
-    const auto contact = guidance::contactOf(target, *model_.current().scalp, workflow::PlannedHead{}.plate);
+    const auto contact = guidance::contactOf(target, *model_.current().scalp, model_.current().coil.plate);
     if (contact.through_mm >= 0.5)
       return tr("the coil passes %1 mm through the skin").arg(contact.through_mm, 0, 'f', 1);
     if (contact.isTangent()) return tr("rests flat on the head");

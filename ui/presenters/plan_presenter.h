@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "facenav/scene/coil_slices.h"
 #include "facenav/workflow/plan_editor.h"
 #include "presenters/case_model.h"
 
@@ -42,6 +43,13 @@ class PlanPresenter : public QObject {
   /// A locked target can be neither changed nor removed.
   void lockActive(bool is_locked);
   void setNote(const QString& note);
+  /// The active target's own dose; nothing: the protocol's holds. Refused out of its ranges.
+  void setDose(const std::optional<guidance::Dose>& dose);
+  /// The case uses a copy of this protocol file from now on, or none. Refused as casefile::setProtocol.
+  void setProtocol(const QString& file);
+  void removeProtocol();
+  /// The case is planned for this coil.json from now on; targets stay as they are until they are edited.
+  void setCoil(const QString& file);
   /// A grid round the active target; nothing removes it. Targets of it that were edited by hand stay.
   void setGrid(const std::optional<guidance::GridSpec>& grid);
   /// Up (-1) or down (1) in the list.
@@ -57,6 +65,8 @@ class PlanPresenter : public QObject {
   void setActive(const QString& name);
   QString activeName() const { return QString::fromStdString(editor_.activeName()); }
   const guidance::Target* active() const;
+  /// The active target's coil with the error that the case's alignment predicts there; nothing without one.
+  std::optional<scene::SlicedCoil> slicedCoil() const;
   /// "+45" (or "+43.7") and "4.0", as shown in the fields; empty without an active target.
   QString handleFigure() const;
   QString gapFigure() const;
@@ -69,6 +79,13 @@ class PlanPresenter : public QObject {
   QString contactWords(const guidance::Target& target) const;
   /// How the active target differs from another one, in mm and degrees.
   QString compareWords(const QString& other) const;
+  /// The active target's own dose, else the protocol's; nothing: neither states one.
+  std::optional<guidance::Dose> doseInForce() const;
+  /// "'M1 10 Hz', version 2: 3000 pulses", or that there is none, or why it cannot be read.
+  QString protocolWords() const;
+  /// "25 min 0 s" of the dose in force; empty where it is not known.
+  QString durationWords() const;
+  QString coilWords() const;
   /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", the handle, and the contact; one per
   /// line.
   QString describe(const guidance::Target& target) const;

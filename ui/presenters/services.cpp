@@ -41,8 +41,9 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
                                  TaskMonitor& monitor) {
     const auto methods = makeMethods();
-    return workflow::alignCase(methods, store, recording.rig, workflow::captureOf(store, recording),
-                               methods.aligners.defaultName(), monitor);
+    workflow::AlignOrder order{methods.aligners.defaultName()};
+    order.stored_pair_stands_in = true;
+    return workflow::alignRecording(methods, store, recording, order, monitor).outcome;
   };
   services.makeNavigator = [makeMethods](const session::NavigatorSetup& setup) {
     const auto all = makeMethods();

@@ -45,6 +45,37 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
   });
 }
 
+void LinkedViews::addCoilSlices() {
+  auto* grid = static_cast<QGridLayout*>(layout());
+  for (const auto cut : {scene::CoilCut::along_handle, scene::CoilCut::across_handle}) {
+    auto* view = new CoilSliceView(cut, this);
+    grid->addWidget(view, int(coil_slices_.size()), 2);
+    coil_slices_.push_back(view);
+    connect(view, &CoilSliceView::crosshairMoved, this, [this](double x, double y, double z) {
+      setCrosshair({x, y, z});
+    });
+    connect(view, &CoilSliceView::chosen, this,
+            [this](double x, double y, double z) { emit chosen(x, y, z, false); });
+    connect(view, &CoilSliceView::windowChanged, this, [this] { refreshSlices(); });
+  }
+  grid->setColumnStretch(2, 1);
+}
+
+void LinkedViews::setCoil(const std::optional<scene::SlicedCoil>& coil, const QString& words) {
+  for (auto* view : coil_slices_) view->setCoil(coil, words);
+}
+
+void LinkedViews::setOverlays(const std::vector<scene::Overlay>& overlays) {
+  if (!slice_scene_) return;
+  slice_scene_->overlays = overlays;
+  refreshSlices();
+}
+
+void LinkedViews::setCoilSlicesShown(bool are_shown) {
+  for (auto* view : coil_slices_) view->setVisible(are_shown);
+  static_cast<QGridLayout*>(layout())->setColumnStretch(2, are_shown ? 1 : 0);
+}
+
 void LinkedViews::show(const LoadedCase& loaded) {
   slice_scene_ = std::make_shared<scene::SliceScene>();
   slice_scene_->text_scale = sized(100) / 100.0;
@@ -55,6 +86,7 @@ void LinkedViews::show(const LoadedCase& loaded) {
   slice_scene_->contours = contours_;
   slice_scene_->crosshair = loaded.brain ? loaded.brain->map.centre : loaded.mri->grid.centre();
   for (auto* view : slices_) view->setScene(slice_scene_);
+  for (auto* view : coil_slices_) view->setScene(slice_scene_);
   scene_view_->show(loaded);
 }
 
@@ -154,10 +186,12 @@ void LinkedViews::resetSlices() {
   if (!slice_scene_) return;
   scene::setUsualWindow(*slice_scene_);
   for (auto* view : slices_) view->reset();
+  for (auto* view : coil_slices_) view->reset();
 }
 
 void LinkedViews::refreshSlices() {
   for (auto* view : slices_) view->refresh();
+  for (auto* view : coil_slices_) view->refresh();
 }
 
 }  // namespace facenav::ui

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "presenters/case_model.h"
+#include "views/coil_slice_view.h"
 #include "views/scene_view.h"
 #include "views/slice_view.h"
 
@@ -32,6 +33,12 @@ class LinkedViews : public QWidget {
   void showModelBeside(const LoadedCase* loaded);
   /// Shown below the 3-D view. Takes ownership.
   void setSceneFooter(QWidget* footer);
+  /// Adds the slices along the coil's axis, in a column of their own.
+  void addCoilSlices();
+  void setOverlays(const std::vector<scene::Overlay>& overlays);
+  /// The coil that they follow; nothing: none, for the reason `words`.
+  void setCoil(const std::optional<scene::SlicedCoil>& coil, const QString& words);
+  void setCoilSlicesShown(bool are_shown);
   void setTool(SliceTool* tool);
   Point<Mri> crosshair() const;
   void refreshSlices();
@@ -48,6 +55,7 @@ class LinkedViews : public QWidget {
  private:
   void makeModelView();
   std::array<SliceView*, 3> slices_;
+  std::vector<CoilSliceView*> coil_slices_;
   SceneView *scene_view_, *model_view_ = nullptr;
   QWidget *model_box_ = nullptr, *footer_ = nullptr;
   QLabel* model_foot_ = nullptr;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "views/image_view.h"
+#include "views/window_drag.h"
 
 namespace facenav::ui {
 namespace {
@@ -164,11 +165,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   }
   if (draws() && event->buttons() == Qt::NoButton) return update();
   if (event->buttons() & Qt::LeftButton && event->modifiers() & Qt::ControlModifier) {
-    const double range = std::max(1e-3, scene_->white - scene_->black);
-    const double width = range * (1.0 + 0.005 * step.x());
-    const double level = 0.5 * (scene_->white + scene_->black) + range * 0.003 * step.y();
-    scene_->black = level - 0.5 * width;
-    scene_->white = level + 0.5 * width;
+    dragWindow(*scene_, step);
     emit windowChanged();
   } else if (event->buttons() & Qt::LeftButton && !draws()) {
     moveCrosshair(pointAt(event->pos()));

@@ -1,5 +1,6 @@
 #include "workspaces/plan_workspace.h"
 
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,9 +15,11 @@
 #include "views/linked_views.h"
 #include "widgets/brain_look_panel.h"
 #include "widgets/handle_panel.h"
+#include "widgets/map_legend.h"
 #include "widgets/narrow_label.h"
 #include "widgets/place_panel.h"
 #include "widgets/scroll_column.h"
+#include "widgets/shown_tools.h"
 #include "widgets/target_tools.h"
 
 namespace facenav::ui {
@@ -29,10 +32,14 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
       cortex_(cortex),
       model_(model),
       head_(new HeadPresenter(model, this)),
-      views_(new LinkedViews(this)) {
+      overlays_(new OverlayPresenter(model, this)),
+      views_(new LinkedViews(this)),
+      overlay_layer_(std::make_unique<scene::OverlayLayer>(views_->sceneView().scene())),
+      site_layer_(std::make_unique<scene::SiteLayer>(views_->sceneView().scene())) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 10, 10, 10);
   row->addWidget(views_, 1);
+  views_->addCoilSlices();
   views_->setSceneFooter(new BrainLookPanel(cortex_, views_));
   row->addWidget(makeTargetsPanel());
   addKeys();
@@ -64,6 +71,9 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
   });
   connect(&presenter_, &PlanPresenter::changed, this, &PlanWorkspace::showPlan);
   connect(head_, &HeadPresenter::refused, &presenter_, &PlanPresenter::refused);
+  connect(head_, &HeadPresenter::changed, this, &PlanWorkspace::showSites);
+  connect(overlays_, &OverlayPresenter::refused, &presenter_, &PlanPresenter::refused);
+  connect(overlays_, &OverlayPresenter::changed, this, &PlanWorkspace::showOverlays);
   connect(views_, &LinkedViews::chosen, this, [this](double x, double y, double z, bool is_scalp) {
     is_scalp ? presenter_.addTargetAtScalp({x, y, z}) : presenter_.addTarget({x, y, z});
   });
@@ -147,6 +157,9 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   targets_->setMinimumHeight(sized(90));
   targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
   within->addWidget(makeTools(body));
+  shown_ = new ShownTools(presenter_, *overlays_, body);
+  within->addWidget(shown_);
+  within->addWidget(new MapLegend(*overlays_, body));
   within->addWidget(makeFields(body));
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
@@ -164,6 +177,9 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   column->addWidget(new ScrollColumn(body, sized(300), panel), 1);
   place_panel_ = new PlacePanel(place_, panel);
   column->addWidget(place_panel_);
+  connect(shown_, &ShownTools::sitesShown, this, &PlanWorkspace::showSites);
+  connect(shown_, &ShownTools::coilSlicesShown, views_, &LinkedViews::setCoilSlicesShown);
+  views_->setCoilSlicesShown(shown_->showsCoilSlices());
   connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
   connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
   connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
@@ -174,6 +190,28 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
     if (!is_filling_) presenter_.renameActive(item->text());
   });
   return panel;
+}
+
+void PlanWorkspace::showOverlays() {
+  if (is_outdated_ || !model_.isOpen()) return;
+  const auto shown = overlays_->shown();
+  views_->setOverlays(shown);
+  const bool is_cortex = cortex_.look() != scene::BrainLook::model && cortex_.cortex();
+  const auto& brain = model_.current().brain;
+  overlay_layer_->set(shown, is_cortex ? &cortex_.cortex()->cortex.mesh : brain ? &brain->mesh : nullptr);
+  views_->sceneView().refresh();
+}
+
+void PlanWorkspace::showSites() {
+  if (is_outdated_ || !model_.isOpen()) return;
+  std::vector<scene::ScalpSite> sites;
+  if (shown_->showsSites()) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);  // the first measures of a head take a second or two
+    for (const auto& site : head_->sites()) sites.push_back({site.name, site.point});
+    QGuiApplication::restoreOverrideCursor();
+  }
+  site_layer_->set(sites, sized(100) / 100.0);
+  views_->sceneView().refresh();
 }
 
 void PlanWorkspace::addKeys() {
@@ -208,14 +246,18 @@ void PlanWorkspace::showCase() {
   takeCortex();
   showBrain();
   showPlan();
+  showOverlays();
+  showSites();
   if (const auto* target = presenter_.active()) views_->setCrosshair(target->cortex_point);
   views_->sceneView().scene().setView(scene::ViewPreset::target);
 }
 
 void PlanWorkspace::takeCortex() {
   auto& scene = views_->sceneView().scene();
-  if (shown_cortex_ != cortex_.cortex()) scene.setCortex(cortex_.cortex());
+  if (shown_cortex_ == cortex_.cortex()) return;
+  scene.setCortex(cortex_.cortex());
   shown_cortex_ = cortex_.cortex();
+  showOverlays();
 }
 
 void PlanWorkspace::showBrain() {
@@ -223,6 +265,7 @@ void PlanWorkspace::showBrain() {
   const bool is_peeling = std::exchange(shown_peel_mm_, cortex_.peel_mm()) != cortex_.peel_mm();
   const bool is_beside = cortex_.isBesideModel() && cortex_.cortex() && model_.isOpen();
   views_->showModelBeside(is_beside ? &model_.current() : nullptr);
+  if (std::exchange(shown_look_, cortex_.look()) != cortex_.look()) showOverlays();
   view.scene().setBrainLook(cortex_.look());
   view.scene().setPeelDepth(cortex_.peel_mm());
   is_peeling ? view.refreshPeeling() : view.refreshMoving();
@@ -251,6 +294,7 @@ void PlanWorkspace::showPlan() {
   auto& scene = views_->sceneView().scene();
   scene.setCoilGhost(active ? std::optional(active->mri_T_target) : std::nullopt);
   views_->setTargets(presenter_.plan(), presenter_.activeName().toStdString());
+  views_->setCoil(presenter_.slicedCoil(), tr("no target chosen"));
   if (active) views_->setCrosshair(active->cortex_point);
 }
 

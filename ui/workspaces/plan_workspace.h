@@ -3,8 +3,11 @@
 
 #include <QWidget>
 
+#include "facenav/scene/overlay_layer.h"
+#include "facenav/scene/site_layer.h"
 #include "presenters/cortex_presenter.h"
 #include "presenters/head_presenter.h"
+#include "presenters/overlay_presenter.h"
 #include "presenters/place_presenter.h"
 #include "presenters/plan_presenter.h"
 
@@ -17,6 +20,7 @@ namespace facenav::ui {
 
 class LinkedViews;
 class PlacePanel;
+class ShownTools;
 class TargetTools;
 
 class PlanWorkspace : public QWidget {
@@ -32,6 +36,8 @@ class PlanWorkspace : public QWidget {
  private:
   QWidget* makeTargetsPanel();
   TargetTools* makeTools(QWidget* parent);
+  void showOverlays();
+  void showSites();
   QWidget* makeFields(QWidget* parent);
   void showFields();
   void filterTargets();
@@ -46,14 +52,19 @@ class PlanWorkspace : public QWidget {
   CortexPresenter& cortex_;
   CaseModel& model_;
   HeadPresenter* head_;
+  OverlayPresenter* overlays_;
   std::shared_ptr<const scene::CortexPicture> shown_cortex_;
   LinkedViews* views_;
+  std::unique_ptr<scene::OverlayLayer> overlay_layer_;
+  std::unique_ptr<scene::SiteLayer> site_layer_;
+  ShownTools* shown_;
   PlacePanel* place_panel_;
   QListWidget* targets_;
   QLabel* detail_;
   QLineEdit *search_, *note_;
   QString compared_with_;
   QPushButton *undo_, *redo_, *remove_;
+  scene::BrainLook shown_look_ = scene::BrainLook::model;
   bool is_drawing_brain_ = false;
   double shown_peel_mm_ = -1.0;
   bool is_outdated_ = false, is_filling_ = false;

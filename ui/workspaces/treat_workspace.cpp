@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -10,6 +11,7 @@
 
 #include "appearance.h"
 #include "views/bulls_eye_view.h"
+#include "views/live_slices.h"
 #include "views/scene_view.h"
 #include "widgets/camera_row.h"
 #include "widgets/cameras_panel.h"
@@ -26,6 +28,7 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kRefresh_ms = 33;
+constexpr const char* kSlicesShown = "treat/slices_shown";
 constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
 constexpr int kLow_px = 740;      // below it, no room for the bull's eye above the figures
 
@@ -49,11 +52,15 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
       model_(model),
       motor_(presenter, model),
       scene_(new SceneView(this)),
+      slices_(new LiveSlices(this)),
       pictures_(new CameraRow(this)) {
   setObjectName("treat");  // the style sheet makes its text legible from two metres
   auto* row = new QHBoxLayout;
   auto* middle = new QVBoxLayout;
-  middle->addWidget(scene_, 3);
+  auto* seen = new QHBoxLayout;
+  seen->addWidget(scene_, 5);
+  seen->addWidget(slices_, 3);
+  middle->addLayout(seen, 3);
   middle->addWidget(pictures_, 2);
   row->addLayout(middle, 3);
   row->addWidget(makeSide(), 2);
@@ -145,11 +152,22 @@ QWidget* TreatWorkspace::makeSteps() {
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(14);
   target_->setToolTip(tr("the target to guide to"));
+  show_slices_ = new QPushButton(tr("MRI slices"), bar);
+  show_slices_->setCheckable(true);
+  show_slices_->setChecked(QSettings().value(kSlicesShown, true).toBool());
+  show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));
+  show_slices_->setShortcut(Qt::Key_M);
   words_ = new ElidedLabel(bar);
   words_->setObjectName("muted");
   for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
   row->addWidget(words_, 1);
+  row->addWidget(show_slices_);
   row->addWidget(target_);
+  connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
+    QSettings().setValue(kSlicesShown, are_shown);
+    slices_->setVisible(are_shown && side_->currentIndex() == 0);
+    signature_.clear();
+  });
   connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::showStage);
   connect(align_, &QPushButton::clicked, this, [this] { presenter_.align(false); });
   connect(guide_, &QPushButton::clicked, this, [this] {
@@ -166,6 +184,7 @@ QWidget* TreatWorkspace::makeSteps() {
 void TreatWorkspace::showStage(bool shows_cameras) {
   side_->setCurrentIndex(shows_cameras ? 1 : 0);
   scene_->setVisible(!shows_cameras);
+  slices_->setVisible(!shows_cameras && show_slices_->isChecked());
   previewed_ = -1;
   cameras_->setChecked(shows_cameras);
   signature_.clear();
@@ -207,6 +226,7 @@ void TreatWorkspace::showCase() {
   if (!is_outdated_ || !model_.isOpen()) return;
   is_outdated_ = false;
   scene_->show(model_.current());
+  slices_->show(model_.current());
   showSteps();
 }
 
@@ -263,6 +283,7 @@ void TreatWorkspace::refresh() {
     const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
     scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
     was_started ? scene_->refreshMoving() : scene_->refresh();
+    slices_->follow(*state, read_out.instruction);
     presenter_.askOverlay(state);
     bulls_eye_->set(state->guidance);
     figures_->set(read_out);

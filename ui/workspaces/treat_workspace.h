@@ -20,6 +20,7 @@ class BullsEyeView;
 class CameraRow;
 class ElidedLabel;
 class FiguresPanel;
+class LiveSlices;
 class PulseRow;
 class SceneView;
 
@@ -61,13 +62,14 @@ class TreatWorkspace : public QWidget {
   MotorPresenter motor_;
   SessionSounds sounds_;
   SceneView* scene_;
+  LiveSlices* slices_;
   CameraRow* pictures_;
   BullsEyeView* bulls_eye_;
   QBoxLayout* bulls_eye_and_figures_;
   FiguresPanel* figures_;
   QComboBox* target_;
   QStackedWidget *side_, *tools_;  // tools_: bull's eye, motor, session
-  QPushButton *cameras_, *align_, *guide_;
+  QPushButton *cameras_, *align_, *guide_, *show_slices_;
   ElidedLabel* words_;
   PulseRow* pulses_;
   QTimer timer_;

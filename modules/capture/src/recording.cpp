@@ -61,11 +61,17 @@ void applyTimestamps(const fs::path& csv, const std::vector<StampedFrame>& stamp
   }
 }
 
-fs::path findStill(const fs::path& folder, const std::string& name) {
+std::optional<fs::path> stillIn(const fs::path& folder, const std::string& name) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().stem() == name && isImageFile(entry.path())) return entry.path();
-  throw Error("image '" + name + ".png' is missing", folder.string(),
-              "capture/ needs pattern_left, pattern_right, plain_left and plain_right");
+  return std::nullopt;
+}
+
+fs::path findStill(const fs::path& folder, const std::string& name) {
+  if (const auto path = stillIn(folder, name)) return *path;
+  throw Error(
+      "image '" + name + ".png' is missing", folder.string(),
+      "capture/ needs plain_left and plain_right, and with a projector pattern_left and pattern_right");
 }
 
 cameras::StereoFrame readStill(const fs::path& folder, const std::string& kind,
@@ -79,6 +85,15 @@ cameras::StereoFrame readStill(const fs::path& folder, const std::string& kind,
   frame.left = toGrey8(left, bits);
   frame.right = toGrey8(right, bits);
   return frame;
+}
+
+/// Without pictures with dots, the plain pair stands for both.
+CapturePair readCapture(const fs::path& folder, const cameras::StereoRig& rig) {
+  CapturePair capture;
+  capture.plain = readStill(folder, "plain", rig);
+  const bool has_pattern = stillIn(folder, "pattern_left") || stillIn(folder, "pattern_right");
+  capture.pattern = has_pattern ? readStill(folder, "pattern", rig) : capture.plain;
+  return capture;
 }
 
 void refuseEmpty(const fs::path& folder) {
@@ -95,8 +110,7 @@ Recording openFolder(const fs::path& folder) {
   recording.folder = folder;
   recording.rig = cameras::readRig(folder / "stereo.yml");
   if (fs::is_directory(folder / "capture"))
-    recording.capture = CapturePair{readStill(folder / "capture", "pattern", recording.rig),
-                                    readStill(folder / "capture", "plain", recording.rig)};
+    recording.capture = readCapture(folder / "capture", recording.rig);
   return recording;
 }
 

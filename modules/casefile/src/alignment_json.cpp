@@ -5,6 +5,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
+#include "facenav/geometry/normal_equations.h"
 
 namespace facenav::casefile {
 namespace {
@@ -42,7 +43,7 @@ Matrix6d readCovariance(const JsonReader& json) {
   const double size = covariance.norm();
   if ((covariance - covariance.transpose()).norm() > kRounding * size)
     json.refuse("a symmetric matrix was expected");
-  if (Eigen::SelfAdjointEigenSolver<Matrix6d>(covariance).eigenvalues().minCoeff() < -kRounding * size)
+  if (principalAxes(covariance).values(0) < -kRounding * size)
     json.refuse("a covariance has no negative eigenvalue");
   return 0.5 * (covariance + covariance.transpose());
 }
@@ -81,6 +82,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
     json["face_scale_sigma"] = alignment.face_scale->sigma;
   }
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
+  if (alignment.from) json["from"] = *alignment.from;
   if (alignment.matcher) json["matcher"] = *alignment.matcher;
   if (!alignment.settings.empty()) json["settings"] = alignment.settings;
   writeWholeFile(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
@@ -107,6 +109,7 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
         registration::FaceScale{atLeastZero(json.at("face_scale")), atLeastZero(json.at("face_scale_sigma"))};
   if (json.has("cautions"))
     for (const auto& words : json.at("cautions").elements()) alignment.cautions.push_back(words.text());
+  if (json.has("from")) alignment.from = json.at("from").text();
   if (json.has("matcher")) alignment.matcher = json.at("matcher").text();
   return alignment;
 }

@@ -96,14 +96,16 @@ bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   return (n * sum_ab - sum_a * sum_b) / spread > kSame;
 }
 
-/// Copies targets, protocol, landmarks (of the same scan) and sessions to the new case. Session files are
+/// Copies targets, protocol, coil, landmarks and overlays (of the same scan) and sessions to the new case. Session files are
 /// hard-linked: recordings are large, and the swap stays atomic.
 void keepFromOld(const fs::path& old_case, const fs::path& fresh, const volume::Volume& mri) {
-  for (const char* file : {"targets.json", "protocol.json"})
+  for (const char* file : {"targets.json", "protocol.json", "coil.json"})
     if (fs::exists(old_case / file)) fs::copy_file(old_case / file, fresh / file);
-  if (fs::exists(old_case / "landmarks.json") &&
-      isSameScan(volume::readNifti(old_case / "mri.nii.gz").volume, mri))
-    fs::copy_file(old_case / "landmarks.json", fresh / "landmarks.json");
+  const bool has_places = fs::exists(old_case / "landmarks.json") || fs::exists(old_case / "overlays.json");
+  if (has_places && isSameScan(volume::readNifti(old_case / "mri.nii.gz").volume, mri)) {
+    for (const char* name : {"landmarks.json", "overlays.json", "overlays"})
+      if (fs::exists(old_case / name)) fs::copy(old_case / name, fresh / name, fs::copy_options::recursive);
+  }
   if (!fs::is_directory(old_case / "sessions")) return;
   std::error_code fault;
   const auto how = fs::copy_options::recursive | fs::copy_options::create_hard_links;

@@ -8,6 +8,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::coil_tracking {
@@ -22,9 +23,7 @@ constexpr double kSharedFrames = 4;  // neighbouring frames share their errors, 
 Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const auto& pose : poses) sum += pose.linear();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant());
-  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  return nearestRotation(sum);
 }
 
 /// The rotation with the least sum of angles to all (Hartley, Aftab and Trumpf 2011, by Weiszfeld steps):
@@ -78,7 +77,7 @@ Pivot solvePivot(const std::vector<RigidTransform<Camera, Marker>>& poses, Eigen
     normal += row.transpose() * row;
     right -= row.transpose() * pose.translation_mm();
   }
-  const Vector6d solution = normal.ldlt().solve(right);
+  const Vector6d solution = solveSymmetric(normal, right);
   tip_mm = solution.tail<3>();
   Pivot pivot;
   pivot.in_marker_mm = solution.head<3>();
@@ -88,7 +87,7 @@ Pivot solvePivot(const std::vector<RigidTransform<Camera, Marker>>& poses, Eigen
   pivot.used = int(poses.size());
   pivot.rms_mm = std::sqrt(squares / double(poses.size()));
   const double variance = squares / std::max(1.0, 3.0 * double(poses.size()) - 6.0);
-  pivot.covariance = kSharedFrames * variance * normal.inverse().topLeftCorner<3, 3>();
+  pivot.covariance = kSharedFrames * variance * inverseOf(normal).topLeftCorner<3, 3>();
   return pivot;
 }
 
@@ -102,8 +101,7 @@ double secondTurn_rad(const std::vector<RigidTransform<Camera, Marker>>& poses) 
     const Eigen::Vector3d turn = logRotation(mean.transpose() * pose.linear());
     scatter += turn * turn.transpose() / double(all.size());
   }
-  return 2 *
-         std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues()[1]));
+  return 2 * std::sqrt(std::max(0.0, principalAxes(scatter).values[1]));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "facenav/cameras/marker_dictionary.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/geometry/normal_equations.h"
 #include "square_homography.h"
 
 namespace facenav::coil_tracking {
@@ -129,10 +130,10 @@ LightFit fitLight(const std::vector<Cell>& samples, const cv::Mat_<float>& cells
   }
   normal.triangularView<Eigen::StrictlyUpper>() = normal.transpose();
   LightFit fit;
-  fit.parameters = normal.ldlt().solve(right);
+  fit.parameters = solveSymmetric(normal, right);
   const Eigen::Matrix3d plane_normal = normal.topLeftCorner<3, 3>();
   const Eigen::Vector3d plane_right = right.head<3>();
-  const double unexplained_by_plane = squares - plane_right.dot(plane_normal.ldlt().solve(plane_right));
+  const double unexplained_by_plane = squares - plane_right.dot(solveSymmetric(plane_normal, plane_right));
   const double unexplained = squares - right.dot(fit.parameters);
   fit.likeness = unexplained_by_plane > 1e-9 ? 1.0 - unexplained / unexplained_by_plane : 0.0;
   return fit;

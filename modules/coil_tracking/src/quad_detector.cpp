@@ -1,4 +1,5 @@
 #include "quad_detector.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -30,10 +31,10 @@ std::optional<Line> fitSide(const Outline& contour, int begin, int end) {
     squares += p * p.transpose();
   }
   mean /= count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(squares / count - mean * mean.transpose());
+  const PrincipalAxes<2> axes = principalAxes(Eigen::Matrix2d(squares / count - mean * mean.transpose()));
   const Eigen::Vector2d chord(contour[end % size].x - contour[begin].x,
                               contour[end % size].y - contour[begin].y);
-  Line line{mean, eigen.eigenvectors().col(1)};
+  Line line{mean, axes.vectors.col(1)};
   if (line.direction.dot(chord) < 0) line.direction = -line.direction;
   return line;
 }

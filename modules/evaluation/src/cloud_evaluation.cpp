@@ -1,6 +1,9 @@
 #include "facenav/evaluation/cloud_evaluation.h"
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace facenav::evaluation {
 namespace {
@@ -64,6 +67,50 @@ double depthAt(const ExactDepth& depth, double x_px, double y_px) {
   return sum;
 }
 
+struct PointError {
+  Eigen::Vector3d p_mm;
+  double along_ray_mm;
+};
+
+struct PatchMean {
+  Eigen::Vector3d p_mm = Eigen::Vector3d::Zero();
+  double off_mm = 0.0;
+  int points = 0;
+};
+
+/// Means over cubes of the smallest lag that hold at least 5 points.
+std::vector<PatchMean> patchMeans(const std::vector<PointError>& errors) {
+  constexpr int kFewest = 5;
+  std::map<std::array<int, 3>, PatchMean> cubes;
+  for (const PointError& e : errors) {
+    std::array<int, 3> cube;
+    for (int a = 0; a < 3; ++a) cube[a] = int(std::floor(e.p_mm[a] / CloudFigures::kLags_mm.front()));
+    PatchMean& patch = cubes[cube];
+    patch.p_mm += e.p_mm, patch.off_mm += e.along_ray_mm, ++patch.points;
+  }
+  std::vector<PatchMean> means;
+  for (auto& [ignored, patch] : cubes)
+    if (patch.points >= kFewest)
+      means.push_back({patch.p_mm / patch.points, patch.off_mm / patch.points, patch.points});
+  return means;
+}
+
+void noteShared(const std::vector<PointError>& errors, CloudFigures& figures) {
+  const auto patches = patchMeans(errors);
+  std::array<double, 4> sums{}, counts{};
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    figures.mean_mm += patches[i].off_mm / double(patches.size());
+    for (std::size_t j = 0; j < i; ++j) {
+      const double apart_mm = (patches[i].p_mm - patches[j].p_mm).norm();
+      for (std::size_t lag = 0; lag < sums.size(); ++lag)
+        if (apart_mm >= CloudFigures::kLags_mm[lag] && apart_mm < CloudFigures::kLags_mm[lag + 1])
+          sums[lag] += patches[i].off_mm * patches[j].off_mm, counts[lag] += 1;
+    }
+  }
+  for (std::size_t lag = 0; lag < sums.size(); ++lag)
+    figures.shared_mm2[lag] = counts[lag] > 0 ? sums[lag] / counts[lag] : 0.0;
+}
+
 }  // namespace
 
 cv::Mat visibleFace(const cameras::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
@@ -93,6 +140,7 @@ CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceClou
   cv::Mat covered = cv::Mat::zeros(visible.size(), CV_8U);
   double squares = 0.0, predicted = 0.0;
   int on_face = 0, gross = 0;
+  std::vector<PointError> errors;
   for (std::size_t i = 0; i < face.cloud.size(); ++i) {
     const Eigen::Vector2d px = face.left_px[i].cast<double>();
     const int x = int(std::lround(px.x())), y = int(std::lround(px.y()));
@@ -108,6 +156,7 @@ CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceClou
       ++gross;
       continue;
     }
+    errors.push_back({face.cloud.points_mm[i], error_mm});
     squares += error_mm * error_mm;
     predicted += double(face.sigma_mm[i]) * face.sigma_mm[i];
   }
@@ -123,6 +172,7 @@ CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceClou
         around += covered.at<std::uint8_t>(y + dy, x + dx) != 0;
       found += covered.at<std::uint8_t>(y, x) != 0 || around >= 2;
     }
+  noteShared(errors, figures);
   figures.points = on_face;
   const double counted = std::max(1, on_face - gross);
   figures.rms_mm = std::sqrt(squares / counted);

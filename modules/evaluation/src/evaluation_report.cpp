@@ -28,7 +28,8 @@ std::string failureOf(const RunRecord& run) {
 }
 
 std::string nameOf(const RunRecord& run) {
-  return run.scenario + ", " + run.head + ", " + run.rig + ", seed " + std::to_string(run.seed);
+  return run.scenario + (run.from.empty() ? "" : " from " + run.from) + ", " + run.head + ", " + run.rig +
+         ", seed " + std::to_string(run.seed);
 }
 
 /// The main values of each run; evaluation.csv has all of them.

@@ -59,7 +59,8 @@ const Scenarios& compressedScenarios() {
 GoalRow cloudGoal(const std::vector<Measured>& all) {
   std::vector<double> rms, predicted, coverage, gross;
   for (const auto& one : all)
-    if (one.run->cloud && !one.run->is_capture_repeated && !compressedScenarios().count(one.run->scenario)) {
+    if (one.run->cloud && one.run->from.empty() && !one.run->is_capture_repeated &&
+        !compressedScenarios().count(one.run->scenario)) {
       rms.push_back(one.run->cloud->rms_mm);
       predicted.push_back(one.run->cloud->predicted_mm);
       coverage.push_back(one.run->cloud->coverage_percent);
@@ -81,7 +82,8 @@ AlignmentErrors alignmentErrors(const std::vector<Measured>& all,
   AlignmentErrors errors;
   for (const auto& one : all) {
     const RunRecord& run = *one.run;
-    if (!run.alignment || run.is_capture_repeated || !takes(run) || run.scenario == "mask")
+    if (!run.alignment || run.is_capture_repeated || run.must_be_refused || !takes(run) ||
+        run.scenario == "mask")
       continue;  // a capture with a mask may be refused: that sequence has its own row
     const AlignmentRecord& a = *run.alignment;
     if (!a.refusal.empty()) {
@@ -108,11 +110,31 @@ GoalRow alignmentGoal(const char* of, const std::vector<Measured>& all,
           formatted("%d captures", mm.count + errors.refused)};
 }
 
-GoalRow boundGoal(const std::vector<Measured>& all) {
-  const auto errors = alignmentErrors(all, [](const RunRecord&) { return true; });
+GoalRow boundGoal(const std::vector<Measured>& all, const std::string& from) {
+  const auto errors = alignmentErrors(all, [&](const RunRecord& run) { return run.from == from; });
   const double share = 100.0 * errors.inside / std::max<std::size_t>(1, errors.mm.size());
-  return {"alignment: true error inside the stated 95 % bound", "95 %", formatted("%.0f %%", share),
-          verdictOf(share >= 95.0, !errors.mm.empty()), formatted("%zu captures", errors.mm.size())};
+  return {"alignment" + (from.empty() ? "" : " from " + from) + ": true error inside the stated 95 % bound",
+          "95 %", formatted("%.0f %%", share), verdictOf(share >= 95.0, !errors.mm.empty()),
+          formatted("%zu captures", errors.mm.size())};
+}
+
+/// One patient aligned in several ways: errors and bound of each, and what must be refused.
+void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
+  int tried = 0, accepted = 0;
+  for (const Measured& one : all) {
+    if (!one.run->must_be_refused || !one.run->alignment || one.run->from.rfind("plain", 0) != 0) continue;
+    ++tried;
+    accepted += one.run->alignment->refusal.empty();
+  }
+  for (const char* from : {"dots", "sparse dots", "plain", "film"}) {
+    const auto is_from = [from](const RunRecord& run) { return run.from == from; };
+    rows.push_back(alignmentGoal(("from " + std::string(from)).c_str(), all, is_from, 0.5, 1.0, 0.5,
+                                 "median <= 0.5, max <= 1.0 mm, <= 0.5 deg"));
+    rows.push_back(boundGoal(all, from));
+  }
+  rows.push_back({"aligned from a plain pair: another's scan, a mirrored one, moved cameras", "0",
+                  formatted("%d of %d", accepted, tried), verdictOf(accepted == 0, tried > 0),
+                  formatted("%d attempts", tried)});
 }
 
 GoalRow motionGoal(const char* name, const std::vector<Measured>& all, const Scenarios& scenarios) {
@@ -265,14 +287,19 @@ std::vector<GoalRow> judge(const std::vector<RunRecord>& runs) {
   std::vector<Measured> all;
   for (const auto& run : runs) all.push_back({&run, frameErrors(run)});
   std::vector<GoalRow> rows{cloudGoal(all)};
-  const auto isDeveloped = [](const RunRecord& run) { return !run.is_unseen_head && !run.is_scan_cut; };
-  const auto isUnseen = [](const RunRecord& run) { return run.is_unseen_head && !run.is_scan_cut; };
-  const auto isCut = [](const RunRecord& run) { return run.is_scan_cut; };
+  const auto isDeveloped = [](const RunRecord& run) {
+    return run.from.empty() && !run.is_unseen_head && !run.is_scan_cut;
+  };
+  const auto isUnseen = [](const RunRecord& run) {
+    return run.from.empty() && run.is_unseen_head && !run.is_scan_cut;
+  };
+  const auto isCut = [](const RunRecord& run) { return run.from.empty() && run.is_scan_cut; };
   rows.push_back(alignmentGoal("development head", all, isDeveloped, 0.5, 1.0, 0.3,
                                "median <= 0.5, max <= 1.0 mm, <= 0.3 deg"));
   rows.push_back(alignmentGoal("unseen heads", all, isUnseen, 1.0, 1.0, 0.5, "<= 1.0 mm, <= 0.5 deg"));
   rows.push_back(alignmentGoal("scans that end above the chin", all, isCut, 2.0, 2.0, 90.0, "<= 2 mm"));
-  rows.push_back(boundGoal(all));
+  rows.push_back(boundGoal(all, ""));
+  addWays(all, rows);
   rows.push_back(motionGoal("protractor", all, {"protractor"}));
   rows.push_back(motionGoal("free motion", all, {"free_motion"}));
   rows.push_back(jitterGoal(all));

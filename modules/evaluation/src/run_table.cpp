@@ -20,6 +20,10 @@ void addCloud(const RunRecord& run, Figures& figures) {
   figures.push_back({"cloud_predicted_mm", has ? run.cloud->predicted_mm : kNone});
   figures.push_back({"cloud_gross_percent", has ? run.cloud->gross_percent : kNone});
   figures.push_back({"cloud_coverage_percent", has ? run.cloud->coverage_percent : kNone});
+  figures.push_back({"cloud_mean_mm", has ? run.cloud->mean_mm : kNone});
+  for (std::size_t lag = 0; lag + 1 < CloudFigures::kLags_mm.size(); ++lag)
+    figures.push_back({"cloud_shared_mm2_from_" + std::to_string(int(CloudFigures::kLags_mm[lag])) + "_mm",
+                       has ? run.cloud->shared_mm2[lag] : kNone});
 }
 
 void addAlignment(const RunRecord& run, Figures& figures) {
@@ -122,7 +126,7 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
   csv.precision(6);
   csv << "scenario,head,rig,seed,failure";
   for (const auto& [name, ignored] : figuresOf(RunRecord{})) csv << ',' << name;
-  csv << '\n';
+  csv << ",from,must_be_refused\n";
   for (const RunRecord& run : runs) {
     const std::string failure = run.failure.empty() && run.alignment ? run.alignment->refusal : run.failure;
     csv << quotedIfNeeded(run.scenario) << ',' << quoted(run.head) << ',' << quoted(run.rig) << ','
@@ -131,7 +135,7 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
       csv << ',';
       if (std::isfinite(value)) csv << value;
     }
-    csv << '\n';
+    csv << ',' << run.from << ',' << (run.must_be_refused ? "1" : "") << '\n';
   }
   return csv.str();
 }

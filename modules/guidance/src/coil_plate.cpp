@@ -7,6 +7,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/guidance/handle.h"
 #include "plate_geometry.h"
 
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 
 /// The axes after the smallest rotation that brings z onto `z`.
 Matrix3d carried(const Matrix3d& axes, const Vector3d& z) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3d(axes.col(2)), z);
+  const Eigen::Quaterniond turn = rotationBetween(axes.col(2), z);
   return (turn * Eigen::Quaterniond(axes)).normalized().toRotationMatrix();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/geometry/normal_equations.h"
 #include "tangent_directions.h"
 
 namespace facenav::guidance {
@@ -79,8 +80,7 @@ Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp,
   const Eigen::Vector3d step = axes * Eigen::Vector3d(x_mm, y_mm, 0.0);
   const Target there =
       planTarget(target.name, scalp, Point<Mri>(target.cortex_point.mm + step), 0.0, hairGap_mm(target));
-  const Eigen::Quaterniond transport =
-      Eigen::Quaterniond::FromTwoVectors(axes.col(2), Eigen::Vector3d(there.mri_T_target.rotation().col(2)));
+  const Eigen::Quaterniond transport = rotationBetween(axes.col(2), there.mri_T_target.rotation().col(2));
   Target moved = target;
   moved.cortex_point = there.cortex_point;
   moved.scalp_point = there.scalp_point;

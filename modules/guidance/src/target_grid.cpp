@@ -6,6 +6,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/guidance/coil_plate.h"
 #include "plate_geometry.h"
 
@@ -59,7 +60,7 @@ class GridLayer {
     const double sign = length_mm > 0 ? 1.0 : -1.0;
     const auto tape = paths_.straight(from.place_mm, sign * ahead, from.outwards, std::abs(length_mm));
     const Vector3d before = sign * ahead, after = tape.direction(tape.length_mm());
-    const Eigen::Quaterniond bend = Eigen::Quaterniond::FromTwoVectors(before, after);
+    const Eigen::Quaterniond bend = rotationBetween(before, after);
     return at(tape.points_mm().back(), bend * from.outwards, bend * from.forward);
   }
 

@@ -9,6 +9,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::monitoring {
@@ -48,7 +49,7 @@ struct Normal {
   Matrix6d covariance() const {
     Matrix6d pull = Matrix6d::Zero();
     for (const auto& tile : pulls) pull += tile.second * tile.second.transpose();
-    const Matrix6d inverse = h.inverse();
+    const Matrix6d inverse = inverseOf(h);
     const double count = double(pulls.size());
     return count / std::max(1.0, count - 6.0) * inverse * pull * inverse;
   }
@@ -183,7 +184,7 @@ std::optional<DriftCheck::Offset> DriftCheck::offsetOf(const std::vector<Sample>
       ++sums.used;
     }
     if (sums.used < int(kFewestSamples)) return std::nullopt;
-    const Vector6d xi = sums.h.ldlt().solve(sums.g);
+    const Vector6d xi = solveSymmetric(sums.h, sums.g);
     if (!xi.allFinite()) return std::nullopt;
     corrected =
         Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_) * corrected;

@@ -33,8 +33,20 @@ void drawPlaces(SkinCanvas& canvas, const surface::ClosestPoint& skin, const std
     if (isPlaceSeen(canvas.view, skin, place.point)) drawDot(canvas, place.point.mm, place.name, colour);
 }
 
+/// What is drawn of a target: a target that a grid made is a dot, unless it is the active one.
+struct DrawnTarget {
+  bool is_whole, is_named;
+};
+DrawnTarget drawnAs(const guidance::Target& target, const std::string& active) {
+  const bool is_active = target.name == active;
+  return {!target.grid_place || is_active, active.empty() ? !target.grid_place : is_active};
+}
+
 /// The plate's outline at the contact face, a line along the handle, and the axis' place on the skin.
-void drawPlannedCoil(SkinCanvas& canvas, const guidance::Target& target, const guidance::CoilPlate& plate) {
+void drawPlannedCoil(SkinCanvas& canvas, const guidance::Target& target, const guidance::CoilPlate& plate,
+                     const DrawnTarget& drawn) {
+  drawDot(canvas, target.scalp_point.mm, drawn.is_named ? target.name : std::string(), kTarget);
+  if (!drawn.is_whole) return;
   constexpr double kHandle_mm = 110;
   const auto at = [&](double x, double y) {
     return canvas.at((target.mri_T_target * Point<frames::Target>(x, y, 0)).mm);
@@ -43,21 +55,20 @@ void drawPlannedCoil(SkinCanvas& canvas, const guidance::Target& target, const g
   for (const auto& corner : plate.outline_mm) outline.push_back(at(corner.x(), corner.y()));
   cv::polylines(canvas.image, outline, true, kTarget, 1, cv::LINE_AA);
   cv::line(canvas.image, at(0, 0), at(0, -kHandle_mm), kTarget, 2, cv::LINE_AA);
-  drawDot(canvas, target.scalp_point.mm, target.name, kTarget);
 }
 
 }  // namespace
 
 RgbImage drawPlan(const surface::ScalpSurface& scalp, const std::vector<NamedPlace>& landmarks,
                   const std::vector<NamedPlace>& sites, const std::vector<guidance::Target>& targets,
-                  const guidance::CoilPlate& plate) {
+                  const guidance::CoilPlate& plate, const std::string& active) {
   const surface::ClosestPoint skin(scalp.mesh);
   std::vector<SkinCanvas> canvases;
   for (const SkinView& view : planViews()) {
     canvases.push_back(drawSkin(view, scalp.mesh));
     SkinCanvas& canvas = canvases.back();
     for (const auto& target : targets)
-      if (isPlaceSeen(view, skin, target.scalp_point)) drawPlannedCoil(canvas, target, plate);
+      if (isPlaceSeen(view, skin, target.scalp_point)) drawPlannedCoil(canvas, target, plate, drawnAs(target, active));
     drawPlaces(canvas, skin, sites, kSite);
     drawPlaces(canvas, skin, landmarks, kLandmark);
     drawTitle(canvas);

@@ -12,6 +12,7 @@
 #include "facenav/room/room_coil.h"
 #include "facenav/room/room_rig.h"
 #include "facenav/room/virtual_patient.h"
+#include "facenav/stereo/dot_pattern.h"
 #include "optics/film.h"
 #include "optics/renderer.h"
 #include "patient/expression.h"
@@ -26,8 +27,8 @@ struct Cast {
   std::optional<Eigen::Isometry3d> room_T_hand;  // a hand that hides part of the face
   double lamp_scale = 1.0, ambient_scale = 1.0;
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
-  bool has_dots = false;
-  double wetness = 0.0;             // of the skin: 1: small hard highlights
+  std::optional<stereo::DotPattern> dots;                   // projected; nothing: the projector is off
+  double wetness = 0.0;                                     // of the skin: 1: small hard highlights
   double gloss = 0.0;               // sheen of the skin, different in each camera: 1: shiny
   bool has_mask = false;            // surgical mask over nose and mouth
   std::uint64_t stranger = 0;       // number of another person who replaces the patient; 0: the patient

@@ -132,17 +132,19 @@ std::optional<std::int64_t> SyntheticSource::frameCount() const {
   return implementation_->script->frameCount();
 }
 
-capture::CapturePair SyntheticSource::capturePair() {
+cameras::StereoFrame SyntheticSource::captureWith(std::optional<stereo::DotPattern> dots) {
   auto& all = *implementation_;
   Cast cast = all.script->capture();
-  cast.has_dots = true;
+  cast.dots = dots;
   all.stage.set(cast);
   const std::uint64_t seed = all.options.seed * kFramesPerSeed + 900001;
+  return all.stage.photograph(0, 0.0, seed + (dots ? 0 : 1));
+}
+
+capture::CapturePair SyntheticSource::capturePair() {
   capture::CapturePair pair;
-  pair.pattern = all.stage.photograph(0, 0.0, seed);
-  cast.has_dots = false;
-  all.stage.set(cast);
-  pair.plain = all.stage.photograph(0, 0.0, seed + 1);
+  pair.pattern = captureWith(stereo::DotPattern::dense);
+  pair.plain = captureWith(std::nullopt);
   return pair;
 }
 

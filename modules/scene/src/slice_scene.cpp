@@ -66,8 +66,12 @@ void paintTargets(RgbImage& image, const SliceScene& scene, const volume::SliceP
   }
 }
 
+/// Only where it lies on the plane, as it always does on the anatomical ones.
 void paintCrosshair(RgbImage& image, const Point<Mri>& at, const volume::SlicePlane& plane) {
-  const Eigen::Vector2d p = plane.toPixel(at).head<2>();
+  constexpr double kOnPlane_mm = 1.0;
+  const Eigen::Vector3d on_plane = plane.toPixel(at);
+  if (std::abs(on_plane.z()) > kOnPlane_mm) return;
+  const Eigen::Vector2d p = on_plane.head<2>();
   const double gap = 8.0, w = image.width_px, h = image.height_px;
   for (double side : {-1.0, 1.0}) {
     line(image, {p.x() + side * gap, p.y()}, {side < 0 ? 0 : w, p.y()}, palette::kBlue, 1.0, 0.75);
@@ -79,10 +83,18 @@ void paintLetters(RgbImage& image, const volume::SlicePlane& plane, double text_
   const double w = image.width_px, h = image.height_px;
   const double size = std::clamp(0.045 * h * text_scale, 9.0 * text_scale, 18.0 * text_scale);
   const Direction<Mri> left(-plane.right.v), up(-plane.down.v);
-  letter(image, sideLetter(left), {size, h / 2}, size, palette::kText);
-  letter(image, sideLetter(plane.right), {w - size, h / 2}, size, palette::kText);
-  letter(image, sideLetter(up), {w / 2, size}, size, palette::kText);
-  letter(image, sideLetter(plane.down), {w / 2, h - size}, size, palette::kText);
+  const auto word = [&](const Direction<Mri>& side, double u, double v, double anchor) {
+    const std::string letters = sideLetters(side);
+    double at_u = u - anchor * size * double(letters.size() - 1);
+    for (const char each : letters) {
+      letter(image, each, {at_u, v}, size, palette::kText);
+      at_u += size;
+    }
+  };
+  word(left, size, h / 2, 0.0);
+  word(plane.right, w - size, h / 2, 1.0);
+  word(up, w / 2, size, 0.5);
+  word(plane.down, w / 2, h - size, 0.5);
 }
 
 }  // namespace
@@ -91,6 +103,17 @@ char sideLetter(const Direction<Mri>& direction) {
   Eigen::Index axis = 0;
   direction.v.cwiseAbs().maxCoeff(&axis);
   return direction.v[axis] > 0 ? "RAS"[axis] : "LPI"[axis];
+}
+
+std::string sideLetters(const Direction<Mri>& direction) {
+  const double least = std::sin(M_PI / 8);  // half way from one letter to two
+  std::vector<int> axes{0, 1, 2};
+  std::sort(axes.begin(), axes.end(),
+            [&](int a, int b) { return std::abs(direction.v[a]) > std::abs(direction.v[b]); });
+  std::string letters(1, sideLetter(direction));
+  const int second = axes[1];
+  if (std::abs(direction.v[second]) > least) letters += direction.v[second] > 0 ? "RAS"[second] : "LPI"[second];
+  return letters;
 }
 
 SlicePosition positionOf(const volume::SlicePlane& plane) {
@@ -112,6 +135,7 @@ void setUsualWindow(SliceScene& scene) {
 RgbImage SliceScene::picture(const volume::SlicePlane& plane) const {
   RgbImage image(plane.width, plane.height);
   if (mri) paintMri(image, *this, plane);
+  for (const auto& overlay : overlays) paintOverlay(image, overlay, plane);
   for (const auto& contour : contours)
     if (contour.mask) paintContour(image, sampleSmooth(*contour.mask, plane), contour.colour);
   for (const auto& p_mm : points.points_mm) {

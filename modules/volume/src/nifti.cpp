@@ -134,8 +134,40 @@ std::string spaceOf(int code) {
   return code >= 0 && code < 6 ? kSpaces[code] : "code " + std::to_string(code);
 }
 
+/// Lengths as the header states them; unknown ones are mm, as all programs take them.
+Eigen::Affine3d inMillimetres(Eigen::Affine3d affine, int units) {
+  const double scale = units == NIFTI_UNITS_METER ? 1e3 : units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
+  affine.linear() *= scale;
+  affine.translation() *= scale;
+  return affine;
+}
+
+std::string statisticOf(int intent) {
+  switch (intent) {
+    case NIFTI_INTENT_CORREL:
+      return "r";
+    case NIFTI_INTENT_TTEST:
+      return "t";
+    case NIFTI_INTENT_FTEST:
+      return "F";
+    case NIFTI_INTENT_ZSCORE:
+      return "z";
+    case NIFTI_INTENT_CHISQ:
+      return "chi2";
+    case NIFTI_INTENT_PVAL:
+      return "p";
+    case NIFTI_INTENT_LOGPVAL:
+      return "ln p";
+    case NIFTI_INTENT_LOG10PVAL:
+      return "log10 p";
+    default:
+      return {};
+  }
+}
+
 struct WorldMap {
   VoxelGrid grid;
+  bool is_template_space = false;
   std::string name, evidence;
   std::optional<std::string> warning;
 };
@@ -177,11 +209,13 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
     throw Error("has no " + map.name, where, std::string("choose the ") + (is_sform ? "qform" : "sform"));
   VoxelGrid sform, qform;
   sform.size = qform.size = {image.nx, image.ny, image.nz};
-  sform.mri_from_voxel = toAffine(image.sto_xyz);
-  qform.mri_from_voxel = toAffine(image.qto_xyz);
+  sform.mri_from_voxel = inMillimetres(toAffine(image.sto_xyz), image.xyz_units);
+  qform.mri_from_voxel = inMillimetres(toAffine(image.qto_xyz), image.xyz_units);
+  const int code = is_sform ? image.sform_code : image.qform_code;
+  map.is_template_space = code >= NIFTI_XFORM_TALAIRACH;
   map.grid = is_sform ? sform : qform;
   requireOrthogonal(map.grid.mri_from_voxel, where);
-  map.evidence = map.name + " (" + spaceOf(is_sform ? image.sform_code : image.qform_code) + ")" +
+  map.evidence = map.name + " (" + spaceOf(code) + ")" +
                  (choice == NiftiTransform::automatic ? "" : ", as asked for");
   if (!has_sform || !has_qform) return map;
   const std::string other = is_sform ? "qform" : "sform";
@@ -293,6 +327,8 @@ NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice) {
   result.volume.modality = "";
   result.volume.orientation_source = map.name;
   result.evidence = map.evidence;
+  result.is_template_space = map.is_template_space;
+  result.statistic = statisticOf(image->intent_code);
   result.warning = map.warning;
   result.volume.voxels = toFloat(*image, path.string());
   return result;

@@ -1,13 +1,117 @@
 #include "facenav/workflow/align_case.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "facenav/casefile/file_group.h"
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/workflow/case_pictures.h"
 #include "facenav/workflow/stored_capture.h"
 
 namespace facenav::workflow {
+namespace {
+
+/// Pictures with less prior trust are used only where they promise this much less error.
+constexpr double kClearlyBetter = 0.85;
+/// The head turns to both sides in this time; later frames add little.
+constexpr double kFilm_s = 2.0;
+
+/// A way to align with the pictures that go with it into the case.
+struct Aligned {
+  AlignmentOutcome outcome;
+  capture::CapturePair pictures;
+};
+
+/// Those that the recording has pictures for.
+std::vector<AlignedFrom> waysOf(const capture::Recording& recording) {
+  std::vector<AlignedFrom> ways;
+  if (recording.capture && showsDots(*recording.capture)) ways.push_back(AlignedFrom::dots);
+  if (recording.capture) ways.push_back(AlignedFrom::plain);
+  if (recording.frame_count > 1) ways.push_back(AlignedFrom::film);
+  return ways;
+}
+
+std::string inWords(AlignedFrom from) {
+  switch (from) {
+    case AlignedFrom::dots:
+      return "the pair with dots";
+    case AlignedFrom::plain:
+      return "the plain pair";
+    default:
+      return "the film";
+  }
+}
+
+void requirePictures(const capture::Recording& recording, AlignedFrom from) {
+  const bool has_pair = recording.capture.has_value();
+  if (from == AlignedFrom::film ? recording.frame_count > 1 : has_pair) return;
+  throw Error("not aligned: the recording has no " +
+                  std::string(from == AlignedFrom::film ? "film" : "capture/ pair"),
+              recording.folder.string(), "choose another way (dots, plain, film), or record one");
+}
+
+/// Frame numbers of the film's first seconds.
+std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording) {
+  const auto frame = capture::makeSource(recording)->next();
+  const std::int64_t first = frame ? frame->number : 0;
+  return {first, first + std::int64_t(std::lround(kFilm_s * recording.frames_per_s))};
+}
+
+Aligned align(const Registrations& methods, const capture::Recording& recording, AlignedFrom from,
+              const AlignOrder& order, const AlignmentSetup& setup, TaskMonitor& monitor) {
+  if (from != AlignedFrom::film)
+    return {alignFromCapture(recording.rig, *recording.capture, from, setup, monitor), *recording.capture};
+  const auto& trackers = methods.head_trackers;
+  const auto tracker =
+      trackers.create(order.head_tracker.empty() ? trackers.defaultName() : order.head_tracker);
+  const auto film = capture::makeSource(recording);
+  const auto [first, last] = beginningOf(recording);
+  Aligned aligned{alignFromFilm(*film, first, last, *tracker, setup, monitor), {}};
+  aligned.pictures = {aligned.outcome.reference.frame, aligned.outcome.reference.frame};
+  return aligned;
+}
+
+/// The pair that the case was aligned with. Not one frame of a film: this recording's own film says more.
+std::optional<capture::CapturePair> storedPair(const casefile::CaseStore& store,
+                                               const capture::Recording& recording) {
+  const auto alignment = store.alignment();
+  if (alignment && alignment->from == nameOf(AlignedFrom::film)) return std::nullopt;
+  return readStoredCapture(store.folder(), recording.rig);
+}
+
+double worstBound_mm(const AlignmentOutcome& outcome) {
+  double worst = 0;
+  for (const auto& [ignored, bound_mm] : outcome.predicted_tre_p95_mm) worst = std::max(worst, bound_mm);
+  if (!outcome.predicted_tre_p95_mm.empty()) return worst;
+  return outcome.result.errorBound_mm(Point<Mri>(outcome.scalp->middle_mm()));
+}
+
+bool isBetter(const AlignmentTry& other, const AlignmentTry& than) {
+  return *other.predicted_mm < kClearlyBetter * *than.predicted_mm;
+}
+
+/// A caution where two ways see the head at one moment in two places, farther apart than both bounds.
+std::optional<std::string> contradiction(const CaseAlignment& alignment, const Point<Mri>& at) {
+  const AlignmentTry *dots = nullptr, *plain = nullptr;
+  for (const AlignmentTry& tried : alignment.tries)
+    if (tried.camera_T_mri && tried.from != AlignedFrom::film)
+      (tried.from == AlignedFrom::dots ? dots : plain) = &tried;
+  if (!dots || !plain) return std::nullopt;
+  const double apart_mm = ((*dots->camera_T_mri * at).mm - (*plain->camera_T_mri * at).mm).norm();
+  if (apart_mm <= *dots->bound_mm + *plain->bound_mm) return std::nullopt;
+  return "with and without dots the head lies " + fixed(apart_mm, 1) +
+         " mm apart: check that it did not move in between, and take the pictures again";
+}
+
+std::string inWords(const AlignmentTry& tried) {
+  if (!tried.predicted_mm) return inWords(tried.from) + " was refused (" + tried.refusal + ")";
+  return inWords(tried.from) + " would give " + fixed(*tried.predicted_mm, 2) + " mm";
+}
+
+}  // namespace
 
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome) {
@@ -20,21 +124,72 @@ void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& 
   group.commit("alignment.json");
 }
 
-AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
-                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const std::string& aligner, TaskMonitor& monitor, const std::string& matcher) {
+CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
+                             const capture::Recording& given, const AlignOrder& order, TaskMonitor& monitor) {
+  capture::Recording recording = given;
+  if (!recording.capture && order.stored_pair_stands_in) recording.capture = storedPair(store, recording);
   const auto detector = methods.face_detector();
-  auto outcome = alignFromCapture(rig, capture, store.scalp(), *methods.aligners.create(aligner), *detector,
-                                  store.targets().targets, monitor, store.scalpField(), matcher);
-  storeAlignment(store, rig, capture, outcome);
-  return outcome;
+  const auto aligner = methods.aligners.create(order.aligner);
+  const auto scalp = store.scalp();
+  const auto targets = store.targets().targets;
+  const AlignmentSetup setup{scalp, *aligner, *detector, targets, store.scalpField(), order.matcher};
+  if (order.from) requirePictures(recording, *order.from);
+  const auto ways = order.from ? std::vector{*order.from} : waysOf(recording);
+  std::optional<Aligned> best;
+  std::optional<Error> first_error;
+  CaseAlignment result;
+  std::size_t used = 0;
+  for (const AlignedFrom from : ways) {
+    if (from == AlignedFrom::film && best && best->outcome.from == AlignedFrom::dots && !order.from) break;
+    result.tries.push_back({from, {}, {}, {}});
+    AlignmentTry& now = result.tries.back();
+    try {
+      Aligned aligned = align(methods, recording, from, order, setup, monitor);
+      now.predicted_mm = aligned.outcome.worstPredicted_mm(), now.bound_mm = worstBound_mm(aligned.outcome);
+      now.camera_T_mri = aligned.outcome.result.camera_T_mri;
+      if (best && !isBetter(now, result.tries[used])) continue;
+      used = result.tries.size() - 1;
+      best = std::move(aligned);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const NotMeasured& error) {
+      if (!first_error) first_error = error;
+      now.refusal = error.what();
+    } catch (const Error& error) {
+      // Another head, or moved cameras: no other pictures of them may be accepted instead.
+      if (!best) throw;
+      now.refusal = error.what();
+    }
+  }
+  if (!best && first_error) throw *first_error;
+  if (!best)
+    throw Error("not aligned: the recording has neither a capture pair nor a film", recording.folder.string(),
+                "record the face: one still pair, or two seconds in which the head turns to both sides");
+  result.outcome = std::move(best->outcome);
+  const Point<Mri> at =
+      targets.empty() ? Point<Mri>(result.outcome.scalp->middle_mm()) : targets.front().cortex_point;
+  if (const auto words = contradiction(result, at)) result.outcome.result.cautions.push_back(*words);
+  storeAlignment(store, recording.rig, best->pictures, result.outcome);
+  return result;
 }
 
-capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording) {
-  if (recording.capture) return *recording.capture;
-  if (auto stored = readStoredCapture(store.folder(), recording.rig)) return *stored;
-  throw Error("not aligned: the recording has no capture pair", recording.folder.string(),
-              "record one with the dots projected (capture/ in the recording)");
+AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
+                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
+                           const std::string& aligner, TaskMonitor& monitor) {
+  capture::Recording recording;
+  recording.rig = rig;
+  recording.capture = capture;
+  return alignRecording(methods, store, recording, {aligner}, monitor).outcome;
+}
+
+std::string inWords(const CaseAlignment& alignment) {
+  std::string words;
+  for (const AlignmentTry& tried : alignment.tries)
+    if (tried.from == alignment.outcome.from)
+      words = "used " + inWords(tried.from) + ": " + fixed(*tried.predicted_mm, 2) + " mm predicted";
+  for (const AlignmentTry& tried : alignment.tries)
+    if (tried.from != alignment.outcome.from) words += "; " + inWords(tried);
+  return words;
 }
 
 }  // namespace facenav::workflow

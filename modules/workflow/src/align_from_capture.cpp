@@ -4,13 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <future>
-#include <opencv2/imgproc.hpp>
 
+#include "camera_doubts.h"
 #include "facenav/core/error.h"
-#include "facenav/monitoring/pair_fault.h"
-#include "facenav/monitoring/rig_check.h"
+#include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
+#include "plain_skin.h"
 
 namespace facenav::workflow {
 namespace {
@@ -37,83 +37,12 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras
   return options;
 }
 
-constexpr double kClearStatistic = 40;  // as in RigCheck: twice the monitor's own threshold
-constexpr int kFineScale_px = 9;
-constexpr double kDotsContrast = 1.5;  // ratio of fine detail with dots to that without; without dots it is 1
-
-/// Fine detail relative to the mean grey level.
-double fineContrast(const cv::Mat& image) {
-  cv::Mat grey, smooth;
-  image.convertTo(grey, CV_32F);
-  cv::boxFilter(grey, smooth, -1, {kFineScale_px, kFineScale_px});
-  return cv::norm(grey - smooth, cv::NORM_L2) / std::max(1.0, cv::norm(grey, cv::NORM_L2));
-}
-
-}  // namespace
-
-bool showsDots(const capture::CapturePair& capture) {
-  return fineContrast(capture.pattern.left) > kDotsContrast * fineContrast(capture.plain.left);
-}
-
-namespace {
-
-/// The calibration is no longer valid: searching elsewhere for the face would not help.
-class CamerasMoved : public Error {
- public:
-  using Error::Error;
-};
-
-/// Runs `task` and returns its error if another way may help. Errors that no other way avoids are rethrown: a
-/// fault of the cameras, and the user's stop.
-std::optional<Error> errorOf(const std::function<void()>& task) {
-  try {
-    task();
-    return std::nullopt;
-  } catch (const CamerasMoved&) {
-    throw;
-  } catch (const monitoring::PairError&) {
-    throw;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& error) {
-    return error;
-  }
-}
-
-/// Throws CamerasMoved if points of the face, matched again, show it.
-void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face) {
-  cameras::RigMonitor monitor(rig);
-  monitor.add(monitoring::matchSurface(rig, frame, face.cloud, face.left_px));
-  const auto verdict = monitor.verdict();
-  if (!verdict.hasMoved()) return;
-  const auto diagnosis = cameras::diagnosePair(rig, plain);
-  if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
-  // If plain skin disagrees a little but the whole plain pair fits, the cameras did not move.
-  const bool is_clear = verdict.statistic > kClearStatistic && showsDots({frame, plain});
-  if (diagnosis.fault != cameras::PairFault::none || is_clear)
-    throw CamerasMoved("not aligned: " + verdict.words(), {}, "'facenav calibrate'");
-}
-
-/// The aligner and the measurement know only that nothing fits. This checks the cameras first, then the dots;
-/// if both are in order, it reports the original error.
-[[noreturn]] void refuse(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                         const Error& error, const std::string& matcher) {
-  const auto diagnosis = cameras::diagnosePair(rig, capture.plain);
-  if (diagnosis.isFault()) throw monitoring::PairError(diagnosis, "not aligned: ");
-  if (showsDots(capture)) throw error;
-  std::string reason = error.what();
-  const std::string prefix = "not aligned: ";
-  if (reason.rfind(prefix, 0) == 0) reason.erase(0, prefix.size());
-  const bool is_default = matcher == stereo::kDefaultMatcher;
-  throw Error(prefix + "the capture's picture for the dots shows none (switch the projector on" +
-              (is_default ? "" : ": the matcher '" + matcher + "' needs them") +
-              "); without them: " + reason);
-}
-
-registration::AlignmentStart withSharedDepth(registration::AlignmentStart start,
-                                             const cameras::StereoRig& rig, const PointCloud<Camera>& face) {
-  start.shared_depth_sigma_mm = sharedDepthSigma_mm(rig, face);
+/// What is known of the face before it is fitted.
+registration::AlignmentStart startOf(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
+  registration::AlignmentStart start = outcome.landmarks.start;
+  const FaceError error = faceErrorOf(rig, outcome.face);
+  start.shared_depth_sigma_mm = error.whole_mm;
+  start.sight = error.sight;
   return start;
 }
 
@@ -145,7 +74,49 @@ std::optional<Error> withoutLandmarksIfMisled(FaceInSpace& landmarks,
   return errorOf(measureAndFit) ? first : std::nullopt;
 }
 
+using Field = std::shared_future<std::shared_ptr<const registration::ScalpField>>;
+
+/// The scalp's field, read or computed while the face is found and measured.
+Field fieldOf(const AlignmentSetup& setup) {
+  if (!setup.scalp.has_face)
+    throw Error("not aligned: this scan holds no face to align to", {},
+                setup.scalp.findings.empty() ? "use a scan of the whole head" : setup.scalp.findings.front());
+  return std::async(std::launch::async, [skin = skinModel(setup.scalp), file = setup.field_file] {
+    return registration::keptScalpField(skin, file);
+  });
+}
+
+/// Fits the face in `outcome` to the scalp. `measured`: the pictures that it was measured on.
+void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field& field,
+         const cameras::StereoFrame& measured, const cameras::StereoFrame& plain, TaskMonitor& monitor,
+         AlignmentOutcome& outcome) {
+  requireUnmovedCameras(rig, measured, plain, outcome.face);
+  outcome.scalp = field.get();
+  outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, outcome), monitor);
+}
+
+/// What follows from a fit that stands.
+void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, AlignmentOutcome& outcome) {
+  if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
+  outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
+  outcome.reference = makeReference(plain, outcome.face, outcome.result);
+  for (const auto& target : setup.targets) {
+    outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);
+    outcome.predicted_tre_p95_mm[target.name] = outcome.result.errorBound_mm(target.cortex_point);
+  }
+}
+
 }  // namespace
+
+const char* nameOf(AlignedFrom from) {
+  return from == AlignedFrom::dots ? "dots" : from == AlignedFrom::plain ? "plain" : "film";
+}
+
+std::optional<AlignedFrom> alignedFrom(const std::string& name) {
+  for (const AlignedFrom from : {AlignedFrom::dots, AlignedFrom::plain, AlignedFrom::film})
+    if (name == nameOf(from)) return from;
+  return std::nullopt;
+}
 
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {
   registration::SkinModel skin;
@@ -155,6 +126,13 @@ registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {
   skin.field_of_view = scalp.field_of_view;
   skin.has_face = scalp.has_face;
   return skin;
+}
+
+double AlignmentOutcome::worstPredicted_mm() const {
+  double worst = 0;
+  for (const auto& [ignored, error_mm] : predicted_tre_mm) worst = std::max(worst, error_mm);
+  if (!predicted_tre_mm.empty() || !scalp) return worst;
+  return result.predictedError_mm(Point<Mri>(scalp->middle_mm()));
 }
 
 casefile::StoredAlignment AlignmentOutcome::stored() const {
@@ -169,45 +147,53 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.uncertainty = result.uncertainty();
   alignment.face_scale = result.face_scale;
   alignment.cautions = result.cautions;
-  if (matcher != stereo::kDefaultMatcher) alignment.matcher = matcher;
+  alignment.from = nameOf(from);
+  if (from == AlignedFrom::dots && matcher != stereo::kDefaultMatcher) alignment.matcher = matcher;
   return alignment;
 }
 
 AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                                  const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
-                                  const face::FaceDetector& detector,
-                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
-                                  const std::filesystem::path& field_file, const std::string& matcher) {
-  stereo::makeDenseMatcher(matcher);  // refuses an unknown name before any work is done
-  if (!scalp.has_face)
-    throw Error("not aligned: this scan holds no face to align to", {},
-                scalp.findings.empty() ? "use a scan of the whole head" : scalp.findings.front());
-  monitor.report("finding the face", 0.0);
-  // Read or compute the scalp's field while the face is found and measured.
-  auto field = std::async(std::launch::async,
-                          [&] { return registration::keptScalpField(skinModel(scalp), field_file); });
+                                  AlignedFrom from, const AlignmentSetup& setup, TaskMonitor& monitor) {
+  stereo::makeDenseMatcher(setup.matcher);  // refuses an unknown name before any work is done
+  const Field field = fieldOf(setup);
+  const bool has_dots = from == AlignedFrom::dots;
+  const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   AlignmentOutcome outcome;
-  outcome.matcher = matcher;
-  outcome.landmarks = findFace(rig, capture.plain, detector);
+  outcome.from = from;
+  outcome.matcher = setup.matcher;
+  monitor.report("finding the face", 0.0);
+  outcome.landmarks = findFace(rig, capture.plain, setup.detector);
+  bool is_measured = false;
   const auto measureAndFit = [&] {
-    const auto cloud =
-        stereo::measureFace(rig, capture.pattern, measuringOptions(outcome.landmarks, rig, matcher), monitor);
-    outcome.face = cutFace(cloud, outcome.landmarks);
-    requireUnmovedCameras(rig, capture.pattern, capture.plain, outcome.face);
-    if (!outcome.scalp) outcome.scalp = field.get();
-    outcome.result =
-        aligner.align(*outcome.scalp, outcome.face.cloud,
-                      withSharedDepth(outcome.landmarks.start, rig, outcome.face.cloud), monitor);
+    outcome.face =
+        has_dots
+            ? cutFace(stereo::measureFace(rig, measured,
+                                          measuringOptions(outcome.landmarks, rig, setup.matcher), monitor),
+                      outcome.landmarks)
+            : measurePlainSkin(rig, measured, outcome.landmarks, monitor);
+    is_measured = true;
+    fit(rig, setup, field, measured, capture.plain, monitor, outcome);
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
-    refuse(rig, capture, *error, matcher);
-  if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
-  outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
-  outcome.reference = makeReference(capture.plain, outcome.face, outcome.result);
-  for (const auto& target : targets) {
-    outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);
-    outcome.predicted_tre_p95_mm[target.name] = outcome.result.errorBound_mm(target.cortex_point);
-  }
+    refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
+  conclude(setup, capture.plain, outcome);
+  return outcome;
+}
+
+AlignmentOutcome alignFromFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
+                               head_tracking::HeadTracker& tracker, const AlignmentSetup& setup,
+                               TaskMonitor& monitor) {
+  const Field field = fieldOf(setup);
+  auto measured = measureFilm(film, first, last, tracker, setup.detector, monitor, kFramesToAlign);
+  AlignmentOutcome outcome;
+  outcome.from = AlignedFrom::film;
+  outcome.landmarks = measured.landmarks;
+  outcome.face = std::move(measured.cloud.face);
+  outcome.fused_frames = measured.fused;
+  const cameras::StereoFrame& plain = *measured.first;
+  if (const auto error = errorOf([&] { fit(film.rig(), setup, field, plain, plain, monitor, outcome); }))
+    refuseAlignment(film.rig(), {plain, plain}, outcome.from, *error, true, outcome.matcher);
+  conclude(setup, plain, outcome);
   return outcome;
 }
 

@@ -2,37 +2,12 @@
 
 #include <algorithm>
 
-#include "facenav/anatomy/head_norms.h"
 #include "facenav/cameras/reduced_pair.h"
 #include "facenav/core/error.h"
+#include "plain_skin.h"
 
 namespace facenav::workflow {
 namespace {
-
-constexpr double kBefore_mm = 180.0;  // the landmarks' centre: a hand or a coil in front of the face
-constexpr double kAround_mm = 150.0;
-// Plain skin shows little detail finer than this, so larger images are reduced.
-constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
-constexpr std::int64_t kMostMeasured = 40;  // frames; more add little, and each takes some tenths of a second
-
-cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
-  const Eigen::Vector2d px = cameras::project(rig.left, centre_mm);
-  const double reach_px = kAround_mm * rig.left.k(0, 0) / centre_mm.z();
-  return cv::Rect(cv::Point(int(px.x() - reach_px), int(px.y() - reach_px)),
-                  cv::Point(int(px.x() + reach_px), int(px.y() + reach_px))) &
-         cv::Rect(0, 0, rig.width_px, rig.height_px);
-}
-
-stereo::FaceCloud measureNear(const cameras::StereoRig& rig, const cameras::StereoFrame& frame, bool has_dots,
-                              const FaceInSpace& face, TaskMonitor& monitor) {
-  stereo::FaceCloudOptions options = has_dots ? stereo::FaceCloudOptions() : stereo::plainFaceOptions();
-  if (face.centre) {
-    options.nearest_mm = std::max(100.0, face.centre->mm.z() - kBefore_mm);
-    options.farthest_mm = face.centre->mm.z() + anatomy::kHeadDepth_mm;
-    options.left_roi = roiAround(rig, face.centre->mm);
-  }
-  return cutFace(stereo::measureFace(rig, frame, options, monitor), face);
-}
 
 [[noreturn]] void refuseEmpty() {
   throw Error("no point of a face was measured", {},
@@ -53,15 +28,6 @@ FaceInSpace moved(const FaceInSpace& first, const Eigen::Isometry3d& now_T_first
   FaceInSpace now;
   if (first.centre) now.centre = Point<Camera>(Eigen::Vector3d(now_T_first * first.centre->mm));
   return now;
-}
-
-int plainReduction(const cameras::StereoRig& rig, const FaceInSpace& face) {
-  return cameras::reductionFor(rig, face.centre ? face.centre->mm.z() : kUnknownDepth_mm,
-                               kPlainSkin_px_per_mm);
-}
-
-void toWholePicture(stereo::FaceCloud& cloud, int times) {
-  for (auto& px : cloud.left_px) px = cameras::inWholePicture(px, times);
 }
 
 /// Returns false if the frame shows too little to measure.
@@ -95,7 +61,7 @@ MeasuredFace measurePair(const cameras::StereoRig& rig, const cameras::StereoFra
 
 MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
                          head_tracking::HeadTracker& tracker, const face::FaceDetector& detector,
-                         TaskMonitor& monitor) {
+                         TaskMonitor& monitor, int most) {
   const cameras::StereoRig& rig = film.rig();
   MeasuredFace result;
   result.first = frameOf(film, first);
@@ -106,8 +72,7 @@ MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::in
   stereo::CloudFusion fusion(small, stereo::kPlainSkinError_px);
   fusion.add(measureNear(small, cameras::reduced(*result.first, times), false, result.landmarks, monitor),
              Eigen::Isometry3d::Identity());
-  const std::int64_t step =
-      std::min(last - first, film.frameCount().value_or(last - first)) / kMostMeasured + 1;
+  const std::int64_t step = std::min(last - first, film.frameCount().value_or(last - first)) / most + 1;
   std::int64_t at = 0;
   for (auto frame = film.next(); frame && frame->number <= last; frame = film.next()) {
     monitor.report("frames", double(frame->number - first) / double(last - first));

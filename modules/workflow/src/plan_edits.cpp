@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/casefile/case_coil.h"
 #include "facenav/surface/closest_point.h"
 #include "facenav/surface/outside_head.h"
 
@@ -13,6 +14,7 @@ PlannedHead plannedHead(const casefile::CaseStore& store) {
   head.scalp = std::make_shared<const surface::ScalpSurface>(store.scalp());
   head.head_mask = std::make_shared<const volume::Mask>(store.headMask());
   if (auto brain = store.brain()) head.brain = std::make_shared<const surface::BrainModel>(std::move(*brain));
+  head.plate = casefile::coilOf(store.folder()).plate;
   return head;
 }
 

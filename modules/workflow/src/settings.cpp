@@ -16,6 +16,7 @@
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
 #include "facenav/segmentation/prior_use.h"
+#include "facenav/stereo/shared_error.h"
 #include "facenav/stimulation/threshold_rules.h"
 #include "facenav/workflow/mep_import.h"
 #include "facenav/workflow/session_return.h"
@@ -29,12 +30,12 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All =
-    Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
-           registration::MisfitPrior, head_tracking::SkinDetailLimits, head_tracking::IdentityModel,
-           head_tracking::SkinFieldModel, head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget,
-           guidance::PlateRest, stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions,
-           MepImportLimits, casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules>;
+using All = Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
+                   registration::MisfitPrior, stereo::SharedError, head_tracking::SkinDetailLimits,
+                   head_tracking::IdentityModel, head_tracking::SkinFieldModel, head_tracking::StepLimits,
+                   FrameBudget, head_tracking::SearchBudget, guidance::PlateRest, stimulation::ThresholdRules,
+                   links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits, casefile::EvidenceRules,
+                   monitoring::RegistrationCheckRules, ReturnRules>;
 
 }  // namespace
 

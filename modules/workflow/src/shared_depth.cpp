@@ -6,6 +6,8 @@
 
 #include "facenav/cameras/rig_monitor.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
+#include "facenav/stereo/shared_error.h"
 
 namespace facenav::workflow {
 namespace {
@@ -46,6 +48,24 @@ double sharedDepthSigma_mm(const cameras::StereoRig& rig, const PointCloud<Camer
       middle.z() * middle.z() / (rig.left.k(0, 0) * rig.right_T_left.translation_mm().norm());
   if (rig.covariance.empty()) return kGoodCalibration_px * mm_per_px;
   return std::hypot(kMatching_px * mm_per_px, byCalibration_mm(rig, middle));
+}
+
+namespace {
+
+/// Root mean square of the stated deviations.
+double statedDeviation_mm(const stereo::FaceCloud& face) {
+  double squares = 0;
+  for (const float sigma_mm : face.sigma_mm) squares += double(sigma_mm) * double(sigma_mm);
+  return face.sigma_mm.empty() ? 0.0 : std::sqrt(squares / double(face.sigma_mm.size()));
+}
+
+}  // namespace
+
+FaceError faceErrorOf(const cameras::StereoRig& rig, const stereo::FaceCloud& face) {
+  const auto& shared = settingsOf<stereo::SharedError>();
+  const double stated_mm = statedDeviation_mm(face);
+  return {std::hypot(sharedDepthSigma_mm(rig, face.cloud), shared.whole * stated_mm),
+          {shared.smooth * stated_mm, shared.reach_mm}};
 }
 
 }  // namespace facenav::workflow

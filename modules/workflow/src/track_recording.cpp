@@ -60,12 +60,21 @@ Start startFromStoredPose(const Registrations& methods, const casefile::CaseStor
   return start;
 }
 
+/// A film says more of the face than the one frame of it that the case keeps: its alignment is not repeated.
+bool isFromFilm(const casefile::CaseStore& store) {
+  const auto alignment = store.alignment();
+  return alignment && alignment->from == nameOf(AlignedFrom::film);
+}
+
 Start startOf(const Registrations& methods, const TrackRequest& request, const capture::Recording& recording,
               TrackOutcome& outcome, TaskMonitor& monitor) {
   if (!request.case_folder) return startWithoutCase(methods, recording, monitor);
   const auto store = casefile::CaseStore::open(*request.case_folder);
   std::optional<capture::CapturePair> capture = recording.capture;
-  if (!capture) capture = readStoredCapture(store.folder(), recording.rig);
+  if (!capture) {
+    capture = readStoredCapture(store.folder(), recording.rig);
+    if (capture && isFromFilm(store)) return {{capture->plain, {}, {}}, store.alignment()->camera_T_mri};
+  }
   if (!capture) return startFromStoredPose(methods, store, recording, monitor);
   outcome.alignment = alignCase(methods, store, recording.rig, *capture, request.aligner, monitor);
   return {outcome.alignment->reference, outcome.alignment->result.camera_T_mri, outcome.alignment->scalp};

@@ -30,8 +30,10 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
     film.recording.capture.reset();
   }
   if (request.coil_file) film.coil = coil_tracking::readCoil(*request.coil_file);
-  const auto alignment = std::make_shared<AlignmentOutcome>(alignCase(
-      methods, store, film.recording.rig, captureOf(store, film.recording), request.aligner, monitor));
+  AlignOrder order{request.aligner};
+  order.stored_pair_stands_in = true;
+  const auto alignment = std::make_shared<AlignmentOutcome>(
+      alignRecording(methods, store, film.recording, order, monitor).outcome);
   return {store, film.recording, false, film.coil, alignment, request.override, goes_on, request.speed};
 }
 

@@ -65,6 +65,24 @@ TEST(Recording, ConvertsColourAndSixteenBits) {
   EXPECT_LE(cv::norm(frame->right, grey, cv::NORM_INF), 1);
 }
 
+TEST(Recording, ACaptureOfThePlainPairAloneIsEnough) {
+  TemporaryFolder folder;
+  const fs::path rec = makeFolder(folder);
+  fs::create_directories(rec / "capture");
+  cv::imwrite(rec / "capture/plain_left.png", support::noiseImage(1));
+  cv::imwrite(rec / "capture/plain_right.png", support::noiseImage(2));
+  const Recording recording = openCapture(rec);
+  ASSERT_TRUE(recording.capture);
+  EXPECT_EQ(cv::norm(recording.capture->pattern.right, support::noiseImage(2)), 0);
+  cv::imwrite(rec / "capture/pattern_left.png", support::noiseImage(3));  // its right one is missing
+  try {
+    openCapture(rec);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("pattern_right"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Recording, TakesFrameNumbersAndTimesFromTheCsv) {
   TemporaryFolder folder;
   support::writeSmallRecording(folder.path() / "rec", 3, 100);

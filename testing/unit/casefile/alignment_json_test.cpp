@@ -49,6 +49,16 @@ TEST(AlignmentJson, TheMatcherIsWrittenOnlyWhereItIsNotTheDefault) {
   EXPECT_EQ(readAlignment(folder.path() / "ssd.json").matcher, "ssd");
 }
 
+TEST(AlignmentJson, SaysWhatItWasAlignedFromAndReadsFilesThatDoNot) {
+  const TemporaryFolder folder;
+  StoredAlignment alignment;
+  writeAlignment(alignment, folder.path() / "older.json");
+  EXPECT_FALSE(readAlignment(folder.path() / "older.json").from);
+  alignment.from = "plain";
+  writeAlignment(alignment, folder.path() / "plain.json");
+  EXPECT_EQ(readAlignment(folder.path() / "plain.json").from, "plain");
+}
+
 /// Standard errors: a rotation of 2 mrad about Camera's x at the image of Mri's origin, and 0.3 mm along each
 /// axis.
 StoredAlignment withCovariance() {

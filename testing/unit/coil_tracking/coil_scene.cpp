@@ -1,4 +1,5 @@
 #include "coil_scene.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <cmath>
 #include <opencv2/aruco.hpp>
@@ -177,7 +178,7 @@ RigidTransform<Camera, Marker> markerPose(double distance_mm, double tilt_deg, d
   const Eigen::Vector3d towards(50 + side_mm.x(), side_mm.y(),
                                 distance_mm);  // between the cameras, shifted by side_mm
   pose.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), towards).matrix() *
+      rotationBetween(Eigen::Vector3d::UnitZ(), towards).matrix() *
       Eigen::AngleAxisd(tilt_deg * degree, Eigen::Vector3d(std::cos(axis_rad), std::sin(axis_rad), 0)) *
       Eigen::AngleAxisd(turn_deg * degree, Eigen::Vector3d::UnitZ());
   pose.translation() = towards;

@@ -180,6 +180,33 @@ RunRecord aligned(double error_mm, double error_deg = 0) {
   return run;
 }
 
+TEST(GoalLimits, EachWayToAlignIsJudgedByItself) {
+  const auto from = [](const char* way, double error_mm, double bound_mm) {
+    RunRecord run = aligned(error_mm);
+    run.scenario = "plain_align", run.from = way;
+    run.alignment->bound95_mm = bound_mm;
+    return run;
+  };
+  const std::vector<RunRecord> runs{from("dots", 0.2, 0.5), from("plain", 0.45, 1.0), from("plain", 1.2, 1.0),
+                                    from("film", 0.4, 0.3)};
+  EXPECT_EQ(verdict(runs, "alignment at the cortical target, from dots"), Verdict::met);
+  EXPECT_EQ(verdict(runs, "alignment at the cortical target, from plain"), Verdict::missed);
+  EXPECT_EQ(verdict(runs, "alignment at the cortical target, development"), Verdict::not_measured);
+  EXPECT_EQ(verdict(runs, "alignment from dots: true error"), Verdict::met);
+  EXPECT_EQ(verdict(runs, "alignment from plain: true error"), Verdict::missed);
+  EXPECT_EQ(verdict(runs, "alignment from film: true error"), Verdict::missed);
+  EXPECT_EQ(verdict(runs, "alignment from sparse dots: true error"), Verdict::not_measured);
+}
+
+TEST(GoalLimits, WhatMustBeRefusedIsNoErrorWhenRefusedAndOneWhenAccepted) {
+  RunRecord wrong = aligned(40);
+  wrong.scenario = "plain_align", wrong.from = "plain: another's scan", wrong.must_be_refused = true;
+  EXPECT_EQ(verdict({wrong}, "aligned from a plain pair"), Verdict::missed);
+  wrong.alignment->refusal = "not aligned: the face does not fit this MRI";
+  EXPECT_EQ(verdict({wrong}, "aligned from a plain pair"), Verdict::met);
+  EXPECT_EQ(verdict({wrong}, "alignment at the cortical target, development"), Verdict::not_measured);
+}
+
 TEST(GoalLimits, AlignmentOfDevelopmentUnseenAndCutHeads) {
   const std::string at = "alignment at the cortical target, ";
   EXPECT_EQ(verdict({aligned(0.4), aligned(0.4), aligned(0.99)}, at + "development"), Verdict::met);

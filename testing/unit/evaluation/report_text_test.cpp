@@ -71,12 +71,15 @@ TEST(RunsCsv, HasAllColumnsInEachRowWhateverTheNames) {
 
 TEST(RunsCsv, ReadsBackTheFiguresThatWereMeasured) {
   RunRecord run = perfectRun("still", 4);
-  run.seed = 77;
+  run.seed = 77, run.from = "sparse dots", run.must_be_refused = true;
   run.frames[2].head_motion = made::shifted(0.25);
   const auto rows = parsed(runsCsv({run}));
   const auto figures = figuresOf(run);
-  ASSERT_EQ(rows[1].size(), figures.size() + 5);
+  ASSERT_EQ(rows[1].size(), figures.size() + 7);
   EXPECT_EQ(rows[1][3], "77");
+  EXPECT_EQ(rows[0][figures.size() + 5], "from");
+  EXPECT_EQ(rows[1][figures.size() + 5], "sparse dots");
+  EXPECT_EQ(rows[1][figures.size() + 6], "1");
   for (std::size_t i = 0; i < figures.size(); ++i) {
     EXPECT_EQ(rows[0][i + 5], figures[i].first);
     if (std::isfinite(figures[i].second))

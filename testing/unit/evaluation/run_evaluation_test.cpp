@@ -211,5 +211,29 @@ TEST(CloudEvaluation, MeasuresTheErrorAlongTheRayAndTheCoverage) {
   EXPECT_NEAR(half.coverage_percent, 50.0, 5.0);
 }
 
+/// The upper half of the face off by one amount, the lower one by another.
+TEST(CloudEvaluation, SaysWhatNeighboursShare) {
+  const Plane plane;
+  const auto measured = [&](double upper_mm, double lower_mm) {
+    stereo::FaceCloud face;
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 160; ++x) {
+        const Eigen::Vector3d ray((x - 80) / 200.0, (y - 60) / 200.0, 1.0);
+        face.cloud.points_mm.push_back((600.0 + (y < 60 ? upper_mm : lower_mm) / ray.norm()) * ray);
+        face.left_px.push_back({float(x), float(y)});
+        face.sigma_mm.push_back(0.2f);
+      }
+    const cv::Mat visible = visibleFace(plane.rig, plane.depth, Point<Camera>(0, 0, 600), 60.0);
+    return evaluateCloud(plane.rig, face, plane.depth, visible);
+  };
+  const auto near = measured(-0.5, -0.5);
+  EXPECT_NEAR(near.mean_mm, -0.5, 1e-3);
+  for (const double shared : near.shared_mm2) EXPECT_NEAR(shared, 0.25, 1e-3);
+  const auto tilted = measured(-0.5, 0.5);
+  EXPECT_NEAR(tilted.mean_mm, 0.0, 0.05);
+  EXPECT_GT(tilted.shared_mm2.front(), 0.12) << "near neighbours err alike";
+  EXPECT_LT(tilted.shared_mm2.back(), -0.08) << "far ones oppositely";
+}
+
 }  // namespace
 }  // namespace facenav::evaluation

@@ -234,7 +234,7 @@ TEST(FitReport, TheCovarianceInCameraIsThatOfThePoseInMri) {
   const auto truth = facing(20, -10, 60);
   const auto face = modelFace(truth, 8000);
   const Eigen::Isometry3d pose = truth.isometry().inverse();
-  const FinalFit fit = correct(modelField(), face, testing::allOf(face), pose, 1.0);
+  const FinalFit fit = correct(modelField(), face, testing::allOf(face), pose, 1.0, {});
   const AlignmentResult result =
       report(modelField(), face, fit, pose, {}, gatherEvidence(modelField(), face, pose, {}, {}));
   EXPECT_TRUE((result.camera_T_mri.isometry() * fit.mri_T_camera).matrix().isIdentity(1e-9));

@@ -11,6 +11,7 @@
 #include <array>
 #include <random>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/registration/pose_uncertainty.h"
 #include "support/changed_settings.h"
 #include "support/model_head.h"
@@ -100,7 +101,7 @@ TEST(MisfitModel, TheCovarianceIsSymmetricAndPositive) {
   const PosePosterior posterior = posteriorOf(patches, kRegions, kPivot, MisfitPrior());
   EXPECT_LT((posterior.covariance - posterior.covariance.transpose()).norm(),
             1e-9 * posterior.covariance.norm());
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix6d>(posterior.covariance).eigenvalues()[0], 0.0);
+  EXPECT_GT(principalAxes(posterior.covariance).values[0], 0.0);
   EXPECT_GE(posterior.freedom, 5.0);
   EXPECT_LE(posterior.freedom, 60.0);
   EXPECT_GT(posterior.scale_sigma, 0.0);
@@ -122,6 +123,34 @@ TEST(MisfitModel, TheBoundGrowsAsLessOfTheFaceIsSeen) {
     EXPECT_GT(mean, last) << "from " << low << " degrees up";
     last = mean;
   }
+}
+
+/// A face that a far camera sees too near by one amount all over is a face moved by that amount.
+TEST(MisfitModel, AnErrorOfTheCloudThatAllOfItSharesIsAShiftAlongTheView) {
+  constexpr double kSigma_mm = 0.4;
+  const Eigen::Vector3d view = Eigen::Vector3d(0.2, 1.0, -0.1).normalized();
+  auto patches = face();
+  std::mt19937 random(3);
+  addField(patches, 0.2, 25, 1, random);
+  const SeenFrom far{kPivot + 1e7 * view, {kSigma_mm, 1e6}};
+  const auto without = posteriorOf(patches, kRegions, kPivot, MisfitPrior());
+  const auto with = posteriorOf(patches, kRegions, kPivot, MisfitPrior(), far);
+  const Matrix6d added = with.covariance - without.covariance;
+  const Eigen::Matrix3d shift = added.bottomRightCorner<3, 3>(), turn = added.topLeftCorner<3, 3>();
+  EXPECT_NEAR(view.dot(shift * view), kSigma_mm * kSigma_mm, 1e-4);
+  EXPECT_NEAR(shift.trace(), kSigma_mm * kSigma_mm, 1e-4);
+  EXPECT_LT(std::abs(turn.trace()), 1e-10) << "rad2; a difference, so that rounding may leave less than 0";
+  EXPECT_EQ((with.error - without.error).norm(), 0.0) << "the pose itself does not follow it";
+}
+
+TEST(MisfitModel, AnErrorThatNeighboursShareIsCounted) {
+  auto patches = face();
+  const auto bound = [&](double sigma_mm, double reach_mm) {
+    return bound_mm(posteriorOf(patches, kRegions, kPivot, MisfitPrior(),
+                                {kPivot + Eigen::Vector3d(0, 600, 0), {sigma_mm, reach_mm}}));
+  };
+  EXPECT_GT(bound(0.3, 40), 1.2 * bound(0.0, 40));
+  EXPECT_GT(bound(0.3, 40), bound(0.3, 10)) << "what fewer share averages out";
 }
 
 TEST(MisfitModel, TheBoundAndTheFieldGrowWithTheMisfit) {

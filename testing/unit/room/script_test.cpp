@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "egg_patient.h"
 #include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
 #include "props/coil_mount.h"
 #include "support/matchers.h"
 
@@ -47,6 +49,31 @@ TEST(Scenario, UnknownNameIsAnErrorThatListsTheOthers) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("free_motion"), std::string::npos);
   }
+}
+
+TEST(PlainAlign, TurnsTheHeadSlowlyToBothSidesFromWhereTheCaptureSawIt) {
+  const Played played;
+  const auto options = named(kPlainAlign);
+  const auto script = played(options);
+  const auto start = script->capture().room_T_mri;
+  const double frames_per_s = resolved(options).frames_per_s;
+  EXPECT_NEAR(script->frameCount() / frames_per_s, 2.0, 0.1);
+  double least_deg = 0, most_deg = 0, fastest_deg_s = 0;
+  for (int frame = 0; frame < script->frameCount(); ++frame) {
+    const auto turn =
+        logRotation(script->at(frame).cast.room_T_mri.rotation() * start.rotation().transpose());
+    const auto next =
+        logRotation(script->at(frame + 1).cast.room_T_mri.rotation() * start.rotation().transpose());
+    least_deg = std::min(least_deg, turn.y() * 180 / M_PI),
+    most_deg = std::max(most_deg, turn.y() * 180 / M_PI);
+    fastest_deg_s = std::max(fastest_deg_s, (next - turn).norm() * 180 / M_PI * frames_per_s);
+    if (frame == 0) {
+      EXPECT_LT(turn.norm(), 1e-9);
+    }
+  }
+  EXPECT_LT(least_deg, -12);
+  EXPECT_GT(most_deg, 12);
+  EXPECT_LT(fastest_deg_s, 60) << "slowly";
 }
 
 TEST(Treatment, HoldsTheTargetForTheLastSecond) {

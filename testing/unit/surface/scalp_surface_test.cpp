@@ -187,10 +187,12 @@ TEST(ScalpSurface, SurvivesTheFile) {
   auto scalp = extractScalp(scan, maskOf(phantom, scan.grid), monitor);
   scalp.has_face = true;
   scalp.findings = {"nose tip cut by the scan's edge", "an ear is cut"};
+  scalp.has_cut_ear = true;
   TemporaryFolder folder;
   writeScalp(scalp, folder.path() / "scalp.vtp");
   const auto read = readScalp(folder.path() / "scalp.vtp");
   EXPECT_TRUE(read.has_face);
+  EXPECT_TRUE(read.has_cut_ear);
   EXPECT_EQ(read.findings, scalp.findings);
   EXPECT_EQ(read.mesh.triangles, scalp.mesh.triangles);
   ASSERT_EQ(read.mesh.vertices_mm.size(), scalp.mesh.vertices_mm.size());

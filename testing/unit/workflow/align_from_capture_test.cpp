@@ -117,8 +117,8 @@ TEST(AlignFromCapture, RefusesAScanWithoutAFaceInWords) {
   const auto aligner = registration::makeIcpAligner();
   TaskMonitor monitor;
   try {
-    alignFromCapture(rig, {taggedFrame(), taggedFrame()}, scalp, *aligner, FakeDetector(rig, true), {},
-                     monitor);
+    alignFromCapture(rig, {taggedFrame(), taggedFrame()}, AlignedFrom::dots,
+                     {scalp, *aligner, FakeDetector(rig, true), {}}, monitor);
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("not aligned"), std::string::npos);
@@ -131,8 +131,8 @@ TEST(AlignFromCapture, RefusesAnUnknownMatcherWithTheNamesKnown) {
   const auto aligner = registration::makeIcpAligner();
   TaskMonitor monitor;
   try {
-    alignFromCapture(rig, {taggedFrame(), taggedFrame()}, {}, *aligner, FakeDetector(rig, true), {}, monitor,
-                     {}, "guess");
+    alignFromCapture(rig, {taggedFrame(), taggedFrame()}, AlignedFrom::dots,
+                     {{}, *aligner, FakeDetector(rig, true), {}, {}, "guess"}, monitor);
     FAIL();
   } catch (const Error& error) {
     const std::string words = error.what();
@@ -170,7 +170,8 @@ class MisledAlignment : public ::testing::Test {
     TaskMonitor monitor;
     const auto pattern = testing::Scene(surface, {}).render(rig);
     auto plain = taggedFrame();
-    return alignFromCapture(rig, {pattern, plain}, scalp, aligner, detector, {}, monitor, {}, matcher);
+    return alignFromCapture(rig, {pattern, plain}, AlignedFrom::dots,
+                            {scalp, aligner, detector, {}, {}, matcher}, monitor);
   }
 
   cameras::StereoRig rig;
@@ -193,6 +194,21 @@ TEST_F(MisledAlignment, IsMeasuredByTheMatcherAskedFor) {
   EXPECT_EQ(by_ssd.stored().matcher, "ssd");
   EXPECT_GT(by_ssd.result.points, 5000);
   EXPECT_NE(by_ssd.result.points, by_field.result.points);
+}
+
+TEST_F(MisledAlignment, SaysThatTheProjectorWasOff) {
+  testing::SceneOptions off;
+  off.dots_grey = 0;
+  aligner.enough = 1000000;
+  const auto pictures = testing::Scene(testing::sphere({60, 0, 680}, 85), off).render(rig);
+  TaskMonitor monitor;
+  try {
+    alignFromCapture(rig, {pictures, pictures}, AlignedFrom::dots, {scalp, aligner, detector, {}}, monitor);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("shows none (switch the projector on"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(MisledAlignment, GivesTheFirstReasonWhereNothingIsFoundEither) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "facenav/stereo/shared_error.h"
 #include "support/stereo_rigs.h"
 
 namespace facenav::workflow {
@@ -39,6 +42,22 @@ TEST(SharedDepth, FollowsTheCalibrationsOwnCovariance) {
   EXPECT_NEAR(sharedDepthSigma_mm(knownBut(kShiftX, 0.2), face), 1.5, 0.1);
   EXPECT_NEAR(sharedDepthSigma_mm(knownBut(kRightCentreX, 0.1), face), 0.15 * 600 * 600 / (800 * 120.0),
               0.03);
+}
+
+TEST(FaceErrorOf, GrowsWithWhatTheCloudStatesAndHoldsTheCalibration) {
+  const auto rig = facenav::testing::convergingRig();
+  stereo::FaceCloud face;
+  face.cloud = faceAt(600);
+  face.sigma_mm.assign(face.cloud.size(), 0.0f);
+  const auto exact = faceErrorOf(rig, face);
+  EXPECT_EQ(exact.sight.sigma_mm, 0.0);
+  EXPECT_DOUBLE_EQ(exact.whole_mm, sharedDepthSigma_mm(rig, face.cloud));
+  const stereo::SharedError shared;
+  face.sigma_mm.assign(face.cloud.size(), 0.4f);
+  const auto noisy = faceErrorOf(rig, face);
+  EXPECT_NEAR(noisy.sight.sigma_mm, shared.smooth * 0.4, 1e-6);
+  EXPECT_NEAR(noisy.whole_mm, std::hypot(exact.whole_mm, shared.whole * 0.4), 1e-6);
+  EXPECT_EQ(noisy.sight.reach_mm, shared.reach_mm);
 }
 
 }  // namespace

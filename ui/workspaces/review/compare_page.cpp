@@ -115,6 +115,7 @@ void ComparePage::showComparison() {
       is_first = false;
     }
   }
+  for (int column = 0; column < 2; ++column) table_->resizeColumnToContents(column);  // no name is cut
   QStringList words{tr(
       "Mean pose of the coil over the pulses that are not excluded, in the MRI; \u00b1: root mean square.")};
   if (comparison->targets.empty()) words << tr("No target has pulses in both sessions.");

@@ -18,6 +18,8 @@
 namespace facenav::ui {
 namespace {
 
+constexpr int kToTheMinute = 16;  // "2026-11-20 13:45"
+
 QString minutes(const std::optional<double>& seconds) {
   if (!seconds) return QString::fromUtf8("\u2013");
   const auto whole = qlonglong(std::lround(*seconds));
@@ -68,20 +70,20 @@ SessionsPanel::SessionsPanel(ReviewPresenter& presenter, QWidget* parent)
 
 void SessionsPanel::makeSessions() {
   arrange(*sessions_);
-  const QStringList names{tr("session (UTC)"), tr("pulses"),     tr("on target"), tr("error mm"),
-                          tr("lost"),          tr("off target"), tr("\u00b1 mm")};
+  const QStringList names{tr("session (UTC)"), tr("pulses"), tr("on"),       tr("error"),
+                          tr("lost"),          tr("off"),    tr("\u00b1 mm")};  // short: seven fit at 1280
   sessions_->setColumnCount(names.size());
   sessions_->setHorizontalHeaderLabels(names);
   const QString tips[] = {tr("start of the session"),
                           tr("all pulses; in brackets: excluded"),
                           tr("pulses within the tolerance, of those that are not excluded"),
-                          tr("distance of coil and target at the pulses, median / 95th percentile"),
+                          tr("distance of coil and target at the pulses, median / 95th percentile, mm"),
                           tr("time with face or coil lost, min:s"),
                           tr("time outside the tolerance, with losses, min:s"),
                           tr("predicted error at the target, as stated with the pulses (median)")};
   for (int i = 0; i < names.size(); ++i) sessions_->horizontalHeaderItem(i)->setToolTip(tips[i]);
-  const int widths[] = {172, 70, 84, 84, 58, 84, 60};
-  for (int i = 0; i < names.size(); ++i) sessions_->setColumnWidth(i, sized(widths[i]));
+  sessions_->horizontalHeader()->setMinimumSectionSize(sized(30));
+  sessions_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   sessions_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   sessions_->setSelectionMode(QAbstractItemView::SingleSelection);
   sessions_->setAccessibleName(tr("sessions"));
@@ -163,7 +165,7 @@ void SessionsPanel::showSessions() {
     const auto& s = sessions[sessions.size() - 1 - std::size_t(row)];  // the newest first
     const int counted = s.pulses - s.excluded;
     const QStringList texts{
-        QString::fromStdString(s.started_utc).replace('T', ' ').remove('Z'),
+        QString::fromStdString(s.started_utc).replace('T', ' ').left(kToTheMinute),
         s.excluded ? tr("%1 (%2)").arg(s.pulses).arg(s.excluded) : QString::number(s.pulses),
         counted > 0 ? tr("%1 %").arg(100.0 * s.on_target / counted, 0, 'f', 0) : QString::fromUtf8("\u2013"),
         spread(s.distance_mm),
@@ -173,6 +175,7 @@ void SessionsPanel::showSessions() {
     for (int i = 0; i < texts.size(); ++i) {
       auto* item = new QTableWidgetItem(texts[i]);
       if (i == 0) item->setData(Qt::UserRole, QString::fromStdString(s.name));
+      if (i == 0) item->setToolTip(QString::fromStdString(s.started_utc));
       if (!s.problems.empty()) item->setToolTip(QString::fromStdString(s.problems.front()));
       sessions_->setItem(row, i, item);
     }

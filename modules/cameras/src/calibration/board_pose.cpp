@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <opencv2/calib3d.hpp>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::cameras {
@@ -56,7 +57,7 @@ ViewFit fitBoard(const StereoRig& rig, const BoardView& view, const Board& board
     fit.left_rms_px = std::sqrt(sum.squares_px2 / double(left_points.size()));
     addImage(rig.right, rig.right_T_left.isometry(), fit.camera_T_board, right_points, view.right, sum);
     fit.right_rms_px = std::sqrt(sum.squares_px2 / double(right_points.size()));
-    const Vector6d step = sum.normal.ldlt().solve(sum.rhs);
+    const Vector6d step = solveSymmetric(sum.normal, sum.rhs);
     if (!step.allFinite() || step.norm() < 1e-9) break;
     fit.camera_T_board = expRigid(step) * fit.camera_T_board;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/geometry/normal_equations.h"
 #include "rig_covariance.h"
 #include "rig_equations.h"
 
@@ -28,7 +29,7 @@ State minimise(const Problem& problem, State state) {
     for (; damping < 1e10 && fall == 0; damping *= 10) {
       MatrixXd damped = normal.h;
       damped.diagonal() += damping * normal.h.diagonal();
-      const VectorXd step = damped.ldlt().solve(normal.g);
+      const VectorXd step = solveSymmetric(damped, normal.g);
       if (!step.allFinite()) continue;
       const State next = moved(problem.layout, state, step);
       const double after = cost(problem, next);

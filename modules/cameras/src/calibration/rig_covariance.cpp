@@ -1,4 +1,5 @@
 #include "rig_covariance.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -13,8 +14,7 @@ MatrixXd inverse(const MatrixXd& symmetric) {
   // Parameters have very different units (focal lengths in px, k3): solved with a diagonal of 1.
   const VectorXd scale = symmetric.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
-  return scale.asDiagonal() * scaled.ldlt().solve(MatrixXd::Identity(scaled.rows(), scaled.cols())) *
-         scale.asDiagonal();
+  return scale.asDiagonal() * inverseOfSymmetric(scaled) * scale.asDiagonal();
 }
 
 // Sum of squares of the changes when each view in turn is left out.

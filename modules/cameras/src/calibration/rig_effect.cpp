@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::cameras {
@@ -37,9 +38,10 @@ Eigen::MatrixXd principalSteps(const cv::Mat& matrix) {
   for (int i = 0; i < matrix.rows; ++i)
     for (int j = 0; j < matrix.rows; ++j) covariance(i, j) = matrix.at<double>(i, j);
   const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(1e-30).cwiseSqrt();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scale.cwiseInverse().asDiagonal() * covariance *
-                                                            scale.cwiseInverse().asDiagonal());
-  return scale.asDiagonal() * axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  const Eigen::MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
+  const auto axes = principalAxes(scaled);
+  return scale.asDiagonal() * axes.vectors * axes.values.cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 
 // The points that the rig `other` measures when `rig` is the truth.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "facenav/cameras/pair_matches.h"
+#include "facenav/geometry/normal_equations.h"
 #include "neighbourhood.h"
 
 namespace facenav::cameras {
@@ -44,12 +45,12 @@ std::optional<double> refine(const cv::Mat& wanted, const cv::Mat& seen, Eigen::
         squares += double(grey[x]) * grey[x];
       }
     }
-    const Eigen::Vector4d solution = normal.ldlt().solve(rhs);
+    const Eigen::Vector4d solution = solveSymmetric(normal, rhs);
     const Eigen::Vector2d step = solution.head<2>() / solution[2];
     if (!step.allFinite() || step.norm() > 2) return std::nullopt;
     at += step;
     const double residual2 = std::max(0.0, squares - solution.dot(rhs)) / (side * side);
-    const Eigen::Matrix4d inverse = normal.ldlt().solve(Eigen::Matrix4d::Identity());
+    const Eigen::Matrix4d inverse = inverseOfSymmetric(normal);
     sigma_px = kSharedError * std::sqrt(residual2 * inverse.topLeftCorner<2, 2>().trace());
     if (step.norm() < 0.01) break;
   }

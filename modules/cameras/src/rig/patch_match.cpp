@@ -1,4 +1,5 @@
 #include "facenav/cameras/patch_match.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -73,7 +74,8 @@ std::optional<double> refine(const Template& wanted, const cv::Mat& right, int s
     if (!(squares > 0) || !(product > 0)) return std::nullopt;
     correlation = product / std::sqrt(squares * wanted.grey.squaredNorm());
     const double gain = wanted.grey.squaredNorm() / product;
-    const Eigen::Vector2d move = wanted.normal.ldlt().solve(wanted.gradient.transpose() * (gain * seen));
+    const Eigen::Vector2d move =
+        solveSymmetric(wanted.normal, Eigen::Vector2d(wanted.gradient.transpose() * (gain * seen)));
     at -= move;
     if (!move.allFinite() || move.norm() > 3.0 * step) return std::nullopt;
     if (move.norm() < 0.01) break;
@@ -87,7 +89,7 @@ std::optional<PatchMatch> matchPatch(const cv::Mat& left, const cv::Mat& right,
                                      const Eigen::Vector2d& left_px, const Eigen::Vector2d& right_start_px) {
   const auto fine = makeTemplate(left, left_px, 1);
   if (!fine) return std::nullopt;
-  const double texture = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(fine->normal).eigenvalues()[0];
+  const double texture = principalAxes(fine->normal).values[0];
   if (!(texture > kLeastTexture * kPixels)) return std::nullopt;
   Eigen::Vector2d at = right_start_px;
   auto correlation = refine(*fine, right, 1, 8, at);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::cameras {
@@ -109,7 +110,7 @@ RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPai
     for (int half = 0; half < 8 && !is_better; ++half, damping *= 4) {
       Matrix6d damped = normal;
       damped.diagonal() *= 1 + damping;
-      const Eigen::Isometry3d next = moved(best.right_T_left, damped.ldlt().solve(rhs));
+      const Eigen::Isometry3d next = moved(best.right_T_left, solveSymmetric(damped, rhs));
       const double cost = costOf(next, rays, prior, start);
       if (!(cost < best.cost)) continue;
       is_better = best.cost - cost > 1e-3;

@@ -7,6 +7,7 @@
 
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "rig_motion.h"
 
 namespace facenav::cameras {
@@ -148,7 +149,8 @@ Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
     Eigen::MatrixXd normal = whitened.transpose() * best.weight.asDiagonal() * whitened;
     normal.diagonal().array() += 1.0;
     best.precision = normal;
-    best.unknowns = normal.ldlt().solve(whitened.transpose() * best.weight.asDiagonal() * seen);
+    best.unknowns =
+        solveSymmetric(normal, Eigen::VectorXd(whitened.transpose() * best.weight.asDiagonal() * seen));
     const Eigen::ArrayXd z2 = (seen - whitened * best.unknowns).array().square();
     best.weight = ((kFreedom + 1) / (kFreedom + z2)).matrix();
     const double cost = best.unknowns.squaredNorm() + (kFreedom + 1) * (1 + z2 / kFreedom).log().sum();
@@ -168,14 +170,12 @@ double sizeCost(const Explanation& model, const Eigen::VectorXd& explained, int 
 /// The part of the motion that the measurements determine. Without squares they hardly determine yaw, and a
 /// guess of it would appear as centimetres of depth.
 Vector6d toldMotion(const Explained& moved) {
-  const Eigen::MatrixXd covariance =
-      moved.precision.ldlt().solve(Eigen::MatrixXd::Identity(moved.precision.rows(), moved.precision.cols()));
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(covariance.bottomRightCorner<6, 6>());
-  Vector6d along = axes.eigenvectors().transpose() * moved.unknowns.tail<6>();
+  const Eigen::MatrixXd covariance = inverseOfSymmetric(moved.precision);
+  const PrincipalAxes<6> axes = principalAxes(Matrix6d(covariance.bottomRightCorner<6, 6>()));
+  Vector6d along = axes.vectors.transpose() * moved.unknowns.tail<6>();
   for (int i = 0; i < 6; ++i)
-    if (along[i] * along[i] < 4 * axes.eigenvalues()[i])
-      along[i] = 0;  // within two standard deviations of zero
-  return axes.eigenvectors() * along;
+    if (along[i] * along[i] < 4 * axes.values[i]) along[i] = 0;  // within two standard deviations of zero
+  return axes.vectors * along;
 }
 
 }  // namespace

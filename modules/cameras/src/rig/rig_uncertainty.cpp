@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "facenav/cameras/rig_monitor.h"
+#include "facenav/geometry/normal_equations.h"
 #include "rig_motion.h"
 
 namespace facenav::cameras {
@@ -27,14 +28,15 @@ RigUncertainty fromCovariance(const StereoRig& rig) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) covariance(i, j) = rig.covariance.at<double>(i, j);
   const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(1e-30).cwiseSqrt();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scale.cwiseInverse().asDiagonal() * covariance *
-                                                            scale.cwiseInverse().asDiagonal());
+  const Eigen::MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
+  const auto axes = principalAxes(scaled);
   RigUncertainty uncertainty;
   uncertainty.lens_px = kLensShare * rig.rms_px.value_or(0.2);
   for (int axis = 0; axis < n; ++axis) {
-    const double length = kInflation * std::sqrt(std::max(0.0, axes.eigenvalues()[axis]));
+    const double length = kInflation * std::sqrt(std::max(0.0, axes.values[axis]));
     if (length < 1e-6) continue;
-    const Eigen::VectorXd step = length * scale.cwiseProduct(axes.eigenvectors().col(axis));
+    const Eigen::VectorXd step = length * scale.cwiseProduct(axes.vectors.col(axis));
     StereoRig other = turned(rig, step.segment<6>(pose));
     for (const auto& [side, first] : {std::pair(&other.left, 0), std::pair(&other.right, camera)}) {
       side->k(0, 0) += step[first];

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "facenav/cameras/stereo_rig.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::cameras {
@@ -38,8 +39,8 @@ Point<Camera> triangulate(const StereoRig& rig, const Eigen::Vector2d& left_px,
     right_jacobian = (right_jacobian * right_T_left.linear()).eval();
     const Eigen::Matrix3d normal =
         left_jacobian.transpose() * left_jacobian + right_jacobian.transpose() * right_jacobian;
-    const Vector3d step =
-        normal.ldlt().solve(left_jacobian.transpose() * left_miss + right_jacobian.transpose() * right_miss);
+    const Vector3d step = solveSymmetric(
+        normal, Vector3d(left_jacobian.transpose() * left_miss + right_jacobian.transpose() * right_miss));
     if (!step.allFinite() || (p + step).z() <= 0) break;
     p += step;
     if (step.norm() < 1e-9 * p.norm()) break;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rigid_fit.h"
 
 namespace facenav::head_tracking {
@@ -151,7 +152,7 @@ void refineInImages(const cameras::StereoRig& rig, const std::vector<Eigen::Vect
   for (int iteration = 0; iteration < 20; ++iteration) {
     if (iteration > 1) reweigh(rig, reference_mm, ncc, fit);
     const Normal normal = linearise(rig, reference_mm, fit);
-    const Vector6d step = normal.h.ldlt().solve(normal.g);
+    const Vector6d step = solveSymmetric(normal.h, normal.g);
     const Eigen::Isometry3d increment =
         Eigen::Translation3d(fit.centre_mm) * expRigid(step) * Eigen::Translation3d(-fit.centre_mm);
     fit.motion = increment * fit.motion;
@@ -167,7 +168,7 @@ void refineInImages(const cameras::StereoRig& rig, const std::vector<Eigen::Vect
   const double mean_weight = normal.weight / (4.0 * features);
   fit.covariance = mean_weight *
                    std::max(normal.squares / mean_weight / spare, kMatchSigma_px * kMatchSigma_px) *
-                   normal.h.inverse();
+                   inverseOf(normal.h);
 }
 
 }  // namespace

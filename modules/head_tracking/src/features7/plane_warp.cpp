@@ -1,4 +1,5 @@
 #include "plane_warp.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -53,8 +54,7 @@ Eigen::Vector3d facePlaneNormal(const std::vector<Eigen::Vector3d>& points_mm) {
   for (const auto& p : points_mm) mean += p / double(points_mm.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& p : points_mm) scatter += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const Eigen::Vector3d normal = principalAxes(scatter).vectors.col(0);
   return normal.dot(mean) > 0 ? Eigen::Vector3d(-normal) : normal;
 }
 

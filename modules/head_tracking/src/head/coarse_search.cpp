@@ -6,6 +6,7 @@
 
 #include "search_kernel.h"
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::head_tracking {
@@ -198,7 +199,7 @@ std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const cameras::Stere
     const auto both = left + images[1].matchAt(in_right, cameras::project(rig.right, right_mm) / kShrink);
     if (both.likeness() <= best.likeness) continue;
     best.likeness = both.likeness();
-    best.motion.linear() = Eigen::Quaterniond::FromTwoVectors(then_mm, ray) * view.motion.linear();
+    best.motion.linear() = rotationBetween(then_mm, ray) * view.motion.linear();
     best.motion.translation() = centre_mm - best.motion.linear() * face_.centre_mm();
   }
   best.appearance = view.appearance;

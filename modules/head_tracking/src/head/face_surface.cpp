@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "passive_surface.h"
 
 namespace facenav::head_tracking {
@@ -98,7 +99,7 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
     Vector6 damping;
     damping << 0, 1e-3, 1e-3, 0.03, 0.03, 0.03;
     h.diagonal() += damping;
-    Vector6 c = h.ldlt().solve(g);
+    Vector6 c = solveSymmetric(h, g);
     const double s = 1 / radius_px;
     surface.c << c(0), c(1) * s, c(2) * s, c(3) * s * s, c(4) * s * s, c(5) * s * s;
     limit = std::max(4.0 * kSigmaPerMad * upperMedian(errors), 0.3 / mm);

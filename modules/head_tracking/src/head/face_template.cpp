@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 #include "patch_placement.h"
 #include "search_kernel.h"
@@ -214,7 +215,7 @@ FaceTemplate::Fit FaceTemplate::fit(const cameras::StereoRig& rig, const Appeara
       if (sums.seen < kFewest) return {fit.motion, 0.0};
       fit.likeness = sums.product / std::sqrt(std::max(1e-9, sums.now_squares * sums.then_squares));
       sums.normal.diagonal() *= 1.01;
-      const Vector6d xi = sums.normal.ldlt().solve(sums.pull);
+      const Vector6d xi = solveSymmetric(sums.normal, sums.pull);
       if (!xi.allFinite()) return {fit.motion, 0.0};
       fit.motion =
           fit.motion * Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_);

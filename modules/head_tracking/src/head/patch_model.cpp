@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/geometry/normal_equations.h"
 #include "patch_appearance.h"
 #include "patch_observation.h"
 
@@ -129,7 +130,7 @@ std::vector<std::size_t> mostInformative(const std::vector<Candidate>& all, std:
   std::vector<std::size_t> chosen;
   std::vector<double> gain(all.size(), std::numeric_limits<double>::max());
   while (chosen.size() < std::min(most, all.size())) {
-    const Matrix6d covariance = information.inverse();
+    const Matrix6d covariance = inverseOf(information);
     std::size_t best = all.size();
     for (std::size_t i = 0; i < all.size(); ++i) {
       // Gains only decrease as patches are added (submodular): skip patches whose old gain is below the best.

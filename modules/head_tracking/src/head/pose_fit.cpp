@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/geometry/normal_equations.h"
 #include "level_measurement.h"
 #include "patch_observation.h"
 
@@ -279,7 +280,7 @@ class LevelFit {
     for (const auto& row : rows_)
       g.noalias() += observations_[row.observation].weighted * (weightOf(row) * row.displacement);
     h.diagonal() += 1e-6 * h.diagonal() + Vector6d::Constant(1e-9);
-    return h.ldlt().solve(g.cast<double>());
+    return solveSymmetric(h, g.cast<double>());
   }
 
   const cameras::StereoRig& rig_;

@@ -1,4 +1,5 @@
 #include "track_verdict.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -36,12 +37,11 @@ Count count(const PoseFit& fit, int camera) {
 // Covariance predicted by the patches' own errors, plus what the disagreement between parts of the face shows
 // (a cluster-robust covariance for errors common to a part, Liang & Zeger 1986).
 Matrix6d covarianceOf(const PoseFit& fit) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(fit.information);
-  if (!(solver.eigenvalues()(0) > 1e-9)) return Matrix6d::Identity() * 1e6;
+  if (!(principalAxes(fit.information).values(0) > 1e-9)) return Matrix6d::Identity() * 1e6;
   Matrix6d rotate = Matrix6d::Zero();  // from Head's axes to Camera's
   rotate.topLeftCorner<3, 3>() = fit.motion.linear();
   rotate.bottomRightCorner<3, 3>() = fit.motion.linear();
-  const Matrix6d inverse = fit.information.inverse();
+  const Matrix6d inverse = inverseOf(fit.information);
   const double freedom = std::max(1.0, double(fit.regions - 6));
   const Matrix6d seen = double(fit.regions) / freedom * inverse * fit.pull * inverse;
   return rotate * (inverse + seen) * rotate.transpose();

@@ -6,6 +6,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 
 namespace facenav::head_tracking {
 namespace {
@@ -122,7 +123,7 @@ std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const came
       g += weight * off_mm * j;
     }
     if (int(distances.size()) < kFewestNodes || int(rigid_mm.size()) < kFewestNodes / 3) return std::nullopt;
-    const Vector6d xi = h.ldlt().solve(g);
+    const Vector6d xi = solveSymmetric(h, g);
     if (!xi.allFinite()) return std::nullopt;
     fit.camera_T_head = fit.camera_T_head * Eigen::Translation3d(centre_mm_) * expRigid(xi) *
                         Eigen::Translation3d(-centre_mm_);

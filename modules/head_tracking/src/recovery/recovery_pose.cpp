@@ -7,6 +7,7 @@
 
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "skin_field.h"
 
@@ -14,8 +15,8 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr int kFewestMatches = 24;
-constexpr double kPoseFreedom = 3.0;       // degrees of freedom of Student's t
-constexpr int kPoseRounds = 12;            // iterations of reweighting
+constexpr double kPoseFreedom = 3.0;   // degrees of freedom of Student's t
+constexpr int kPoseRounds = 12;        // iterations of reweighting
 constexpr double kUpperFace_mm = 1.3;  // mobility of skin that shows where the skull is
 constexpr double kLeastScale = 0.3;    // of residuals against their expected sigma
 constexpr double kRig_rad = 0.15 * M_PI / 180,
@@ -46,7 +47,7 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
       g.noalias() += weighted * matches[i].offset_px;
     }
     const Vector6d before = s.xi;
-    s.xi = h.ldlt().solve(g), s.information = h;
+    s.xi = solveSymmetric(h, g), s.information = h;
     if (!s.xi.allFinite()) return {};
     for (std::size_t i = 0; i < matches.size(); ++i) {
       s.residual[i] = matches[i].offset_px - matches[i].jacobian * s.xi;
@@ -81,13 +82,13 @@ Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& ma
   int clusters = 0;
   for (const auto& part : parts) {
     if (part.matches == 0) continue;
-    const Vector6d change = (s.information - part.information).ldlt().solve(part.pull);
+    const Vector6d change = solveSymmetric(s.information - part.information, part.pull);
     if (!change.allFinite()) return Matrix6d::Identity() * 1e6;
     jackknife += change * change.transpose();
     ++clusters;
   }
   const double spread = std::max(1.0, s.scale * s.scale);
-  return spread * s.information.inverse() + (clusters - 1.0) / std::max(1, clusters) * jackknife;
+  return spread * inverseOf(s.information) + (clusters - 1.0) / std::max(1, clusters) * jackknife;
 }
 
 std::vector<Eigen::Matrix2d> precisionOf(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
@@ -115,7 +116,7 @@ void compareSides(const SkinPoints& points, const std::vector<SkinMatch>& matche
     covariance += covarianceOf(points, own, precision, s);
   }
   const Vector6d apart = xi[1] - xi[0];
-  pose.sides_apart = apart.dot(covariance.ldlt().solve(apart));
+  pose.sides_apart = apart.dot(solveSymmetric(covariance, apart));
 }
 
 Eigen::Isometry3d about(const Eigen::Vector3d& centre_mm, const Vector6d& xi) {

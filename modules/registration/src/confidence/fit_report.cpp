@@ -73,13 +73,13 @@ Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& point
 }
 
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                 const Eigen::Isometry3d& pose, double limit_mm) {
+                 const Eigen::Isometry3d& pose, double limit_mm, const SightError& sight) {
   const FieldFitter fitter(scalp, face, points);
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
   fit.posterior = posteriorOf(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle,
-                              settingsOf<MisfitPrior>());
+                              settingsOf<MisfitPrior>(), {fit.mri_T_camera.translation(), sight});
   fit.mri_T_camera = increment(-fit.posterior.error, middle, fit.mri_T_camera);
   return fit;
 }

@@ -20,9 +20,10 @@ struct FinalFit {
 Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& points,
                                const Eigen::Isometry3d& pose, double limit_mm);
 
-/// `pose` corrected by the misfit model of the `points`, with its covariance.
+/// `pose` corrected by the misfit model of the `points`, with its covariance, which includes that of the
+/// cloud's own error (`sight`).
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                 const Eigen::Isometry3d& pose, double limit_mm);
+                 const Eigen::Isometry3d& pose, double limit_mm, const SightError& sight);
 
 /// The covariance of `pose` unchanged (for a method that does not model misfit).
 FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,

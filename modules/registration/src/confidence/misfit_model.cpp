@@ -247,6 +247,18 @@ Matrix6d covarianceUnder(const std::vector<Plausible>& shapes, const LinearModel
   return sum;
 }
 
+/// Of the estimate, by the cloud's error along the lines of sight.
+Matrix6d covarianceBySight(const std::vector<SkinPatch>& patches, const LinearModel& model,
+                           const MatrixXd& estimator, const SeenFrom& seen) {
+  if (!(seen.error.sigma_mm > 0)) return Matrix6d::Zero();
+  VectorXd along_normal_mm(Eigen::Index(patches.size()));
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    along_normal_mm[Eigen::Index(i)] =
+        seen.error.sigma_mm * patches[i].normal.dot((seen.camera_mri_mm - patches[i].at_mri_mm).normalized());
+  const MatrixXd weighted = estimator * along_normal_mm.asDiagonal();
+  return weighted * correlation(model.distance_mm, seen.error.reach_mm) * weighted.transpose();
+}
+
 Vector6d units() {
   Vector6d units;
   units << Eigen::Vector3d::Constant(1.0 / kLever_mm), Eigen::Vector3d::Ones();
@@ -262,7 +274,7 @@ Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceReg
 }
 
 PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
-                          const Eigen::Vector3d& pivot, const MisfitPrior& prior) {
+                          const Eigen::Vector3d& pivot, const MisfitPrior& prior, const SeenFrom& seen) {
   const auto shapes = plausibleShapes(linearModel(some(patches, kShapePatches), regions, pivot), prior);
   LinearModel model = linearModel(patches, regions, pivot);
   dropOutliers(model, shapes.front());
@@ -284,7 +296,7 @@ PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::
   posterior.freedom =
       std::clamp(double(patches.size()) * std::pow(kPatch_mm / posterior.reach_mm, 2), 5.0, 60.0);
   const double tails = posterior.freedom / (posterior.freedom - 2.0);
-  posterior.covariance *= tails;
+  posterior.covariance = tails * posterior.covariance + covarianceBySight(patches, model, estimator, seen);
   const FieldShape& likeliest = shapes.front().shape;
   const auto [scale, variance] = estimateScale(
       whiten(model, fieldCovariance(model, correlation(model.distance_mm, likeliest.reach_mm), likeliest)),

@@ -15,6 +15,7 @@
 
 #include "cloud/skin_patches.h"
 #include "facenav/anatomy/face_regions.h"
+#include "facenav/registration/aligner.h"
 #include "facenav/registration/misfit_prior.h"
 
 namespace facenav::registration {
@@ -31,6 +32,12 @@ struct PosePosterior {
   double scale = 0.0, scale_sigma = 0.0;
 };
 
+/// The camera that the cloud is seen from, and what the cloud is off along its lines of sight.
+struct SeenFrom {
+  Eigen::Vector3d camera_mri_mm = Eigen::Vector3d::Zero();
+  SightError error;
+};
+
 /// Error of a pose (turn rad, shift mm, about the pivot) under the working covariance alone.
 Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                    const Eigen::Vector3d& pivot_mri_mm);
@@ -38,6 +45,7 @@ Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceReg
 /// Error and covariance under the whole model with its prior. `patches`: about 12 mm; the weight of patches
 /// more than 3 sigma from what their neighbours predict decreases gradually.
 PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
-                          const Eigen::Vector3d& pivot_mri_mm, const MisfitPrior& prior);
+                          const Eigen::Vector3d& pivot_mri_mm, const MisfitPrior& prior,
+                          const SeenFrom& seen = {});
 
 }  // namespace facenav::registration

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/registration/aligner.h"
 
 namespace facenav::registration {
@@ -43,9 +44,7 @@ double PoseUncertainty::errorBound_mm(const RigidTransform<Camera, Mri>& camera_
                                       const Point<Mri>& target, double probability) const {
   // The squared length is a weighted sum of chi squares, approximated by one chi square with fewer degrees of
   // freedom (Satterthwaite 1946), divided by the chi square of the t distribution.
-  const Eigen::Vector3d variances =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covarianceAt(covariance, camera_T_mri, target))
-          .eigenvalues();
+  const Eigen::Vector3d variances = principalAxes(covarianceAt(covariance, camera_T_mri, target)).values;
   const double sum = variances.sum();
   if (!(sum > 0)) return 0.0;
   const double directions = std::max(1.0, sum * sum / variances.squaredNorm());

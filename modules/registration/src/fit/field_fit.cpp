@@ -1,4 +1,5 @@
 #include "field_fit.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <cmath>
 
@@ -116,7 +117,8 @@ struct NormalEquations {
     Matrix6d matrix = products.topLeftCorner<6, 6>();
     matrix.diagonal().head<3>().array() += 1e-4 * total * 1e3;
     matrix.diagonal().tail<3>().array() += 1e-4 * total;
-    return -matrix.selfadjointView<Eigen::Lower>().ldlt().solve(products.row(6).head<6>().transpose());
+    return -solveSymmetric(Matrix6d(matrix.selfadjointView<Eigen::Lower>()),
+                           Vector6d(products.row(6).head<6>()));
   }
 };
 

@@ -9,14 +9,15 @@ namespace facenav::registration {
 namespace {
 
 AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
-                         const std::vector<Candidate>& rivals, TaskMonitor& monitor) {
+                         const std::vector<Candidate>& rivals, const SightError& sight,
+                         TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
   auto gathering = std::async(std::launch::async, [&] {
     return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals);
   });
   std::optional<FinalFit> fit;
   try {
-    fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm);
+    fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm, sight);
   } catch (const Error&) {
     requireLikeness(gathering.get());  // if the face is another person's, report that as the reason
     throw;
@@ -30,7 +31,8 @@ AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, 
                        SearchWidth width, std::size_t most, TaskMonitor& monitor) {
   const auto candidates = findStarts(scalp, face, start, width, most, monitor);
   monitor.report("fitting the face", 0.5);
-  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, monitor);
+  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, start.sight,
+                  monitor);
 }
 
 /// Error shared by the whole cloud (too near or too far), which no residual shows.
@@ -58,7 +60,7 @@ class SurfaceAligner : public Aligner {
     monitor.report("fitting the face", 0.0);
     try {
       if (const auto robust = fitFromGuess(scalp, face, start))
-        return conclude(scalp, face, *robust, {}, monitor);
+        return conclude(scalp, face, *robust, {}, start.sight, monitor);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error&) {

@@ -1,4 +1,5 @@
 #include "shapes.h"
+#include "facenav/geometry/normal_equations.h"
 
 #include <cmath>
 
@@ -77,8 +78,7 @@ surface::TriangleMesh ellipsoid(const Eigen::Vector3d& centre_mm, const Eigen::V
 surface::TriangleMesh bar(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm, double width_mm) {
   const double half = 0.5 * width_mm, length = (to_mm - from_mm).norm();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to_mm - from_mm).toRotationMatrix();
+  pose.linear() = rotationBetween(Eigen::Vector3d::UnitZ(), to_mm - from_mm).toRotationMatrix();
   pose.translation() = from_mm;
   return moved(pose, box({-half, -half, 0.0}, {half, half, length}));
 }

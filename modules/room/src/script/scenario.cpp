@@ -11,6 +11,9 @@ constexpr double kShiningSkin = 0.6;
 // Of "moments": chosen on the pictures of ../shared/data/real_faces.
 constexpr int kRealJpeg = 35;
 constexpr double kRealGloss = 0.8;
+// Of "plain_align": two seconds at webcams' pace; skin between a rendered face's and that of "moments".
+constexpr int kTurnFrames = 40, kWebcamJpeg = 75;
+constexpr double kTurnFrames_per_s = 20.0, kFaintSkin = 0.3, kDullGloss = 0.3;
 
 struct OwnWhereUsual {
   template <class Value>
@@ -30,6 +33,14 @@ void moveClose(ScenarioOptions& options) {
   own(options.rig.focal_px, usual.rig.focal_px, close.focal_px);
   own(options.rig.baseline_mm, usual.rig.baseline_mm, close.baseline_mm);
   own(options.rig.convergence_deg, usual.rig.convergence_deg, close.convergence_deg);
+}
+
+/// Skin of little contrast, filmed at a webcam's pace.
+void makeFaint(ScenarioOptions& options) {
+  const ScenarioOptions usual;
+  const OwnWhereUsual own;
+  own(options.skin_contrast, usual.skin_contrast, kFaintSkin);
+  own(options.frames_per_s, usual.frames_per_s, kTurnFrames_per_s);
 }
 
 /// Low skin contrast, glare, moving hair, slightly different colour sensors.
@@ -89,6 +100,10 @@ const std::vector<ScenarioKind>& scenarios() {
        kMomentsFrames, kRealJpeg, kRealGloss, true, true},
       {"moments_other", "the same, and another person sits there at the third and the fourth moment",
        kMomentsFrames, kRealJpeg, kRealGloss, true, true},
+      {kPlainAlign,
+       "to align without a projector: faint skin, JPEG; in two seconds the head turns slowly by 15 deg to "
+       "both sides",
+       kTurnFrames, kWebcamJpeg, kDullGloss, true},
   };
   return kinds;
 }
@@ -99,6 +114,7 @@ ScenarioOptions resolved(ScenarioOptions options) {
   if (options.gloss < 0.0) options.gloss = kind.gloss;
   if (options.blinks < 0) options.blinks = kind.blinks;
   if (kind.is_real) makeReal(options);
+  if (kind.name == kPlainAlign) makeFaint(options);
   if (options.hair_sway_mm < 0.0) options.hair_sway_mm = 0.0;
   if (options.bayer < 0) options.bayer = 0;
   if (options.rig_name.empty()) options.rig_name = "room";

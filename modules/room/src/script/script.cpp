@@ -52,7 +52,8 @@ MomentOf momentsOf(const Setting& setting) {
       {"coil_sweep", coilSweepScript},  {"treatment", [](const Setting& s) { return treatmentScript(s); }},
       {"grimace", grimaceScript},       {"grimace_other", grimaceScript},
       {"returns", returnsScript},       {"out_of_step", outOfStepScript},
-      {"moments", momentsScript},       {"moments_other", momentsScript}};
+      {"moments", momentsScript},       {"moments_other", momentsScript},
+      {kPlainAlign, turningScript}};
   return scripts.at(setting.options.name)(setting);
 }
 

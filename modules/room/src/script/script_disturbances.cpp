@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 #include "script_setting.h"
 
@@ -21,7 +22,7 @@ Eigen::Isometry3d placed(const Eigen::Matrix3d& rotation, const Eigen::Vector3d&
 RigidTransform<Room, Coil> coilWithMarkerAt(const Setting& setting, const Eigen::Vector3d& marker_mm,
                                             const Eigen::Vector3d& turn_deg) {
   // Facing the cameras: z (into the plate) is along the line of sight.
-  const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), marker_mm);
+  const Eigen::Quaterniond facing = rotationBetween(Eigen::Vector3d::UnitZ(), marker_mm);
   const auto room_T_marker = RigidTransform<Room, Marker>::fromIsometry(
       placed(facing.toRotationMatrix() * expRotation(turn_deg * kRadPerDeg), marker_mm));
   return room_T_marker * setting.marker_T_coil;

@@ -109,6 +109,22 @@ MomentOf freeMotionScript(const Setting& setting) {
   };
 }
 
+MomentOf turningScript(const Setting& setting) {
+  // From the seat to one side, back, and to the other side, the chin a little down and up meanwhile.
+  constexpr double kYaw_deg = 15.0, kPitch_deg = 4.0, kSlide_mm = 8.0;
+  return [setting](double frame) {
+    const double part = 2.0 * M_PI * setting.part(frame);
+    Eigen::Matrix<double, 6, 1> by = sway(setting.time_s(frame), 0.2);
+    by[0] += setting.options.motion * kPitch_deg * std::sin(2.0 * part);
+    by[1] += setting.options.motion * kYaw_deg * std::sin(part);
+    by[3] += setting.options.motion * kSlide_mm * std::sin(part);
+    Moment moment;
+    moment.cast = setting.headMovedBy(by);
+    moment.label = "turning";
+    return moment;
+  };
+}
+
 MomentOf treatmentScript(Setting setting) {
   // The head has moved slightly since the capture pair.
   Eigen::Matrix<double, 6, 1> since;

@@ -59,6 +59,7 @@ MomentOf stillScript(const Setting& setting);
 MomentOf protractorScript(const Setting& setting);
 MomentOf freeMotionScript(const Setting& setting);
 MomentOf treatmentScript(Setting setting);
+MomentOf turningScript(const Setting& setting);
 // script_disturbances.cpp: disturbances of a treatment room.
 MomentOf occlusionScript(const Setting& setting);
 MomentOf talkingScript(const Setting& setting);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "matchers/block_search.h"
 
 namespace facenav::stereo {
@@ -70,7 +71,7 @@ std::optional<double> rowDifference(const RectifiedPair& pair, const Rectificati
         sums.rhs += j * left;
         sums.squares += left * left;
       }
-    const Eigen::Vector4d solution = sums.normal.ldlt().solve(sums.rhs);
+    const Eigen::Vector4d solution = solveSymmetric(sums.normal, sums.rhs);
     if (!solution.allFinite() || std::abs(solution[2]) < 0.2) return std::nullopt;
     if (step == 1 && !fixesRowShift(sums, solution)) return std::nullopt;
     shift += std::clamp(solution[0] / solution[2], -1.0, 1.0);

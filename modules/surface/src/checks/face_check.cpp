@@ -168,6 +168,7 @@ FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
   const Cuts cuts = findCuts(scalp, neighbours, grid, front, *nose);
   if (cuts.has_nose) check.findings.push_back("the nose tip is cut by the scan's edge");
   if (cuts.has_forehead) check.findings.push_back("the forehead touches the scan's edge");
+  check.has_cut_ear = cuts.has_ear;
   if (cuts.has_ear) check.findings.push_back("an ear is cut by the scan's edge");
   return check;
 }

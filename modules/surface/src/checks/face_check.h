@@ -11,6 +11,7 @@ namespace facenav::surface {
 
 struct FaceCheck {
   bool has_face = false;
+  bool has_cut_ear = false;           // the last of `findings` says so
   std::vector<std::string> findings;  // plain words, most important first
 };
 

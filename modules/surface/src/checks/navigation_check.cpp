@@ -20,8 +20,8 @@ double cutArea_mm2(const ScanQuality& scan, const std::string& name) {
 
 CheckFinding checkFacePresence(const ScalpSurface& scalp) {
   std::string words;
-  for (const auto& finding : scalp.findings)
-    if (finding.find("ear ") == std::string::npos) words += (words.empty() ? "" : "; ") + finding;
+  const std::size_t of_face = scalp.findings.size() - (scalp.has_cut_ear ? 1 : 0);
+  for (std::size_t i = 0; i < of_face; ++i) words += (i == 0 ? "" : "; ") + scalp.findings[i];
   if (!scalp.has_face)
     return {CheckTopic::face, Verdict::not_usable, words.empty() ? "there is no face to align to" : words,
             std::string("the original, not defaced images; ") + kWholeHead};

@@ -6,6 +6,7 @@
 
 #include "facenav/anatomy/head_norms.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/surface/closest_point.h"
 
 namespace facenav::surface {
@@ -58,7 +59,7 @@ double improve(SymmetryPlane& plane, const std::vector<Vector3d>& points, const 
     normal_matrix += w * pairs[i].jacobian * pairs[i].jacobian.transpose();
     right -= w * pairs[i].jacobian * pairs[i].residual_mm;
   }
-  const Vector3d step = normal_matrix.ldlt().solve(right);
+  const Vector3d step = solveSymmetric(normal_matrix, right);
   if (!step.allFinite()) return 0;
   plane.normal = (plane.normal + step[0] * u + step[1] * v).normalized();
   plane.offset_mm += step[2];

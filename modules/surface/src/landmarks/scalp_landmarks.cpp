@@ -8,36 +8,26 @@
 namespace facenav::surface {
 namespace {
 
-/// The anthropometric name in FaceLandmarks.
-const char* anatomicalName(Landmark landmark) {
-  switch (landmark) {
-    case Landmark::nasion:
-      return "nasion";
-    case Landmark::inion:
-      return "inion";
-    case Landmark::tragus_left:
-      return "tragion L";
-    case Landmark::tragus_right:
-      return "tragion R";
-  }
+struct LandmarkNames {
+  Landmark landmark;
+  const char* word;        ///< in files, commands and on the screen
+  const char* anatomical;  ///< the anthropometric name in FaceLandmarks
+};
+
+constexpr LandmarkNames kNames[] = {{Landmark::nasion, "nasion", "nasion"},
+                                    {Landmark::inion, "inion", "inion"},
+                                    {Landmark::tragus_left, "tragus-left", "tragion L"},
+                                    {Landmark::tragus_right, "tragus-right", "tragion R"}};
+
+const LandmarkNames& namesOf(Landmark landmark) {
+  for (const auto& names : kNames)
+    if (names.landmark == landmark) return names;
   FACENAV_EXPECT(false, "unknown landmark");
 }
 
 }  // namespace
 
-std::string toString(Landmark landmark) {
-  switch (landmark) {
-    case Landmark::nasion:
-      return "nasion";
-    case Landmark::inion:
-      return "inion";
-    case Landmark::tragus_left:
-      return "tragus-left";
-    case Landmark::tragus_right:
-      return "tragus-right";
-  }
-  FACENAV_EXPECT(false, "unknown landmark");
-}
+std::string toString(Landmark landmark) { return namesOf(landmark).word; }
 
 Landmark landmarkFrom(const std::string& word) {
   for (const Landmark landmark : kLandmarks)
@@ -79,7 +69,7 @@ ScalpLandmarks findScalpLandmarks(const ScalpSurface& scalp) {
   const FaceLandmarks face = findFaceLandmarks(scalp);
   ScalpLandmarks found;
   for (const Landmark landmark : kLandmarks)
-    if (const auto f = face.find(anatomicalName(landmark)))
+    if (const auto f = face.find(namesOf(landmark).anatomical))
       found[landmark] = ScalpLandmark{f->point, f->sd_mm, LandmarkSource::skin, f->is_cut, {}, {}};
   return found;
 }

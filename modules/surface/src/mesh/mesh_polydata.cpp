@@ -2,7 +2,6 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkCommand.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -17,17 +16,10 @@
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/volume/fast_compressor.h"
+#include "vtk_errors.h"
 
 namespace facenav::surface {
 namespace {
-
-/// Catches VTK's errors, so that they become one Error instead of text on stderr.
-class ErrorListener : public vtkCommand {
- public:
-  static ErrorListener* New() { return new ErrorListener; }
-  void Execute(vtkObject*, unsigned long, void*) override { has_error = true; }
-  bool has_error = false;
-};
 
 std::vector<Eigen::Vector3d> normalsOf(vtkPolyData& poly_data) {
   std::vector<Eigen::Vector3d> normals;

@@ -4,6 +4,7 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -14,19 +15,24 @@
 namespace facenav::surface {
 namespace {
 
-constexpr char kHasFace[] = "has_face", kFindings[] = "findings", kFieldOfView[] = "field_of_view_mm";
+constexpr char kHasFace[] = "has_face", kHasCutEar[] = "has_cut_ear", kFindings[] = "findings",
+               kFieldOfView[] = "field_of_view_mm";
 
 Error malformed(const std::filesystem::path& path, const std::string& what) {
   return Error("not a scalp file: " + what, path.string(), "run 'facenav prepare' again");
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> flag(const char* name, bool value) {
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(name);
+  array->InsertNextValue(value ? 1 : 0);
+  return array;
 }
 
 }  // namespace
 
 void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path) {
   const auto poly_data = toPolyData(scalp.mesh);
-  vtkNew<vtkUnsignedCharArray> has_face;
-  has_face->SetName(kHasFace);
-  has_face->InsertNextValue(scalp.has_face ? 1 : 0);
   vtkNew<vtkStringArray> findings;
   findings->SetName(kFindings);
   for (const auto& finding : scalp.findings) findings->InsertNextValue(finding);
@@ -37,7 +43,8 @@ void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path) {
     const double row[6] = {point.mm[0], point.mm[1], point.mm[2], normal.v[0], normal.v[1], normal.v[2]};
     planes->InsertNextTuple(row);
   }
-  poly_data->GetFieldData()->AddArray(has_face);
+  poly_data->GetFieldData()->AddArray(flag(kHasFace, scalp.has_face));
+  poly_data->GetFieldData()->AddArray(flag(kHasCutEar, scalp.has_cut_ear));
   if (!scalp.findings.empty()) poly_data->GetFieldData()->AddArray(findings);
   if (!scalp.field_of_view.empty()) poly_data->GetFieldData()->AddArray(planes);
   writePolyData(*poly_data, path);
@@ -52,9 +59,14 @@ ScalpSurface readScalp(const std::filesystem::path& path) {
   auto* has_face = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kHasFace));
   if (!has_face || has_face->GetNumberOfTuples() != 1) throw malformed(path, "no field has_face");
   scalp.has_face = has_face->GetTuple1(0) != 0;
+  // Files written before this field existed lack it.
+  if (auto* ear = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kHasCutEar));
+      ear && ear->GetNumberOfTuples() == 1)
+    scalp.has_cut_ear = ear->GetTuple1(0) != 0;
   if (auto* findings = vtkStringArray::SafeDownCast(fields.GetAbstractArray(kFindings)))
     for (vtkIdType f = 0; f < findings->GetNumberOfValues(); ++f)
       scalp.findings.push_back(findings->GetValue(f));
+  if (scalp.has_cut_ear && scalp.findings.empty()) throw malformed(path, "a cut ear without a finding");
   if (auto* planes = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kFieldOfView))) {
     if (planes->GetNumberOfComponents() != 6) throw malformed(path, "field_of_view_mm needs 6 components");
     for (vtkIdType p = 0; p < planes->GetNumberOfTuples(); ++p) {

@@ -48,6 +48,7 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   scalp.field_of_view = endsOf(volume.grid);
   const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
   scalp.has_face = face.has_face;
+  scalp.has_cut_ear = face.has_cut_ear;
   scalp.findings = face.findings;
   monitor.report("scalp", 1.0);
   return scalp;

@@ -1,16 +1,14 @@
 #include "facenav/workflow/session_compare.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/guidance/guidance.h"
 
 namespace facenav::workflow {
 namespace {
-
-double inDegrees(double angle_rad) { return angle_rad * 180.0 / M_PI; }
 
 bool counts(const casefile::ReviewedPulse& reviewed, const std::string& target) {
   return !reviewed.is_excluded && reviewed.pulse.target && reviewed.pulse.target->name == target &&
@@ -32,9 +30,8 @@ std::vector<std::string> targetNamesOf(const std::vector<casefile::ReviewedPulse
 Eigen::Quaterniond meanOf(const std::vector<Eigen::Quaterniond>& rotations) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const auto& q : rotations) sum += q.coeffs() * q.coeffs().transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(sum);
   Eigen::Quaterniond mean;
-  mean.coeffs() = solver.eigenvectors().col(3);
+  mean.coeffs() = principalAxes(sum).vectors.col(3);
   return mean.normalized();
 }
 
@@ -54,7 +51,7 @@ std::optional<double> medianMep_uv(const std::vector<casefile::ReviewedPulse>& p
 }
 
 double angle_deg(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
-  return inDegrees(Eigen::AngleAxisd(a.transpose() * b).angle());
+  return kDegPerRad * Eigen::AngleAxisd(a.transpose() * b).angle();
 }
 
 TargetReturn returnTo(const std::string& name, const std::vector<casefile::ReviewedPulse>& first,
@@ -69,8 +66,8 @@ TargetReturn returnTo(const std::string& name, const std::vector<casefile::Revie
   as_target.mri_T_target = before.reframe<Mri, frames::Target>();
   const auto values = guidance::evaluate(as_target, after);
   back.distance_mm = values.distance_mm;
-  back.tilt_deg = inDegrees(values.tilt_rad);
-  back.twist_deg = inDegrees(values.twist_rad);
+  back.tilt_deg = kDegPerRad * values.tilt_rad;
+  back.twist_deg = kDegPerRad * values.twist_rad;
   back.angle_deg = angle_deg(before.rotation(), after.rotation());
   const auto &old_target = firstTarget(first, name), &new_target = firstTarget(second, name);
   back.target_moved_mm =
@@ -101,7 +98,7 @@ std::optional<MeanCoil> meanCoil(const std::vector<casefile::ReviewedPulse>& pul
   MeanCoil mean{{rotation, sum_mm / count}, int(rotations.size())};
   for (std::size_t i = 0; i < rotations.size(); ++i) {
     mean.spread_mm += (centres_mm[i] - sum_mm / count).squaredNorm() / count;
-    mean.spread_deg += std::pow(inDegrees(rotations[i].angularDistance(rotation)), 2) / count;
+    mean.spread_deg += std::pow(kDegPerRad * rotations[i].angularDistance(rotation), 2) / count;
   }
   mean.spread_mm = std::sqrt(mean.spread_mm);
   mean.spread_deg = std::sqrt(mean.spread_deg);

@@ -12,7 +12,8 @@
 
 namespace facenav::capture {
 
-/// The still pairs for the initial alignment; the head does not move between them.
+/// The still pairs for the initial alignment; the head does not move between them. Without a projector,
+/// `pattern` is the plain pair again.
 struct CapturePair {
   cameras::StereoFrame pattern, plain;
 };

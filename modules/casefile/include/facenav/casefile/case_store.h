@@ -34,6 +34,7 @@ struct StoredAlignment {
   std::optional<registration::PoseUncertainty> uncertainty;  // absent in older files and other tools' files
   std::optional<registration::FaceScale> face_scale;         // nothing: not estimated, or an older file
   std::vector<std::string> cautions;                         // in plain words
+  std::optional<std::string> from;             // what the face was measured on: "dots", "plain", "film"
   std::optional<std::string> matcher;          // that measured the face, if it was not the default one
   SettingValues settings = changedSettings();  // those that differed from their defaults
 

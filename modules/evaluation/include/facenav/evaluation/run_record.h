@@ -4,6 +4,7 @@
 // from it. Poses map into Camera, millimetres.
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -43,15 +44,22 @@ struct AlignmentRecord {
 
 /// The face cloud compared with the exact depth (cloud_evaluation.h).
 struct CloudFigures {
+  static constexpr std::array<double, 5> kLags_mm{8, 16, 32, 64, 110};
   int points = 0;
-  double rms_mm = 0.0;       // along the ray, points on the visible face, without gross errors
+  double rms_mm = 0.0;        // along the ray, points on the visible face, without gross errors
   double predicted_mm = 0.0;  // rms of the deviation that the matcher states for these points
-  double gross_percent = 0;  // of those points: share with an error above 2 mm
+  double gross_percent = 0;   // of those points: share with an error above 2 mm
   double coverage_percent = 0;
+  // Along the ray: the mean over the face, and the mean product of the means of two 8 mm patches whose
+  // distance lies between two neighbours of kLags_mm: what neighbours share.
+  double mean_mm = 0.0;
+  std::array<double, 4> shared_mm2{};
 };
 
 struct RunRecord {
   std::string scenario, head, rig;
+  std::string from;              // plain_align: what the alignment started from
+  bool must_be_refused = false;  // another's scan, moved cameras, a mirrored scan
   std::uint64_t seed = 0;
   bool is_scan_cut = false;                             // the scan ends above the chin
   bool is_unseen_head = false;                          // held out: not used in development

@@ -17,9 +17,11 @@ struct NamedPlace {
 };
 
 /// From the left, the front, above, the right and behind, side by side; 2 pixels per mm, along the axes of
-/// Mri. A place is drawn where no skin hides it. `landmarks` are orange, `sites` green, targets blue.
+/// Mri. A place is drawn where no skin hides it. `landmarks` are orange, `sites` green, targets blue. Of a
+/// grid, the seed is drawn whole and its other targets as dots, so that the picture stays readable; the target
+/// called `active` is drawn whole in any case, and is the only one named where one is given.
 RgbImage drawPlan(const surface::ScalpSurface& scalp, const std::vector<NamedPlace>& landmarks,
                   const std::vector<NamedPlace>& sites, const std::vector<guidance::Target>& targets,
-                  const guidance::CoilPlate& plate);
+                  const guidance::CoilPlate& plate, const std::string& active = {});
 
 }  // namespace facenav::pictures

@@ -16,6 +16,13 @@
 
 namespace facenav::registration {
 
+/// Error of the cloud along the line of sight that neighbouring points share: what their pictures' texture
+/// lets the matcher see there. Correlated over `reach_mm` (Matern 3/2), so that part of it looks like another
+/// pose and shows in no residual.
+struct SightError {
+  double sigma_mm = 0.0, reach_mm = 40.0;
+};
+
 /// What is known before the fit. All of it is optional: nothing is clicked. Directions and points in Camera.
 struct AlignmentStart {
   std::optional<Direction<Camera>> patient_right;     // e.g. from left-eye to right-eye landmarks
@@ -25,6 +32,7 @@ struct AlignmentStart {
   /// Standard error that all depths of the cloud share (calibration, matching). No residual shows it; the
   /// error bound includes it.
   double shared_depth_sigma_mm = 0.0;
+  SightError sight;  // the bound holds it too
 };
 
 /// Size of the live face divided by that of the scan, with its standard error. The standard error says how

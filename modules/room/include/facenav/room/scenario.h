@@ -108,6 +108,9 @@ struct ScenarioKind {
   bool is_real = false;  // mimics a real face in front of two near colour cameras
 };
 
+/// The scenario that shows one seated patient in every way that an alignment can start from.
+constexpr const char* kPlainAlign = "plain_align";
+
 /// All scenarios.
 const std::vector<ScenarioKind>& scenarios();
 /// The options after the scenario's own values replaced the defaults. Throws Error for an unknown scenario or

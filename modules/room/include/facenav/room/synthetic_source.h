@@ -9,6 +9,7 @@
 #include "facenav/room/ground_truth.h"
 #include "facenav/room/room_coil.h"
 #include "facenav/room/scenario.h"
+#include "facenav/stereo/dot_pattern.h"
 
 namespace facenav::room {
 
@@ -24,7 +25,9 @@ class SyntheticSource : public capture::FrameSource {
   std::shared_ptr<const cameras::StereoFrame> next() override;
   std::optional<std::int64_t> frameCount() const override;
 
-  /// The still pair for the initial alignment, and the head's pose in it.
+  /// One picture pair of the capture: with these dots, or without.
+  cameras::StereoFrame captureWith(std::optional<stereo::DotPattern> dots);
+  /// The still pair for the initial alignment (dense dots), and the head's pose in it.
   capture::CapturePair capturePair();
   RigidTransform<Camera, Mri> captureTruth() const;
   /// Truth of the last frame that next() returned.

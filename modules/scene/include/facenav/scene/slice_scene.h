@@ -9,6 +9,7 @@
 
 #include "facenav/core/rgb_image.h"
 #include "facenav/guidance/target.h"
+#include "facenav/scene/overlay.h"
 #include "facenav/scene/palette.h"
 #include "facenav/volume/slice_plane.h"
 
@@ -21,6 +22,7 @@ struct SliceContour {
 
 struct SliceScene {
   std::shared_ptr<const volume::Volume> mri;
+  std::vector<Overlay> overlays;  // drawn over the MRI, in this order
   std::vector<SliceContour> contours;
   std::vector<guidance::Target> targets;
   std::string active_target;
@@ -51,5 +53,7 @@ SlicePosition positionOf(const volume::SlicePlane& plane);
 
 /// The letter (R L A P S I) of the patient's side that `direction` points to.
 char sideLetter(const Direction<Mri>& direction);
+/// The same with a second letter where the direction is oblique by more than 22.5 degrees: "LA".
+std::string sideLetters(const Direction<Mri>& direction);
 
 }  // namespace facenav::scene

@@ -20,12 +20,13 @@ struct ScalpSurface {
   /// them.
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
   bool has_face = false;              // nose, brow and eye sockets are there to align to
+  bool has_cut_ear = false;           // the last of `findings` says so; it does not concern the face
   std::vector<std::string> findings;  // plain words: "nose tip cut by the scan's edge"
 };
 
 ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor);
-/// scalp.vtp: points, normals, mesh (Mri); has_face, findings and field of view as field data. Whole file or
-/// nothing.
+/// scalp.vtp: points, normals, mesh (Mri); has_face, has_cut_ear, findings and field of view as field data.
+/// Whole file or nothing.
 void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path);
 ScalpSurface readScalp(const std::filesystem::path& path);
 /// The result of writing and reading, bit for bit: normals in single precision, those of the planes

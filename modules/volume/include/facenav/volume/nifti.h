@@ -1,7 +1,7 @@
 #pragma once
 // Reads and writes NIfTI-1 (through niftiio, the reference implementation). World coordinates are RAS mm:
 // from sform if its code is > 0, else from qform. The result states which one was used and whether the two
-// disagree. If they disagree about left and right or about the size of the head, the warning says so; a case
+// disagree. Lengths stated in metres or micrometres become mm. If they disagree about left and right or about the size of the head, the warning says so; a case
 // keeps it as a finding that its sign-off must acknowledge.
 
 #include <filesystem>
@@ -24,6 +24,8 @@ struct NiftiRead {
   std::string evidence;  // in words: which map was used, why, and whether the other one agrees
   std::optional<std::string>
       warning;  // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
+  bool is_template_space = false;  // the map used leads to MNI, Talairach or another template, by its code
+  std::string statistic;           // of a statistical map, by its intent: "t", "z", "F", "r", "p"; else empty
 };
 
 /// The file name endings of NIfTI, for window and command line: ".nii", ".nii.gz", and the two files of a

@@ -1,8 +1,10 @@
 #pragma once
-// ALIGN: the third step of the data flow, used by the verb, the window and the demo. The capture pair and the
-// case's scalp -> alignment.json and the files that go with it, in the case.
+// ALIGN: the third step of the data flow, used by the verb, the window and the demo. What a recording holds
+// (a capture pair with dots, its plain pair, a film) and the case's scalp -> alignment.json and the files
+// that go with it, in the case. Of several ways, the one with the smallest predicted error is used.
 
 #include <string>
+#include <vector>
 
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
@@ -11,12 +13,41 @@
 
 namespace facenav::workflow {
 
-/// Aligns by the method registered as `aligner`, on the face as `matcher` measures it. Writes alignment.json,
-/// the map of the skin's fit and the capture pair into the case. Throws Error ("not aligned: ..").
+struct AlignOrder {
+  std::string aligner;            // registered names
+  std::string head_tracker = {};  // follows the head in a film; empty: the default
+  std::string matcher = stereo::kDefaultMatcher;
+  std::optional<AlignedFrom> from = {};  // only this way; nothing: the best
+  /// A recording without a capture pair gets the one that the case was aligned with before.
+  bool stored_pair_stands_in = false;
+};
+
+/// One way to align, as tried: an alignment, or why not.
+struct AlignmentTry {
+  AlignedFrom from;
+  std::optional<double> predicted_mm, bound_mm;  // the largest at a target; nothing: refused
+  std::string refusal;
+  std::optional<RigidTransform<Camera, Mri>> camera_T_mri = {};
+};
+
+struct CaseAlignment {
+  AlignmentOutcome outcome;         // of the way used
+  std::vector<AlignmentTry> tries;  // dots, plain, film: those that the recording has pictures for
+};
+
+/// Aligns from what the recording holds. A film is tried where no dots were seen, or where it is asked for.
+/// Where the best pictures show another head or moved cameras, no other pictures are tried. Writes
+/// alignment.json, the map of the skin's fit and the pictures into the case. Throws Error ("not aligned: ..")
+/// where no way stands, or where `order.from` names pictures that are not there; the previous alignment is
+/// then unchanged.
+CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
+                             const capture::Recording& recording, const AlignOrder& order,
+                             TaskMonitor& monitor);
+
+/// The same from a capture pair alone.
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const std::string& aligner, TaskMonitor& monitor,
-                           const std::string& matcher = stereo::kDefaultMatcher);
+                           const std::string& aligner, TaskMonitor& monitor);
 
 /// Writes an alignment and its files into the case: alignment.json, alignment_capture/ (photographs),
 /// skin_fit.vtp and skin_fit.png. All or none, private to the user from the first byte. Throws Error; the
@@ -24,8 +55,7 @@ AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseSto
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome);
 
-/// The recording's own capture pair, or else the one that the case was aligned with. Throws Error if there is
-/// none, or if the case's pair was taken with another rig.
-capture::CapturePair captureOf(const casefile::CaseStore& store, const capture::Recording& recording);
+/// "used the pair with dots: 0.31 mm predicted; the plain pair would give 0.52 mm; the film was refused: ..".
+std::string inWords(const CaseAlignment& alignment);
 
 }  // namespace facenav::workflow

@@ -1,8 +1,8 @@
 #pragma once
-// The ALIGN arrow of the data flow: capture pair (with dots, and plain) -> face cloud -> Aligner ->
-// camera_T_mri at the capture, without a click. The face found in the plain pair gives a start (patient's
-// right and up, nose tip), the region to measure, and its depth. If no face is found, the whole image is
-// measured and the nearest large surface is used.
+// The ALIGN arrow of the data flow: capture pair (with dots, or plain) or film -> face cloud -> Aligner ->
+// camera_T_mri at the capture (film: at its first frame), without a click. The face found in the plain pair
+// gives a start (patient's right and up, nose tip), the region to measure, and its depth. If no face is
+// found, the whole image is measured and the nearest large surface is used.
 
 #include <map>
 #include <memory>
@@ -12,6 +12,7 @@
 
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/error.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/face/face_landmarks.h"
 #include "facenav/guidance/target.h"
@@ -22,6 +23,12 @@
 #include "facenav/surface/scalp_surface.h"
 
 namespace facenav::workflow {
+
+/// What the face was measured on: the capture's pair with projected dots, its plain pair, or a film.
+enum class AlignedFrom { dots, plain, film };
+const char* nameOf(AlignedFrom from);  // "dots", "plain", "film", as in alignment.json
+/// Nothing for another name.
+std::optional<AlignedFrom> alignedFrom(const std::string& name);
 
 /// The face as found in both images of a plain pair, and its position in space (Camera, mm).
 struct FaceInSpace {
@@ -50,21 +57,45 @@ struct AlignmentOutcome {
   // Per target: standard error, and the 95th percentile of the error.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
+  AlignedFrom from = AlignedFrom::dots;
+  int fused_frames = 1;                           // of a film
   std::string matcher = stereo::kDefaultMatcher;  // that measured the face
   // What the face was aligned to; also used by the drift watchdog.
   std::shared_ptr<const registration::ScalpField> scalp;
 
+  /// The largest predicted error (standard error, mm) at a target; without targets, in the head's middle.
+  double worstPredicted_mm() const;
   casefile::StoredAlignment stored() const;
 };
 
-/// `field_file`: where the scalp's distance field is kept (casefile::CaseStore::scalpField()); it is made
-/// there if missing. `matcher`: one of stereo::denseMatcherNames(). Throws Error: an unknown matcher, a scan
-/// without a face, no dots, or the aligner's own refusal ("not aligned: ..."), unchanged.
+/// The pictures show too little to measure; others may show more. Every other refusal is about the head or
+/// the cameras.
+class NotMeasured : public Error {
+ public:
+  using Error::Error;
+};
+
+/// What every alignment needs beside the pictures. `field_file`: where the scalp's distance field is kept
+/// (casefile::CaseStore::scalpField()); it is made there if missing. `matcher`: one of
+/// stereo::denseMatcherNames(), for pictures with dots.
+struct AlignmentSetup {
+  const surface::ScalpSurface& scalp;
+  const registration::Aligner& aligner;
+  const face::FaceDetector& detector;
+  const std::vector<guidance::Target>& targets;
+  std::filesystem::path field_file = {};
+  std::string matcher = stereo::kDefaultMatcher;
+};
+
+/// From the capture's pair with dots, or from its plain one. Throws Error: an unknown matcher, a scan without
+/// a face, NotMeasured, or the aligner's own refusal ("not aligned: ..."), unchanged.
 AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                                  const surface::ScalpSurface& scalp, const registration::Aligner& aligner,
-                                  const face::FaceDetector& detector,
-                                  const std::vector<guidance::Target>& targets, TaskMonitor& monitor,
-                                  const std::filesystem::path& field_file = {},
-                                  const std::string& matcher = stereo::kDefaultMatcher);
+                                  AlignedFrom from, const AlignmentSetup& setup, TaskMonitor& monitor);
+
+/// From the film's frames `first` to `last` (both included), fused by the head's motion as `tracker` follows
+/// it; camera_T_mri is the pose in the first. Throws Error as alignFromCapture and measureFilm do.
+AlignmentOutcome alignFromFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
+                               head_tracking::HeadTracker& tracker, const AlignmentSetup& setup,
+                               TaskMonitor& monitor);
 
 }  // namespace facenav::workflow

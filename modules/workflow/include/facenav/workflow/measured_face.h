@@ -11,6 +11,10 @@
 
 namespace facenav::workflow {
 
+// Frames measured of a film, each in some tenths of a second: for a cloud to look at, and for an alignment.
+// More add little.
+constexpr int kFramesOfACloud = 40, kFramesToAlign = 12;
+
 struct MeasuredFace {
   stereo::FusedCloud cloud;
   FaceInSpace landmarks;  // of the (first) frame
@@ -25,10 +29,10 @@ MeasuredFace measurePair(const cameras::StereoRig& rig, const cameras::StereoFra
                          TaskMonitor& monitor);
 
 /// Fuses the film's frames `first` to `last` (both included). `tracker` is started on the first. Frames in
-/// which the face is lost or cannot be measured are left out and counted. Of a long film, some 40 evenly
+/// which the face is lost or cannot be measured are left out and counted. Of a long film, some `most` evenly
 /// spaced frames are measured. Throws Error: no such frame, no face in the first.
 MeasuredFace measureFilm(capture::FrameSource& film, std::int64_t first, std::int64_t last,
                          head_tracking::HeadTracker& tracker, const face::FaceDetector& detector,
-                         TaskMonitor& monitor);
+                         TaskMonitor& monitor, int most = kFramesOfACloud);
 
 }  // namespace facenav::workflow

@@ -18,7 +18,7 @@ struct PlannedHead {
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const volume::Mask> head_mask;
   std::shared_ptr<const surface::BrainModel> brain;
-  guidance::CoilPlate plate = guidance::figureOfEight();  // that rests on the scalp
+  guidance::CoilPlate plate = guidance::figureOfEight();  // that rests on the scalp: casefile::coilOf
 };
 /// Throws Error as the store's readers do.
 PlannedHead plannedHead(const casefile::CaseStore& store);

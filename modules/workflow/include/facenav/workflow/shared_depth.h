@@ -4,6 +4,8 @@
 
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/geometry/point.h"
+#include "facenav/registration/aligner.h"
+#include "facenav/stereo/face_cloud.h"
 
 namespace facenav::workflow {
 
@@ -11,5 +13,13 @@ namespace facenav::workflow {
 /// covariance of the rig's calibration if its file has one, else from the error of a good calibration (0.02
 /// px). 0 for no points.
 double sharedDepthSigma_mm(const cameras::StereoRig& rig, const PointCloud<Camera>& face);
+
+/// What the points of a measured face are off alike, for the alignment's bound: by the deviation that the
+/// cloud states (stereo/shared_error.h), and by the calibration.
+struct FaceError {
+  double whole_mm = 0.0;           // all of the face, along the view
+  registration::SightError sight;  // neighbours
+};
+FaceError faceErrorOf(const cameras::StereoRig& rig, const stereo::FaceCloud& face);
 
 }  // namespace facenav::workflow

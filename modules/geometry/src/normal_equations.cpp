@@ -1,0 +1,68 @@
+#include "facenav/geometry/normal_equations.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace facenav {
+inline namespace geometry {
+namespace {
+
+template <int n>
+PrincipalAxes<n> axesOf(const Eigen::Matrix<double, n, n>& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, n, n>> solver(symmetric);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+}  // namespace
+
+Eigen::Vector2d solveSymmetric(const Eigen::Matrix2d& a, const Eigen::Vector2d& b) {
+  return a.ldlt().solve(b);
+}
+
+Eigen::Vector3d solveSymmetric(const Eigen::Matrix3d& a, const Eigen::Vector3d& b) {
+  return a.ldlt().solve(b);
+}
+
+Eigen::Vector4d solveSymmetric(const Eigen::Matrix4d& a, const Eigen::Vector4d& b) {
+  return a.ldlt().solve(b);
+}
+
+Vector6d solveSymmetric(const Matrix6d& a, const Vector6d& b) { return a.ldlt().solve(b); }
+
+Eigen::VectorXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  return a.ldlt().solve(b);
+}
+
+Eigen::Matrix4d inverseOfSymmetric(const Eigen::Matrix4d& a) {
+  return a.ldlt().solve(Eigen::Matrix4d::Identity());
+}
+
+Eigen::MatrixXd inverseOfSymmetric(const Eigen::MatrixXd& a) {
+  return a.ldlt().solve(Eigen::MatrixXd::Identity(a.rows(), a.cols()));
+}
+
+Matrix6d inverseOf(const Matrix6d& a) { return a.inverse(); }
+
+PrincipalAxes<2> principalAxes(const Eigen::Matrix2d& symmetric) { return axesOf<2>(symmetric); }
+PrincipalAxes<3> principalAxes(const Eigen::Matrix3d& symmetric) { return axesOf<3>(symmetric); }
+PrincipalAxes<4> principalAxes(const Eigen::Matrix4d& symmetric) { return axesOf<4>(symmetric); }
+PrincipalAxes<6> principalAxes(const Matrix6d& symmetric) { return axesOf<6>(symmetric); }
+
+PrincipalAxes<Eigen::Dynamic> principalAxes(const Eigen::MatrixXd& symmetric) {
+  return axesOf<Eigen::Dynamic>(symmetric);
+}
+
+Eigen::Quaterniond rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to);
+}
+
+Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d signs(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant());
+  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace geometry
+}  // namespace facenav

@@ -1,0 +1,49 @@
+#include "facenav/pictures/titled_row.h"
+
+#include <algorithm>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+namespace facenav::pictures {
+namespace {
+
+constexpr int kTitle_px = 26, kBetween_px = 8;
+
+void paste(const RgbImage& image, RgbImage& onto, int left, int top) {
+  for (int v = 0; v < image.height_px; ++v)
+    std::memcpy(onto.pixel(left, top + v), image.pixel(0, v), std::size_t(image.width_px) * 3);
+}
+
+}  // namespace
+
+RgbImage titledRow(const std::vector<TitledPicture>& pictures) {
+  int width = 0, height = 0;
+  for (const auto& picture : pictures) {
+    width += picture.image.width_px + kBetween_px;
+    height = std::max(height, picture.image.height_px);
+  }
+  RgbImage row(std::max(1, width - kBetween_px), height + kTitle_px);
+  cv::Mat canvas(row.height_px, row.width_px, CV_8UC3, row.rgb.data());
+  int left = 0;
+  for (const auto& picture : pictures) {
+    paste(picture.image, row, left, kTitle_px);
+    cv::putText(canvas, picture.title, {left + 6, kTitle_px - 8}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
+                cv::Scalar(200, 205, 215), 1, cv::LINE_AA);
+    left += picture.image.width_px + kBetween_px;
+  }
+  return row;
+}
+
+RgbImage stacked(const std::vector<RgbImage>& rows) {
+  int width = 0, height = 0;
+  for (const auto& row : rows) width = std::max(width, row.width_px), height += row.height_px;
+  RgbImage sheet(width, height);
+  int top = 0;
+  for (const auto& row : rows) {
+    paste(row, sheet, 0, top);
+    top += row.height_px;
+  }
+  return sheet;
+}
+
+}  // namespace facenav::pictures

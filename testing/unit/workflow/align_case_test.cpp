@@ -1,0 +1,177 @@
+// Which pictures of a recording an alignment is made from: fake aligner, real pictures of a made face.
+
+#include "facenav/workflow/align_case.h"
+
+#include <gmock/gmock.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <random>
+
+#include "support/ball_case.h"
+#include "support/synthetic_face.h"
+#include "support/test_data.h"
+
+namespace facenav::workflow {
+namespace {
+
+using facenav::testing::SyntheticFace;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// Standard errors that are given out in turn; a negative one refuses: another head.
+struct Answers {
+  std::vector<double> sigmas_mm;
+  double apart_mm = 0;  // from answer to answer
+  std::size_t asked = 0;
+};
+
+class FakeAligner : public registration::Aligner {
+ public:
+  explicit FakeAligner(Answers& answers) : answers_(answers) {}
+  registration::AlignmentResult align(const registration::ScalpField&, const PointCloud<Camera>& face,
+                                      const registration::AlignmentStart&, TaskMonitor&) const override {
+    const double sigma_mm = answers_.sigmas_mm.at(answers_.asked++);
+    if (sigma_mm < 0) throw Error("not aligned: the face does not fit this MRI");
+    registration::AlignmentResult result;
+    result.covariance.diagonal().tail<3>().setConstant(sigma_mm * sigma_mm / 3);
+    result.points = int(face.size());
+    result.residual_mm.assign(face.size(), 0.0);
+    result.is_inlier.assign(face.size(), true);
+    result.camera_T_mri = {Eigen::Quaterniond::Identity(),
+                           {answers_.apart_mm * double(answers_.asked), 0, 600}};
+    return result;
+  }
+
+ private:
+  Answers& answers_;
+};
+
+/// The portrait in a dark room, with light dots: stands for a face under a projector.
+SyntheticFace dottedFace() {
+  cv::Mat portrait = cv::imread(SyntheticFace::portraitPath(), cv::IMREAD_GRAYSCALE);
+  portrait *= 0.3;
+  std::mt19937 random(4);
+  for (int i = 0; i < int(portrait.total() / 6); ++i)
+    portrait.at<std::uint8_t>(int(random() % unsigned(portrait.rows)),
+                              int(random() % unsigned(portrait.cols))) = 255;
+  return SyntheticFace(portrait, {195, 100}, {259, 104});
+}
+
+class AlignRecording : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(SyntheticFace::portraitPath())) GTEST_SKIP() << "no portrait (python3-skimage)";
+    methods_.aligners.add("fake", "", [this] { return std::make_unique<FakeAligner>(answers_); });
+    detector_ = face::makeFaceDetector();
+    methods_.head_trackers.add("model", "",
+                               [this] { return head_tracking::makeModelHeadTracker(detector_); });
+    methods_.face_detector = [this] { return detector_; };
+    store_ = casefile::CaseStore::create(folder_.path() / "case", facenav::testing::ballCase(), {}, false);
+    recording_.rig = rig_;
+  }
+
+  capture::CapturePair pairWith(const SyntheticFace& pattern) const {
+    static const SyntheticFace face = SyntheticFace::astronaut();
+    return {pattern.render(rig_, {}), face.render(rig_, {})};
+  }
+  capture::CapturePair dotted() const { return pairWith(dottedFace()); }
+  capture::CapturePair plain() const {
+    const auto pair = pairWith(SyntheticFace::astronaut());
+    return {pair.plain, pair.plain};
+  }
+
+  /// A film of the face as it turns a little.
+  capture::Recording film(int frames) const {
+    const SyntheticFace face = SyntheticFace::astronaut();
+    capture::RecordingWriter writer(folder_.path() / "film", rig_);
+    for (int i = 0; i < frames; ++i) {
+      facenav::testing::SyntheticView view;
+      view.seed = std::uint64_t(i + 1);
+      view.time_s = i / 30.0;
+      view.motion = Eigen::Translation3d(0, 0, 640) *
+                    Eigen::AngleAxisd(0.02 * std::sin(0.5 * i), Eigen::Vector3d::UnitY()) *
+                    Eigen::Translation3d(0, 0, -640);
+      auto frame = face.render(rig_, view);
+      frame.number = i;
+      frame.captured = Timestamp{i / 30.0};
+      writer.add(frame);
+    }
+    writer.close();
+    return capture::openRecording(folder_.path() / "film");
+  }
+
+  CaseAlignment align(const capture::Recording& recording, std::optional<AlignedFrom> from = {}) {
+    TaskMonitor monitor;
+    AlignOrder order{"fake"};
+    order.from = from;
+    return alignRecording(methods_, *store_, recording, order, monitor);
+  }
+
+  facenav::testing::TemporaryFolder folder_;
+  Registrations methods_;
+  std::shared_ptr<const face::FaceDetector> detector_;
+  std::optional<casefile::CaseStore> store_;
+  Answers answers_;
+  const cameras::StereoRig rig_ = facenav::testing::faceRig();
+  capture::Recording recording_;
+};
+
+TEST_F(AlignRecording, OfDotsAndPlainSkinUsesWhatPromisesLessErrorAndSaysWhatTheOtherWouldGive) {
+  recording_.capture = dotted();
+  ASSERT_TRUE(showsDots(*recording_.capture));
+  answers_.sigmas_mm = {0.3, 0.6, 0.9, 0.4};
+  const auto by_dots = align(recording_);
+  EXPECT_EQ(by_dots.outcome.from, AlignedFrom::dots);
+  ASSERT_EQ(by_dots.tries.size(), 2u);
+  EXPECT_THAT(inWords(by_dots), ::testing::AllOf(HasSubstr("used the pair with dots: 0.30 mm"),
+                                                 HasSubstr("the plain pair would give 0.60 mm")));
+  EXPECT_EQ(store_->alignment()->from, "dots");
+  EXPECT_EQ(align(recording_).outcome.from, AlignedFrom::plain);
+  EXPECT_EQ(store_->alignment()->from, "plain");
+}
+
+TEST_F(AlignRecording, SaysWhereDotsAndPlainSkinContradictEachOther) {
+  recording_.capture = dotted();
+  answers_.sigmas_mm = {0.3, 0.3, 0.3, 0.3};
+  answers_.apart_mm = 0.5;
+  EXPECT_TRUE(align(recording_).outcome.result.cautions.empty()) << "as their bounds allow";
+  answers_.apart_mm = 5;
+  align(recording_);
+  ASSERT_EQ(store_->alignment()->cautions.size(), 1u);
+  EXPECT_THAT(store_->alignment()->cautions.front(), HasSubstr("5.0 mm apart"));
+}
+
+TEST_F(AlignRecording, APlainPairIsEnough) {
+  recording_.capture = plain();
+  answers_.sigmas_mm = {0.5};
+  const auto aligned = align(recording_);
+  EXPECT_EQ(aligned.outcome.from, AlignedFrom::plain);
+  EXPECT_GT(aligned.outcome.result.points, 5000);
+  EXPECT_EQ(aligned.outcome.reference.surface.size(), aligned.outcome.reference.surface_left_px.size());
+}
+
+TEST_F(AlignRecording, WhatTheDotsRefuseNoOtherPictureMayAccept) {
+  recording_.capture = dotted();
+  answers_.sigmas_mm = {-1, -1, 0.1};  // once more without the landmarks, then it is final
+  EXPECT_THROW(align(recording_), Error);
+  EXPECT_EQ(answers_.asked, 2u);
+  EXPECT_FALSE(store_->alignment());
+}
+
+TEST_F(AlignRecording, AFilmStandsInWhereThereIsNoPairAndKeepsItsFirstFrame) {
+  const auto recording = film(8);
+  answers_.sigmas_mm = {0.4};
+  const auto aligned = align(recording);
+  EXPECT_EQ(aligned.outcome.from, AlignedFrom::film);
+  EXPECT_GT(aligned.outcome.fused_frames, 4);
+  EXPECT_EQ(aligned.outcome.reference.frame.number, 0);
+  EXPECT_EQ(store_->alignment()->from, "film");
+}
+
+TEST_F(AlignRecording, AWayThatIsAskedForNeedsItsPictures) {
+  EXPECT_THROW(align(recording_, AlignedFrom::plain), Error);
+  EXPECT_THROW(align(recording_, AlignedFrom::film), Error);
+}
+
+}  // namespace
+}  // namespace facenav::workflow
