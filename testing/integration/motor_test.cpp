@@ -1,9 +1,6 @@
 // The motor threshold, the hotspot and the notes from the command line, as a person or a program uses them.
 
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -15,6 +12,7 @@
 #include "facenav/casefile/twitches.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
+#include "support/conversation.h"
 #include "unit/casefile/made_pulse.h"
 
 namespace facenav::testing {
@@ -22,55 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-/// A running facenav that is talked to line by line.
-class Conversation {
- public:
-  explicit Conversation(const std::vector<std::string>& arguments) {
-    int in[2], out[2];
-    if (::pipe(in) != 0 || ::pipe(out) != 0) throw std::runtime_error("no pipe");
-    process_ = ::fork();
-    if (process_ == 0) {
-      ::dup2(in[0], STDIN_FILENO);
-      ::dup2(out[1], STDOUT_FILENO);
-      for (const int end : {in[0], in[1], out[0], out[1]}) ::close(end);
-      std::vector<char*> words{const_cast<char*>(FACENAV_CLI)};
-      for (const auto& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-      words.push_back(nullptr);
-      ::execv(FACENAV_CLI, words.data());
-      ::_exit(127);
-    }
-    ::close(in[0]);
-    ::close(out[1]);
-    input_ = in[1];
-    output_ = out[0];
-  }
-  ~Conversation() {
-    if (process_ > 0) end();
-    ::close(output_);
-  }
-  void say(const std::string& line) const {
-    const std::string text = line + "\n";
-    ASSERT_EQ(::write(input_, text.data(), text.size()), ssize_t(text.size()));
-  }
-  nlohmann::json hear() const {
-    std::string line;
-    for (char c = 0; ::read(output_, &c, 1) == 1 && c != '\n';) line.push_back(c);
-    return nlohmann::json::parse(line, nullptr, false);
-  }
-  void kill() const { ::kill(process_, SIGKILL); }
-  int end() {
-    ::close(input_);
-    int status = 0;
-    ::waitpid(process_, &status, 0);
-    process_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-
- private:
-  pid_t process_ = -1;
-  int input_ = -1, output_ = -1;
-};
 
 class Motor : public ::testing::Test {
  protected:

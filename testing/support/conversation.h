@@ -1,0 +1,90 @@
+#pragma once
+// A running facenav that is talked to line by line, as another program drives it. Compiled with FACENAV_CLI.
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facenav::testing {
+
+class Conversation {
+ public:
+  explicit Conversation(const std::vector<std::string>& arguments) {
+    int in[2], out[2];
+    if (::pipe(in) != 0 || ::pipe(out) != 0) throw std::runtime_error("no pipe");
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::dup2(in[0], STDIN_FILENO);
+      ::dup2(out[1], STDOUT_FILENO);
+      for (const int end : {in[0], in[1], out[0], out[1]}) ::close(end);
+      std::vector<char*> words{const_cast<char*>(FACENAV_CLI)};
+      for (const auto& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+      words.push_back(nullptr);
+      ::execv(FACENAV_CLI, words.data());
+      ::_exit(127);
+    }
+    ::close(in[0]);
+    ::close(out[1]);
+    input_ = in[1];
+    output_ = out[0];
+  }
+  ~Conversation() {
+    if (process_ > 0) kill();
+    if (process_ > 0) end();
+    ::close(output_);
+  }
+  Conversation(const Conversation&) = delete;
+  Conversation& operator=(const Conversation&) = delete;
+
+  void say(const std::string& line) const {
+    const std::string text = line + "\n";
+    ASSERT_EQ(::write(input_, text.data(), text.size()), ssize_t(text.size()));
+  }
+  /// The next line; waits for it. Discarded JSON at the end of the output.
+  nlohmann::json hear() {
+    return hearWithin(600).value_or(nlohmann::json(nlohmann::json::value_t::discarded));
+  }
+  /// The next line, if one comes in this time.
+  std::optional<nlohmann::json> hearWithin(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    for (;;) {
+      if (const auto newline = heard_.find('\n'); newline != std::string::npos) {
+        auto line = nlohmann::json::parse(heard_.substr(0, newline), nullptr, false);
+        heard_.erase(0, newline + 1);
+        return line;
+      }
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+      pollfd waiting{output_, POLLIN, 0};
+      if (::poll(&waiting, 1, int(std::max<long>(0, left))) <= 0) return std::nullopt;
+      char buffer[4096];
+      const ssize_t size = ::read(output_, buffer, sizeof buffer);
+      if (size <= 0) return std::nullopt;
+      heard_.append(buffer, std::size_t(size));
+    }
+  }
+  void kill() const { ::kill(process_, SIGKILL); }
+  /// Closes its input and waits. Exit status; 128 + signal if a signal killed it.
+  int end() {
+    ::close(input_);
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+ private:
+  pid_t process_ = -1;
+  int input_ = -1, output_ = -1;
+  std::string heard_;
+};
+
+}  // namespace facenav::testing
