@@ -52,6 +52,7 @@ void DosePanel::makeFields() {
   row->addWidget(remove_ = button(tr("None"), tr("the case has no protocol from now on")));
   form->addRow(row);
   is_own_ = new QCheckBox(tr("the target has its own dose"), this);
+  is_own_->setToolTip(tr("numbers for this target alone, in place of the protocol's"));
   form->addRow(is_own_);
   const auto count = [&](const QString& words, int most) {
     auto* made = new QSpinBox(this);

@@ -76,6 +76,7 @@ void OverlaysPanel::makeFields() {
       tr("NIfTI map or mask, tracts (.trk .tck .trx .vtk), surface (.ply .stl .obj .vtk .vtp); the "
          "case keeps a copy"));
   remove_ = new QPushButton(tr("Remove"), this);
+  remove_->setToolTip(tr("remove the chosen overlay and the case's copy of its file"));
   row->addWidget(space_, 1);
   row->addWidget(add_);
   row->addWidget(remove_);

@@ -7,6 +7,7 @@
 
 #include "camera_doubts.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
@@ -93,6 +94,18 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
   requireUnmovedCameras(rig, measured, plain, outcome.face);
   outcome.scalp = field.get();
   outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, outcome), monitor);
+  if (outcome.from != AlignedFrom::dots) requireFaceSize(outcome.result);
+}
+
+/// A right camera that turned about its vertical axis leaves no epipolar error. It makes the face too near or
+/// too far, and by that too small or too large. Without dots the face's size is all that shows it.
+void requireFaceSize(const registration::AlignmentResult& result) {
+  if (result.face_scale && !result.is_size_doubtful) return;
+  throw Error(
+      "not aligned: without dots the face's size must agree with the MRI's, and " +
+          (result.face_scale ? "the cameras measure it at " + fixed(100 * result.face_scale->value, 1) + " %"
+                             : std::string("it could not be measured")),
+      {}, "check that no camera was moved, calibrate again, or align with projected dots");
 }
 
 /// What follows from a fit that stands.

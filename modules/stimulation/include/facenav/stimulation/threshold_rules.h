@@ -56,7 +56,7 @@ struct ThresholdRules {
   static constexpr Evidence kWide{Origin::fitted,
                                   "2000 virtual subjects (Goetz 2019), of 1.0, 1.1, 1.2, 1.3 and 1.4: there "
                                   "the interval held the truth in "
-                                  "94.9 %; on 2000 others in 95.0 %. Without it: 88.7 %"};
+                                  "94.9 %; on 2000 others that were held out in 95.0 %. Without it: 88.7 %"};
   static constexpr Evidence kRule{
       Origin::article, "Groppa et al. 2012, Clin Neurophysiol 123: 858-882 (resting motor threshold)"};
   static constexpr Evidence kSure{Origin::chosen, "the article says 'consistently', without a number"};
