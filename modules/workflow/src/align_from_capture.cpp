@@ -87,16 +87,6 @@ Field fieldOf(const AlignmentSetup& setup) {
   });
 }
 
-/// Fits the face in `outcome` to the scalp. `measured`: the pictures that it was measured on.
-void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field& field,
-         const cameras::StereoFrame& measured, const cameras::StereoFrame& plain, TaskMonitor& monitor,
-         AlignmentOutcome& outcome) {
-  requireUnmovedCameras(rig, measured, plain, outcome.face);
-  outcome.scalp = field.get();
-  outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, outcome), monitor);
-  if (outcome.from != AlignedFrom::dots) requireFaceSize(outcome.result);
-}
-
 /// A right camera that turned about its vertical axis leaves no epipolar error. It makes the face too near or
 /// too far, and by that too small or too large. Without dots the face's size is all that shows it.
 void requireFaceSize(const registration::AlignmentResult& result) {
@@ -106,6 +96,16 @@ void requireFaceSize(const registration::AlignmentResult& result) {
           (result.face_scale ? "the cameras measure it at " + fixed(100 * result.face_scale->value, 1) + " %"
                              : std::string("it could not be measured")),
       {}, "check that no camera was moved, calibrate again, or align with projected dots");
+}
+
+/// Fits the face in `outcome` to the scalp. `measured`: the pictures that it was measured on.
+void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field& field,
+         const cameras::StereoFrame& measured, const cameras::StereoFrame& plain, TaskMonitor& monitor,
+         AlignmentOutcome& outcome) {
+  requireUnmovedCameras(rig, measured, plain, outcome.face);
+  outcome.scalp = field.get();
+  outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, outcome), monitor);
+  if (outcome.from != AlignedFrom::dots) requireFaceSize(outcome.result);
 }
 
 /// What follows from a fit that stands.
