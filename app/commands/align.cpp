@@ -97,9 +97,11 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("--aligner", request->aligner,
                    "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();
-  verb->add_option("--using", request->from,
-                   "align from this: dots, plain (the pair without dots) or film (its first two seconds, in "
-                   "which the head turns to both sides); default: the one with the smallest predicted error")
+  verb->add_option(
+          "--using", request->from,
+          "align from this: dots, plain (the pair without dots) or film (its first two seconds, in "
+          "which the head turns to both sides); default: dots. Without dots a camera that turned about its "
+          "vertical axis is not noticed: for trials, not for treatment")
       ->check(CLI::IsMember({"dots", "plain", "film"}));
   verb->add_option("--matcher", request->matcher,
                    "measures a face with dots by: " + stereo::denseMatcherList())

@@ -160,12 +160,13 @@ void CamerasPresenter::takeDots() {
 }
 
 void CamerasPresenter::takePlain() {
+  if (!dots_) return;
   plain_ = takeFresh();
   plain_taken_ = Timestamp::now();
-  if (plain_ && dots_ && plain_->number <= dots_->number) {  // the same image as the one with dots
+  if (plain_ && plain_->number <= dots_->number) {  // the same image as the one with dots
     plain_.reset();
     emit refused(tr("no new picture from the cameras yet: take it again"));
-  } else if (plain_ && dots_ && !capture()) {
+  } else if (plain_ && !capture()) {
     dots_.reset();
     plain_.reset();
     emit refused(tr("more than %1 s between the two pictures: take both again").arg(kPairWithin_s));
@@ -175,17 +176,14 @@ void CamerasPresenter::takePlain() {
 }
 
 std::optional<capture::CapturePair> CamerasPresenter::capture() const {
-  if (!plain_) return std::nullopt;
-  if (!dots_) return capture::CapturePair{*plain_, *plain_};
-  if (std::abs(plain_taken_.s - dots_taken_.s) > kPairWithin_s) return std::nullopt;
+  if (!dots_ || !plain_ || std::abs(plain_taken_.s - dots_taken_.s) > kPairWithin_s) return std::nullopt;
   return capture::CapturePair{*dots_, *plain_};
 }
 
 QString CamerasPresenter::captureWords() const {
-  if (capture()) return tr("picture taken: align now, the head as it is");
+  if (capture()) return tr("both pictures taken: align now, the head as it is");
   if (dots_) return tr("now the projector off, the head still, and take the second picture");
-  return tr(
-      "look at the cameras, hold still, and take the picture. With a projector: first the one with dots");
+  return tr("projector on, look at the cameras, hold still, and take the first picture");
 }
 
 }  // namespace facenav::ui

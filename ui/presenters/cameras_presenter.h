@@ -1,7 +1,6 @@
 #pragma once
 // CamerasPresenter: step 1 of Treat: which two cameras, with which calibration, and what they see. It also
-// takes the still pair for the alignment: the plain face, and before it the face with dots where there is a
-// projector. A recording is shown in the same way.
+// takes the still pair (dots on, dots off) for the alignment. A recording is shown in the same way.
 
 #include <QObject>
 #include <QStringList>
@@ -60,7 +59,7 @@ class CamerasPresenter : public QObject {
   void takeDots();
   void takePlain();
   bool hasDots() const { return dots_.has_value(); }
-  /// The plain pair, with the one with dots if that was taken too, within 20 s.
+  /// Both pairs, if taken within 20 s of each other.
   std::optional<capture::CapturePair> capture() const;
   QString captureWords() const;
 

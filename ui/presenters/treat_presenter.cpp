@@ -97,7 +97,7 @@ bool TreatPresenter::canAlign() const {
 
 void TreatPresenter::align(bool then_start) {
   if (!canAlign()) {  // live cameras need current images, never an old capture
-    if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
+    if (is_live_ && mayTreat()) emit refused(tr("take the two pictures first (step 1)"));
     return;
   }
   tasks_.start(

@@ -95,14 +95,13 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
 void CamerasPanel::addCapture(QVBoxLayout& column) {
   column.addWidget(label(tr("Pictures for the alignment"), "heading", this));
   capture_words_ = label({}, "plain", this);
-  plain_ = button(tr("Take the picture"), tr("the face without dots; it is enough to align"),
-                  Qt::CTRL + Qt::Key_P);
-  dots_ = button(tr("1 Take with dots"), tr("first, where there is a projector: the face with its dots"),
-                 Qt::CTRL + Qt::Key_D);
+  dots_ = button(tr("1 Take with dots"), tr("the face with the projector on"), Qt::CTRL + Qt::Key_D);
+  plain_ =
+      button(tr("2 Take without dots"), tr("the face as it was, the projector off"), Qt::CTRL + Qt::Key_P);
   column.addWidget(capture_words_);
   auto* row = new QHBoxLayout;
-  row->addWidget(plain_);
   row->addWidget(dots_);
+  row->addWidget(plain_);
   column.addLayout(row);
   connect(dots_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takeDots);
   connect(plain_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takePlain);
@@ -136,9 +135,9 @@ void CamerasPanel::showState() {
   setWords(*open_, cameras_.isLive() ? tr("Open the cameras again") : tr("Open the cameras"));
   const bool is_live = cameras_.isLive() && !presenter_.isRunning();
   dots_->setEnabled(is_live);
-  plain_->setEnabled(is_live);
-  setWords(*plain_, cameras_.hasDots() ? tr("2 Take without dots") : tr("Take the picture"));
-  capture_words_->setText(is_live ? cameras_.captureWords() : tr("with live cameras: a picture of the face"));
+  plain_->setEnabled(is_live && cameras_.hasDots());
+  capture_words_->setText(is_live ? cameras_.captureWords()
+                                  : tr("with live cameras: one picture with the dots, one without"));
 }
 
 void CamerasPanel::chooseRig() {

@@ -26,8 +26,12 @@ struct Aligned {
 };
 
 /// Those that the recording has pictures for.
-std::vector<AlignedFrom> waysOf(const capture::Recording& recording) {
+std::vector<AlignedFrom> waysOf(const capture::Recording& recording, bool may_lack_dots) {
   std::vector<AlignedFrom> ways;
+  if (!may_lack_dots) {
+    if (recording.capture) ways.push_back(AlignedFrom::dots);
+    return ways;
+  }
   if (recording.capture && showsDots(*recording.capture)) ways.push_back(AlignedFrom::dots);
   if (recording.capture) ways.push_back(AlignedFrom::plain);
   if (recording.frame_count > 1) ways.push_back(AlignedFrom::film);
@@ -134,7 +138,7 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   const auto targets = store.targets().targets;
   const AlignmentSetup setup{scalp, *aligner, *detector, targets, store.scalpField(), order.matcher};
   if (order.from) requirePictures(recording, *order.from);
-  const auto ways = order.from ? std::vector{*order.from} : waysOf(recording);
+  const auto ways = order.from ? std::vector{*order.from} : waysOf(recording, order.may_lack_dots);
   std::optional<Aligned> best;
   std::optional<Error> first_error;
   CaseAlignment result;
@@ -163,11 +167,13 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   }
   if (!best && first_error) throw *first_error;
   if (!best)
-    throw Error("not aligned: the recording has neither a capture pair nor a film", recording.folder.string(),
-                "record the face: one still pair, or two seconds in which the head turns to both sides");
+    throw Error("not aligned: the recording has no capture/ pair with projected dots",
+                recording.folder.string(),
+                "record one; --using plain or film tries the bare face, but does not notice a turned camera");
   result.outcome = std::move(best->outcome);
   const Point<Mri> at =
       targets.empty() ? Point<Mri>(result.outcome.scalp->middle_mm()) : targets.front().cortex_point;
+  if (result.outcome.from != AlignedFrom::dots) result.outcome.result.cautions.push_back(kWithoutDotsCaution);
   if (const auto words = contradiction(result, at)) result.outcome.result.cautions.push_back(*words);
   storeAlignment(store, recording.rig, best->pictures, result.outcome);
   return result;

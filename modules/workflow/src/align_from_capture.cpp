@@ -7,7 +7,6 @@
 
 #include "camera_doubts.h"
 #include "facenav/core/error.h"
-#include "facenav/core/number_text.h"
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
@@ -87,17 +86,6 @@ Field fieldOf(const AlignmentSetup& setup) {
   });
 }
 
-/// A right camera that turned about its vertical axis leaves no epipolar error. It makes the face too near or
-/// too far, and by that too small or too large. Without dots the face's size is all that shows it.
-void requireFaceSize(const registration::AlignmentResult& result) {
-  if (result.face_scale && !result.is_size_doubtful) return;
-  throw Error(
-      "not aligned: without dots the face's size must agree with the MRI's, and " +
-          (result.face_scale ? "the cameras measure it at " + fixed(100 * result.face_scale->value, 1) + " %"
-                             : std::string("it could not be measured")),
-      {}, "check that no camera was moved, calibrate again, or align with projected dots");
-}
-
 /// Fits the face in `outcome` to the scalp. `measured`: the pictures that it was measured on.
 void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field& field,
          const cameras::StereoFrame& measured, const cameras::StereoFrame& plain, TaskMonitor& monitor,
@@ -105,7 +93,6 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
   requireUnmovedCameras(rig, measured, plain, outcome.face);
   outcome.scalp = field.get();
   outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, outcome), monitor);
-  if (outcome.from != AlignedFrom::dots) requireFaceSize(outcome.result);
 }
 
 /// What follows from a fit that stands.

@@ -104,6 +104,7 @@ class AlignRecording : public ::testing::Test {
     TaskMonitor monitor;
     AlignOrder order{"fake"};
     order.from = from;
+    order.may_lack_dots = true;
     return alignRecording(methods_, *store_, recording, order, monitor);
   }
 
@@ -148,6 +149,22 @@ TEST_F(AlignRecording, APlainPairIsEnough) {
   EXPECT_EQ(aligned.outcome.from, AlignedFrom::plain);
   EXPECT_GT(aligned.outcome.result.points, 5000);
   EXPECT_EQ(aligned.outcome.reference.surface.size(), aligned.outcome.reference.surface_left_px.size());
+}
+
+TEST_F(AlignRecording, TakesNoPicturesWithoutDotsUnlessToldTo) {
+  TaskMonitor monitor;
+  EXPECT_THROW(alignRecording(methods_, *store_, film(8), {"fake"}, monitor), Error);
+  recording_.capture = dotted();
+  answers_.sigmas_mm = {0.6, 0.1};
+  EXPECT_EQ(alignRecording(methods_, *store_, recording_, {"fake"}, monitor).outcome.from, AlignedFrom::dots);
+  EXPECT_EQ(answers_.asked, 1u);
+}
+
+TEST_F(AlignRecording, WithoutDotsACautionGoesWithIt) {
+  recording_.capture = plain();
+  answers_.sigmas_mm = {0.5};
+  align(recording_);
+  EXPECT_THAT(store_->alignment()->cautions, ::testing::Contains(std::string(kWithoutDotsCaution)));
 }
 
 TEST_F(AlignRecording, WhatTheDotsRefuseNoOtherPictureMayAccept) {

@@ -231,17 +231,12 @@ bool isPartlyCovered(const FitEvidence& evidence) {
   return evidence.closeness.bare_share < settingsOf<FitLimits>().mostly_bare;
 }
 
-bool isSizeDoubtful(const FitEvidence& evidence) {
-  const FitLimits& limits = settingsOf<FitLimits>();
-  const double off = std::abs(evidence.scale - 1);
-  return scaleZ(evidence) > limits.caution_scale_z ||
-         (off > limits.caution_scale && off > 3 * evidence.scale_sigma);
-}
-
 std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   std::vector<std::string> cautions;
-  if (isSizeDoubtful(evidence))
+  const double off = std::abs(evidence.scale - 1);
+  if (scaleZ(evidence) > limits.caution_scale_z ||
+      (off > limits.caution_scale && off > 3 * evidence.scale_sigma))
     cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
                        " of the MRI's size (+/- " + fixed(100 * evidence.scale_sigma, 1) +
                        "): check the square size that they were calibrated with, and the MRI's size");

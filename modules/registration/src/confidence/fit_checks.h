@@ -45,9 +45,6 @@ void requireTrust(const FitEvidence& evidence);
 /// A large part of the face is occluded. What lies there is not skin, even where it happens to fit.
 bool isPartlyCovered(const FitEvidence& evidence);
 
-/// The live face and the scan differ in size by more than scanner, calibration and fit explain.
-bool isSizeDoubtful(const FitEvidence& evidence);
-
 /// Findings that need attention but are no reason to refuse, in plain words.
 std::vector<std::string> cautionsOf(const FitEvidence& evidence);
 

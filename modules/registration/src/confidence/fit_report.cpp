@@ -107,7 +107,6 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   evidence.scale_sigma = fit.posterior.scale_sigma;
   if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
   requireTrust(evidence);
-  result.is_size_doubtful = isSizeDoubtful(evidence);
   result.cautions = cautionsOf(evidence);
 
   std::vector<int> all(face.size());

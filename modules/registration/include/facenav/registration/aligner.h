@@ -54,7 +54,6 @@ struct AlignmentResult {
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
   std::optional<FaceScale> face_scale;  // empty: not estimated
-  bool is_size_doubtful = false;        // more than scanner, calibration and fit explain
   std::vector<std::string> cautions;    // plain words: what a clinician must check before trusting the fit
 
   PoseUncertainty uncertainty() const { return {covariance, freedom}; }
