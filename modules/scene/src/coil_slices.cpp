@@ -11,7 +11,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kZoomedAbout_mm = 40;  // under the contact face: where the cortex is
+constexpr double kZoomedAbout_mm = 40;   // under the contact face: where the cortex is
+constexpr double kLettersFromTop = 2.6;  // letter heights: below the line of words that a window puts there
 constexpr double kHandle_mm = 110, kHandleThick_mm = 9, kTick_mm = 10;
 
 /// The axis of Coil along the image's rows.
@@ -75,24 +76,6 @@ void paintBeam(const CoilPen& pen, const SlicedCoil& coil, const std::optional<d
            0.95);
 }
 
-/// The patient's sides. The letters at the top stand below the line of words that a window puts there.
-void paintCoilLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale) {
-  const double w = image.width_px, h = image.height_px;
-  const double size = std::clamp(0.045 * h * text_scale, 9.0 * text_scale, 18.0 * text_scale);
-  const auto word = [&](const Direction<Mri>& side, double u, double v, double anchor) {
-    const std::string letters = sideLetters(side);
-    double at_u = u - anchor * size * double(letters.size() - 1);
-    for (const char each : letters) {
-      letter(image, each, {at_u, v}, size, palette::kText);
-      at_u += size;
-    }
-  };
-  word(Direction<Mri>(-plane.right.v), size, h / 2, 0.0);
-  word(plane.right, w - size, h / 2, 1.0);
-  word(Direction<Mri>(-plane.down.v), w / 2, 2.6 * size, 0.5);
-  word(plane.down, w / 2, h - size, 0.5);
-}
-
 }  // namespace
 
 volume::SlicePlane coilPlane(const RigidTransform<Mri, Coil>& mri_T_coil, CoilCut cut, int width_px,
@@ -129,7 +112,7 @@ RgbImage coilSlicePicture(const SliceScene& scene, const SlicedCoil& coil, CoilC
   const CoilPen pen{image, plane, plane.toPixel(Point<Mri>(coil.mri_T_coil.translation_mm())).head<2>()};
   paintPlate(pen, coil.plate, cut);
   paintBeam(pen, coil, ring_depth_mm);
-  if (scene.has_letters) paintCoilLetters(image, plane, scene.text_scale);
+  if (scene.has_letters) paintSideLetters(image, plane, scene.text_scale, kLettersFromTop);
   return image;
 }
 

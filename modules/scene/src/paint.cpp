@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/scene/slice_scene.h"
+
 namespace facenav::scene {
 
 void blend(RgbImage& image, int u, int v, const palette::Rgb& colour, double opacity) {
@@ -91,6 +93,23 @@ void letter(RgbImage& image, char which, const Eigen::Vector2d& centre_px, doubl
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
       line(image, centre_px + height_px * path[i], centre_px + height_px * path[i + 1], colour,
            std::max(1.2, height_px / 8), 1.0);
+}
+
+void paintSideLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale, double from_top) {
+  const double w = image.width_px, h = image.height_px;
+  const double size = std::clamp(0.045 * h * text_scale, 9.0 * text_scale, 18.0 * text_scale);
+  const auto word = [&](const Direction<Mri>& side, double u, double v, double anchor) {
+    const std::string letters = sideLetters(side);
+    double at_u = u - anchor * size * double(letters.size() - 1);
+    for (const char each : letters) {
+      letter(image, each, {at_u, v}, size, palette::kText);
+      at_u += size;
+    }
+  };
+  word(Direction<Mri>(-plane.right.v), size, h / 2, 0.0);
+  word(plane.right, w - size, h / 2, 1.0);
+  word(Direction<Mri>(-plane.down.v), w / 2, from_top * size, 0.5);
+  word(plane.down, w / 2, h - size, 0.5);
 }
 
 }  // namespace facenav::scene

@@ -5,6 +5,7 @@
 
 #include "facenav/core/rgb_image.h"
 #include "facenav/scene/palette.h"
+#include "facenav/volume/slice_plane.h"
 
 namespace facenav::scene {
 
@@ -17,5 +18,7 @@ void circle(RgbImage& image, const Eigen::Vector2d& centre_px, double radius_px,
 /// One of R L A P S I, `height_px` tall, centred.
 void letter(RgbImage& image, char which, const Eigen::Vector2d& centre_px, double height_px,
             const palette::Rgb& colour);
+/// The patient's sides at the image's edges. `from_top`: row of the upper ones, in heights of a letter.
+void paintSideLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale, double from_top);
 
 }  // namespace facenav::scene

@@ -79,24 +79,6 @@ void paintCrosshair(RgbImage& image, const Point<Mri>& at, const volume::SlicePl
   }
 }
 
-void paintLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale) {
-  const double w = image.width_px, h = image.height_px;
-  const double size = std::clamp(0.045 * h * text_scale, 9.0 * text_scale, 18.0 * text_scale);
-  const Direction<Mri> left(-plane.right.v), up(-plane.down.v);
-  const auto word = [&](const Direction<Mri>& side, double u, double v, double anchor) {
-    const std::string letters = sideLetters(side);
-    double at_u = u - anchor * size * double(letters.size() - 1);
-    for (const char each : letters) {
-      letter(image, each, {at_u, v}, size, palette::kText);
-      at_u += size;
-    }
-  };
-  word(left, size, h / 2, 0.0);
-  word(plane.right, w - size, h / 2, 1.0);
-  word(up, w / 2, size, 0.5);
-  word(plane.down, w / 2, h - size, 0.5);
-}
-
 }  // namespace
 
 char sideLetter(const Direction<Mri>& direction) {
@@ -145,7 +127,7 @@ RgbImage SliceScene::picture(const volume::SlicePlane& plane) const {
   }
   paintTargets(image, *this, plane);
   if (crosshair) paintCrosshair(image, *crosshair, plane);
-  if (has_letters) paintLetters(image, plane, text_scale);
+  if (has_letters) paintSideLetters(image, plane, text_scale, 1.0);
   return image;
 }
 
