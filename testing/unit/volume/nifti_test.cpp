@@ -173,6 +173,57 @@ TEST(Nifti, SlopeAndInterceptAreApplied) {
   EXPECT_EQ(volume::readNifti(path).volume.at(1, 2, 3), 2 * 321.f - 3);
 }
 
+/// Multiplies all lengths of the header, as a program writes them that counts in another unit.
+void scaleLengths(nifti_1_header& header, float factor) {
+  for (int c = 0; c < 4; ++c)
+    header.srow_x[c] *= factor, header.srow_y[c] *= factor, header.srow_z[c] *= factor;
+  for (int d = 1; d <= 3; ++d) header.pixdim[d] *= factor;
+  header.qoffset_x *= factor, header.qoffset_y *= factor, header.qoffset_z *= factor;
+}
+
+TEST(Nifti, LengthsInMetresAndMicrometresBecomeMillimetresInBothMaps) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  for (const auto& [unit, per_mm] : {std::pair{NIFTI_UNITS_METER, 1e-3f}, {NIFTI_UNITS_MICRON, 1e3f}}) {
+    volume::writeNifti(numberedVolume(), path);
+    Raw raw(path);
+    scaleLengths(raw.header, per_mm);
+    raw.header.xyzt_units = char(unit);
+    raw.save();
+    for (const auto choice : {volume::NiftiTransform::sform, volume::NiftiTransform::qform}) {
+      const auto grid = volume::readNifti(path, choice).volume.grid;
+      EXPECT_TRUE(grid.mri_from_voxel.isApprox(numberedVolume().grid.mri_from_voxel, 1e-5)) << unit;
+    }
+  }
+}
+
+TEST(Nifti, LengthsWithoutAUnitAreMillimetres) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  Raw raw(path);
+  raw.header.xyzt_units = 0;
+  raw.save();
+  EXPECT_TRUE(volume::readNifti(path).volume.grid.matches(numberedVolume().grid));
+}
+
+TEST(Nifti, AStatisticalMapNamesItsStatisticAndItsSpace) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  EXPECT_EQ(volume::readNifti(path).statistic, "");
+  EXPECT_FALSE(volume::readNifti(path).is_template_space);
+  for (const auto& [intent, name] : {std::pair{NIFTI_INTENT_TTEST, "t"}, {NIFTI_INTENT_ZSCORE, "z"}}) {
+    Raw raw(path);
+    raw.header.intent_code = short(intent);
+    raw.header.sform_code = NIFTI_XFORM_MNI_152;
+    raw.save();
+    EXPECT_EQ(volume::readNifti(path).statistic, name);
+    EXPECT_TRUE(volume::readNifti(path).is_template_space);
+    EXPECT_FALSE(volume::readNifti(path, volume::NiftiTransform::qform).is_template_space);
+  }
+}
+
 TEST(Nifti, LeftHandedFilesKeepTheirWorld) {
   const TemporaryFolder folder;
   auto volume = numberedVolume();
