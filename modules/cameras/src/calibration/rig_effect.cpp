@@ -3,46 +3,17 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
+#include "rig/parameter_steps.h"
 
 namespace facenav::cameras {
 namespace {
 
 constexpr double kFace_mm = 60.0;       // half the width and height of the visible part of a face
 constexpr double kFaceDepth_mm = 40.0;  // from the cheeks to the tip of the nose
-constexpr double kLength_mm = 100.0, kMotion_mm = 20.0, kTurn_rad = 5 * M_PI / 180;
+constexpr double kLength_mm = 100.0, kMotion_mm = 20.0, kTurn_rad = 5 * kRadPerDeg;
 
 using Points = Eigen::Matrix3Xd;
-
-// The rig after a step of its parameters, in the order of the covariance.
-StereoRig stepped(const StereoRig& rig, const Eigen::VectorXd& step) {
-  StereoRig other = rig;
-  int at = 0;
-  for (CameraModel* camera : {&other.left, &other.right}) {
-    camera->k(0, 0) += step[at++];
-    camera->k(1, 1) += step[at++];
-    camera->k(0, 2) += step[at++];
-    camera->k(1, 2) += step[at++];
-    camera->distortion = camera->distortion.clone();
-    for (int i = 0; i < int(camera->distortion.total()); ++i) camera->distortion.at<double>(i) += step[at++];
-  }
-  other.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(expRigid(step.segment<6>(at)) *
-                                                                         rig.right_T_left.isometry());
-  return other;
-}
-
-// One standard deviation along each principal axis; parameters are scaled to similar size first.
-Eigen::MatrixXd principalSteps(const cv::Mat& matrix) {
-  Eigen::MatrixXd covariance(matrix.rows, matrix.rows);
-  for (int i = 0; i < matrix.rows; ++i)
-    for (int j = 0; j < matrix.rows; ++j) covariance(i, j) = matrix.at<double>(i, j);
-  const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(1e-30).cwiseSqrt();
-  const Eigen::MatrixXd scaled =
-      scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
-  const auto axes = principalAxes(scaled);
-  return scale.asDiagonal() * axes.vectors * axes.values.cwiseMax(0).cwiseSqrt().asDiagonal();
-}
 
 // The points that the rig `other` measures when `rig` is the truth.
 Points reported(const StereoRig& rig, const StereoRig& other, const Points& points_mm) {
@@ -82,7 +53,7 @@ void addMotion(const StereoRig& rig, const StereoRig& other, const Points& face,
     for (int i = 0; i < face.cols(); ++i) moved.col(i) = motion * Eigen::Vector3d(face.col(i));
     const Eigen::Isometry3d told = motionBetween(seen, reported(rig, other, moved));
     const Eigen::Vector3d at = seen.rowwise().mean();
-    const double turn_deg = rotationAngle(told.linear() * motion.linear().transpose()) * 180 / M_PI;
+    const double turn_deg = rotationAngle(told.linear() * motion.linear().transpose()) * kDegPerRad;
     squares.motion_deg += turn_deg * turn_deg / 3;
     squares.motion_mm += ((told * at - at) - (motion * middle - middle)).squaredNorm() / 3;
   }

@@ -1,8 +1,7 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "facenav/cameras/rig_monitor.h"
-#include "facenav/geometry/normal_equations.h"
+#include "parameter_steps.h"
 #include "rig_motion.h"
 
 namespace facenav::cameras {
@@ -21,34 +20,12 @@ StereoRig withTurn(const StereoRig& rig, const Eigen::Vector3d& turn_rad) {
   return turned(rig, motion);
 }
 
-/// One standard deviation along each principal axis of the calibration's own covariance.
 RigUncertainty fromCovariance(const StereoRig& rig) {
-  const int n = rig.covariance.rows, pose = n - 6, camera = int(4 + rig.left.distortion.total());
-  Eigen::MatrixXd covariance(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) covariance(i, j) = rig.covariance.at<double>(i, j);
-  const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(1e-30).cwiseSqrt();
-  const Eigen::MatrixXd scaled =
-      scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
-  const auto axes = principalAxes(scaled);
   RigUncertainty uncertainty;
   uncertainty.lens_px = kLensShare * rig.rms_px.value_or(0.2);
-  for (int axis = 0; axis < n; ++axis) {
-    const double length = kInflation * std::sqrt(std::max(0.0, axes.values[axis]));
-    if (length < 1e-6) continue;
-    const Eigen::VectorXd step = length * scale.cwiseProduct(axes.vectors.col(axis));
-    StereoRig other = turned(rig, step.segment<6>(pose));
-    for (const auto& [side, first] : {std::pair(&other.left, 0), std::pair(&other.right, camera)}) {
-      side->k(0, 0) += step[first];
-      side->k(1, 1) += step[first + 1];
-      side->k(0, 2) += step[first + 2];
-      side->k(1, 2) += step[first + 3];
-      side->distortion = side->distortion.clone();
-      for (int i = 0; i < int(side->distortion.total()); ++i)
-        side->distortion.at<double>(i) += step[first + 4 + i];
-    }
-    uncertainty.one_sigma.push_back(other);
-  }
+  const Eigen::MatrixXd steps = kInflation * principalSteps(rig.covariance);
+  for (int axis = 0; axis < steps.cols(); ++axis)
+    if (!steps.col(axis).isZero(0)) uncertainty.one_sigma.push_back(stepped(rig, steps.col(axis)));
   return uncertainty;
 }
 
