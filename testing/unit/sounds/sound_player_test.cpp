@@ -24,7 +24,7 @@ std::vector<std::int16_t> heardIn(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return {};
   const std::string bytes = readWholeFile(file);
   std::vector<std::int16_t> samples(bytes.size() / 2);
-  std::memcpy(samples.data(), bytes.data(), 2 * samples.size());
+  if (!samples.empty()) std::memcpy(samples.data(), bytes.data(), 2 * samples.size());
   return samples;
 }
 
