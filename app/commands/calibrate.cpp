@@ -51,7 +51,7 @@ void printRig(const cameras::Calibration& result) {
   for (const auto& [side, camera] : {std::pair("left", &rig.left), std::pair("right", &rig.right)})
     std::printf("%-5s f %.2f %.2f px, centre %.2f %.2f px\n", side, camera->k(0, 0), camera->k(1, 1),
                 camera->k(0, 2), camera->k(1, 2));
-  const double angle_deg = rotationAngle(rig.right_T_left.rotation()) * 180 / M_PI;
+  const double angle_deg = rotationAngle(rig.right_T_left.rotation()) * kDegPerRad;
   for (const auto& parameter : result.parameters)
     std::printf("  %-14s %12.6g +- %.2g\n", parameter.name.c_str(), parameter.value, parameter.sigma);
   std::printf("baseline %.3f mm, angle between the cameras %.3f deg\n", rig.baseline_mm(), angle_deg);

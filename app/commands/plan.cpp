@@ -14,6 +14,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/pictures/plan_picture.h"
 #include "facenav/pictures/titled_row.h"
@@ -163,7 +164,7 @@ class PlanSteps {
     if (!is_quiet_ && !request_.is_json) std::printf("%s\n", place.words.c_str());
   }
 
-  workflow::CoilWish wish() const { return {request_.handle_deg * M_PI / 180, request_.gap_mm}; }
+  workflow::CoilWish wish() const { return {request_.handle_deg * kRadPerDeg, request_.gap_mm}; }
 
   atlas::AtlasMap atlas() const {
     if (const auto map = store_.atlas()) return *map;

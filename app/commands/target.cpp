@@ -7,6 +7,7 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/workflow/plan_edits.h"
 
@@ -98,7 +99,7 @@ void addTarget(CLI::App& app, Context& context) {
     const auto head = workflow::plannedHead(store);
     const auto target =
         workflow::targetOverCortex(head, request->name, workflow::cortexNear(head, toMri(store, *place)),
-                                   {request->handle_deg * M_PI / 180, request->gap_mm});
+                                   {request->handle_deg * kRadPerDeg, request->gap_mm});
     store.setTargets(workflow::with(plan, target.name, target));
     if (context.is_quiet) return;
     print(store, target.cortex_point);

@@ -8,6 +8,7 @@
 #include "demo/virtual_patient_files.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/pose_error.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/hand_knob.h"
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kTarget = "M1 hand L";
-constexpr double kHandleAngle_rad = 45.0 * M_PI / 180.0;
+constexpr double kHandleAngle_rad = 45.0 * kRadPerDeg;
 constexpr double kHairGap_mm = 4.0;
 
 class Stopwatch {
@@ -181,7 +182,7 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   figures.alignment = tracked.alignment->stored();
   const auto error = poseError(tracked.alignment->result.camera_T_mri, captureTruth(folder / "recording"),
                                target.cortex_point);
-  figures.alignment_rotation_deg = error.rotation_rad * 180.0 / M_PI;
+  figures.alignment_rotation_deg = error.rotation_rad * kDegPerRad;
   figures.alignment_at_target_mm = error.at_point_mm;
   watch.lap("align, track and guide the treatment");
 

@@ -108,7 +108,7 @@ cameras::StereoFrame frameOf(const std::map<std::string, fs::path>& pictures, co
 void compare(const Pose& a, const Pose& b, const Eigen::Vector3d& at_mri_mm, FaceAgreement& agreement) {
   agreement.off_mm = (a.shared_T_mri * at_mri_mm - b.shared_T_mri * at_mri_mm).norm();
   agreement.off_deg =
-      rotationAngle(a.shared_T_mri.linear().transpose() * b.shared_T_mri.linear()) * 180 / M_PI;
+      rotationAngle(a.shared_T_mri.linear().transpose() * b.shared_T_mri.linear()) * kDegPerRad;
   agreement.bound_mm = std::hypot(a.result.errorBound_mm(Point<Mri>(at_mri_mm)),
                                   b.result.errorBound_mm(Point<Mri>(at_mri_mm)));
 }

@@ -106,9 +106,9 @@ PairAgreement agreementOf(const Motion& a, const Motion& b) {
   const Eigen::Vector3d then_mm = b.motion.inverse() * b.face_mm + Eigen::Vector3d(0, 0, kBehind_mm);
   const Eigen::Vector3d by_a = a.motion * then_mm, by_b = b.motion * then_mm, off = by_a - by_b;
   PairAgreement agreement;
-  agreement.turn_deg = rotationAngle(b.motion.linear()) * 180 / M_PI;
+  agreement.turn_deg = rotationAngle(b.motion.linear()) * kDegPerRad;
   agreement.shift_mm = (by_b - then_mm).norm();
-  agreement.off_deg = rotationAngle(a.motion.linear().transpose() * b.motion.linear()) * 180 / M_PI;
+  agreement.off_deg = rotationAngle(a.motion.linear().transpose() * b.motion.linear()) * kDegPerRad;
   agreement.off_mm = off.norm();
   const Eigen::Matrix3d covariance = covarianceAt(a, by_a) + covarianceAt(b, by_b);
   agreement.is_inside = off.dot(solveSymmetric(covariance, off)) < kChiSquare95;

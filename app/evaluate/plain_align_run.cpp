@@ -74,7 +74,7 @@ cameras::StereoRig beforeAKnock(cameras::StereoRig rig, std::uint64_t seed) {
   std::normal_distribution<double> normal;
   const Eigen::Vector3d axis = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  turn.linear() = expRotation(kMoved_deg * M_PI / 180.0 * axis);
+  turn.linear() = expRotation(kMoved_deg * kRadPerDeg * axis);
   rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(turn * rig.right_T_left.isometry());
   return rig;
 }

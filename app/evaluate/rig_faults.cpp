@@ -53,7 +53,7 @@ cameras::StereoRig moved(const cameras::StereoRig& rig, const Eigen::Vector3d& t
                          const Eigen::Vector3d& shift_mm) {
   cameras::StereoRig other = rig;
   Eigen::Isometry3d pose = rig.right_T_left.isometry();
-  pose.prerotate(expRotation(turn_deg * M_PI / 180));
+  pose.prerotate(expRotation(turn_deg * kRadPerDeg));
   pose.pretranslate(shift_mm);
   other.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
   return other;

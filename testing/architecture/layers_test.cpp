@@ -124,18 +124,26 @@ TEST(Layers, DicomFilesAreReadByGdcmAndTheNetworkIsDcmtk) {
       }
 }
 
-TEST(Layers, OnlyCoreStartsProcessesAndSharesOutLoops) {
-  // core/child_process.h and core/parallel_for.h keep rules (no orphan, priority) that others would not.
-  static const std::regex kOthers(R"(\b(cv::parallel_for_|fork\(\)|posix_spawn|popen\()|#\s*pragma omp)");
+/// No line of any module but `home` may match.
+void expectOnlyIn(const std::string& home, const std::regex& forbidden) {
   for (const auto& [module, ignored] : kMayUse) {
-    if (module == "core") continue;
+    if (module == home) continue;
     for (const auto& file : sourcesUnder(kModules / module)) {
       std::ifstream stream(file);
       int number = 0;
       for (std::string line; std::getline(stream, line);)
-        EXPECT_FALSE((++number, std::regex_search(line, kOthers))) << file << ":" << number << ": " << line;
+        EXPECT_FALSE((++number, std::regex_search(line, forbidden))) << file << ":" << number << ": " << line;
     }
   }
+}
+
+TEST(Layers, OnlyCoreStartsProcessesAndSharesOutLoops) {
+  // core/child_process.h and core/parallel_for.h keep rules (no orphan, priority) that others would not.
+  expectOnlyIn("core", std::regex(R"(\b(cv::parallel_for_|fork\(\)|posix_spawn|popen\()|#\s*pragma omp)"));
+}
+
+TEST(Layers, DegreesAndRadiansAreConvertedByGeometrysFactors) {
+  expectOnlyIn("geometry", std::regex(R"(M_PI ?/ ?180|\b180(\.0?)? ?/ ?M_PI)"));
 }
 
 TEST(Layers, OpenCvInPublicHeadersOfImageModulesOnly) {

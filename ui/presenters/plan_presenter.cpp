@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/casefile/protocol.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/compare_targets.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/workflow/coil_slice_sheet.h"
@@ -128,7 +129,7 @@ void PlanPresenter::renameActive(const QString& name) {
 }
 
 void PlanPresenter::turnActive(double degrees) {
-  if (active()) attempt([&] { editor_.turn(degrees * M_PI / 180.0); });
+  if (active()) attempt([&] { editor_.turn(degrees * kRadPerDeg); });
 }
 
 template <class Change>
@@ -146,7 +147,7 @@ void PlanPresenter::setTyped(const QString& typed, const QString& unit, Change c
 
 void PlanPresenter::setHandle(const QString& typed) {
   setTyped(typed, QString(QChar(0xb0)), [this](const guidance::Target& target, double degrees) {
-    return guidance::withHandleAngle(target, *model_.current().scalp, degrees * M_PI / 180.0);
+    return guidance::withHandleAngle(target, *model_.current().scalp, degrees * kRadPerDeg);
   });
 }
 
@@ -263,7 +264,7 @@ void PlanPresenter::redo() {
 }
 
 double PlanPresenter::handleAngle_deg(const guidance::Target& target) const {
-  return guidance::handleAngle(target, *model_.current().scalp).angle_rad * 180.0 / M_PI;
+  return guidance::handleAngle(target, *model_.current().scalp).angle_rad * kDegPerRad;
 }
 
 QString PlanPresenter::handleFigure() const {
@@ -278,7 +279,7 @@ QString PlanPresenter::handleWords(const guidance::Target& target) const {
   const auto handle = guidance::handleAngle(target, *model_.current().scalp);
   const bool is_anterior = handle.reference == guidance::HandleReference::anterior;
   return tr("handle %1\u00b0 from %2 (+ to the midline)")
-      .arg(signedDegrees(handle.angle_rad * 180.0 / M_PI))
+      .arg(signedDegrees(handle.angle_rad * kDegPerRad))
       .arg(is_anterior ? tr("anterior") : tr("superior"));
 }
 
@@ -290,7 +291,7 @@ QString PlanPresenter::contactWords(const guidance::Target& target) const {
     if (contact.isTangent()) return tr("rests flat on the head");
     return tr("stands %1 mm over the skin, tilted %2\u00b0")
         .arg(contact.lift_mm, 0, 'f', 1)
-        .arg(std::lround(contact.tilt_rad * 180.0 / M_PI));
+        .arg(std::lround(contact.tilt_rad * kDegPerRad));
   } catch (const Error& error) {
     return QString::fromUtf8(error.what());
   }
@@ -304,8 +305,8 @@ QString PlanPresenter::compareWords(const QString& other) const {
       .arg(other)
       .arg(d.centres_mm, 0, 'f', 1)
       .arg(d.cortex_mm, 0, 'f', 1)
-      .arg(std::lround(d.tilt_rad * 180.0 / M_PI))
-      .arg(std::lround(d.twist_rad * 180.0 / M_PI));
+      .arg(std::lround(d.tilt_rad * kDegPerRad))
+      .arg(std::lround(d.twist_rad * kDegPerRad));
 }
 
 QString PlanPresenter::describe(const guidance::Target& target) const {

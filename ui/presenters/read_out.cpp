@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -54,8 +56,8 @@ ReadOut makeReadOut(const session::NavigationState& state) {
     out.across = millimetres(g.values->lateral_mm);
     const double depth_mm = std::abs(g.values->depth_mm) < 0.05 ? 0.0 : g.values->depth_mm;
     out.depth = (depth_mm > 0 ? QStringLiteral("+") : QString()) + millimetres(depth_mm);
-    out.tilt = whole(g.values->tilt_rad * 180 / M_PI, false);
-    out.twist = whole(g.values->twist_rad * 180 / M_PI, true);
+    out.tilt = whole(g.values->tilt_rad * kDegPerRad, false);
+    out.twist = whole(g.values->twist_rad * kDegPerRad, true);
     if (g.predicted_error_mm > 0)
       out.predicted = tr("\u00b1%1 mm at the target").arg(g.predicted_error_mm, 0, 'f', 1);
     out.level = g.state == guidance::State::on_target ? Level::good : Level::caution;

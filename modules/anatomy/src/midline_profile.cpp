@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::anatomy {
 namespace {
 
@@ -150,7 +152,7 @@ std::optional<int> tangentPoint(const Outline& line, int anchor, int from, int t
 /// The point furthest from `front` on the opposite side of the top of the head. Neck and shoulders lie
 /// further away, but not on that side, at any pitch of the head.
 std::optional<Vector2d> backOfHead(const MidlineProfile& profile, const Vector2d& front) {
-  constexpr double kFirst_rad = 140 * M_PI / 180, kLast_rad = 198 * M_PI / 180;
+  constexpr double kFirst_rad = 140 * kRadPerDeg, kLast_rad = 198 * kRadPerDeg;
   const auto angle = [&](const Vector2d& p) {
     const Vector2d r = p - profile.centre;
     return std::atan2(r.x(), r.y());  // 0 up, positive to the front

@@ -2,6 +2,7 @@
 
 #include "affine_fit.h"
 #include "demons.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::atlas {
 namespace {
@@ -17,7 +18,7 @@ Eigen::Affine3d coarseAffine(const BrainPair& pair, TaskMonitor& monitor) {
   double best_cost = HUGE_VAL;
   for (const double pitch_deg : {0.0, -20.0, 20.0, -40.0, 40.0}) {
     monitor.report("registering the atlas", 0.02);
-    const Eigen::AngleAxisd pitch(pitch_deg * M_PI / 180, Eigen::Vector3d::UnitX());
+    const Eigen::AngleAxisd pitch(pitch_deg * kRadPerDeg, Eigen::Vector3d::UnitX());
     const Eigen::Affine3d start =
         upright * Eigen::Translation3d(centre_mm) * pitch * Eigen::Translation3d(-centre_mm);
     const Eigen::Affine3d fit = fitAffine(pair, start, 15);

@@ -6,6 +6,7 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
 #include "facenav/geometry/normal_equations.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::casefile {
 namespace {
@@ -22,7 +23,7 @@ const char* const kFreedom = "pose_freedom";
 /// For (rotation, translation): files hold degrees, the program radians.
 Vector6d degreesPerRadian() {
   Vector6d units;
-  units << Eigen::Vector3d::Constant(180.0 / M_PI), Eigen::Vector3d::Ones();
+  units << Eigen::Vector3d::Constant(kDegPerRad), Eigen::Vector3d::Ones();
   return units;
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int kFewestFrames = 5, kFewestPoses = 10;
 constexpr double kOutlier = 3.5;          // times the median distance (of a Gaussian: 1 in some thousands)
 constexpr double kLeastOutlier_mm = 0.5;  // nothing nearer than this is an outlier
-constexpr double kLeastTurn_rad = 20 * M_PI / 180, kShortestArm_mm = 20.0;
+constexpr double kLeastTurn_rad = 20 * kRadPerDeg, kShortestArm_mm = 20.0;
 constexpr double kSharedFrames = 4;  // neighbouring frames share their errors, so one in four counts
 
 Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
@@ -143,7 +143,7 @@ CoilCalibration calibrateWithJig(const std::vector<JigObservation>& observations
   calibration.method = "jig";
   calibration.rms_mm = std::sqrt(squares_mm2 / n);
   calibration.sigma_mm = std::sqrt(squares_mm2 / (n - 1) / independent);
-  calibration.sigma_deg = std::sqrt(squares_rad2 / (n - 1) / independent) * 180 / M_PI;
+  calibration.sigma_deg = std::sqrt(squares_rad2 / (n - 1) / independent) * kDegPerRad;
   calibration.frames = int(observations.size());
   calibration.used = int(kept.size());
   return calibration;
@@ -185,7 +185,7 @@ CoilCalibration calibrateWithPivots(const Pivot& centre, const Pivot& handle, co
   calibration.sigma_mm = std::sqrt(centre.covariance.trace());
   const double y_variance = (centre.covariance + handle.covariance).trace() / from_handle.squaredNorm(),
                x_variance = (centre.covariance + side.covariance).trace() / across.squaredNorm();
-  calibration.sigma_deg = std::sqrt(y_variance + x_variance) * 180 / M_PI;
+  calibration.sigma_deg = std::sqrt(y_variance + x_variance) * kDegPerRad;
   calibration.frames = centre.poses + handle.poses + side.poses;
   calibration.used = centre.used + handle.used + side.used;
   return calibration;

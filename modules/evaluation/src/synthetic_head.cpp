@@ -7,6 +7,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/evaluation/volume_perturbation.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/volume/smoothing.h"
 
 namespace facenav::evaluation {
@@ -45,7 +46,7 @@ class Wave {
 
 /// Turn and size, about the grid's centre, in voxels.
 Eigen::Affine3d movedVoxels(Random& random, const VoxelGrid& grid, const SyntheticRanges& ranges) {
-  const double deg = M_PI / 180 * ranges.turn_deg;
+  const double deg = kRadPerDeg * ranges.turn_deg;
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity() / between(random, ranges.least_size, ranges.most_size);
   for (int a = 0; a < 3; ++a)
     linear =

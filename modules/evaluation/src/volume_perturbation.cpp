@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "facenav/geometry/rotation.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 
@@ -39,7 +40,7 @@ Eigen::Affine3d movedFromOriginal(const VoxelGrid& original, const VolumePerturb
   Eigen::Matrix3d linear = p.size * Eigen::Matrix3d::Identity();
   for (int a = 0; a < 3; ++a)
     linear =
-        linear * Eigen::AngleAxisd(p.turn_deg[a] * M_PI / 180, Eigen::Vector3d::Unit(a)).toRotationMatrix();
+        linear * Eigen::AngleAxisd(p.turn_deg[a] * kRadPerDeg, Eigen::Vector3d::Unit(a)).toRotationMatrix();
   return Eigen::Translation3d(centre) * Eigen::Affine3d(linear) * Eigen::Translation3d(-centre);
 }
 

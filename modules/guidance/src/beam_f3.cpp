@@ -4,12 +4,13 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::guidance {
 namespace {
 
 // The angles of F7 and Fp1 round the flat map. Fp1's is 288 in the article; the calculator has 298.
-constexpr double kF7_rad = 324 * M_PI / 180, kFp1_rad = 298 * M_PI / 180;
+constexpr double kF7_rad = 324 * kRadPerDeg, kFp1_rad = 298 * kRadPerDeg;
 constexpr double kPartOfArc = 0.4;    // from Cz to the circumference
 constexpr double kFlatToTape = 0.91;  // of the calculator; 0.9 in the article
 

@@ -8,6 +8,7 @@
 #include "facenav/core/json_reader.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/geometry/normal_equations.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 #include "plate_geometry.h"
 
@@ -80,7 +81,7 @@ class RestingPlate {
   void findTangent() {
     const Matrix3d planned = axes_;
     constexpr int kMostRounds = 40;
-    constexpr double kStill_rad = 1e-4, kSettled_rad = 0.01, kNearby_rad = 35 * M_PI / 180;
+    constexpr double kStill_rad = 1e-4, kSettled_rad = 0.01, kNearby_rad = 35 * kRadPerDeg;
     const double patch_mm = settingsOf<PlateRest>().patch_mm;
     double step_rad = kNearby_rad;
     for (int round = 0; round < kMostRounds && step_rad > kStill_rad; ++round) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::guidance {
 namespace {
 
@@ -23,7 +25,7 @@ std::vector<Need> needs(const GuidanceValues& values, const Tolerance& tolerance
 std::string rounded(double value, const std::string& unit) {
   return std::to_string(std::max(1L, std::lround(std::abs(value)))) + unit;
 }
-std::string degrees(double angle_rad) { return rounded(angle_rad * 180.0 / M_PI, "°"); }
+std::string degrees(double angle_rad) { return rounded(angle_rad * kDegPerRad, "°"); }
 
 /// The Mri axis closest to `direction`, in the patient's words. Left and right win a near tie (over M1 the
 /// tangent plane points left and down equally).

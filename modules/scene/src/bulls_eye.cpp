@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "actors.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/scene/palette.h"
 #include "image_bridge.h"
 
@@ -56,7 +57,7 @@ void placeBar(vtkActor* actor, const Eigen::Vector2d& from, const Eigen::Vector2
               double depth) {
   const Eigen::Vector2d d = to - from;
   actor->SetScale(std::max(1e-3, d.norm()), width, 1);
-  actor->SetOrientation(0, 0, std::atan2(d.y(), d.x()) * 180.0 / M_PI);
+  actor->SetOrientation(0, 0, std::atan2(d.y(), d.x()) * kDegPerRad);
   actor->SetPosition(from.x(), from.y(), depth);
 }
 
@@ -112,7 +113,7 @@ void BullsEye::Implementation::place(const guidance::GuidanceValues& values) {
   for (int i = 0; i < 4; ++i) placeBar(cross[i], at + 1.0 * arms[i], at + 4.4 * arms[i], 0.45, 1.0);
   // The rotation (rx, ry) that would align z moves z by r x z = (ry, -rx), so the coil's z is now offset in
   // the opposite direction.
-  const Eigen::Vector2d tilt_deg = values.tilt_in_coil_rad * 180.0 / M_PI;
+  const Eigen::Vector2d tilt_deg = values.tilt_in_coil_rad * kDegPerRad;
   Eigen::Vector2d lean = toScreen(-tilt_deg.y(), tilt_deg.x()) * kStroke_mm_per_deg;
   if (lean.norm() > kEdge_mm) lean *= kEdge_mm / lean.norm();
   placeBar(stroke, at, at + lean, 0.6, 0.9);

@@ -19,6 +19,7 @@
 
 #include "actors.h"
 #include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/scene/bulls_eye.h"
 #include "facenav/scene/palette.h"
 #include "image_bridge.h"
@@ -33,7 +34,7 @@ std::string withoutSideOfZero(std::string number) {
   return number;
 }
 
-double degrees(double rad) { return rad * 180.0 / M_PI; }
+double degrees(double rad) { return rad * kDegPerRad; }
 
 /// A camera image fitted into its viewport, aspect ratio kept.
 struct CameraPanel {

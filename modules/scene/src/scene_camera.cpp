@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::scene {
 namespace {
 
@@ -71,7 +73,7 @@ void SceneCamera::placeInCamera() {
   camera_->SetPosition(0, 0, 0);
   camera_->SetFocalPoint(0, 0, 1);
   camera_->SetViewUp(0, -1, 0);  // Camera's y points down
-  camera_->SetViewAngle(angle_rad_ * 180.0 / M_PI);
+  camera_->SetViewAngle(angle_rad_ * kDegPerRad);
 }
 
 }  // namespace facenav::scene

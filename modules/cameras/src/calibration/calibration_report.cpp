@@ -36,7 +36,7 @@ double tilt_deg(const std::vector<ViewFit>& fits) {
   double squares = 0;
   for (const auto& fit : fits)
     squares += std::pow(std::acos(std::clamp(mean.dot(fit.camera_T_board.linear().col(2)), -1.0, 1.0)), 2);
-  return std::sqrt(squares / double(fits.size())) * 180 / M_PI;
+  return std::sqrt(squares / double(fits.size())) * kDegPerRad;
 }
 
 std::vector<std::string> warningsFor(const BoardViews& task, const TrustedViews& trusted,
@@ -80,7 +80,7 @@ std::vector<ParameterError> parameterErrors(const StereoRig& rig) {
   }
   const Eigen::Vector3d turn = logRotation(rig.right_T_left.rotation());
   const Eigen::Vector3d t = rig.right_T_left.translation_mm();
-  for (int i = 0; i < 3; ++i) add(std::string("R") + "xyz"[i] + " deg", turn[i], 180 / M_PI);
+  for (int i = 0; i < 3; ++i) add(std::string("R") + "xyz"[i] + " deg", turn[i], kDegPerRad);
   for (int i = 0; i < 3; ++i) add(std::string("T") + "xyz"[i] + " mm", t[i]);
   return list;
 }

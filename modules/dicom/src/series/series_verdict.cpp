@@ -7,6 +7,7 @@
 
 #include "duplicates.h"
 #include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 #include "pixels/pixel_decoder.h"
 
 namespace facenav::dicom {
@@ -89,7 +90,7 @@ std::string planeOf(const ImagePlace& place) {
   const double cosine = normal.cwiseAbs().maxCoeff(&axis);
   constexpr const char* kPlanes[] = {"sagittal", "coronal", "axial"};
   constexpr double kOblique_deg = 5;
-  return std::string(kPlanes[axis]) + (cosine < std::cos(kOblique_deg * M_PI / 180) ? " oblique" : "");
+  return std::string(kPlanes[axis]) + (cosine < std::cos(kOblique_deg * kRadPerDeg) ? " oblique" : "");
 }
 
 void collectFiles(SeriesInfo& info, const std::vector<SliceHeader>& headers,

@@ -6,6 +6,7 @@
 
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::dicom {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr double kSamePlace_mm = 0.01;
 constexpr double kSpacingTolerance = 0.02;  // of the spacing; scanners write positions with 2 to 7 decimals
 constexpr double kSpacingTolerance_mm = 0.005;
-constexpr double kLargestShear_rad = 0.1 * M_PI / 180;
+constexpr double kLargestShear_rad = 0.1 * kRadPerDeg;
 constexpr double kLargestSideStep_mm = 0.1;
 constexpr double kFarOffPlace_mm = 0.05;  // least distance of a slice from its place that counts as an error
 constexpr double kLargestDrift = 0.1;     // of the spacing: distance of a slice from the even grid
@@ -154,7 +155,7 @@ class Stacker {
     step_mm_ = (last.position_mm - first.position_mm) / double(slices_.size() - 1);
     const double shear_rad = std::atan2(step_mm_.cross(normal_).norm(), step_mm_.dot(normal_));
     if (shear_rad > kLargestShear_rad) {
-      return StackFault{formatted("slices are sheared by %.3g degrees (gantry tilt)", shear_rad * 180 / M_PI),
+      return StackFault{formatted("slices are sheared by %.3g degrees (gantry tilt)", shear_rad * kDegPerRad),
                         fileOf(first), "resample the series or scan without tilt"};
     }
     for (std::size_t i = 0; i < slices_.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rigid_fit.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::head_tracking {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kMatchSigma_px = 0.35;  // of one coordinate of an NCC peak on 
 constexpr double kFarthest_sigma = 4.0;
 constexpr double kHighestRms_px = 1.2;
 constexpr double kLeastAgreeing = 4.0;  // sum of the weights after the fit
-constexpr double kWorstSigma_rad = 1.2 * M_PI / 180;
+constexpr double kWorstSigma_rad = 1.2 * kRadPerDeg;
 
 struct Triangulated {
   FeatureMatch match;

@@ -2,6 +2,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/geometry/rotation.h"
+
 namespace facenav::head_tracking {
 namespace {
 
@@ -38,7 +40,7 @@ FaceRegion::FaceRegion(const face::FaceLandmarks& face, cv::Size size) : rigidit
   if (face.points68.size() != 68) {
     const cv::Point centre(face.face.x + face.face.width / 2, face.face.y + face.face.height / 2);
     cv::ellipse(rigidity_percent_, centre, {int(0.36 * face.face.width), int(0.45 * face.face.height)},
-                face.roll_rad * 180 / M_PI, 0, 360, kSkull, cv::FILLED);
+                face.roll_rad * kDegPerRad, 0, 360, kSkull, cv::FILLED);
   } else {
     const auto& p = face.points68;
     const Eigen::Vector2d brow = 0.5 * (p[21] + p[22]), down = p[33] - brow;

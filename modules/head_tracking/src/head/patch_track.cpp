@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/geometry/rotation.h"
 #include "patch_placement.h"
 #include "pose_fit.h"
 #include "track_verdict.h"
@@ -15,7 +16,7 @@ constexpr double kGettingThere = 0.8;  // likeness of an unsettled fit that is c
 constexpr int kLearnBelow_comparisons = 3400;  // at patches, in a frame
 constexpr std::size_t kAskedParts = 8;         // of the patches; the identity check takes one part per frame
 constexpr int kLastingEvery = 20;  // tracked frames between two tries of the key frames from before a loss
-constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * M_PI / 180;  // between two kinds of key frames
+constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * kRadPerDeg;  // between two kinds of key frames
 constexpr double kAsExpected = 2.0;  // residuals per expected sigma on skin that has not moved
 constexpr double kFirstFrame_s = 0.03;
 constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find

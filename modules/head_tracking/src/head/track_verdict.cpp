@@ -1,5 +1,6 @@
 #include "track_verdict.h"
 #include "facenav/geometry/normal_equations.h"
+#include "facenav/geometry/rotation.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -14,7 +15,7 @@ constexpr double kWidestRatio = 3.5;      // between the two cameras' shares
 // A pose is wrong when it is off by more than 3 mm or 2 degrees. A predicted standard error up to a fifth of
 // that may be shown.
 constexpr double kWorstSigma_mm = 0.6;
-constexpr double kWorstSigma_rad = 0.4 * M_PI / 180;
+constexpr double kWorstSigma_rad = 0.4 * kRadPerDeg;
 constexpr double kMomentFactor = 5.0 / 3.0;  // a third of it when the face was found again
 constexpr double kCortexDepth_mm = 90.0;     // from the face's centre, away from the cameras
 constexpr double kWorstScale = 6.0;

@@ -8,6 +8,7 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/geometry/normal_equations.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "skin_field.h"
 
@@ -19,7 +20,7 @@ constexpr double kPoseFreedom = 3.0;   // degrees of freedom of Student's t
 constexpr int kPoseRounds = 12;        // iterations of reweighting
 constexpr double kUpperFace_mm = 1.3;  // mobility of skin that shows where the skull is
 constexpr double kLeastScale = 0.3;    // of residuals against their expected sigma
-constexpr double kRig_rad = 0.15 * M_PI / 180,
+constexpr double kRig_rad = 0.15 * kRadPerDeg,
                  kRig_mm = 0.3;  // errors of each camera's own pose from rig and lens
 // Coarse to fine: each level is searched until it has settled.
 constexpr SkinSearch kSearches[] = {{2, 8, 2}, {2, 4, 2}, {1, 5, 2}, {1, 4, 2}, {0, 4, 1}, {0, 6, 1}};

@@ -12,6 +12,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/registration/fit_limits.h"
 #include "fit/part_fits.h"
 #include "fit/skin_likelihood.h"
@@ -100,7 +101,7 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
   Eigen::Isometry3d best = twin;
   for (const double yaw_deg : {-8.0, 0.0, 8.0}) {
     Vector6d turn = Vector6d::Zero();
-    turn[2] = yaw_deg * M_PI / 180.0;
+    turn[2] = yaw_deg * kRadPerDeg;
     const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f);
     const double there = logLikelihood(fitter.match(pose));
     if (there > most) most = there, best = pose;
@@ -128,7 +129,7 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
     constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares, each cut at 4 mm
     if (kTruncated_mm2 - rival.cost < 0.6 * (kTruncated_mm2 - rivals.front().cost)) continue;
     const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f);
-    if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * M_PI / 180.0, 10.0)) continue;
+    if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * kRadPerDeg, 10.0)) continue;
     most = std::max(most, logLikelihood(everything.match(pose)));
   }
   return logLikelihood(everything.match(mri_T_camera)) - most;

@@ -6,6 +6,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 #include "report_html.h"
 
@@ -69,7 +70,7 @@ std::string targetsPart(const casefile::CaseStore& store, const casefile::KeptSe
          pointWords(target.mri_T_target.translation_mm()),
          scalp ? known([&] {
            const auto angle = guidance::handleAngle(target, *scalp);
-           return formatted("%.0f from %s", angle.angle_rad * 180.0 / M_PI,
+           return formatted("%.0f from %s", angle.angle_rad * kDegPerRad,
                             angle.reference == guidance::HandleReference::anterior ? "anterior" : "superior");
          })
                : "not known",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/guidance.h"
 
 namespace facenav::workflow {
@@ -127,7 +128,7 @@ std::string labelOf(PulseColumn column) {
 
 std::optional<double> limitOf(PulseColumn column) {
   if (column == PulseColumn::distance) return kNearTarget_mm;
-  if (column == PulseColumn::tilt) return guidance::Tolerance{}.tilt_rad * 180.0 / M_PI;
+  if (column == PulseColumn::tilt) return guidance::Tolerance{}.tilt_rad * kDegPerRad;
   return std::nullopt;
 }
 

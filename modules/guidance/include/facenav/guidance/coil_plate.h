@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "facenav/core/setting.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/guidance/target.h"
 
 namespace facenav::guidance {
@@ -50,7 +51,7 @@ struct PlateContact {
   double through_mm = 0;             // how far skin lies above the plate; 0 for a pose made here
   std::vector<Point<Mri>> touching;  // vertices within 0.05 mm of the plate
 
-  bool isTangent() const { return lift_mm <= 0.5 && tilt_rad < 2.0 * M_PI / 180 && through_mm < 0.05; }
+  bool isTangent() const { return lift_mm <= 0.5 && tilt_rad < 2.0 * kRadPerDeg && through_mm < 0.05; }
 };
 PlateContact contactOf(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate);
 
@@ -59,8 +60,8 @@ enum class Aim { cortex_point, scalp_point };
 /// stay; scalp_point is where the axis meets the skin. Throws Error where the axis meets no skin.
 Target restOnHead(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate,
                   Aim aim = Aim::cortex_point);
-/// The target with its plate on the head and its axis as it is, as after a turn or another gap. Rests it anew,
-/// as restOnHead, where its centre would come further from the skin than before, or than `flat_mm`.
+/// The target with its plate on the head and its axis as it is, as after a turn or another gap. Rests it
+/// anew, as restOnHead, where its centre would come further from the skin than before, or than `flat_mm`.
 Target settleOnHead(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate);
 
 }  // namespace facenav::guidance
