@@ -283,7 +283,8 @@ void MainWindow::goOnRestoring() {
   if (!recording.isEmpty() && QFileInfo::exists(recording + "/stereo.yml") && !treat_.hasRecording())
     return treat_.openRecording(recording);
   if (std::exchange(was_guiding_, false))
-    task_bar_->showNotice(tr("guidance was running when the window went: align again to go on"));
+    task_bar_->showNotice(
+        tr("guidance was running when the window went: Treat offers to go on with that session"));
 }
 
 /// Called at every change, because a crash gives no warning.

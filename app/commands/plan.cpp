@@ -211,8 +211,8 @@ class PlanSteps {
     std::vector<RgbImage> rows;
     for (const auto& target : plan.targets)
       if (request_.target.empty() || target.name == plan.find(request_.target).name)
-        rows.push_back(
-            workflow::coilSliceSheet(scene, target, head().plate, workflow::alignedError_mm(store_, target)));
+        rows.push_back(workflow::coilSliceSheet(scene, target, head().plate,
+                                                workflow::alignedBound95_mm(store_, target)));
     if (rows.empty()) throw Error("the case has no target", store_.folder().string(), "add one first");
     for (const auto& entry : casefile::readOverlays(store_.folder()))
       if (entry.is_shown && entry.kind == casefile::OverlayKind::map)

@@ -57,7 +57,12 @@ TEST_F(PlanViews, LiveSlicesShowNothingOfALostPose) {
   slices.show(model_.current());
   const auto seen = stateAt(*plan_.active());
   slices.follow(seen, "hold");
-  for (auto* view : slices.views()) EXPECT_TRUE(view->showsSlice());
+  for (auto* view : slices.views()) {
+    EXPECT_TRUE(view->showsSlice());
+    EXPECT_EQ(view->boundWords(), "") << "the bound is not known";
+  }
+  slices.follow(seen, "hold", 1.62);
+  EXPECT_EQ(slices.views()[1]->boundWords(), "ring: error below 1.6 mm (95 %)");
   const QImage live = slices.views()[0]->grab().toImage();
   session::NavigationState coil_lost = seen;
   coil_lost.camera_T_coil = Lost{LostReason::no_marker};

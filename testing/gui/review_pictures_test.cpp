@@ -54,6 +54,15 @@ void writeMeps(const fs::path& session, const fs::path& csv) {
            << std::round(600.0 * std::exp(-0.02 * std::pow(pulse.offset->distance_mm, 2))) << ",22.1\n";
 }
 
+/// The coil's slices in the 3-D scene, with a live coil.
+void takeLive(MainWindow& window) {
+  for (auto* button : window.findChildren<QPushButton*>())
+    if (button->text() == "in 3-D" && !button->isChecked()) button->click();
+  fixtures::waitFor([&] { return bool(window.treat().state()->camera_T_coil); }, 20000);
+  fixtures::waitFor([] { return false; }, 300);
+  window.grab().save(QString(environment("FACENAV_GUI_PICTURES")) + "/treat_live_slices.png");
+}
+
 void treatOnce(const fs::path& case_folder, const char* recording) {
   casefile::signOff(casefile::CaseStore::open(case_folder), {"XY", "", true});
   MainWindow window(servicesWith(app::makeRegistrations));
@@ -63,6 +72,7 @@ void treatOnce(const fs::path& case_folder, const char* recording) {
   window.setWorkspace(Workspace::treat);
   window.play(recording);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 120000));
+  takeLive(window);
   giveTrains(window);
   fixtures::waitFor([&] { return window.treat().pulses() >= kPulses - 5; }, 5000);
   EXPECT_GE(window.treat().pulses(), 200);
@@ -95,7 +105,8 @@ void takePages(const fs::path& case_folder, const char* recording, const QString
   ASSERT_TRUE(fixtures::waitFor([&] { return window.replay().isOpen(); }, 60000));
   window.replay().choosePictures(recording);
   fixtures::waitFor([&] { return window.replay().picture() != nullptr; }, 20000);
-  window.replay().goTo(500);
+  const auto& pulses = window.replay().pulses();
+  window.replay().goTo(pulses.empty() ? 500 : pulses[pulses.size() / 2].index);
   take("8_review_replay");
   const auto& moments = window.replay().track().moments;
   for (int i = 0; i < int(moments.size()); ++i)

@@ -77,7 +77,7 @@ std::optional<scene::SlicedCoil> PlanPresenter::slicedCoil() const {
   if (!target) return std::nullopt;
   return scene::SlicedCoil{target->mri_T_target.reframe<Mri, Coil>(),  // the planned coil
                            model_.current().coil.plate,
-                           workflow::alignedError_mm(model_.current().store, *target)};
+                           workflow::alignedBound95_mm(model_.current().store, *target)};
 }
 
 template <class Edit>

@@ -39,6 +39,7 @@ ReplayPresenter::ReplayPresenter(ReviewPresenter& review, CaseModel& model, QObj
     pictures_words_ = words;
     pictures_.reset();
     picture_.reset();
+    overlay_.reset();
     emit pictureChanged();
   });
 }
@@ -55,6 +56,7 @@ void ReplayPresenter::forget() {
   replay_.reset();
   pictures_.reset();
   picture_.reset();
+  overlay_.reset();
   pulses_.clear();
   folder_.clear();
   problem_.clear();
@@ -199,17 +201,32 @@ QString ReplayPresenter::figures() const {
          "\n" + tr("predicted error %1 mm").arg(number(g.predicted_error_mm, 1));
 }
 
+/// Of the moment, as its files have them. Poses that are not placed in the MRI, or not the coil's, are none.
+pictures::StoredPoses ReplayPresenter::poses() const {
+  pictures::StoredPoses poses;
+  if (track().is_in_mri) poses.camera_T_mri = moment().camera_T_mri();
+  if (track().is_coil) poses.camera_T_coil = moment().camera_T_coil();
+  poses.target = target();
+  poses.loss = workflow::lossAt(track(), moment());
+  return poses;
+}
+
 /// One frame is read at a time; the newest wish is read next.
 void ReplayPresenter::readPicture() {
-  if (!pictures_ || picture_reader_.isRunning()) return;
+  if (!pictures_ || !model_.isOpen() || picture_reader_.isRunning()) return;
   const auto wanted = moment().frame;
   if (picture_ && picture_->number == wanted) return;
   picture_reader_.start(tr("Reading a picture"),
-                        [this, pictures = pictures_, wanted](TaskMonitor&) -> TaskRunner::Delivery {
-                          auto frame = pictures->frame(wanted);
-                          return [this, pictures, frame, wanted] {
-                            if (pictures != pictures_) return;
+                        [this, kept = pictures_, wanted, poses = poses(), scalp = model_.current().scalp,
+                         plate = model_.current().coil.plate](TaskMonitor&) -> TaskRunner::Delivery {
+                          auto frame = kept->frame(wanted);
+                          auto overlay = std::make_shared<pictures::CameraOverlay>();
+                          if (frame)
+                            *overlay = pictures::drawPoses(kept->rig(), *frame, poses, scalp->mesh, plate);
+                          return [this, kept, frame, overlay, wanted] {
+                            if (kept != pictures_) return;
                             picture_ = frame;
+                            overlay_ = frame ? overlay : nullptr;
                             pictures_words_ = frame ? QString() : tr("no picture was kept of this frame");
                             emit pictureChanged();
                             if (frame && isOpen() && moment().frame != wanted)
@@ -234,6 +251,7 @@ void ReplayPresenter::choosePictures(const QString& folder) {
                               if (!words.isEmpty()) return void(emit refused(words));
                               pictures_ = pictures;
                               picture_.reset();
+                              overlay_.reset();
                               readPicture();
                             };
                           });

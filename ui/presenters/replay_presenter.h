@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "facenav/pictures/pose_overlay.h"
 #include "facenav/workflow/session_replay.h"
 #include "presenters/review_presenter.h"
 #include "presenters/task_runner.h"
@@ -56,6 +57,8 @@ class ReplayPresenter : public QObject {
 
   /// Frames of the recording at the moment; null: none, and picturesWords() says why.
   std::shared_ptr<const cameras::StereoFrame> picture() const { return picture_; }
+  /// The same frame with the poses of its files drawn in: scalp, coil, target. Null with picture().
+  std::shared_ptr<const pictures::CameraOverlay> overlay() const { return overlay_; }
   QString picturesWords() const { return pictures_words_; }
   /// Another recording folder. refused() says why its pictures are not those of the session.
   void choosePictures(const QString& folder);
@@ -73,6 +76,7 @@ class ReplayPresenter : public QObject {
   void forget();
   void read(const QString& folder);
   void readPicture();
+  pictures::StoredPoses poses() const;
   void advance();
   void placePulses();
   void goToMarked();
@@ -83,6 +87,7 @@ class ReplayPresenter : public QObject {
   std::shared_ptr<const workflow::SessionReplay> replay_;
   std::shared_ptr<capture::RecordingPictures> pictures_;  // used by one task at a time
   std::shared_ptr<const cameras::StereoFrame> picture_;
+  std::shared_ptr<const pictures::CameraOverlay> overlay_;  // of picture_
   std::vector<PulseTick> pulses_;
   QString problem_, pictures_words_, folder_, session_folder_, being_read_;
   QTimer timer_;

@@ -3,18 +3,17 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QTime>
-#include <future>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/session_report.h"
+#include "facenav/workflow/session_return.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
+#include "presenters/session_end.h"
 
 namespace facenav::ui {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
 const char* const kPulseSource = "treat/pulses";
 
 }  // namespace
@@ -116,8 +115,34 @@ void TreatPresenter::align(bool then_start) {
 }
 
 void TreatPresenter::start() {
-  if (!recording_ || !outcome_ || isRunning() || tasks_.isRunning() || !mayTreat()) return;
+  if (recording_ && outcome_ && !isRunning() && !tasks_.isRunning() && mayTreat()) startWith({});
+}
+
+/// The face as it was at the alignment of that session counts, not as it is now.
+void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
+  if (!canGoOn()) return;
+  auto recording = *recording_;
+  recording.capture.reset();
+  tasks_.start(tr("Going on with the session"),
+               [this, session, recording, store = model_.current().store,
+                is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                 workflow::requireSignOff(store, is_overridden);
+                 const auto folder = workflow::sessionToGoOnWith(store.folder(), session.name).folder;
+                 auto outcome =
+                     std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
+                 return [this, outcome, folder, target = QString::fromStdString(session.target)] {
+                   outcome_ = outcome;
+                   chooseTarget(target);
+                   if (!target.isEmpty() && !this->target())
+                     emit refused(tr("%1 is no longer in the plan: choose a target").arg(target));
+                   startWith(folder);
+                 };
+               });
+}
+
+void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_, outcome_};
+  request.goes_on = goes_on;
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
   tasks_.start(tr("Starting the trackers"),
@@ -195,6 +220,10 @@ void TreatPresenter::resume() {
   emit changed();
 }
 
+void TreatPresenter::checkRegistration() {
+  if (isRunning()) treatment_->checkRegistration();
+}
+
 bool TreatPresenter::note(const QString& event, const QString& detail) {
   if (last_session_.empty()) {
     emit refused(tr("there is no session yet: start guidance first"));
@@ -207,9 +236,7 @@ bool TreatPresenter::note(const QString& event, const QString& detail) {
       return true;
     }
     casefile::addNote(last_session_, event.toStdString(), words);
-    retirement_.add([folder = model_.current().store.folder(),
-                     session = last_session_] { workflow::writeSessionReport(folder, session); },
-                    std::chrono::milliseconds(0));
+    reportBeside(retirement_, model_.current().store.folder(), last_session_);
     return true;
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
@@ -252,33 +279,13 @@ QString TreatPresenter::sessionTime() const {
   return QTime(0, 0).addMSecs(int(1e3 * treatment_->session().elapsed_s())).toString("hh:mm:ss");
 }
 
-QString TreatPresenter::logFailure() const {
-  return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
-}
-
 void TreatPresenter::stop() {
   if (treatment_) endSession();
   emit changed();
 }
 
-/// Nothing of the session is shown from here on. A good camera ends within one frame, the log when all is
-/// written; the report follows without the window waiting for it.
-void TreatPresenter::endSession() {
-  const std::shared_ptr<workflow::Treatment> treatment = std::move(treatment_);
-  auto has_ended = std::make_shared<std::promise<void>>();
-  retirement_.add(
-      [treatment, ended = has_ended->get_future().share()] {
-        ended.wait();
-        treatment->keepReport();
-      },
-      std::chrono::milliseconds(0));
-  retirement_.add(
-      [treatment, has_ended] {
-        treatment->end();
-        has_ended->set_value();
-      },
-      kPatience);
-}
+/// Nothing of the session is shown from here on.
+void TreatPresenter::endSession() { endBeside(retirement_, std::move(treatment_)); }
 
 void TreatPresenter::chooseTarget(const QString& name) {
   target_ = name;
@@ -297,8 +304,7 @@ const guidance::Target* TreatPresenter::target() const {
 
 std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
   const auto* t = target();
-  if (!t) return std::nullopt;
-  return workflow::chosenTarget(*t, outcome_.get());
+  return t ? std::optional(workflow::chosenTarget(*t, outcome_.get())) : std::nullopt;
 }
 
 QString TreatPresenter::recordingFolder() const {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
 #include "facenav/workflow/treatment.h"
 #include "presenters/cameras_presenter.h"
@@ -35,6 +36,9 @@ class TreatPresenter : public QObject {
   void align(bool then_start);
   /// Step 3: runs from the cameras, or from the recording as if it were live.
   void start();
+  /// Goes on with an earlier session of the case: its alignment, its target, its counts. Guidance is withheld
+  /// until the face was measured against that alignment. Needs cameras or a recording.
+  void goOn(const casefile::SessionSoFar& session);
   void stop();
   void chooseTarget(const QString& name);
   /// Recorded in the case and in the session's log. Refused without name and reason.
@@ -52,6 +56,10 @@ class TreatPresenter : public QObject {
   void pause(const QString& reason);
   void resume();
   bool isPaused() const { return isRunning() && treatment_->isPaused(); }
+  /// Measures the registration again; the finding is in the next states, and in the log.
+  void checkRegistration();
+  /// The last check, or the alignment, is too long ago.
+  bool isCheckDue() const { return isRunning() && treatment_->isCheckDue(); }
 
   /// Of the following pulses; remembered until the window closes. % of the maximal output.
   void setIntensity(std::optional<double> intensity_pct);
@@ -75,12 +83,15 @@ class TreatPresenter : public QObject {
   /// Time from the start of guidance until its end, "00:07:31"; empty before.
   QString sessionTime() const;
   /// Why the session's log stopped; empty if it did not.
-  QString logFailure() const;
+  QString logFailure() const {
+    return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
+  }
   /// True with cameras or a recording.
   bool hasRecording() const { return recording_.has_value(); }
   bool isLive() const { return is_live_; }
   /// True if everything needed to align is there.
   bool canAlign() const;
+  bool canGoOn() const { return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning(); }
   /// The fault of the cameras that the last session found; empty: none.
   QString rigFault() const { return rig_fault_; }
   bool isAligned() const { return outcome_ != nullptr; }
@@ -97,6 +108,11 @@ class TreatPresenter : public QObject {
   /// The place that is guided to: the chosen target, or the site of a hunting grid. May be null.
   const guidance::Target* target() const;
 
+  /// The error at a target is smaller in 95 of 100 alignments like this one, mm; nothing without one.
+  std::optional<double> errorBound95_mm(const guidance::Target& target) const {
+    return outcome_ ? std::optional(outcome_->result.errorBound_mm(target.cortex_point)) : std::nullopt;
+  }
+
   /// The newest state; everything is lost if nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
   /// Requests both camera overlays of `state`; overlayDrawn() delivers them.
@@ -108,6 +124,7 @@ class TreatPresenter : public QObject {
   void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);
 
  private:
+  void startWith(const std::filesystem::path& goes_on);
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
   void listen();

@@ -13,9 +13,10 @@ CoilSliceView::CoilSliceView(scene::CoilCut cut, QWidget* parent) : QWidget(pare
   setMinimumSize(150, 120);
   setToolTip(cut == scene::CoilCut::along_handle
                  ? tr("the MRI along the coil's axis and its handle, which is on the left; a tick is 10 mm; "
-                      "ring and lines beside the beam: predicted error")
+                      "ring and lines beside the beam: 95 % of the errors at the target are smaller")
                  : tr("the MRI along the coil's axis and across its handle, as seen by the one who holds it; "
-                      "a tick is 10 mm; ring and lines beside the beam: predicted error"));
+                      "a tick is 10 mm; ring and lines beside the beam: 95 % of the errors at the target are "
+                      "smaller"));
 }
 
 void CoilSliceView::setScene(std::shared_ptr<scene::SliceScene> scene) {
@@ -58,6 +59,11 @@ QString CoilSliceView::caption() const {
   return name;
 }
 
+QString CoilSliceView::boundWords() const {
+  if (!showsSlice() || !coil_->bound95_mm || *coil_->bound95_mm <= 0) return {};
+  return tr("ring: error below %1 mm (95 %)").arg(*coil_->bound95_mm, 0, 'f', 1);
+}
+
 void CoilSliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(0, 0, 0));
@@ -71,6 +77,8 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
   is_outdated_ = false;
   const QFontMetrics metrics = painter.fontMetrics();
   painter.drawText(8, 4 + metrics.ascent(), metrics.elidedText(caption(), Qt::ElideRight, width() - 16));
+  painter.drawText(8, height() - 4 - metrics.descent(),
+                   metrics.elidedText(boundWords(), Qt::ElideRight, width() - 16));
 }
 
 void CoilSliceView::mousePressEvent(QMouseEvent* event) {

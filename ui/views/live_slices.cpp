@@ -30,11 +30,12 @@ void LiveSlices::show(const LoadedCase& loaded) {
   for (auto* view : views_) view->setScene(scene_);
 }
 
-void LiveSlices::follow(const session::NavigationState& state, const QString& words) {
+void LiveSlices::follow(const session::NavigationState& state, const QString& words,
+                        std::optional<double> bound95_mm) {
   std::optional<scene::SlicedCoil> coil;
   if (scene_ && state.camera_T_mri && state.camera_T_coil) {
-    coil = scene::SlicedCoil{state.camera_T_mri.value().inverse() * state.camera_T_coil.value(), plate_, {}};
-    if (state.guidance.predicted_error_mm > 0) coil->error_mm = state.guidance.predicted_error_mm;
+    coil = scene::SlicedCoil{state.camera_T_mri.value().inverse() * state.camera_T_coil.value(), plate_,
+                             bound95_mm};
     scene_->targets.clear();
     if (state.chosen) scene_->targets.push_back(state.chosen->target);
     scene_->active_target = state.target;

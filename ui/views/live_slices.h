@@ -19,8 +19,10 @@ class LiveSlices : public QWidget {
   explicit LiveSlices(QWidget* parent = nullptr);
   /// MRI of a case, with the usual window.
   void show(const LoadedCase& loaded);
-  /// `words`: shown in place of the slices unless head and coil are both tracked in `state`.
-  void follow(const session::NavigationState& state, const QString& words);
+  /// `words`: shown in place of the slices unless head and coil are both tracked in `state`. `bound95_mm`: of
+  /// the error at the state's target; nothing: not known.
+  void follow(const session::NavigationState& state, const QString& words,
+              std::optional<double> bound95_mm = {});
   const std::array<CoilSliceView*, 2>& views() const { return views_; }
 
  private:

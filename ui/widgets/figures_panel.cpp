@@ -38,34 +38,50 @@ FiguresPanel::FiguresPanel(QWidget* parent)
   banner_->setWordWrap(true);
   banner_->setAlignment(Qt::AlignCenter);
   banner_->setTextFormat(Qt::RichText);
-  banner_->setMinimumHeight(sized(90));
   column->addWidget(banner_);
-  auto* grid = new QGridLayout;
+  grid_ = new QGridLayout;
   const QString names[4] = {tr("across, mm"), tr("depth, mm"), tr("tilt"), tr("twist")};
   const QString tips[4] = {tr("distance of the coil's centre from the target, across the target's axis"),
                            tr("along the target's axis: + too deep, - stands off"),
                            tr("angle between the coil's axis and the target's"),
                            tr("turn of the handle that is left, about the axis")};
-  for (int i = 0; i < 4; ++i) {
-    auto* value = values_[std::size_t(i)] = new QLabel(QString(QChar(0x2013)), this);
-    value->setObjectName(i == 0 ? "figure_main" : "figure");
+  for (std::size_t i = 0; i < 4; ++i) {
+    auto* value = values_[i] = new QLabel(QString(QChar(0x2013)), this);
     value->setToolTip(tips[i]);
     value->setAccessibleName(names[i]);
-    auto* name = new QLabel(names[i], this);
+    auto* name = names_[i] = new QLabel(names[i], this);
     name->setObjectName("muted");
     name->setToolTip(tips[i]);
     // Full cell width from the start: a new figure is never cut before the next layout.
     value->setAlignment(Qt::AlignCenter);
-    grid->setColumnStretch(i % 2, 1);
-    grid->addWidget(value, i / 2 * 2, i % 2);
-    grid->addWidget(name, i / 2 * 2 + 1, i % 2, Qt::AlignCenter);
   }
-  column->addLayout(grid, 1);
+  place();
+  column->addLayout(grid_, 1);
   setMinimumWidth(sized(kLeastWidth_px));  // for the longest figures side by side
   predicted_->setObjectName("muted");
   predicted_->setAlignment(Qt::AlignCenter);
   predicted_->setToolTip(tr("predicted error of the alignment at the target (one standard deviation)"));
   column->addWidget(predicted_);
+}
+
+void FiguresPanel::place() {
+  const int columns = is_small_ ? 4 : 2;
+  for (int i = 0; i < 4; ++i) {
+    auto *value = values_[std::size_t(i)], *name = names_[std::size_t(i)];
+    value->setObjectName(is_small_ ? "figure_small" : i == 0 ? "figure_main" : "figure");
+    value->style()->unpolish(value);
+    value->style()->polish(value);
+    grid_->setColumnStretch(i, i < columns);
+    grid_->addWidget(value, i / columns * 2, i % columns);
+    grid_->addWidget(name, i / columns * 2 + 1, i % columns, Qt::AlignCenter);
+  }
+  banner_->setMinimumHeight(sized(is_small_ ? 60 : 90));
+}
+
+void FiguresPanel::setSmall(bool is_small) {
+  if (is_small == is_small_) return;
+  is_small_ = is_small;
+  place();
 }
 
 void FiguresPanel::set(const ReadOut& read_out) {

@@ -61,7 +61,7 @@ QWidget* MotorPanel::makeAnswers() {
   output_->setToolTip(tr("output that the stimulator is set to, %; kept with each pulse"));
   output_->setAccessibleName(tr("output, %"));
   mep_ = new QLineEdit(answers);
-  mep_->setMaximumWidth(sized(90));
+  mep_->setMaximumWidth(sized(120));
   mep_->setToolTip(tr("peak-to-peak MEP of the last pulse, uV; Enter keeps it"));
   mep_->setPlaceholderText(tr("MEP, uV"));
   twitch_ = new QPushButton(tr("Twitch"), answers);

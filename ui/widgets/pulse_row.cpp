@@ -30,14 +30,15 @@ PulseRow::PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   auto* row = new QHBoxLayout;
-  pulses_ = new QLabel(this);
+  pulses_ = new ElidedLabel(this);  // never widens the window, however many pulses there are
   pulses_->setObjectName("session");
-  pulses_->setToolTip(
-      tr("pulses given: on target, outside the tolerance, with head or coil lost; and the time since "
-         "guidance was started. All go into the session's log"));
+  time_ = new QLabel(this);
+  time_->setObjectName("session_time");
+  time_->setToolTip(tr("time since guidance was started"));
   pulse_ = new QPushButton(tr("Pulse given"), this);
   pulse_->setToolTip(tr("counts a TMS pulse and keeps where the coil was (P)"));
   row->addWidget(pulses_, 1);
+  row->addWidget(time_);
   row->addWidget(pulse_);
   last_pulse_ = new ElidedLabel(this);
   last_pulse_->setObjectName("last_pulse");
@@ -56,9 +57,11 @@ void PulseRow::take() {
 void PulseRow::refresh() {
   const QString failure = treat_.logFailure();
   const QString time = treat_.sessionTime();
-  pulses_->setText(!failure.isEmpty() ? tr("NOT LOGGED: %1").arg(failure)
-                   : time.isEmpty()   ? tr("no session")
-                                      : pulseWords() + "   " + time);
+  const QString words = !failure.isEmpty() ? tr("NOT LOGGED: %1").arg(failure)
+                        : time.isEmpty()   ? tr("no session")
+                                           : pulseWords();
+  if (words != pulses_->text()) pulses_->set(words);
+  time_->setText(time);
   pulse_->setEnabled(treat_.isRunning());
   showLastPulse();
 }

@@ -31,7 +31,8 @@ class PulseRow : public QWidget {
 
   TreatPresenter& treat_;
   SessionSounds& sounds_;
-  QLabel* pulses_;
+  ElidedLabel* pulses_;
+  QLabel* time_;
   QPushButton* pulse_;
   ElidedLabel* last_pulse_;
   int shown_pulse_ = 0;

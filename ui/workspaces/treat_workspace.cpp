@@ -15,11 +15,13 @@
 #include "views/scene_view.h"
 #include "widgets/camera_row.h"
 #include "widgets/cameras_panel.h"
+#include "widgets/check_row.h"
 #include "widgets/elided_label.h"
 #include "widgets/figures_panel.h"
 #include "widgets/motor_panel.h"
 #include "widgets/override_panel.h"
 #include "widgets/pulse_row.h"
+#include "widgets/return_panel.h"
 #include "widgets/scroll_column.h"
 #include "widgets/session_panel.h"
 #include "widgets/words_of_button.h"
@@ -29,6 +31,7 @@ namespace {
 
 constexpr int kRefresh_ms = 33;
 constexpr const char* kSlicesShown = "treat/slices_shown";
+constexpr const char* kSlicesInScene = "treat/slices_in_scene";
 constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
 constexpr int kLow_px = 740;      // below it, no room for the bull's eye above the figures
 
@@ -42,6 +45,8 @@ class ShownPage : public QStackedWidget {
     const QWidget* page = currentWidget();
     return page ? page->minimumSizeHint().expandedTo(page->minimumSize()) : QSize();
   }
+  /// The column round it scrolls only where this does not fit.
+  QSize sizeHint() const override { return minimumSizeHint(); }
 };
 
 }  // namespace
@@ -51,6 +56,8 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
       presenter_(presenter),
       model_(model),
       motor_(presenter, model),
+      return_(presenter, model),
+      check_(presenter),
       scene_(new SceneView(this)),
       slices_(new LiveSlices(this)),
       pictures_(new CameraRow(this)) {
@@ -67,6 +74,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 10, 10, 10);
   column->addWidget(new OverridePanel(presenter_, model_, this));
+  column->addWidget(new ReturnPanel(return_, this));
   column->addLayout(row, 1);
   column->addWidget(makeSteps());
   timer_.setInterval(kRefresh_ms);
@@ -100,13 +108,17 @@ QWidget* TreatWorkspace::makeSide() {
   bulls_eye_and_figures_->addWidget(tools_, 4);
   bulls_eye_and_figures_->addWidget(figures_, 5);
   column->addWidget(makeTabs(side));
-  column->addLayout(bulls_eye_and_figures_, 1);
+  auto* scrolled = new QWidget(side);
+  scrolled->setLayout(bulls_eye_and_figures_);
+  bulls_eye_and_figures_->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(new ScrollColumn(scrolled, sized(kFigures_px), side), 1);
   pulses_ = new PulseRow(presenter_, sounds_, side);
   column->addWidget(pulses_);
+  column->addWidget(new CheckRow(check_, presenter_, side));
   auto* key = new QShortcut(Qt::Key_P, this);
   key->setAutoRepeat(false);  // a key that is held down is one pulse
   connect(key, &QShortcut::activated, pulses_, &PulseRow::take);
-  side_->addWidget(new ScrollColumn(side, sized(kFigures_px), side_));
+  side_->addWidget(side);
   side_->addWidget(new ScrollColumn(new CamerasPanel(presenter_, side_), sized(kFigures_px), side_));
   return side_;
 }
@@ -152,21 +164,33 @@ QWidget* TreatWorkspace::makeSteps() {
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(14);
   target_->setToolTip(tr("the target to guide to"));
-  show_slices_ = new QPushButton(tr("MRI slices"), bar);
+  show_slices_ = new QPushButton(tr("Slices"), bar);
   show_slices_->setObjectName("tool");
   show_slices_->setCheckable(true);
   show_slices_->setChecked(QSettings().value(kSlicesShown, true).toBool());
   show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));
   show_slices_->setShortcut(Qt::Key_M);
+  slices_in_scene_ = new QPushButton(tr("in 3-D"), bar);
+  slices_in_scene_->setObjectName("tool");
+  slices_in_scene_->setCheckable(true);
+  slices_in_scene_->setChecked(QSettings().value(kSlicesInScene, false).toBool());
+  slices_in_scene_->setToolTip(tr("the same two slices in the 3-D scene, under the coil (Shift+M)"));
+  slices_in_scene_->setShortcut(Qt::SHIFT + Qt::Key_M);
   words_ = new ElidedLabel(bar);
   words_->setObjectName("muted");
   for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
   row->addWidget(words_, 1);
   row->addWidget(show_slices_);
+  row->addWidget(slices_in_scene_);
   row->addWidget(target_);
   connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
     QSettings().setValue(kSlicesShown, are_shown);
     slices_->setVisible(are_shown && side_->currentIndex() == 0);
+    signature_.clear();
+  });
+  connect(slices_in_scene_, &QPushButton::toggled, this, [this](bool are_shown) {
+    QSettings().setValue(kSlicesInScene, are_shown);
+    showSlicesInScene();
     signature_.clear();
   });
   connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::showStage);
@@ -179,6 +203,11 @@ QWidget* TreatWorkspace::makeSteps() {
   connect(target_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { presenter_.chooseTarget(target_->currentText()); });
   return bar;
+}
+
+void TreatWorkspace::showSlicesInScene() {
+  const bool are_shown = slices_in_scene_->isChecked() && model_.isOpen();
+  scene_->scene().setCoilSlices(are_shown ? model_.current().mri : nullptr);
 }
 
 /// Step 1 shows the images large with the choice of cameras; the other steps show the scene and the figures.
@@ -228,12 +257,14 @@ void TreatWorkspace::showCase() {
   is_outdated_ = false;
   scene_->show(model_.current());
   slices_->show(model_.current());
+  showSlicesInScene();
   showSteps();
 }
 
 void TreatWorkspace::refresh() {
   const auto state = presenter_.state();
   pulses_->refresh();
+  check_.follow(*state);
   if (presenter_.isRunning() != shows_running_) showSteps();
   ReadOut read_out = makeReadOut(*state);
   const bool was_started = presenter_.isRunning() || state->frame >= 0;
@@ -284,7 +315,8 @@ void TreatWorkspace::refresh() {
     const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
     scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
     was_started ? scene_->refreshMoving() : scene_->refresh();
-    slices_->follow(*state, read_out.instruction);
+    slices_->follow(*state, read_out.instruction,
+                    state->chosen ? presenter_.errorBound95_mm(state->chosen->target) : std::nullopt);
     presenter_.askOverlay(state);
     bulls_eye_->set(state->guidance);
     figures_->set(read_out);
@@ -300,10 +332,14 @@ void TreatWorkspace::showEvent(QShowEvent*) {
 
 void TreatWorkspace::resizeEvent(QResizeEvent*) { arrange(); }
 
-/// In a low window the bull's eye moves beside the figures. The other panels are too wide for that.
+/// In a low window the bull's eye moves beside the figures. The other panels are too wide for that: the
+/// figures become small.
 void TreatWorkspace::arrange() {
-  const bool is_low = height() < sized(kLow_px) && tools_->currentWidget() == bulls_eye_;
-  bulls_eye_and_figures_->setDirection(is_low ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  const bool is_low = height() < sized(kLow_px), is_aim = tools_->currentWidget() == bulls_eye_;
+  bulls_eye_and_figures_->setDirection(is_low && is_aim ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  bulls_eye_and_figures_->setStretchFactor(tools_, is_aim ? 4 : 1);
+  bulls_eye_and_figures_->setStretchFactor(figures_, is_aim ? 5 : 0);
+  figures_->setSmall(is_low && !is_aim);
 }
 
 void TreatWorkspace::hideEvent(QHideEvent*) { timer_.stop(); }

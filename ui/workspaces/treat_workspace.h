@@ -6,7 +6,9 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "presenters/check_presenter.h"
 #include "presenters/motor_presenter.h"
+#include "presenters/return_presenter.h"
 #include "presenters/session_sounds.h"
 
 class QBoxLayout;
@@ -34,6 +36,8 @@ class TreatWorkspace : public QWidget {
 
   TreatPresenter& presenter() { return presenter_; }
   MotorPresenter& motor() { return motor_; }
+  ReturnPresenter& sessionReturn() { return return_; }
+  CheckPresenter& check() { return check_; }
   void showTool(Tool tool);
 
  signals:
@@ -55,11 +59,14 @@ class TreatWorkspace : public QWidget {
   void refresh();
   void showStage(bool shows_cameras);
   void showPreview();
+  void showSlicesInScene();
   void arrange();
 
   TreatPresenter& presenter_;
   CaseModel& model_;
   MotorPresenter motor_;
+  ReturnPresenter return_;
+  CheckPresenter check_;
   SessionSounds sounds_;
   SceneView* scene_;
   LiveSlices* slices_;
@@ -69,7 +76,7 @@ class TreatWorkspace : public QWidget {
   FiguresPanel* figures_;
   QComboBox* target_;
   QStackedWidget *side_, *tools_;  // tools_: bull's eye, motor, session
-  QPushButton *cameras_, *align_, *guide_, *show_slices_;
+  QPushButton *cameras_, *align_, *guide_, *show_slices_, *slices_in_scene_;
   ElidedLabel* words_;
   PulseRow* pulses_;
   QTimer timer_;

@@ -22,6 +22,8 @@ RecordingPictures::~RecordingPictures() = default;
 RecordingPictures::RecordingPictures(RecordingPictures&&) noexcept = default;
 RecordingPictures& RecordingPictures::operator=(RecordingPictures&&) noexcept = default;
 
+const cameras::StereoRig& RecordingPictures::rig() const { return implementation_->recording.rig; }
+
 const std::vector<std::int64_t>& RecordingPictures::numbers() const {
   return implementation_->frames.numbers;
 }

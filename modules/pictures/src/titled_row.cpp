@@ -7,7 +7,7 @@
 namespace facenav::pictures {
 namespace {
 
-constexpr int kTitle_px = 26, kBetween_px = 8;
+constexpr int kRowTitle_px = 26, kBetween_px = 8;
 
 void paste(const RgbImage& image, RgbImage& onto, int left, int top) {
   for (int v = 0; v < image.height_px; ++v)
@@ -22,12 +22,12 @@ RgbImage titledRow(const std::vector<TitledPicture>& pictures) {
     width += picture.image.width_px + kBetween_px;
     height = std::max(height, picture.image.height_px);
   }
-  RgbImage row(std::max(1, width - kBetween_px), height + kTitle_px);
+  RgbImage row(std::max(1, width - kBetween_px), height + kRowTitle_px);
   cv::Mat canvas(row.height_px, row.width_px, CV_8UC3, row.rgb.data());
   int left = 0;
   for (const auto& picture : pictures) {
-    paste(picture.image, row, left, kTitle_px);
-    cv::putText(canvas, picture.title, {left + 6, kTitle_px - 8}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
+    paste(picture.image, row, left, kRowTitle_px);
+    cv::putText(canvas, picture.title, {left + 6, kRowTitle_px - 8}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 cv::Scalar(200, 205, 215), 1, cv::LINE_AA);
     left += picture.image.width_px + kBetween_px;
   }

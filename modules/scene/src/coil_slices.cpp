@@ -62,17 +62,17 @@ void paintPlate(const CoilPen& pen, const guidance::CoilPlate& plate, CoilCut cu
              0.45);
 }
 
-/// The beam with a tick every centimetre, and the predicted error beside it.
+/// The beam with a tick every centimetre, and the bound of the error beside it.
 void paintBeam(const CoilPen& pen, const SlicedCoil& coil, const std::optional<double>& ring_depth_mm) {
   const double end_mm = 2 * kCoilSliceDepth_mm;  // ends outside the picture at any zoom
   pen.stroke({0, 0}, {0, end_mm}, palette::kBlue, 1.4, 0.9);
   for (double depth_mm = kTick_mm; depth_mm < end_mm; depth_mm += kTick_mm)
     pen.stroke({-1.5, depth_mm}, {1.5, depth_mm}, palette::kBlue, 1.0, 0.9);
-  if (!coil.error_mm || *coil.error_mm <= 0) return;
+  if (!coil.bound95_mm || *coil.bound95_mm <= 0) return;
   for (const double side : {-1.0, 1.0})
-    pen.stroke({side * *coil.error_mm, 0}, {side * *coil.error_mm, end_mm}, palette::kBlue, 1.0, 0.4);
+    pen.stroke({side * *coil.bound95_mm, 0}, {side * *coil.bound95_mm, end_mm}, palette::kBlue, 1.0, 0.4);
   if (ring_depth_mm)
-    circle(pen.image, pen.at(0, *ring_depth_mm), *coil.error_mm / pen.plane.spacing_mm, palette::kText, 1.4,
+    circle(pen.image, pen.at(0, *ring_depth_mm), *coil.bound95_mm / pen.plane.spacing_mm, palette::kText, 1.4,
            0.95);
 }
 

@@ -15,6 +15,7 @@
 
 #include "actors.h"
 #include "brain_layer.h"
+#include "coil_slice_layer.h"
 #include "facenav/volume/vtk_image.h"
 #include "head_icon.h"
 #include "image_bridge.h"
@@ -25,12 +26,6 @@
 #include "target_layer.h"
 
 namespace facenav::scene {
-namespace {
-
-constexpr double kIconForText_px = 64.0;  // of the head icon, so that its letters are whole
-
-}  // namespace
-
 struct NavigationScene::Implementation {
   vtkNew<vtkRenderer> renderer, on_top;
   HeadIcon icon;
@@ -40,6 +35,7 @@ struct NavigationScene::Implementation {
   std::array<vtkSmartPointer<vtkImageSlice>, 3> slices;
   volume::VoxelGrid grid;
   CoilActors coil, ghost;
+  CoilSliceLayer coil_slices{on_top, coil_transform};
   TargetLayer targets{renderer, on_top, head_transform};
   SceneCamera viewpoint{renderer->GetActiveCamera()};
   SceneBanner banner;
@@ -79,6 +75,7 @@ NavigationScene::Implementation::Implementation() {
     scene->renderer->ResetCameraClippingRange();
     scene->syncIcon();
     scene->banner.fit(scene->on_top);
+    scene->coil_slices.cut();
   });
   renderer->AddObserver(vtkCommand::StartEvent, before_render);
 }
@@ -107,6 +104,8 @@ void NavigationScene::Implementation::updateVisibility() {
   ghost.setVisible(has_ghost && layers.coil, true);
   targets.setVisible(layers.targets);
   setGrey(is_live && !coilIsShown());
+  coil_slices.follow(coilIsShown() && layers.coil ? std::optional(camera_T_mri->inverse() * *camera_T_coil)
+                                                  : std::nullopt);
 }
 
 void NavigationScene::Implementation::setGrey(bool grey) {
@@ -187,6 +186,13 @@ void NavigationScene::setSliceCentre(const Point<Mri>& centre) {
       setSliceIndex(s.slices[axis], std::clamp(int(std::lround(voxel[axis])), 0, s.grid.size[axis] - 1));
 }
 
+void NavigationScene::setCoilSlices(std::shared_ptr<const volume::Volume> mri) {
+  implementation_->coil_slices.setVolume(std::move(mri));
+  implementation_->updateVisibility();
+}
+
+bool NavigationScene::showsCoilSlices() const { return implementation_->coil_slices.isShown(); }
+
 void NavigationScene::setTargets(const std::vector<guidance::Target>& targets, const std::string& active) {
   auto& s = *implementation_;
   s.targets.set(targets, active);
@@ -243,16 +249,14 @@ void NavigationScene::setCameraAngle(double vertical_rad) {
 void NavigationScene::setHeadPose(const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri) {
   auto& s = *implementation_;
   s.is_live = true;
-  s.camera_T_mri.reset();
-  if (camera_T_mri) s.camera_T_mri = *camera_T_mri;
+  s.camera_T_mri = camera_T_mri ? std::optional(*camera_T_mri) : std::nullopt;
   s.updateTransforms();
 }
 
 void NavigationScene::setCoilPose(const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil) {
   auto& s = *implementation_;
   s.is_live = true;
-  s.camera_T_coil.reset();
-  if (camera_T_coil) s.camera_T_coil = *camera_T_coil;
+  s.camera_T_coil = camera_T_coil ? std::optional(*camera_T_coil) : std::nullopt;
   s.updateTransforms();
 }
 
@@ -290,7 +294,8 @@ void NavigationScene::attach(vtkRenderWindow* window, double x0, double y0, doub
   const int* size = window->GetSize();
   const double width = std::max(1, size[0]) * (x1 - x0), height = std::max(1, size[1]) * (y1 - y0);
   const double smaller = std::min(width, height);
-  const double side = std::min(0.5 * smaller, std::max(0.24 * smaller, kIconForText_px * s.text_scale));
+  // Of the head icon: 64 px at least, so that its letters are whole.
+  const double side = std::min(0.5 * smaller, std::max(0.24 * smaller, 64.0 * s.text_scale));
   s.icon.renderer()->SetViewport(x0, y0, x0 + (x1 - x0) * side / width, y0 + (y1 - y0) * side / height);
   for (vtkRenderer* r : {s.renderer.Get(), s.on_top.Get(), s.icon.renderer()})
     if (!window->HasRenderer(r)) window->AddRenderer(r);

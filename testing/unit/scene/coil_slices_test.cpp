@@ -132,11 +132,11 @@ TEST(CoilSlices, TheErrorIsDrawnToScaleAndOnlyWhenKnown) {
     return int(image.pixel(at.x(), at.y())[0]);
   };
   EXPECT_LT(whiteAt(8, 30), 20);
-  coil.error_mm = 8.0;
+  coil.bound95_mm = 8.0;
   EXPECT_GT(whiteAt(8, 30), 120) << "ring of 8 mm round the beam at the cortex point's depth";
   EXPECT_GT(whiteAt(-8, 30), 120);
   EXPECT_LT(whiteAt(12, 30), 20);
-  coil.error_mm = 12.0;
+  coil.bound95_mm = 12.0;
   EXPECT_GT(whiteAt(12, 30), 120);
 }
 

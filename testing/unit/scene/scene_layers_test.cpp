@@ -236,6 +236,33 @@ TEST_F(SceneLayersTest, ASliceBeyondTheScanShowsItsLastSlice) {
   EXPECT_EQ(picture().rgb, last.rgb);
 }
 
+TEST_F(SceneLayersTest, TheCoilsSlicesShowWhatLiesUnderTheCoilAndGoWithIt) {
+  // A coil on the front of the head, its axis through the block's middle (-30, y, -5) and into the head.
+  const auto mri = std::make_shared<const volume::Volume>(block({1, 1, 1}));
+  const auto coilOver = [](double x_mm) {
+    return cameraPose() * frontTarget("", x_mm, -5).mri_T_target.reframe<Mri, Coil>();
+  };
+  scene_->setView(ViewPreset::left_front);
+  scene_->setCoilSlices(mri);
+  EXPECT_FALSE(scene_->showsCoilSlices()) << "there is no coil";
+  const auto brightWithCoilOver = [&](double x_mm) {
+    scene_->setHeadPose(Tracked<RigidTransform<Camera, Mri>>(cameraPose(), 1.0));
+    scene_->setCoilPose(Tracked<RigidTransform<Camera, Coil>>(coilOver(x_mm), 1.0));
+    return find(picture(), isBright);
+  };
+  const int without = brightWithCoilOver(30).pixels;  // the lines and rims of the coil alone
+  const Spot block = brightWithCoilOver(-30);
+  EXPECT_TRUE(scene_->showsCoilSlices());
+  EXPECT_GT(block.pixels, without + 200);
+  EXPECT_THAT(block.place, EigenNear(place({-30, 0, -5}), 0.15)) << "where the block is";
+  scene_->setCoilPose(Lost{LostReason::no_marker});
+  EXPECT_FALSE(scene_->showsCoilSlices());
+  EXPECT_LT(find(picture(), isBright).pixels, 50);
+  brightWithCoilOver(-30);
+  scene_->setCoilSlices(nullptr);
+  EXPECT_FALSE(scene_->showsCoilSlices());
+}
+
 TEST_F(SceneLayersTest, TheBannerIsShownAndGoesAway) {
   const auto without = picture();
   scene_->setBanner("HEAD LOST");

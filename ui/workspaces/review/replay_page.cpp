@@ -85,6 +85,14 @@ QWidget* ReplayPage::makeControls() {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder with poses.csv"));
     if (!folder.isEmpty()) presenter_.openFolder(folder);
   });
+  overlay_ = button(tr("Overlay"),
+                    tr("the scalp, the coil and the target drawn into the pictures, where "
+                       "the poses of this frame put them (O)"),
+                    [this] { showPicture(); });
+  overlay_->setObjectName("tool");
+  overlay_->setCheckable(true);
+  overlay_->setChecked(true);
+  overlay_->setShortcut(Qt::Key_O);
   pictures_ =
       button(tr("Pictures\u2026"), tr("the folder of the session's recording, if it is elsewhere"), [this] {
         const QString folder = QFileDialog::getExistingDirectory(this, tr("Recording of this session"));
@@ -169,8 +177,9 @@ void ReplayPage::showPicture() {
   const auto frame = presenter_.isOpen() ? presenter_.picture() : nullptr;
   const bool is_of_moment = frame && (frame->number == presenter_.moment().frame || presenter_.isPlaying());
   const QString why = frame ? tr("reading the picture") : presenter_.picturesWords();
-  left_->set(is_of_moment ? grey(frame->left) : QImage(), why);
-  right_->set(is_of_moment ? grey(frame->right) : QImage(), why);
+  const auto drawn = is_of_moment && overlay_->isChecked() ? presenter_.overlay() : nullptr;
+  left_->set(drawn ? toQImage(drawn->left) : is_of_moment ? grey(frame->left) : QImage(), why);
+  right_->set(drawn ? toQImage(drawn->right) : is_of_moment ? grey(frame->right) : QImage(), why);
 }
 
 void ReplayPage::showEvent(QShowEvent*) {

@@ -39,7 +39,7 @@ class ReplayPage : public QWidget {
   SceneView* scene_;
   ImageView *left_, *right_;
   QLabel *figures_, *time_;
-  QPushButton *back_, *play_, *forward_, *pictures_;
+  QPushButton *back_, *play_, *forward_, *pictures_, *overlay_;
   std::optional<guidance::Target> target_;  // that is drawn
   bool is_outdated_ = true;
 };

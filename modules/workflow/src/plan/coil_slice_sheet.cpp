@@ -7,32 +7,37 @@
 
 namespace facenav::workflow {
 
-std::optional<double> alignedError_mm(const casefile::CaseStore& store, const guidance::Target& target) {
+std::optional<double> alignedBound95_mm(const casefile::CaseStore& store, const guidance::Target& target) {
   try {
     const auto alignment = store.alignment();
-    return alignment ? alignment->predictedError_mm(target) : std::nullopt;
+    if (!alignment) return std::nullopt;
+    if (alignment->uncertainty)
+      return alignment->uncertainty->errorBound_mm(alignment->camera_T_mri, target.cortex_point);
+    const auto stored = alignment->predicted_tre_p95_mm.find(target.name);
+    return stored == alignment->predicted_tre_p95_mm.end() ? std::nullopt : std::optional(stored->second);
   } catch (const Error&) {
     return std::nullopt;
   }
 }
 
 RgbImage coilSliceSheet(const scene::SliceScene& scene, const guidance::Target& target,
-                        const guidance::CoilPlate& plate, std::optional<double> error_mm) {
+                        const guidance::CoilPlate& plate, std::optional<double> bound95_mm) {
   constexpr int kWidth_px = 560, kHeight_px = 520;
   scene::SliceScene shown = scene;
   shown.targets = {target};
   shown.active_target = target.name;
   const scene::SlicedCoil coil{target.mri_T_target.reframe<Mri, Coil>(), plate,
-                               error_mm};  // the planned coil
+                               bound95_mm};  // the planned coil
   const auto slice = [&](scene::CoilCut cut) {
     return coilSlicePicture(shown, coil, cut, coilPlane(coil.mri_T_coil, cut, kWidth_px, kHeight_px));
   };
   const auto passing = scene::beamPassing(coil.mri_T_coil, target.cortex_point);
-  const std::string error = error_mm && *error_mm > 0 ? formatted(", error +-%.1f mm", *error_mm) : "";
+  const std::string bound =
+      bound95_mm && *bound95_mm > 0 ? formatted("; ring: error below %.1f mm (95 %%)", *bound95_mm) : "";
   return pictures::titledRow(
       {{target.name + formatted(": along the handle (on the left), cortex %.0f mm deep", passing.depth_mm),
         slice(scene::CoilCut::along_handle)},
-       {"across the handle, as seen from it; a tick is 10 mm" + error,
+       {"across the handle, as seen from it; a tick is 10 mm" + bound,
         slice(scene::CoilCut::across_handle)}});
 }
 

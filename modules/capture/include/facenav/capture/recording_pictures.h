@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 
 namespace facenav::capture {
 
@@ -18,6 +19,8 @@ class RecordingPictures {
   RecordingPictures(RecordingPictures&&) noexcept;
   RecordingPictures& operator=(RecordingPictures&&) noexcept;
 
+  /// The cameras that took them.
+  const cameras::StereoRig& rig() const;
   /// Of each frame, increasing.
   const std::vector<std::int64_t>& numbers() const;
   const std::vector<double>& times_s() const;

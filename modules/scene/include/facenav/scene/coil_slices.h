@@ -1,7 +1,7 @@
 #pragma once
 // Two slices through the MRI along the coil's axis, one along its handle and one across it, with the coil's
-// plate, its beam, the target and the predicted error drawn in. They follow the coil: of a planned target or
-// of the live one. Computed without a display. Coil frame: +z into the head, +y away from the handle.
+// plate, its beam, the target and the error's 95 % bound drawn in. They follow the coil: of a planned target
+// or of the live one. Computed without a display. Coil frame: +z into the head, +y away from the handle.
 
 #include <optional>
 
@@ -16,8 +16,9 @@ enum class CoilCut { along_handle, across_handle };
 struct SlicedCoil {
   RigidTransform<Mri, Coil> mri_T_coil;
   guidance::CoilPlate plate = guidance::figureOfEight();
-  /// Predicted standard error of navigation at the target, mm; nothing: not known, and not drawn.
-  std::optional<double> error_mm;
+  /// The alignment's error at the target is smaller in 95 of 100 alignments, mm; nothing: not known, and not
+  /// drawn.
+  std::optional<double> bound95_mm;
 };
 
 constexpr double kCoilSliceAbove_mm = 22, kCoilSliceDepth_mm = 88;  // shown above and below the contact face
@@ -29,7 +30,7 @@ volume::SlicePlane coilPlane(const RigidTransform<Mri, Coil>& mri_T_coil, CoilCu
                              int height_px, double zoom = 1.0);
 
 /// MRI, window, contours, overlays and active target are those of `scene`; its crosshair is drawn where it
-/// lies on the slice. A ring of the predicted error lies on the beam, beside the target's cortex point.
+/// lies on the slice. A ring of the error's bound lies on the beam, beside the target's cortex point.
 RgbImage coilSlicePicture(const SliceScene& scene, const SlicedCoil& coil, CoilCut cut,
                           const volume::SlicePlane& plane);
 

@@ -85,6 +85,10 @@ class NavigationScene {
   /// 0..40 mm, for the look `cortex`; takes a few milliseconds.
   void setPeelDepth(double depth_mm);
   void setSliceCentre(const Point<Mri>& centre);
+  /// The two slices of this MRI along the live coil's axis are drawn over the head and follow the coil; null:
+  /// none. Without head or coil there are none.
+  void setCoilSlices(std::shared_ptr<const volume::Volume> mri);
+  bool showsCoilSlices() const;
   void setView(ViewPreset preset);
   void setViewFrame(ViewFrame frame);
   /// For ViewFrame::camera: the left camera's vertical angle of view.

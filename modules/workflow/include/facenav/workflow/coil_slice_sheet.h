@@ -9,13 +9,13 @@
 
 namespace facenav::workflow {
 
-/// Predicted standard error at the target by the case's alignment, mm; nothing without one, or where the file
-/// cannot be read.
-std::optional<double> alignedError_mm(const casefile::CaseStore& store, const guidance::Target& target);
+/// The error at the target is smaller in 95 of 100 alignments like the case's, mm; nothing without one, or
+/// where the file does not tell.
+std::optional<double> alignedBound95_mm(const casefile::CaseStore& store, const guidance::Target& target);
 
 /// Along and across the handle, side by side, with the depths in words. `scene`: MRI, window and overlays.
 RgbImage coilSliceSheet(const scene::SliceScene& scene, const guidance::Target& target,
-                        const guidance::CoilPlate& plate, std::optional<double> error_mm);
+                        const guidance::CoilPlate& plate, std::optional<double> bound95_mm);
 
 /// The colours of a map with their values and unit, for both signs.
 RgbImage mapScale(const casefile::OverlayEntry& entry);

@@ -1,0 +1,36 @@
+#include "presenters/session_end.h"
+
+#include <future>
+
+#include "facenav/workflow/session_report.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
+
+}  // namespace
+
+void endBeside(Retirement& retirement, std::shared_ptr<workflow::Treatment> treatment) {
+  auto has_ended = std::make_shared<std::promise<void>>();
+  retirement.add(
+      [treatment, ended = has_ended->get_future().share()] {
+        ended.wait();
+        treatment->keepReport();
+      },
+      std::chrono::milliseconds(0));
+  retirement.add(
+      [treatment, has_ended] {
+        treatment->end();
+        has_ended->set_value();
+      },
+      kPatience);
+}
+
+void reportBeside(Retirement& retirement, const std::filesystem::path& case_folder,
+                  const std::filesystem::path& session) {
+  retirement.add([case_folder, session] { workflow::writeSessionReport(case_folder, session); },
+                 std::chrono::milliseconds(0));
+}
+
+}  // namespace facenav::ui
