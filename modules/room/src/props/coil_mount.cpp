@@ -51,22 +51,24 @@ class Sightlines {
     scene_.commit();
   }
 
-  /// Share of the print that both cameras see, over small shifts of the whole head and coil, minus the part
-  /// of the face that the plate hides (as a share of the face's diameter).
+  /// Share of the plate that both cameras see, over small shifts of the whole head and coil, minus the part of
+  /// the face that the plate hides (as a share of the face's diameter). The white border counts as well: a
+  /// detector finds no square whose border is covered in one place.
   double shown(const RoomCoil& coil) const {
     constexpr double kShift_mm = 20.0;
+    constexpr int kSteps = 3;  // a point each 14 mm on a marker of 60 mm
     const Eigen::Isometry3d world_T_marker = camera_T_coil_ * coil.marker_T_coil.inverse().isometry();
-    const double half_mm = 0.55 * coil.marker_size_mm;
+    const double step_mm = 0.5 * kPlatePerMarker * coil.marker_size_mm / kSteps;
     int seen = 0, all = 0;
     for (const double dx : {-kShift_mm, 0.0, kShift_mm})
       for (const double dy : {-kShift_mm, 0.0, kShift_mm})
-        for (const double x : {-1.0, 0.0, 1.0})
-          for (const double y : {-1.0, 0.0, 1.0})
+        for (int x = -kSteps; x <= kSteps; ++x)
+          for (int y = -kSteps; y <= kSteps; ++y)
             for (const CameraRays& camera : cameras_) {
-              const Eigen::Vector3d p = world_T_marker * Eigen::Vector3d(x * half_mm, y * half_mm, -0.5);
+              const Eigen::Vector3d shift(dx, dy, 0);
+              const Eigen::Vector3d p = world_T_marker * Eigen::Vector3d(x * step_mm, y * step_mm, -0.5);
               ++all;
-              seen +=
-                  camera.shows(p + Eigen::Vector3d(dx, dy, 0)) && !scene_.isBlocked(p, camera.origin_mm());
+              seen += camera.shows(p + shift) && !scene_.isBlocked(p, camera.origin_mm() - shift);
             }
     return double(seen) / all - faceTaken(world_T_marker.translation(), coil.marker_size_mm);
   }
