@@ -1,5 +1,6 @@
 #pragma once
-// What torch gives for the test's pattern: made by resources/training/brain_prior/expected.py.
+// What torch gives for the test's pattern: made by
+// resources/training/brain_prior/expected.py.
 
 namespace facenav::segmentation {
 
@@ -8,14 +9,14 @@ struct ExpectedShares {
   float share[4];
 };
 constexpr ExpectedShares kExpectedByTorch[] = {
-    {0, 0, 0, {0.999956f, 0.000009f, 0.000007f, 0.000028f}},
-    {24, 28, 24, {0.003157f, 0.924153f, 0.066592f, 0.006099f}},
-    {25, 28, 24, {0.003039f, 0.917995f, 0.069906f, 0.009059f}},
-    {24, 29, 24, {0.004334f, 0.894320f, 0.087255f, 0.014091f}},
-    {24, 28, 25, {0.001828f, 0.946397f, 0.048867f, 0.002907f}},
-    {47, 55, 47, {0.999996f, 0.000000f, 0.000000f, 0.000003f}},
-    {10, 40, 33, {0.039080f, 0.693973f, 0.187457f, 0.079490f}},
-    {37, 5, 12, {1.000000f, 0.000000f, 0.000000f, 0.000000f}},
+    {0, 0, 0, {0.999986f, 0.000000f, 0.000001f, 0.000012f}},
+    {24, 28, 24, {0.999999f, 0.000000f, 0.000000f, 0.000001f}},
+    {25, 28, 24, {0.999998f, 0.000000f, 0.000000f, 0.000002f}},
+    {24, 29, 24, {0.999999f, 0.000000f, 0.000000f, 0.000001f}},
+    {24, 28, 25, {0.999987f, 0.000000f, 0.000000f, 0.000013f}},
+    {47, 55, 47, {1.000000f, 0.000000f, 0.000000f, 0.000000f}},
+    {10, 40, 33, {0.006319f, 0.000017f, 0.000030f, 0.993634f}},
+    {37, 5, 12, {0.000001f, 0.999836f, 0.000163f, 0.000000f}},
 };
 
-}  // namespace facenav::segmentation
+} // namespace facenav::segmentation
