@@ -108,9 +108,13 @@ class TreatPresenter : public QObject {
   /// The place that is guided to: the chosen target, or the site of a hunting grid. May be null.
   const guidance::Target* target() const;
 
-  /// The error at a target is smaller in 95 of 100 alignments like this one, mm; nothing without one.
+  /// The error at a target is smaller in 95 of 100 alignments like this one, mm; nothing without one. Of
+  /// cameras that stand as they were calibrated: the session withholds poses where the coil's marker shows
+  /// that they do not.
   std::optional<double> errorBound95_mm(const guidance::Target& target) const {
-    return outcome_ ? std::optional(outcome_->result.errorBound_mm(target.cortex_point)) : std::nullopt;
+    if (!outcome_) return std::nullopt;
+    const auto& result = outcome_->result;
+    return result.uncertainty().errorBound_mm(result.camera_T_mri, target.cortex_point);
   }
 
   /// The newest state; everything is lost if nothing runs.

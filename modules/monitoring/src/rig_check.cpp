@@ -15,6 +15,8 @@ constexpr double kMostBetweenExposures_mm = 0.1;
 // camera moved: require twice the monitor's own threshold.
 constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between verdicts
+/// Frames in a row of the coil that change the verdict: one frame may be a hand over the marker's edge.
+constexpr std::size_t kCoilFrames = 5;
 
 cameras::SquareObservation square(const coil_tracking::MarkerObservation& marker) {
   return {marker.left_px, marker.right_px, marker.size_mm, marker.print_sigma_mm, marker.size_sigma_mm};
@@ -51,6 +53,10 @@ void RigCheck::start(const head_tracking::HeadReference& reference) {
 
 std::optional<RigFault> RigCheck::fault() const {
   if (reference_fault_) return reference_fault_;
+  if (coil_contradicts_)
+    return RigFault{head_tracking::LossDetail::cameras_moved,
+                    "the coil's marker is not measured at its printed size: a camera has turned since the "
+                    "calibration, or coil.json names another size: measure the print, or calibrate again"};
   if (!verdict_.hasMoved()) return std::nullopt;
   const bool is_clear = verdict_.statistic > kClearStatistic || verdict_.contradiction > kClearContradiction;
   if (has_fitted_ && !is_clear) return std::nullopt;
@@ -58,9 +64,14 @@ std::optional<RigFault> RigCheck::fault() const {
 }
 
 void RigCheck::add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
-                   const std::optional<coil_tracking::MarkerObservation>& marker) {
+                   const coil_tracking::CoilResult& coil) {
   const bool is_first = frames_ < kFirstFrames;
-  if (marker) monitor_.add(square(*marker));
+  if (coil.observation) monitor_.add(square(*coil.observation));
+  const bool contradicts = !coil && coil.reason() == LostReason::camera && coil.observation;
+  if (coil) ++agreed_, contradicted_ = 0;
+  if (contradicts) ++contradicted_, agreed_ = 0;
+  if (contradicted_ >= kCoilFrames) coil_contradicts_ = true;
+  if (agreed_ >= kCoilFrames) coil_contradicts_ = false;
   if (head && !head->features.empty() && head->between_exposures_mm < kMostBetweenExposures_mm) {
     std::vector<cameras::Correspondence> points;
     const std::size_t most = std::min(head->features.size(), is_first ? kFirstFeatures : kLaterFeatures);

@@ -145,6 +145,22 @@ TEST(SurfaceAligner, TellsTheFacesSizeFromTheScans) {
               ThrowsMessage<Error>(HasSubstr("not aligned")));
 }
 
+TEST(SurfaceAligner, TheBoundHoldsTheDistanceThatATurnedCameraMistakes) {
+  // A right camera that turned sideways by about 0.1 deg: the face is measured too near and too small.
+  const auto truth = facing(8, 4, 0);
+  const auto cloud = measure(ModelHead(), truth, {.seed = 9});
+  const auto off_mm = [&](const AlignmentResult& result) {
+    return ((result.camera_T_mri * kTarget).mm - (truth * kTarget).mm).norm();
+  };
+  const auto right = align(patientsField(), cloud), near = align(patientsField(), resized(cloud, 0.993));
+  EXPECT_LT(off_mm(right), right.errorBound_mm(kTarget));
+  EXPECT_GT(off_mm(near), 3.0) << "the trial is too easy";
+  EXPECT_LT(off_mm(near), near.errorBound_mm(kTarget));
+  EXPECT_GT(near.errorBound_mm(kTarget), 2.0 * right.errorBound_mm(kTarget));
+  ASSERT_FALSE(near.cautions.empty());
+  EXPECT_THAT(near.cautions.back(), HasSubstr("turned sideways"));
+}
+
 TEST(SurfaceAligner, DepthThatAllPointsShareWidensTheBoundAlongTheView) {
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {});

@@ -57,7 +57,9 @@ double AlignmentResult::predictedError_mm(const Point<Mri>& target) const {
 }
 
 double AlignmentResult::errorBound_mm(const Point<Mri>& target, double probability) const {
-  return uncertainty().errorBound_mm(camera_T_mri, target, probability);
+  PoseUncertainty all = uncertainty();
+  all.covariance.bottomRightCorner<3, 3>() += turned_camera_mm * turned_camera_mm.transpose();
+  return all.errorBound_mm(camera_T_mri, target, probability);
 }
 
 }  // namespace facenav::registration

@@ -119,7 +119,7 @@ double Navigator::track(const cameras::StereoFrame& frame, NavigationState& stat
   state.head_detail = head.loss_detail;
   state.exposure_offset = head.exposure_offset;
   state.coil = coil;
-  rig_check_.add(frame, state.head, coil.observation);
+  rig_check_.add(frame, state.head, coil);
   return head.beside_ms;
 }
 

@@ -2,6 +2,9 @@
 // RigCheck: feeds cameras::RigMonitor with what navigation measures anyway: textured points of the face,
 // matched again in both directions, and the coil's marker. Cameras that moved since their calibration are
 // noticed at the session's start and during it, without a board. Costs some tens of microseconds a frame.
+//
+// A camera that turned sideways moves every point along its epipolar line, so that the face looks right. The
+// marker's size shows it. The coil's tracker then gives no pose; the head's pose is wrong for the same cause.
 
 #include "facenav/cameras/rig_monitor.h"
 #include "facenav/coil_tracking/coil_tracker.h"
@@ -24,7 +27,7 @@ class RigCheck {
   /// The session's reference pair: checks as a whole whether it fits the rig (half a second).
   void start(const head_tracking::HeadReference& reference);
   void add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
-           const std::optional<coil_tracking::MarkerObservation>& marker);
+           const coil_tracking::CoilResult& coil);
   /// Why no pose can be trusted, as of the last verdict (some frames ago); empty if no fault is known.
   std::optional<RigFault> fault() const;
 
@@ -35,6 +38,9 @@ class RigCheck {
   std::optional<RigFault> reference_fault_;  // a session that starts with such images stays wrong
   bool has_fitted_ = false;                  // the whole reference pair fitted its calibration
   std::size_t frames_ = 0, next_feature_ = 0;
+  /// Frames in a row in which a coil at rest has, or has not, the size and the rows that its print must have.
+  std::size_t contradicted_ = 0, agreed_ = 0;
+  bool coil_contradicts_ = false;
 };
 
 }  // namespace facenav::monitoring

@@ -54,12 +54,19 @@ struct AlignmentResult {
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
   std::optional<FaceScale> face_scale;  // empty: not estimated
+  /// One standard error (mm, Camera) by which the whole head may lie nearer or farther if a camera turned
+  /// sideways since the calibration. The face alone cannot exclude such a turn, but its size limits it; the
+  /// coil's marker excludes it in a session. It is not part of `covariance`.
+  Eigen::Vector3d turned_camera_mm = Eigen::Vector3d::Zero();
   std::vector<std::string> cautions;    // plain words: what a clinician must check before trusting the fit
 
+  /// Of cameras that stand as they were calibrated.
   PoseUncertainty uncertainty() const { return {covariance, freedom}; }
-  /// Predicted standard error at a point of the patient (pose covariance carried there), mm.
+  /// Predicted standard error at a point of the patient (pose covariance carried there), mm, of cameras that
+  /// stand as they were calibrated.
   double predictedError_mm(const Point<Mri>& target) const;
-  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm.
+  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm, also where a camera
+  /// turned sideways.
   double errorBound_mm(const Point<Mri>& target, double probability = 0.95) const;
 };
 
