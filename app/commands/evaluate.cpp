@@ -205,8 +205,10 @@ void addEvaluate(CLI::App& app, Context& context) {
   addEvaluatePrepare(*verb, context);
   addEvaluateRigs(*verb, context);
   addEvaluatePairs(*verb, context);
+  addEvaluateReturn(*verb, context);
   verb->callback([&context, request, verb] {
-    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs"))
+    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs") ||
+        verb->got_subcommand("return"))
       return;
     if (!request->recordings.empty()) {
       if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")
