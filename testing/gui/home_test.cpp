@@ -34,9 +34,11 @@ struct Seen {
 
 class SeenCoil : public coil_tracking::CoilTracker {
  public:
-  SeenCoil(std::shared_ptr<Seen> seen, const RigidTransform<Camera, Marker>& pose) : seen_(std::move(seen)), coil_(pose) {}
+  SeenCoil(std::shared_ptr<Seen> seen, const RigidTransform<Camera, Marker>& pose)
+      : seen_(std::move(seen)), coil_(pose) {}
   void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
-  coil_tracking::CoilResult track(const cameras::StereoFrame& frame, const coil_tracking::CoilContext& context) override {
+  coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
+                                  const coil_tracking::CoilContext& context) override {
     if (!seen_->coil) return Lost{LostReason::no_marker};
     return coil_.track(frame, context);
   }
@@ -56,8 +58,7 @@ Services homeServices(std::shared_ptr<Seen> seen, const Eigen::Vector3d& off_mm 
   services.makeNavigator = [seen, off_mm](const session::NavigatorSetup& setup) {
     const RigidTransform<Marker, Marker> off(Eigen::Quaterniond::Identity(), off_mm);
     return std::make_unique<session::Navigator>(
-        setup,
-        std::make_unique<fakes::Head>([seen](auto) {
+        setup, std::make_unique<fakes::Head>([seen](auto) {
           return seen->head ? std::optional(RigidTransform<Camera, Head>()) : std::nullopt;
         }),
         std::make_unique<SeenCoil>(seen, kMarker * off));
@@ -220,7 +221,8 @@ TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
     take(window, QString("ended_") + name);
   }
   applyAppearance(*qApp, 1.0);
-  HomeWindow refused(homeServices(seen_, Eigen::Vector3d::Zero(), "not aligned: the face does not fit this MRI"));
+  HomeWindow refused(
+      homeServices(seen_, Eigen::Vector3d::Zero(), "not aligned: the face does not fit this MRI"));
   refused.resize(1366, 768);
   refused.show();
   refused.presenter().open(QString::fromStdString(case_.string()));

@@ -138,7 +138,8 @@ void TreatPresenter::chooseCoil(const QString& name) {
 
 QString TreatPresenter::coilReminder() const {
   if (const auto* aim = target())
-    if (const auto caution = workflow::otherCoilCaution(*aim, coil_.name)) return QString::fromStdString(*caution);
+    if (const auto caution = workflow::otherCoilCaution(*aim, coil_.name))
+      return QString::fromStdString(*caution);
   return QString::fromStdString(workflow::calibrationReminder(coil_card_).value_or(""));
 }
 

@@ -122,7 +122,8 @@ void CamerasPanel::fillDevices() {
 
 void CamerasPanel::showState() {
   const QString reminder = presenter_.coilReminder();
-  coil_words_->setText(tr("Coil: %1").arg(presenter_.coilName()) + (reminder.isEmpty() ? QString() : "\n" + reminder));
+  coil_words_->setText(tr("Coil: %1").arg(presenter_.coilName()) +
+                       (reminder.isEmpty() ? QString() : "\n" + reminder));
   rig_->setText(cameras_.rigWords());
   const QString fault = presenter_.rigFault();
   const char* level = !fault.isEmpty()         ? "caution"

@@ -26,8 +26,12 @@ const char* const kName = "Jane Doe";
 class NoFace : public face::FaceDetector {
  public:
   std::optional<face::FaceLandmarks> detect(const cv::Mat&) const override { return std::nullopt; }
-  std::optional<face::FaceLandmarks> detectNear(const cv::Mat&, const face::FaceLandmarks&) const override { return std::nullopt; }
-  std::optional<face::FaceLandmarks> detectAtRoll(const cv::Mat&, double) const override { return std::nullopt; }
+  std::optional<face::FaceLandmarks> detectNear(const cv::Mat&, const face::FaceLandmarks&) const override {
+    return std::nullopt;
+  }
+  std::optional<face::FaceLandmarks> detectAtRoll(const cv::Mat&, double) const override {
+    return std::nullopt;
+  }
 };
 
 std::string refusalOf(const std::function<void()>& act) {
@@ -43,8 +47,8 @@ std::string refusalOf(const std::function<void()>& act) {
 class HomeCaseTest : public ::testing::Test {
  protected:
   HomeCaseTest()
-      : store_(casefile::CaseStore::createFromFace(folder_.path() / "case",
-                                                   {testing::ballCase().scalp, {"no MRI"}, kName, {}}, {}, false)) {
+      : store_(casefile::CaseStore::createFromFace(
+            folder_.path() / "case", {testing::ballCase().scalp, {"no MRI"}, kName, {}}, {}, false)) {
     guidance::Target target;
     target.name = "M1";
     target.note = std::string(kName) + " likes it here";
@@ -83,7 +87,8 @@ TEST_F(HomeCaseTest, ACaseWithoutAnMriSaysSoWhereAnMriIsNeeded) {
   EXPECT_FALSE(store_.brain());
   casefile::CaseStore::create(folder_.path() / "with", testing::ballCase(), {}, false);
   EXPECT_THAT(refusalOf([&] {
-                casefile::CaseStore::createFromFace(folder_.path() / "with", {testing::ballCase().scalp, {}, {}, {}}, {}, true);
+                casefile::CaseStore::createFromFace(folder_.path() / "with",
+                                                    {testing::ballCase().scalp, {}, {}, {}}, {}, true);
               }),
               HasSubstr("has an MRI"));
 }
@@ -101,7 +106,9 @@ TEST_F(HomeCaseTest, LeavesAsOneFileAndComesBackWithoutAName) {
   EXPECT_EQ(home.target.name, "expert M1");
   EXPECT_EQ(home.coil.name, "figure-8 70 mm");
   EXPECT_LT((home.target.mri_T_target.translation_mm() -
-             store_.targets().find("expert M1").mri_T_target.translation_mm()).norm(), 1e-6);
+             store_.targets().find("expert M1").mri_T_target.translation_mm())
+                .norm(),
+            1e-6);
   EXPECT_EQ(imported.targets().targets.size(), 1u) << "the plan stays at the clinic";
 }
 
@@ -111,7 +118,8 @@ TEST_F(HomeCaseTest, ANewerFileOfTheSameCaseKeepsItsSessions) {
   fs::create_directories(home_ / "sessions" / "20260101T000000Z");
   importHome(file_, home_);
   EXPECT_TRUE(fs::exists(home_ / "sessions" / "20260101T000000Z"));
-  const auto other = casefile::CaseStore::createFromFace(folder_.path() / "other", {testing::ballCase().scalp, {}, {}, {}}, {}, false);
+  const auto other = casefile::CaseStore::createFromFace(folder_.path() / "other",
+                                                         {testing::ballCase().scalp, {}, {}, {}}, {}, false);
   EXPECT_THAT(refusalOf([&] { importHome(file_, other.folder()); }), HasSubstr("another case"));
 }
 
@@ -161,7 +169,8 @@ TEST_F(HomeCaseTest, AtHomeEachMissingPartIsNamed) {
   EXPECT_THAT(refusalOf([&] { openHomeCase(home_); }), HasSubstr("scalp.vtp"));
   importHome(file_, home_);
   std::ofstream(home_ / "scalp.vtp", std::ios::app) << "\n";
-  EXPECT_THAT(refusalOf([&] { openHomeCase(home_); }), HasSubstr("not signed off")) << "the face was exchanged";
+  EXPECT_THAT(refusalOf([&] { openHomeCase(home_); }), HasSubstr("not signed off"))
+      << "the face was exchanged";
   fs::remove_all(home_);
   importHome(file_, home_);
   casefile::CaseStore::open(home_).setTargets({});
