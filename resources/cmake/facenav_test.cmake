@@ -2,6 +2,8 @@
 #                  [UNITY files compiled together, where names of more clash]
 #                  [HEADERS a precompiled header of its own, where the compiler's flags differ])
 # One GoogleTest program; each TEST() is a ctest entry of its own. testing/support is on the include path.
+# The tests' own code is compiled with -O1: a third less time than -O3. The modules under test keep -O3.
+set(FACENAV_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 include(GoogleTest)
 function(facenav_add_test)
   cmake_parse_arguments(T "" "NAME;TIMEOUT;UNITY" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
@@ -23,6 +25,7 @@ function(facenav_add_test)
   elseif(FACENAV_PRECOMPILED)
     target_precompile_headers(${T_NAME} PRIVATE ${T_HEADERS})
   endif()
+  target_compile_options(${T_NAME} PRIVATE ${FACENAV_TEST_OPTIMISATION})
   set(properties TIMEOUT ${T_TIMEOUT})
   if(T_LABELS)
     list(APPEND properties LABELS "${T_LABELS}")
