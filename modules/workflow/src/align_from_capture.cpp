@@ -37,12 +37,24 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras
   return options;
 }
 
+/// The right camera, turning across its view of the face and the baseline.
+std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoRig& rig,
+                                                          const PointCloud<Camera>& face) {
+  if (face.empty()) return std::nullopt;
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const auto& p : face.points_mm) middle_mm += p / double(face.size());
+  const Eigen::Vector3d centre_mm = rig.right_T_left.isometry().inverse().translation();
+  return registration::TurnableCamera{Point<Camera>(centre_mm),
+                                      Direction<Camera>(middle_mm.cross(centre_mm).normalized())};
+}
+
 /// What is known of the face before it is fitted.
 registration::AlignmentStart startOf(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
   registration::AlignmentStart start = outcome.landmarks.start;
   const FaceError error = faceErrorOf(rig, outcome.face);
   start.shared_depth_sigma_mm = error.whole_mm;
   start.sight = error.sight;
+  start.right = turnableRight(rig, outcome.face.cloud);
   return start;
 }
 

@@ -85,7 +85,8 @@ std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior,
   return "if a camera turned sideways since the calibration, the head lies up to " + fixed(up_to_mm, 0) +
          " mm nearer or farther than shown (the cameras measure the face at " +
          fixed(100.0 * (1.0 + posterior.scale), 1) +
-         " % of the MRI's size): hold the coil's tip to nose and ears and check that the screen shows it there";
+         " % of the MRI's size): hold the coil's tip to nose and ears and check that the screen shows it "
+         "there";
 }
 
 }  // namespace
@@ -98,13 +99,18 @@ Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& point
 }
 
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                 const Eigen::Isometry3d& pose, double limit_mm, const SightError& sight) {
+                 const Eigen::Isometry3d& pose, double limit_mm, const AlignmentStart& start) {
   const FieldFitter fitter(scalp, face, points);
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
+  SeenFrom seen{fit.mri_T_camera.translation(), start.sight};
+  if (start.right)
+    seen.turn_mm = [right = *start.right, mri_T_camera = fit.mri_T_camera](const Eigen::Vector3d& p_mri_mm) {
+      return Eigen::Vector3d(mri_T_camera.linear() * right.displacement(mri_T_camera.inverse() * p_mri_mm));
+    };
   fit.posterior = posteriorOf(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle,
-                              settingsOf<MisfitPrior>(), {fit.mri_T_camera.translation(), sight});
+                              settingsOf<MisfitPrior>(), seen);
   fit.mri_T_camera = increment(-fit.posterior.error, middle, fit.mri_T_camera);
   return fit;
 }
@@ -130,6 +136,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   evidence.misfit_mm = result.misfit_mm;
   evidence.scale = 1.0 + fit.posterior.scale;
   evidence.scale_sigma = fit.posterior.scale_sigma;
+  result.right_turn = fit.posterior.turn;
   if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
   requireTrust(evidence);
   result.cautions = cautionsOf(evidence);
@@ -162,7 +169,8 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   result.covariance += bySize(fit.posterior, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
   const Eigen::Vector3d face_camera_mm = (result.camera_T_mri * Point<Mri>(face_mri_mm)).mm;
   result.turned_camera_mm = byTurnedCamera_mm(fit.posterior, face_camera_mm);
-  if (const auto words = turnedCameraCaution(fit.posterior, face_camera_mm)) result.cautions.push_back(*words);
+  if (const auto words = turnedCameraCaution(fit.posterior, face_camera_mm))
+    result.cautions.push_back(*words);
   result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
   result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;
   return result;
