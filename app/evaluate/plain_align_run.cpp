@@ -106,11 +106,11 @@ cameras::StereoRig beforeATurn(cameras::StereoRig rig, double turn_deg) {
 void addTurned(const Sitting& sitting, const std::vector<std::pair<std::string, capture::CapturePair>>& ways,
                std::vector<evaluation::RunRecord>& runs) {
   const double sign = sitting.names.seed % 2 ? 1.0 : -1.0;
-  for (const double turn_deg : {0.1, 0.2, 0.3})
+  for (const double turn_deg : {0.05, 0.1, 0.2, 0.3})
     for (const auto& [way, pair] : ways) {
       const auto from = way == "plain" ? AlignedFrom::plain : AlignedFrom::dots;
       char name[64];
-      std::snprintf(name, sizeof name, "%s, turned sideways %.1f deg", way.c_str(), sign * turn_deg);
+      std::snprintf(name, sizeof name, "%s, turned sideways %.2f deg", way.c_str(), sign * turn_deg);
       runs.push_back(recordOf(sitting, name, [&, pair = pair] {
         return workflow::alignFromCapture(beforeATurn(sitting.room->rig(), sign * turn_deg), pair, from,
                                           sitting.setup(sitting.head.scalp), sitting.context.monitor);

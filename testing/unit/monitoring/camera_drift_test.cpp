@@ -56,7 +56,7 @@ class SeenCamera {
   std::mt19937_64 random_;
   double error_;
   Vector6d sigma_ =
-      (Vector6d() << Eigen::Vector3d::Constant(0.008 * kRadPerDeg), Eigen::Vector3d::Constant(0.05))
+      (Vector6d() << Eigen::Vector3d::Constant(0.004 * kRadPerDeg), Eigen::Vector3d::Constant(0.05))
           .finished();
   Vector6d lasting_ = Vector6d::Zero(), at_key_ = Vector6d::Zero();
   int key_ = 0;

@@ -33,7 +33,8 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 /// which the skins lie closest; the model may put one skin outside the other everywhere. `covers`,
 /// `evidence`: as found at `closest`.
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence);
+                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence,
+                       const std::optional<TurnableCamera>& right = {});
 
 /// Refuses before any fit: no skin, a defaced scan, too few points. Throws Error("not aligned: ...").
 void requireMaterial(const ScalpField& scalp, const PointCloud<Camera>& face);

@@ -1,6 +1,7 @@
 #include <future>
 #include <optional>
 
+#include "confidence/camera_turn.h"
 #include "confidence/fit_report.h"
 #include "facenav/core/error.h"
 #include "robust_fit.h"
@@ -23,8 +24,9 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
     throw;
   }
   fit->posterior.covariance += robust.doubt;
+  fit->posterior.turn = settledTurn(scalp, face, start, *fit);
   monitor.report("checking the fit", 0.9);
-  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get());
+  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get(), start.right);
 }
 
 AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
