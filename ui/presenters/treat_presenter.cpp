@@ -329,6 +329,7 @@ QString TreatPresenter::alignmentWords() const {
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   if (treatment_) {
     const auto latest = treatment_->session().latest();
+    if (!latest->rig_correction.empty()) rig_fault_ = QString::fromStdString(latest->rig_correction);
     if (!latest->rig_fault.empty()) rig_fault_ = QString::fromStdString(latest->rig_fault);
     if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));

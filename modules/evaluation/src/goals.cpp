@@ -118,6 +118,18 @@ GoalRow boundGoal(const std::vector<Measured>& all, const std::string& from) {
           formatted("%zu captures", errors.mm.size())};
 }
 
+/// A camera that turned about its vertical axis leaves every match on its epipolar line.
+GoalRow turnedGoal(const std::vector<Measured>& all) {
+  const auto errors = alignmentErrors(
+      all, [](const RunRecord& run) { return run.from.find("turned sideways") != std::string::npos; });
+  const int accepted = int(errors.mm.size()), outside = accepted - errors.inside;
+  return {"aligned with a camera turned sideways by 0.05-0.3 deg: outside the stated bound", "0",
+          formatted("%d of %d accepted, max %.2f mm; %d refused", outside, accepted, summarise(errors.mm).max,
+                    errors.refused),
+          verdictOf(outside == 0, accepted + errors.refused > 0),
+          formatted("%d attempts", accepted + errors.refused)};
+}
+
 /// One patient aligned in several ways: errors and bound of each, and what must be refused.
 void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
   int tried = 0, accepted = 0;
@@ -132,6 +144,7 @@ void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
                                  "median <= 0.5, max <= 1.0 mm, <= 0.5 deg"));
     rows.push_back(boundGoal(all, from));
   }
+  rows.push_back(turnedGoal(all));
   rows.push_back({"aligned from a plain pair: another's scan, a mirrored one, moved cameras", "0",
                   formatted("%d of %d", accepted, tried), verdictOf(accepted == 0, tried > 0),
                   formatted("%d attempts", tried)});

@@ -15,6 +15,10 @@
 namespace facenav::workflow {
 namespace {
 
+constexpr const char* kSparseWords =
+    "the dots lie too far apart to measure the skin between them: the plain pair was measured; project dense "
+    "dots";
+
 /// The face's box, enlarged to include forehead, chin and temples; nothing if no face was found.
 std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
   if (!face.left) return std::nullopt;
@@ -37,12 +41,24 @@ stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras
   return options;
 }
 
+/// The right camera, turning across its view of the face and the baseline.
+std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoRig& rig,
+                                                          const PointCloud<Camera>& face) {
+  if (face.empty()) return std::nullopt;
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const auto& p : face.points_mm) middle_mm += p / double(face.size());
+  const Eigen::Vector3d centre_mm = rig.right_T_left.isometry().inverse().translation();
+  return registration::TurnableCamera{Point<Camera>(centre_mm),
+                                      Direction<Camera>(middle_mm.cross(centre_mm).normalized())};
+}
+
 /// What is known of the face before it is fitted.
 registration::AlignmentStart startOf(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
   registration::AlignmentStart start = outcome.landmarks.start;
   const FaceError error = faceErrorOf(rig, outcome.face);
   start.shared_depth_sigma_mm = error.whole_mm;
   start.sight = error.sight;
+  start.right = turnableRight(rig, outcome.face.cloud);
   return start;
 }
 
@@ -156,13 +172,15 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
                                   AlignedFrom from, const AlignmentSetup& setup, TaskMonitor& monitor) {
   stereo::makeDenseMatcher(setup.matcher);  // refuses an unknown name before any work is done
   const Field field = fieldOf(setup);
-  const bool has_dots = from == AlignedFrom::dots;
-  const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   AlignmentOutcome outcome;
-  outcome.from = from;
   outcome.matcher = setup.matcher;
   monitor.report("finding the face", 0.0);
   outcome.landmarks = findFace(rig, capture.plain, setup.detector);
+  const bool is_sparse = from == AlignedFrom::dots && areDotsSparse(capture);
+  if (is_sparse) from = AlignedFrom::plain;
+  outcome.from = from;
+  const bool has_dots = from == AlignedFrom::dots;
+  const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   bool is_measured = false;
   const auto measureAndFit = [&] {
     outcome.face =
@@ -176,6 +194,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
+  if (is_sparse) outcome.result.cautions.push_back(kSparseWords);
   conclude(setup, capture.plain, outcome);
   return outcome;
 }

@@ -80,7 +80,7 @@ struct TreatmentLog::Implementation {
   std::string failure;
   std::thread thread;
   // Used only by the thread: what held at the previous frame.
-  bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
+  bool has_head = false, has_coil = false, has_faulted = false, has_corrected = false, has_noted_end = false;
   int noted_check = 0;
   std::string evidence_fault;
   std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
@@ -123,6 +123,8 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
   const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
   if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
   has_faulted = !fault.empty();
+  if (!state.rig_correction.empty() && !has_corrected) log.addEvent("camera moved", state.rig_correction);
+  has_corrected = !state.rig_correction.empty();
   if (state.check && state.check->number != noted_check) {
     log.addEvent("registration check", inWords(*state.check));
     noted_check = state.check->number;
