@@ -38,6 +38,7 @@ void addEvaluate(CLI::App& app, Context& context);
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 /// `facenav evaluate rigs`, below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
+void addEvaluateSkin(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 void addSettings(CLI::App& app, Context& context);

@@ -204,6 +204,7 @@ void addEvaluate(CLI::App& app, Context& context) {
       ->capture_default_str();
   addEvaluatePrepare(*verb, context);
   addEvaluateRigs(*verb, context);
+  addEvaluateSkin(*verb, context);
   addEvaluatePairs(*verb, context);
   verb->callback([&context, request, verb] {
     if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs"))

@@ -7,6 +7,7 @@
 
 #include "camera_doubts.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
@@ -117,8 +118,17 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(plain, outcome.face, outcome.result);
   for (const auto& target : setup.targets) {
-    outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);
-    outcome.predicted_tre_p95_mm[target.name] = outcome.result.errorBound_mm(target.cortex_point);
+    // The coil rests on the skin as the MRI shows it: where that is unsure, so is its place.
+    constexpr double kUnsure_mm = 0.5, kBound = 1.96;
+    const double skin_mm = surface::skinDoubtUnder_mm(setup.scalp, target.scalp_point);
+    outcome.predicted_tre_mm[target.name] =
+        std::hypot(outcome.result.predictedError_mm(target.cortex_point), skin_mm);
+    outcome.predicted_tre_p95_mm[target.name] =
+        std::hypot(outcome.result.errorBound_mm(target.cortex_point), kBound * skin_mm);
+    if (skin_mm > kUnsure_mm)
+      outcome.result.cautions.push_back(formatted(
+          "the skin at %s is unsure by %.1f mm (pads or haze in the scan): check the coil's gap there",
+          target.name.c_str(), skin_mm));
   }
 }
 
