@@ -32,6 +32,9 @@ void addLocate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);
 void addPlan(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);
+void addCoil(CLI::App& app, Context& context);
+void addFaceCase(CLI::App& app, Context& context);
+void addImport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);
 /// `facenav evaluate prepare`, below evaluate.
@@ -39,6 +42,8 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 /// `facenav evaluate rigs`, below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
 void addEvaluateSkin(CLI::App& evaluate, Context& context);
+/// `facenav evaluate return`, below evaluate.
+void addEvaluateReturn(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 void addSettings(CLI::App& app, Context& context);

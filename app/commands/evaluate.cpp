@@ -206,8 +206,10 @@ void addEvaluate(CLI::App& app, Context& context) {
   addEvaluateRigs(*verb, context);
   addEvaluateSkin(*verb, context);
   addEvaluatePairs(*verb, context);
+  addEvaluateReturn(*verb, context);
   verb->callback([&context, request, verb] {
-    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs"))
+    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs") ||
+        verb->got_subcommand("return"))
       return;
     if (!request->recordings.empty()) {
       if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")

@@ -41,6 +41,14 @@ class TreatPresenter : public QObject {
   void goOn(const casefile::SessionSoFar& session);
   void stop();
   void chooseTarget(const QString& name);
+  /// Names of the coils to choose from: the recording's own one, then those of the library.
+  QStringList coils() const;
+  QString coilName() const { return QString::fromStdString(coil_.name); }
+  /// Follows this coil from now on, also while guidance runs. Remembered where it is of the library.
+  void chooseCoil(const QString& name);
+  /// That the target was found with another coil, or that the coil's calibration is old or not recorded;
+  /// empty: nothing to say.
+  QString coilReminder() const;
   /// Recorded in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
   /// Guides to a place that is not in the plan (a site of a hunting grid); nothing: to the chosen target
@@ -129,6 +137,7 @@ class TreatPresenter : public QObject {
 
  private:
   void startWith(const std::filesystem::path& goes_on);
+  void useRememberedCoil();
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
   void listen();
@@ -143,6 +152,8 @@ class TreatPresenter : public QObject {
   bool is_live_ = false;
   mutable QString rig_fault_;
   coil_tracking::CoilModel coil_;
+  coil_tracking::CoilCard coil_card_;
+  std::optional<workflow::TreatmentFilm> film_;  // whose coil may be chosen again
   std::shared_ptr<const workflow::AlignmentOutcome> outcome_;
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;

@@ -33,6 +33,8 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
   state_ = label({}, "verdict", this);
   column->addWidget(state_);
   addCapture(*column);
+  coil_words_ = label({}, "plain", this);
+  column->addWidget(coil_words_);
   column->addStretch(1);
   column->addWidget(label(tr("Or a recording"), "heading", this));
   auto* recording = button(tr("Open a recording\u2026"), tr("a folder with stereo.yml, played as if live"),
@@ -119,6 +121,8 @@ void CamerasPanel::fillDevices() {
 }
 
 void CamerasPanel::showState() {
+  const QString reminder = presenter_.coilReminder();
+  coil_words_->setText(tr("Coil: %1").arg(presenter_.coilName()) + (reminder.isEmpty() ? QString() : "\n" + reminder));
   rig_->setText(cameras_.rigWords());
   const QString fault = presenter_.rigFault();
   const char* level = !fault.isEmpty()         ? "caution"

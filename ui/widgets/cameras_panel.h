@@ -35,7 +35,7 @@ class CamerasPanel : public QFrame {
   TreatPresenter& presenter_;
   CamerasPresenter& cameras_;
   QComboBox *left_, *right_;
-  QLabel *rig_, *state_, *capture_words_;
+  QLabel *rig_, *state_, *capture_words_, *coil_words_;
   QPushButton *open_, *dots_, *plain_;
   QTimer timer_;
   bool is_filling_ = false;

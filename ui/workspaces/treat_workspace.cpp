@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTabBar>
 #include <QVBoxLayout>
 
@@ -164,6 +165,10 @@ QWidget* TreatWorkspace::makeSteps() {
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(14);
   target_->setToolTip(tr("the target to guide to"));
+  coil_ = new QComboBox(bar);
+  coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  coil_->setMinimumContentsLength(10);
+  coil_->setAccessibleName(tr("coil"));
   show_slices_ = new QPushButton(tr("Slices"), bar);
   show_slices_->setObjectName("tool");
   show_slices_->setCheckable(true);
@@ -182,6 +187,7 @@ QWidget* TreatWorkspace::makeSteps() {
   row->addWidget(words_, 1);
   row->addWidget(show_slices_);
   row->addWidget(slices_in_scene_);
+  row->addWidget(coil_);
   row->addWidget(target_);
   connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
     QSettings().setValue(kSlicesShown, are_shown);
@@ -202,6 +208,8 @@ QWidget* TreatWorkspace::makeSteps() {
   });
   connect(target_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { presenter_.chooseTarget(target_->currentText()); });
+  connect(coil_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { presenter_.chooseCoil(coil_->currentText()); });
   return bar;
 }
 
@@ -239,6 +247,7 @@ void TreatWorkspace::showSteps() {
   align_->setEnabled(presenter_.canAlign());
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
+  showCoils();
   words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                               : tr("open a case first (Ctrl+O)"));
   target_->clear();
@@ -250,6 +259,17 @@ void TreatWorkspace::showSteps() {
     scene_->scene().setView(scene::ViewPreset::target);
     signature_.clear();
   }
+}
+
+/// A calibration that is old is marked at the coil's name, and said in its tip and in step 1.
+void TreatWorkspace::showCoils() {
+  const QString reminder = presenter_.coilReminder();
+  coil_->clear();
+  coil_->addItems(presenter_.coils());
+  coil_->setCurrentText(presenter_.coilName());
+  const bool is_old = !reminder.isEmpty() && presenter_.hasRecording();
+  coil_->setToolTip(tr("the coil that is held") + (is_old ? "\n" + reminder : QString()));
+  if (is_old) coil_->setItemIcon(coil_->currentIndex(), style()->standardIcon(QStyle::SP_MessageBoxWarning));
 }
 
 void TreatWorkspace::showCase() {

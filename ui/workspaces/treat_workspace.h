@@ -56,6 +56,7 @@ class TreatWorkspace : public QWidget {
   QWidget* makeSteps();
   void showCase();
   void showSteps();
+  void showCoils();
   void refresh();
   void showStage(bool shows_cameras);
   void showPreview();
@@ -74,7 +75,7 @@ class TreatWorkspace : public QWidget {
   BullsEyeView* bulls_eye_;
   QBoxLayout* bulls_eye_and_figures_;
   FiguresPanel* figures_;
-  QComboBox* target_;
+  QComboBox *target_, *coil_;
   QStackedWidget *side_, *tools_;  // tools_: bull's eye, motor, session
   QPushButton *cameras_, *align_, *guide_, *show_slices_, *slices_in_scene_;
   ElidedLabel* words_;

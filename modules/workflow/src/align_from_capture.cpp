@@ -6,6 +6,7 @@
 #include <future>
 
 #include "camera_doubts.h"
+#include "dotted_face.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/workflow/measured_face.h"
@@ -19,28 +20,6 @@ namespace {
 constexpr const char* kSparseWords =
     "the dots lie too far apart to measure the skin between them: the plain pair was measured; project dense "
     "dots";
-
-/// The face's box, enlarged to include forehead, chin and temples; nothing if no face was found.
-std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
-  if (!face.left) return std::nullopt;
-  const cv::Rect& box = face.left->face;
-  const int grow_x = box.width / 2, grow_y = int(0.6 * box.height);
-  const cv::Rect grown(box.x - grow_x, box.y - grow_y, box.width + 2 * grow_x, box.height + 2 * grow_y);
-  const cv::Rect inside = grown & cv::Rect(0, 0, rig.width_px, rig.height_px);
-  if (inside.area() <= 0) return std::nullopt;
-  return inside;
-}
-
-stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras::StereoRig& rig,
-                                          const std::string& matcher) {
-  stereo::FaceCloudOptions options = stereo::dottedFaceOptions(matcher);
-  options.left_roi = region(face, rig);
-  if (face.centre) {
-    options.nearest_mm = std::max(100.0, face.centre->mm.z() - 180.0);
-    options.farthest_mm = face.centre->mm.z() + 220.0;
-  }
-  return options;
-}
 
 /// The right camera, turning across its view of the face and the baseline.
 std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoRig& rig,
@@ -193,12 +172,8 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   bool is_measured = false;
   const auto measureAndFit = [&] {
-    outcome.face =
-        has_dots
-            ? cutFace(stereo::measureFace(rig, measured,
-                                          measuringOptions(outcome.landmarks, rig, setup.matcher), monitor),
-                      outcome.landmarks)
-            : measurePlainSkin(rig, measured, outcome.landmarks, monitor);
+    outcome.face = has_dots ? measureDotted(rig, measured, outcome.landmarks, setup.matcher, monitor)
+                            : measurePlainSkin(rig, measured, outcome.landmarks, monitor);
     is_measured = true;
     fit(rig, setup, field, measured, capture.plain, monitor, outcome);
   };

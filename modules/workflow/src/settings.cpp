@@ -19,6 +19,8 @@
 #include "facenav/segmentation/prior_use.h"
 #include "facenav/stereo/shared_error.h"
 #include "facenav/stimulation/threshold_rules.h"
+#include "facenav/workflow/coil_library.h"
+#include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/mep_import.h"
 #include "facenav/workflow/session_return.h"
 
@@ -37,7 +39,7 @@ using All =
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
            head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
            stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits,
-           casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules>;
+           casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules>;
 
 }  // namespace
 

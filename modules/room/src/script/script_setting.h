@@ -77,6 +77,8 @@ MomentOf otherFaceScript(const Setting& setting);
 MomentOf grimaceScript(const Setting& setting);
 MomentOf returnsScript(const Setting& setting);
 MomentOf outOfStepScript(const Setting& setting);
+/// Of the options' capture_grimace; its kind by the seed.
+Expression captureExpression(const ScenarioOptions& options);
 
 // script_moments.cpp: a real person in front of real cameras.
 MomentOf momentsScript(const Setting& setting);

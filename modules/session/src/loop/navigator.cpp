@@ -41,6 +41,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
                      std::unique_ptr<coil_tracking::CoilTracker> coil)
     : rig_(setup.rig),
       marker_T_coil_(setup.coil.marker_T_coil()),
+      coil_name_(setup.coil.name),
       tolerance_(setup.tolerance),
       rig_check_(setup.rig),
       head_(std::move(head)),
@@ -75,6 +76,14 @@ void Navigator::setTarget(std::optional<ChosenTarget> target) {
   previous_ = {};
 }
 
+void Navigator::setCoil(const coil_tracking::CoilModel& coil) {
+  coil_->start(rig_, coil);
+  marker_T_coil_ = coil.marker_T_coil();
+  coil_name_ = coil.name;
+  coil_deferred_ = {};
+  previous_ = {};
+}
+
 NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const Timestamp begin = Timestamp::now();
@@ -85,6 +94,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   state.arrived = state.taken = begin;
   state.is_aligned = head_T_mri_.has_value();
   state.target = target_ ? target_->target.name : "";
+  state.coil_name = coil_name_;
   state.chosen = target_;
   state.tolerance = tolerance_;
   if (isUsable(*frame, rig_)) {

@@ -82,6 +82,7 @@ struct TreatmentLog::Implementation {
   // Used only by the thread: what held at the previous frame.
   bool has_head = false, has_coil = false, has_faulted = false, has_corrected = false, has_noted_end = false;
   int noted_check = 0;
+  std::string noted_coil;  // whose poses the lines of poses.csv are
   std::string evidence_fault;
   std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
   std::optional<Timestamp> broken;    // since when nothing can be written
@@ -93,6 +94,7 @@ struct TreatmentLog::Implementation {
   bool answer(std::variant<double, bool> said);
   void noteEnd();
   void noteEvidence();
+  void noteCoil(const NavigationState& state);
   std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
   void write(const NavigationState& state);
   template <class Work>
@@ -109,7 +111,14 @@ void TreatmentLog::Implementation::noteChange(bool& has, bool has_now, const cha
   has = has_now;
 }
 
+void TreatmentLog::Implementation::noteCoil(const NavigationState& state) {
+  if (state.frame < 0 || state.coil_name == noted_coil) return;
+  log.addEvent("coil followed", state.coil_name + formatted(", from frame %lld on", (long long)state.frame));
+  noted_coil = state.coil_name;
+}
+
 void TreatmentLog::Implementation::write(const NavigationState& state) {
+  noteCoil(state);
   if (state.frame >= 0) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));

@@ -33,6 +33,7 @@ struct ScenarioOptions {
   double right_gain = 1.0, right_gamma = 1.0;          // of the right camera, relative to the left one
   int blinks = -1;                                     // 1: blinks; 0: none; -1: the scenario's value
   double hair_sway_mm = -1.0;                          // 0: hair does not move; -1: the scenario's value
+  double capture_grimace = 0.0;                        // size of a grimace at the capture alone; 0: none
   double skin_contrast = 1.0;                          // scales the contrast of the patient's skin
   int bayer = -1;                                      // 1: colour sensors; -1: the scenario's value
   double grey_red = 1.0 / 3.0, grey_blue = 1.0 / 3.0;  // weights of red and blue in the left camera's grey
@@ -80,6 +81,10 @@ struct ScenarioOptions {
               "the scenario says)",
               -1, 20},
         self.hair_sway_mm);
+    visitor(Field{"capture_grimace",
+                  "size of a grimace at the capture, which the seed chooses; the face is at rest afterwards",
+                  0, 1},
+            self.capture_grimace);
     visitor(Field{"skin_contrast", "scales blotches, freckles and pores of whoever sits there", 0, 3},
             self.skin_contrast);
     visitor(

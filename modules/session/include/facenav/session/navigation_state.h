@@ -39,6 +39,7 @@ struct NavigationState {
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen
+  std::string coil_name;    // of the coil that is followed: the pose of `coil` is that of no other one
   /// The same target as it was at this frame; null: none.
   std::shared_ptr<const ChosenTarget> chosen;
   /// That guidance used.
