@@ -1,9 +1,10 @@
 # facenav_add_test(NAME n SOURCES a_test.cpp .. MODULES m .. [LIBS ..] [LABELS ..] [TIMEOUT s]
+#                  [LOCK name: never beside another test with this lock]
 #                  [HEADERS a precompiled header of its own, where the compiler's flags differ])
 # One GoogleTest program; each TEST() is a ctest entry of its own. testing/support is on the include path.
 include(GoogleTest)
 function(facenav_add_test)
-  cmake_parse_arguments(T "" "NAME;TIMEOUT" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
+  cmake_parse_arguments(T "" "NAME;TIMEOUT;LOCK" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 120)
   endif()
@@ -22,6 +23,9 @@ function(facenav_add_test)
   set(properties TIMEOUT ${T_TIMEOUT})
   if(T_LABELS)
     list(APPEND properties LABELS "${T_LABELS}")
+  endif()
+  if(T_LOCK)
+    list(APPEND properties RESOURCE_LOCK ${T_LOCK})
   endif()
   gtest_discover_tests(${T_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
 endfunction()

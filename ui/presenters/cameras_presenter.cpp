@@ -12,10 +12,16 @@
 namespace facenav::ui {
 namespace {
 
+QString nameOf(const capture::FoundCamera& camera) {
+  return QString::fromStdString(capture::stableName(camera.identity));
+}
+
+bool isOfNetwork(const QString& name) { return name.startsWith("genicam:"); }
+
 constexpr double kFresh_s = 0.5;        // an older image does not show the present
 constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
-const char* const kLeft = "cameras/left";
-const char* const kRight = "cameras/right";
+const char* const kLeft = "cameras/left_name";
+const char* const kRight = "cameras/right_name";
 const char* const kRig = "cameras/rig";
 
 }  // namespace
@@ -23,24 +29,53 @@ const char* const kRig = "cameras/rig";
 CamerasPresenter::CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), tasks_(tasks) {
   const QSettings settings;
-  left_ = settings.value(kLeft, -1).toInt();
-  right_ = settings.value(kRight, -1).toInt();
+  left_ = settings.value(kLeft).toString();
+  right_ = settings.value(kRight).toString();
   rig_file_ = settings.value(kRig).toString();
   readRig();
 }
 
 void CamerasPresenter::refreshDevices() {
-  devices_ = services_.listCameras ? services_.listCameras() : std::vector<capture::CameraDevice>();
-  const auto isThere = [&](int index) {
-    return std::any_of(devices_.begin(), devices_.end(), [&](const auto& d) { return d.index == index; });
+  std::vector<capture::FoundCamera> found;
+  if (services_.listCameras) found = services_.listCameras(capture::Search::quick);
+  for (const auto& camera : devices_)  // these do not answer a quick search
+    if (isOfNetwork(nameOf(camera))) found.push_back(camera);
+  use(std::move(found), false);
+}
+
+void CamerasPresenter::lookEverywhere() {
+  if (tasks_.isRunning() || isLive() || !services_.listCameras) return refreshDevices();
+  tasks_.start(tr("Looking for cameras"), [this](TaskMonitor&) -> TaskRunner::Delivery {
+    auto found = services_.listCameras(capture::Search::everywhere);
+    return [this, found = std::move(found)] { use(found, true); };
+  });
+}
+
+/// A chosen camera that is gone is no longer chosen, unless this search could not have found it.
+void CamerasPresenter::use(std::vector<capture::FoundCamera> devices, bool has_network) {
+  devices_ = std::move(devices);
+  if (left_.isEmpty() && right_.isEmpty() && devices_.size() == 2)
+    return choose(nameOf(devices_[0]), nameOf(devices_[1]));
+  const auto kept = [&](const QString& name) {
+    return device(name) || (!has_network && isOfNetwork(name)) || devices_.empty() ? name : QString();
   };
-  if (left_ < 0 && right_ < 0 && devices_.size() >= 2) return choose(devices_[0].index, devices_[1].index);
-  if (!devices_.empty() && (!isThere(left_) || !isThere(right_)))
-    return choose(isThere(left_) ? left_ : -1, isThere(right_) ? right_ : -1);
+  if (kept(left_) != left_ || kept(right_) != right_) return choose(kept(left_), kept(right_));
   emit changed();
 }
 
-void CamerasPresenter::choose(int left, int right) {
+const capture::FoundCamera* CamerasPresenter::device(const QString& name) const {
+  const auto at =
+      std::find_if(devices_.begin(), devices_.end(), [&](const auto& d) { return nameOf(d) == name; });
+  return at == devices_.end() ? nullptr : &*at;
+}
+
+QString CamerasPresenter::deviceWords() const {
+  QStringList words;
+  for (const auto& advice : capture::adviceOn(devices_)) words << QString::fromStdString(advice);
+  return words.join("\n");
+}
+
+void CamerasPresenter::choose(const QString& left, const QString& right) {
   left_ = left;
   right_ = right;
   QSettings settings;
@@ -80,7 +115,7 @@ QString CamerasPresenter::rigWords() const {
 }
 
 bool CamerasPresenter::canOpen() const {
-  return rig_ && left_ >= 0 && right_ >= 0 && left_ != right_ && services_.openCameras;
+  return rig_ && !left_.isEmpty() && !right_.isEmpty() && left_ != right_ && services_.openCameras;
 }
 
 void CamerasPresenter::open() {
@@ -89,8 +124,8 @@ void CamerasPresenter::open() {
                [this, rig = *rig_, left = left_, right = right_,
                 old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  old.reset();  // first: a camera can be opened only once
-                 auto preview =
-                     std::make_shared<capture::LivePreview>(services_.openCameras(rig, left, right), false);
+                 auto preview = std::make_shared<capture::LivePreview>(
+                     services_.openCameras(rig, left.toStdString(), right.toStdString()), false);
                  return [this, preview] {
                    preview_ = preview;
                    is_live_ = true;
@@ -133,13 +168,23 @@ QString CamerasPresenter::words() const {
     if (!preview_->failure().empty()) return QString::fromStdString(preview_->failure());
     if (!is_live_) return preview_->hasEnded() ? tr("recording, at its end") : tr("recording");
     if (preview_->age_s() > kFresh_s) return tr("NO PICTURE from the cameras");
-    return tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
+    QString words = tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
+    for (const auto& caution : preview_->cautions()) words += "\n" + QString::fromStdString(caution);
+    return words;
   }
+  return notReadyWords();
+}
+
+QString CamerasPresenter::notReadyWords() const {
   if (devices_.empty()) return tr("no camera found: plug two cameras in and look again, or open a recording");
-  if (devices_.size() < 2) return tr("one camera only: two are needed; plug the other in and look again");
-  if (left_ < 0 || right_ < 0 || left_ == right_) return tr("choose two different cameras");
+  if (devices_.size() < 2) return deviceWords();
+  for (const QString& name : {left_, right_})
+    if (const auto* chosen = device(name); chosen && chosen->use != capture::FoundCamera::Use::free)
+      return deviceWords();
+  if (left_.isEmpty() || right_.isEmpty() || left_ == right_) return tr("choose two different cameras");
   if (!rig_) return tr("choose the calibration of these two cameras");
-  return tr("ready to be opened");
+  const QString advice = deviceWords();
+  return advice.isEmpty() ? tr("ready to be opened") : tr("ready to be opened; %1").arg(advice);
 }
 
 /// Copy of the newest live pair. Refused if it is older than kFresh_s.

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "facenav/capture/camera_list.h"
+#include "facenav/capture/camera_backend.h"
 #include "facenav/capture/live_preview.h"
 #include "facenav/capture/recording.h"
 #include "presenters/retirement.h"
@@ -22,13 +22,17 @@ class CamerasPresenter : public QObject {
  public:
   CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
 
-  /// Updates the list of connected cameras.
+  /// Updates the list of connected cameras at once. Network cameras stay as they were found last.
   void refreshDevices();
-  const std::vector<capture::CameraDevice>& devices() const { return devices_; }
-  /// Index of the chosen camera, -1: none. Remembered.
-  int left() const { return left_; }
-  int right() const { return right_; }
-  void choose(int left, int right);
+  /// The same with the network's cameras, in the background.
+  void lookEverywhere();
+  const std::vector<capture::FoundCamera>& devices() const { return devices_; }
+  /// What to know or do about the connected cameras; empty: nothing.
+  QString deviceWords() const;
+  /// Stable name of the chosen camera (capture/camera.h), empty: none. Remembered.
+  QString left() const { return left_; }
+  QString right() const { return right_; }
+  void choose(const QString& left, const QString& right);
   void swapSides() { choose(right_, left_); }
   /// The rig's stereo.yml; remembered.
   QString rigFile() const { return rig_file_; }
@@ -71,14 +75,17 @@ class CamerasPresenter : public QObject {
   void refused(const QString& words);
 
  private:
+  void use(std::vector<capture::FoundCamera> devices, bool has_network);
+  const capture::FoundCamera* device(const QString& name) const;
+  QString notReadyWords() const;
   void retire(std::shared_ptr<capture::LivePreview> preview);
   void readRig();
   std::optional<cameras::StereoFrame> takeFresh();
 
   const Services& services_;
   TaskRunner& tasks_;
-  std::vector<capture::CameraDevice> devices_;
-  int left_ = -1, right_ = -1;
+  std::vector<capture::FoundCamera> devices_;
+  QString left_, right_;
   QString rig_file_, rig_problem_;
   std::optional<cameras::StereoRig> rig_;
   std::shared_ptr<capture::LivePreview> preview_;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "facenav/atlas/brain_template.h"
-#include "facenav/capture/camera_list.h"
+#include "facenav/capture/camera_backend.h"
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
@@ -50,10 +50,11 @@ struct Services {
   std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                            TaskMonitor&)>
       align;
-  /// Connected cameras; fast.
-  std::function<std::vector<capture::CameraDevice>()> listCameras;
-  /// A live pair, by index. Its destructor releases both cameras.
-  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, int left, int right)>
+  /// Connected cameras. Search::quick is fast; Search::everywhere waits for the network.
+  std::function<std::vector<capture::FoundCamera>(capture::Search)> listCameras;
+  /// A live pair, by stable names (capture/camera.h). Its destructor releases both cameras.
+  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, const std::string& left,
+                                                      const std::string& right)>
       openCameras;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas. Throws Error if it is not installed.

@@ -151,7 +151,8 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
                  const workflow::TreatmentDevices devices{
                      services_.makeNavigator, [&] {
                        seen.reset();  // first: a camera can be opened only once
-                       return request.is_live ? services_.openCameras(request.recording.rig, left, right)
+                       return request.is_live ? services_.openCameras(request.recording.rig,
+                                                                      left.toStdString(), right.toStdString())
                                               : capture::makeSource(request.recording);
                      }};
                  auto prepared = std::make_shared<workflow::PreparedTreatment>(

@@ -83,13 +83,13 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   column.addWidget(open_);
-  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::refreshDevices);
+  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);
   connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
   connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
   connect(open_, &QPushButton::clicked, &cameras_, &CamerasPresenter::open);
   for (auto* box : {left_, right_})
     connect(box, QOverload<int>::of(&QComboBox::activated), this,
-            [this] { cameras_.choose(left_->currentData().toInt(), right_->currentData().toInt()); });
+            [this] { cameras_.choose(left_->currentData().toString(), right_->currentData().toString()); });
 }
 
 void CamerasPanel::addCapture(QVBoxLayout& column) {
@@ -108,13 +108,16 @@ void CamerasPanel::addCapture(QVBoxLayout& column) {
 }
 
 void CamerasPanel::fillDevices() {
-  for (auto [box, chosen] : {std::pair(left_, cameras_.left()), std::pair(right_, cameras_.right())}) {
+  for (const auto& [box, chosen] : {std::pair(left_, cameras_.left()), std::pair(right_, cameras_.right())}) {
     box->clear();
-    for (const auto& device : cameras_.devices())
-      box->addItem(tr("%1: %2").arg(device.index).arg(QString::fromStdString(device.name)), device.index);
+    for (const auto& device : cameras_.devices()) {
+      box->addItem(QString::fromStdString(capture::inWords(device)),
+                   QString::fromStdString(capture::stableName(device.identity)));
+      box->setItemData(box->count() - 1, box->itemText(box->count() - 1), Qt::ToolTipRole);
+    }
     box->setEnabled(box->count() > 0);
-    if (box->count() == 0) box->addItem(tr("no camera found"), -1);
-    box->setCurrentIndex(std::max(chosen < 0 ? -1 : 0, box->findData(chosen)));
+    if (box->count() == 0) box->addItem(tr("no camera found"), QString());
+    box->setCurrentIndex(chosen.isEmpty() ? -1 : box->findData(chosen));
   }
 }
 
