@@ -1,10 +1,13 @@
 # facenav_add_test(NAME n SOURCES a_test.cpp .. MODULES m .. [LIBS ..] [LABELS ..] [TIMEOUT s]
 #                  [LOCK name: never beside another test with this lock]
+#                  [UNITY files compiled together, where names of more clash]
 #                  [HEADERS a precompiled header of its own, where the compiler's flags differ])
 # One GoogleTest program; each TEST() is a ctest entry of its own. testing/support is on the include path.
+# The tests' own code is compiled with -O1: a third less time than -O3. The modules under test keep -O3.
+set(FACENAV_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 include(GoogleTest)
 function(facenav_add_test)
-  cmake_parse_arguments(T "" "NAME;TIMEOUT;LOCK" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
+  cmake_parse_arguments(T "" "NAME;TIMEOUT;UNITY;LOCK" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 120)
   endif()
@@ -15,11 +18,15 @@ function(facenav_add_test)
   target_include_directories(${T_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/testing)
   target_link_libraries(${T_NAME} PRIVATE ${T_LIBS} GTest::gmock GTest::gtest_main facenav_warnings)
   target_compile_definitions(${T_NAME} PRIVATE FACENAV_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(T_UNITY)
+    set_target_properties(${T_NAME} PROPERTIES UNITY_BUILD_BATCH_SIZE ${T_UNITY})
+  endif()
   if(NOT T_HEADERS)
     facenav_use_headers(${T_NAME} facenav_test_headers)
   elseif(FACENAV_PRECOMPILED)
     target_precompile_headers(${T_NAME} PRIVATE ${T_HEADERS})
   endif()
+  target_compile_options(${T_NAME} PRIVATE ${FACENAV_TEST_OPTIMISATION})
   set(properties TIMEOUT ${T_TIMEOUT})
   if(T_LABELS)
     list(APPEND properties LABELS "${T_LABELS}")

@@ -35,7 +35,7 @@ struct FollowOn {
 };
 
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
-constexpr double kRetry_s = 1.0;       // after a fault of the disk
+constexpr double kLogRetry_s = 1.0;       // after a fault of the disk
 constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
@@ -215,7 +215,7 @@ void TreatmentLog::Implementation::tried(Work work) {
       broken = Timestamp::now();
     }
     setFailure(error.what());
-    retry = {Timestamp::now().s + kRetry_s};
+    retry = {Timestamp::now().s + kLogRetry_s};
   }
 }
 
