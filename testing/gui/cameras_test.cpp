@@ -165,6 +165,31 @@ TEST_F(CamerasTest, NetworkCamerasAreLookedForOnDemandAndStayChosen) {
   EXPECT_TRUE(cameras().left().isEmpty());
 }
 
+TEST_F(CamerasTest, ANamedRigBringsItsCamerasSettingsAndCalibration) {
+  capture::RigEntry entry{"bar", folder_.path(), capture::NamedRig(), ""};
+  entry.rig->rig = fakes::rig();
+  entry.rig->left = capture::RigCamera{plugged_in_[1].identity, {}};
+  entry.rig->right = capture::RigCamera{plugged_in_[0].identity, {}};
+  entry.rig->last_check = capture::RigCheckNote{"", "holds", "the calibration holds"};
+  services_.listRigs = [&] { return std::vector<capture::RigEntry>{entry}; };
+  services_.openRig = [this](const capture::NamedRig& rig) {
+    opened_ = {capture::stableName(rig.left->identity), capture::stableName(rig.right->identity)};
+    return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
+  };
+  cameras().chooseRig("bar");
+  EXPECT_EQ(cameras().left(), kRight);
+  EXPECT_TRUE(cameras().rigWords().contains("last check: the calibration holds"));
+  plugged_in_.clear();
+  cameras().refreshDevices();
+  EXPECT_EQ(cameras().rigName(), "bar");  // plugged in again, it is there
+  cameras().open();
+  ASSERT_TRUE(fixtures::waitFor([&] { return cameras().isWell(); }));
+  EXPECT_EQ(opened_, std::make_pair(kRight.toStdString(), kLeft.toStdString()));
+  EXPECT_EQ(CamerasPresenter(services_, tasks_).rigName(), "bar");
+  cameras().swapSides();
+  EXPECT_TRUE(cameras().rigName().isEmpty());
+}
+
 TEST_F(CamerasTest, ACalibrationThatCannotBeReadIsNamedAndOpensNothing) {
   cameras().choose(kLeft, kRight);
   cameras().setRigFile(QString::fromStdString((folder_.path() / "missing.yml").string()));

@@ -23,6 +23,7 @@ constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
 const char* const kLeft = "cameras/left_name";
 const char* const kRight = "cameras/right_name";
 const char* const kRig = "cameras/rig";
+const char* const kRigName = "cameras/rig_name";
 
 }  // namespace
 
@@ -32,6 +33,8 @@ CamerasPresenter::CamerasPresenter(const Services& services, TaskRunner& tasks, 
   left_ = settings.value(kLeft).toString();
   right_ = settings.value(kRight).toString();
   rig_file_ = settings.value(kRig).toString();
+  rig_name_ = settings.value(kRigName).toString();
+  readRigs();
   readRig();
 }
 
@@ -51,15 +54,19 @@ void CamerasPresenter::lookEverywhere() {
   });
 }
 
-/// A chosen camera that is gone is no longer chosen, unless this search could not have found it.
+/// A chosen camera that is gone is no longer chosen, unless this search could not have found it, or a rig
+/// names it.
 void CamerasPresenter::use(std::vector<capture::FoundCamera> devices, bool has_network) {
   devices_ = std::move(devices);
-  if (left_.isEmpty() && right_.isEmpty() && devices_.size() == 2)
-    return choose(nameOf(devices_[0]), nameOf(devices_[1]));
   const auto kept = [&](const QString& name) {
     return device(name) || (!has_network && isOfNetwork(name)) || devices_.empty() ? name : QString();
   };
-  if (kept(left_) != left_ || kept(right_) != right_) return choose(kept(left_), kept(right_));
+  QString left = namedRig() ? left_ : kept(left_), right = namedRig() ? right_ : kept(right_);
+  if (left.isEmpty() && right.isEmpty() && devices_.size() == 2) {
+    left = nameOf(devices_[0]);
+    right = nameOf(devices_[1]);
+  }
+  if (left != left_ || right != right_) return choose(left, right);
   emit changed();
 }
 
@@ -76,6 +83,7 @@ QString CamerasPresenter::deviceWords() const {
 }
 
 void CamerasPresenter::choose(const QString& left, const QString& right) {
+  if (left != left_ || right != right_) forgetRigName();
   left_ = left;
   right_ = right;
   QSettings settings;
@@ -85,10 +93,64 @@ void CamerasPresenter::choose(const QString& left, const QString& right) {
 }
 
 void CamerasPresenter::setRigFile(const QString& path) {
+  forgetRigName();
   rig_file_ = path;
   QSettings().setValue(kRig, path);
   readRig();
   emit changed();
+}
+
+void CamerasPresenter::readRigs() {
+  rigs_.clear();
+  if (!services_.listRigs) return;
+  try {
+    rigs_ = services_.listRigs();
+  } catch (const Error& error) {
+    rig_problem_ = QString::fromUtf8(error.what());
+  }
+}
+
+QStringList CamerasPresenter::rigNames() const {
+  QStringList names;
+  for (const auto& entry : rigs_) names << QString::fromStdString(entry.name);
+  return names;
+}
+
+/// The chosen one, if it can be read and knows its cameras.
+std::optional<capture::NamedRig> CamerasPresenter::namedRig() const {
+  for (const auto& entry : rigs_)
+    if (!rig_name_.isEmpty() && entry.name == rig_name_.toStdString() && entry.rig && entry.rig->left)
+      return entry.rig;
+  return std::nullopt;
+}
+
+void CamerasPresenter::forgetRigName() {
+  rig_name_.clear();
+  QSettings().remove(kRigName);
+}
+
+void CamerasPresenter::chooseRig(const QString& name) {
+  readRigs();
+  const auto at = std::find_if(rigs_.begin(), rigs_.end(),
+                               [&](const auto& entry) { return entry.name == name.toStdString(); });
+  if (at == rigs_.end() || !at->rig)
+    return emit refused(at == rigs_.end() ? tr("there is no rig called %1").arg(name)
+                                          : QString::fromStdString(at->problem));
+  setRigFile(QString::fromStdString((at->folder / "stereo.yml").string()));
+  if (at->rig->left)
+    choose(QString::fromStdString(capture::stableName(at->rig->left->identity)),
+           QString::fromStdString(capture::stableName(at->rig->right->identity)));
+  rig_name_ = name;
+  QSettings().setValue(kRigName, name);
+  emit changed();
+}
+
+std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener() const {
+  if (const auto named = namedRig(); named && services_.openRig)
+    return [open = services_.openRig, rig = *named] { return open(rig); };
+  FACENAV_EXPECT(rig_, "a calibration is chosen first");
+  return [open = services_.openCameras, rig = *rig_, left = left_.toStdString(),
+          right = right_.toStdString()] { return open(rig, left, right); };
 }
 
 void CamerasPresenter::readRig() {
@@ -110,8 +172,13 @@ QString CamerasPresenter::rigWords() const {
                       .arg(rig_->height_px)
                       .arg(rig_->baseline_mm(), 0, 'f', 1);
   if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
-  return words + tr(", of %1").arg(
-                     QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
+  words +=
+      tr(", of %1").arg(QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
+  if (const auto named = namedRig())
+    words +=
+        "\n" + (named->last_check ? tr("last check: %1").arg(QString::fromStdString(named->last_check->words))
+                                  : tr("never checked since it was made"));
+  return words;
 }
 
 bool CamerasPresenter::canOpen() const {
@@ -121,11 +188,9 @@ bool CamerasPresenter::canOpen() const {
 void CamerasPresenter::open() {
   if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   tasks_.start(tr("Opening the cameras"),
-               [this, rig = *rig_, left = left_, right = right_,
-                old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+               [this, opens = opener(), old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  old.reset();  // first: a camera can be opened only once
-                 auto preview = std::make_shared<capture::LivePreview>(
-                     services_.openCameras(rig, left.toStdString(), right.toStdString()), false);
+                 auto preview = std::make_shared<capture::LivePreview>(opens(), false);
                  return [this, preview] {
                    preview_ = preview;
                    is_live_ = true;

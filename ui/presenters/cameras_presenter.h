@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -34,6 +35,12 @@ class CamerasPresenter : public QObject {
   QString right() const { return right_; }
   void choose(const QString& left, const QString& right);
   void swapSides() { choose(right_, left_); }
+  /// Names of the kept rigs (`facenav rig new`).
+  QStringList rigNames() const;
+  /// The chosen one; empty: cameras and calibration were chosen one by one. Remembered.
+  QString rigName() const { return rig_name_; }
+  /// Takes the rig's cameras, settings and calibration.
+  void chooseRig(const QString& name);
   /// The rig's stereo.yml; remembered.
   QString rigFile() const { return rig_file_; }
   void setRigFile(const QString& path);
@@ -43,6 +50,8 @@ class CamerasPresenter : public QObject {
   bool isRigGood() const { return rig_.has_value(); }
 
   bool canOpen() const;
+  /// Opens what is chosen now; for another thread.
+  std::function<std::unique_ptr<capture::FrameSource>()> opener() const;
   /// Opens both cameras; live images follow.
   void open();
   /// Plays a recording as a preview.
@@ -80,13 +89,17 @@ class CamerasPresenter : public QObject {
   QString notReadyWords() const;
   void retire(std::shared_ptr<capture::LivePreview> preview);
   void readRig();
+  void readRigs();
+  std::optional<capture::NamedRig> namedRig() const;
+  void forgetRigName();
   std::optional<cameras::StereoFrame> takeFresh();
 
   const Services& services_;
   TaskRunner& tasks_;
   std::vector<capture::FoundCamera> devices_;
   QString left_, right_;
-  QString rig_file_, rig_problem_;
+  std::vector<capture::RigEntry> rigs_;
+  QString rig_name_, rig_file_, rig_problem_;
   std::optional<cameras::StereoRig> rig_;
   std::shared_ptr<capture::LivePreview> preview_;
   Retirement retirement_;

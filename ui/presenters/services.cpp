@@ -62,6 +62,10 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
                                    capture::openCamera(methods.cameras, capture::findCamera(found, left)),
                                    capture::openCamera(methods.cameras, capture::findCamera(found, right)));
   };
+  services.listRigs = [] { return capture::RigStore().list(); };
+  services.openRig = [makeMethods](const capture::NamedRig& rig) -> std::unique_ptr<capture::FrameSource> {
+    return capture::openRig(makeMethods().cameras, rig);
+  };
   return services;
 }
 

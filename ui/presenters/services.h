@@ -14,6 +14,7 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/capture/camera_backend.h"
 #include "facenav/capture/recording.h"
+#include "facenav/capture/rig_store.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
@@ -56,6 +57,10 @@ struct Services {
   std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, const std::string& left,
                                                       const std::string& right)>
       openCameras;
+  /// The rigs kept under a name (`facenav rig new`); fast.
+  std::function<std::vector<capture::RigEntry>()> listRigs;
+  /// The cameras of such a rig, with their locked settings.
+  std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&)> openRig;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;

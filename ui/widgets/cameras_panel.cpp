@@ -43,6 +43,7 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, [this] { isVisible() ? showState() : timer_.stop(); });
   connect(&cameras_, &CamerasPresenter::changed, this, [this] {
     fillDevices();
+    fillRigs();
     showState();
   });
 }
@@ -78,8 +79,18 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   grid->addWidget(new QLabel(tr("right"), this), 1, 0);
   grid->addWidget(right_, 1, 1);
   grid->addWidget(again, 1, 2);
-  grid->addWidget(rig_, 2, 0, 1, 2);
+  named_rig_ = new QComboBox(this);
+  named_rig_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  named_rig_->setMinimumContentsLength(10);
+  named_rig_->setToolTip(tr("cameras, settings and calibration kept under a name (facenav rig new)"));
+  grid->addWidget(new QLabel(tr("rig"), this), 2, 0);
+  grid->addWidget(named_rig_, 2, 1);
   grid->addWidget(choose_rig, 2, 2);
+  grid->addWidget(rig_, 3, 0, 1, 3);
+  connect(named_rig_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    const QString name = named_rig_->currentData().toString();
+    if (!name.isEmpty()) cameras_.chooseRig(name);
+  });
   grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   column.addWidget(open_);
@@ -119,6 +130,15 @@ void CamerasPanel::fillDevices() {
     if (box->count() == 0) box->addItem(tr("no camera found"), QString());
     box->setCurrentIndex(chosen.isEmpty() ? -1 : box->findData(chosen));
   }
+}
+
+void CamerasPanel::fillRigs() {
+  named_rig_->clear();
+  named_rig_->addItem(cameras_.rigNames().isEmpty() ? tr("none kept under a name") : tr("chosen one by one"),
+                      QString());
+  for (const QString& name : cameras_.rigNames()) named_rig_->addItem(name, name);
+  named_rig_->setEnabled(named_rig_->count() > 1);
+  named_rig_->setCurrentIndex(std::max(0, named_rig_->findData(cameras_.rigName())));
 }
 
 void CamerasPanel::showState() {
