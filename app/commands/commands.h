@@ -12,6 +12,8 @@ void addSeries(CLI::App& app, Context& context);
 void addPacs(CLI::App& app, Context& context);
 void addPrepare(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
+void addCameras(CLI::App& app, Context& context);
+void addRig(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);

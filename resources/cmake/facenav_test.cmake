@@ -1,4 +1,5 @@
 # facenav_add_test(NAME n SOURCES a_test.cpp .. MODULES m .. [LIBS ..] [LABELS ..] [TIMEOUT s]
+#                  [LOCK name: never beside another test with this lock]
 #                  [UNITY files compiled together, where names of more clash]
 #                  [HEADERS a precompiled header of its own, where the compiler's flags differ])
 # One GoogleTest program; each TEST() is a ctest entry of its own. testing/support is on the include path.
@@ -6,7 +7,7 @@
 set(FACENAV_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 include(GoogleTest)
 function(facenav_add_test)
-  cmake_parse_arguments(T "" "NAME;TIMEOUT;UNITY" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
+  cmake_parse_arguments(T "" "NAME;TIMEOUT;UNITY;LOCK" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 120)
   endif()
@@ -29,6 +30,9 @@ function(facenav_add_test)
   set(properties TIMEOUT ${T_TIMEOUT})
   if(T_LABELS)
     list(APPEND properties LABELS "${T_LABELS}")
+  endif()
+  if(T_LOCK)
+    list(APPEND properties RESOURCE_LOCK ${T_LOCK})
   endif()
   gtest_discover_tests(${T_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
 endfunction()

@@ -199,13 +199,12 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
   tasks_.start(tr("Starting the trackers"),
-               [this, request, left = cameras_.left(), right = cameras_.right(),
+               [this, request, opens = is_live_ ? cameras_.opener() : nullptr,
                 seen = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  const workflow::TreatmentDevices devices{
                      services_.makeNavigator, [&] {
                        seen.reset();  // first: a camera can be opened only once
-                       return request.is_live ? services_.openCameras(request.recording.rig, left, right)
-                                              : capture::makeSource(request.recording);
+                       return request.is_live ? opens() : capture::makeSource(request.recording);
                      }};
                  auto prepared = std::make_shared<workflow::PreparedTreatment>(
                      workflow::prepareTreatment(request, devices));
