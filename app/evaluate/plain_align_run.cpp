@@ -1,7 +1,6 @@
 #include "evaluate/plain_align_run.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 
 #include "facenav/core/processor_time.h"
@@ -51,18 +50,9 @@ evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, 
     record.predicted_mm = outcome.result.predictedError_mm(target.cortex_point);
     record.bound95_mm = outcome.result.errorBound_mm(target.cortex_point);
     record.rms_mm = outcome.result.rms_mm;
-    if (std::getenv("FACENAV_TURN")) {
-      const auto& r = outcome.result;
-      const Eigen::Isometry3d off = record.estimated.inverse() * record.truth;
-      std::fprintf(
-          stderr,
-          "TURN %s seed %d %s turn %.4f sigma %.4f scale %.5f %.5f error %.2f bound %.2f plainbound %.2f z "
-          "%.0f\n",
-          run.head.c_str(), int(run.seed), from.c_str(), r.right_turn ? r.right_turn->rad * 57.29578 : 0,
-          r.right_turn ? r.right_turn->sigma_rad * 57.29578 : 0, r.face_scale ? r.face_scale->value : 0,
-          r.face_scale ? r.face_scale->sigma : 0, (off * run.target_mm - run.target_mm).norm(),
-          record.bound95_mm, r.uncertainty().errorBound_mm(r.camera_T_mri, target.cortex_point),
-          r.camera_T_mri.translation_mm().z());
+    if (outcome.result.right_turn) {
+      record.turn_deg = kDegPerRad * outcome.result.right_turn->rad;
+      record.turn_sigma_deg = kDegPerRad * outcome.result.right_turn->sigma_rad;
     }
     run.cloud = evaluation::evaluateCloud(sitting.room->rig(), outcome.face, sitting.depth, sitting.visible);
   } catch (const Cancelled&) {
@@ -110,7 +100,7 @@ void addTurned(const Sitting& sitting, const std::vector<std::pair<std::string, 
     for (const auto& [way, pair] : ways) {
       const auto from = way == "plain" ? AlignedFrom::plain : AlignedFrom::dots;
       char name[64];
-      std::snprintf(name, sizeof name, "%s, turned sideways %.2f deg", way.c_str(), sign * turn_deg);
+      std::snprintf(name, sizeof name, "%s: turned sideways by %.2f deg", way.c_str(), sign * turn_deg);
       runs.push_back(recordOf(sitting, name, [&, pair = pair] {
         return workflow::alignFromCapture(beforeATurn(sitting.room->rig(), sign * turn_deg), pair, from,
                                           sitting.setup(sitting.head.scalp), sitting.context.monitor);

@@ -14,16 +14,18 @@ namespace {
 constexpr double kPriorTurn_rad = 0.2 * kRadPerDeg, kPriorShift_mm = 1.0;
 // A mount that gives way: random walk in a second.
 constexpr double kWalkTurn_rad = 0.02 * kRadPerDeg, kWalkShift_mm = 0.2;
-constexpr double kLongestGap_s = 20.0;
-constexpr double kSharedFor_s = 0.5;  // errors of the face (light, expression) last as long
-// What the face states is too wide: with cameras that stand still the squared distance in its own errors had
-// a median of 1.2 to 1.5 (talking, occlusion, lighting, protractor, grimace, free motion of the virtual
-// patient, seed 3; 5.3 is expected). Half of its variance is still twice what was found.
-constexpr double kVariance = 0.5;
-constexpr double kContradiction = 36.0;  // squared sigmas; one such frame is a wrong fit, not a camera
+constexpr double kLongestGap_s = 20.0, kLongestUnseen_s = 2.0;
+// Errors of the face (light, expression) last for some frames: a frame counts as half a measurement, and what
+// is known of the camera is never better than what one frame says.
+constexpr double kLasting = 2.0;
+// Squared sigmas between a frame and what is known: a wrong fit, or a camera that was knocked. No pose is
+// shown. So many in a row are a knock.
+constexpr double kContradiction = 36.0;
+constexpr int kKnocked = 5;
+constexpr double kSmoothed_s = 0.1;  // time constant of the correction
 // Chi-square of 6 degrees of freedom that chance exceeds as seldom as three standard errors: 20.1.
 constexpr double kMoved = 20.1;
-constexpr double kSurely = 3.0;  // standard errors of what the motion does to the pose at the cortex
+constexpr double kSurely = 3.0;           // standard errors of what the motion does to the pose at the cortex
 constexpr double kCortexDepth_mm = 80.0;  // from the face's centre, away from the cameras
 constexpr double kSure_mm = 0.8;  // of the pose at the cortex: more than three of them are no wrong pose
 constexpr double kMostTurn_rad = 0.6 * kRadPerDeg, kMostShift_mm = 4.0;  // beyond it a mount is broken
@@ -46,59 +48,54 @@ void CameraDrift::predict(double since_s) {
   }
 }
 
-void CameraDrift::update(const Vector6d& seen, const Matrix6d& covariance) {
-  const Matrix6d expected_inverse = inverseOf(Matrix6d(covariance_ + covariance));
+void CameraDrift::update(const Vector6d& seen, const Matrix6d& frame, const Matrix6d& key) {
   const Vector6d innovation = seen - moved_;
-  if (!(innovation.dot(expected_inverse * innovation) < kContradiction)) return;
-  const Matrix6d gain = covariance_ * expected_inverse;
+  const auto isContradicted = [&] {
+    const Matrix6d expected = covariance_ + kLasting * frame + key;
+    return !(innovation.dot(inverseOf(expected) * innovation) < kContradiction);
+  };
+  contradicted_ = isContradicted() ? contradicted_ + 1 : 0;
+  if (contradicted_ >= kKnocked) covariance_ = squares(kMostTurn_rad, kMostShift_mm);
+  if (contradicted_ > 0 && isContradicted()) return;
+  contradicted_ = 0;
+  const Matrix6d error = kLasting * frame, gain = covariance_ * inverseOf(Matrix6d(covariance_ + error));
   moved_ += gain * innovation;
   const Matrix6d rest = Matrix6d::Identity() - gain;
-  covariance_ = rest * covariance_ * rest.transpose() + gain * covariance * gain.transpose();
+  covariance_ = rest * covariance_ * rest.transpose() + gain * error * gain.transpose();
+  certainty_ = covariance_ + frame + key;
 }
 
 void CameraDrift::add(Timestamp captured, const head_tracking::HeadPose& head) {
   if (!head.right_camera) return;
   const auto& seen = *head.right_camera;
   if (!last_) covariance_ = squares(kPriorTurn_rad, kPriorShift_mm);
-  const double since_s = last_ ? std::abs(captured - *last_) : kSharedFor_s;
-  if (last_) predict(since_s);
-  last_ = captured;
-  if (seen.newest_key > 0) keys_.try_emplace(seen.newest_key, KeyFrame{moved_ - corrected_, covariance_});
+  const double since_s = last_ ? std::abs(captured - *last_) : 0.0;
+  predict(since_s);
+  last_ = captured, is_unseen_ = false;
+  if (seen.newest_key > 0) keys_.try_emplace(seen.newest_key, KeyFrame{moved_ - corrected_, certainty_});
   const KeyFrame key = seen.key > 0 ? keys_[seen.key] : KeyFrame{};
-  const double lasting = std::max(1.0, kSharedFor_s / std::max(1e-3, since_s));
-  update(seen.moved + corrected_ + key.left_over, lasting * (kVariance * seen.covariance + key.covariance));
-  judge(head);
+  update(seen.moved + corrected_ + key.left_over, seen.covariance, key.covariance);
+  judge(head, since_s);
 }
 
-void CameraDrift::judge(const head_tracking::HeadPose& head) {
+void CameraDrift::addWithoutFace(Timestamp captured) {
+  contradicted_ = 0;
+  is_unseen_ = has_moved_ && last_ && std::abs(captured - *last_) > kLongestUnseen_s;
+}
+
+void CameraDrift::judge(const head_tracking::HeadPose& head, double since_s) {
   const Vector6d left_over = moved_ - corrected_;
-  statistic_ = left_over.dot(inverseOf(covariance_) * left_over);
+  statistic_ = left_over.dot(inverseOf(certainty_) * left_over);
   Eigen::Matrix<double, 3, 6> carry;
   carry << -skew(kCortexDepth_mm * head.face_centre.mm.normalized()), Eigen::Matrix3d::Identity();
   carry = (carry * head.right_camera->pose_by_moved).eval();
   effect_mm_ = (carry * left_over).norm();
-  effect_sigma_mm_ = std::sqrt((carry * covariance_ * carry.transpose()).trace());
-  if (std::getenv("FACENAV_DRIFT")) {
-    const auto& s = *head.right_camera;
-    std::fprintf(stderr, "DRIFT %.3f key %d seen", last_->s, s.key);
-    for (int i = 0; i < 6; ++i) std::fprintf(stderr, " %.4f", s.moved[i] * (i < 3 ? 57.29578 : 1));
-    std::fprintf(stderr, " sig");
-    for (int i = 0; i < 6; ++i)
-      std::fprintf(stderr, " %.4f", std::sqrt(s.covariance(i, i)) * (i < 3 ? 57.29578 : 1));
-    const Vector6d e = carry.rows() ? Vector6d(s.pose_by_moved * s.moved) : Vector6d::Zero();
-    const Matrix6d ec = s.pose_by_moved * s.covariance * s.pose_by_moved.transpose();
-    std::fprintf(stderr, " own %.2f eff %.3f sig %.3f", s.moved.dot(inverseOf(s.covariance) * s.moved),
-                 e.tail<3>().norm(), std::sqrt(ec.bottomRightCorner<3, 3>().trace()));
-    std::fprintf(stderr, " est");
-    for (int i = 0; i < 6; ++i) std::fprintf(stderr, " %.4f", moved_[i] * (i < 3 ? 57.29578 : 1));
-    std::fprintf(stderr, " sig");
-    for (int i = 0; i < 6; ++i)
-      std::fprintf(stderr, " %.4f", std::sqrt(covariance_(i, i)) * (i < 3 ? 57.29578 : 1));
-    std::fprintf(stderr, " stat %.2f effect %.3f sigma %.3f moved %d\n", statistic_, effect_mm_,
-                 effect_sigma_mm_, int(has_moved_));
-  }
+  effect_sigma_mm_ = std::sqrt((carry * certainty_ * carry.transpose()).trace());
   if (statistic_ > kMoved || effect_mm_ > kSurely * effect_sigma_mm_) has_moved_ = true;
-  if (has_moved_ && !fault()) corrected_ = moved_;
+  // At once where it is first noticed, then smoothed.
+  if (has_moved_ && !fault())
+    corrected_ += (is_followed_ ? 1.0 - std::exp(-since_s / kSmoothed_s) : 1.0) * (moved_ - corrected_);
+  is_followed_ = has_moved_ && !fault();
 }
 
 RigidTransform<RightCamera, Camera> CameraDrift::right_T_left() const {
@@ -106,9 +103,9 @@ RigidTransform<RightCamera, Camera> CameraDrift::right_T_left() const {
 }
 
 std::optional<RigFault> CameraDrift::fault() const {
-  if (!has_moved_) return std::nullopt;
+  if (!has_moved_ && contradicted_ == 0) return std::nullopt;
   const bool is_far = moved_.head<3>().norm() > kMostTurn_rad || moved_.tail<3>().norm() > kMostShift_mm;
-  if (!is_far && effect_sigma_mm_ < kSure_mm) return std::nullopt;
+  if (!is_far && !is_unseen_ && contradicted_ == 0 && effect_sigma_mm_ < kSure_mm) return std::nullopt;
   return RigFault{head_tracking::LossDetail::cameras_moved,
                   "a camera has moved on its mount since the alignment (" +
                       fixed(kDegPerRad * moved_.head<3>().norm(), 2) +

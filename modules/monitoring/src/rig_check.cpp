@@ -84,7 +84,8 @@ void RigCheck::add(const cameras::StereoFrame& frame, const Tracked<head_trackin
     next_feature_ += 7;  // other features next time
     monitor_.add(points);
   }
-  if (head) drift_.add(frame.captured, *head), followDrift();
+  head ? drift_.add(frame.captured, *head) : drift_.addWithoutFace(frame.captured);
+  followDrift();
   if (frames_++ % (is_first ? kFirstInterval : kLaterInterval) == 0) verdict_ = monitor_.verdict();
 }
 

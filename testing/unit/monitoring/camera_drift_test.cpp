@@ -124,8 +124,39 @@ TEST(CameraDrift, OneWrongFitIsNoMotion) {
   for (int frame = 0; frame < 240; ++frame) {
     const Vector6d moved = frame % 50 == 49 ? yawOf(0.4) : Vector6d(Vector6d::Zero());
     drift.add(Timestamp{frame / kFrames_per_s}, seen.at(frame, moved, drift));
+    EXPECT_EQ(drift.fault().has_value(), frame % 50 == 49) << "no pose of such a frame may be shown";
   }
   EXPECT_FALSE(drift.isCorrected());
+}
+
+TEST(CameraDrift, AKnockCostsSomeFramesAndIsThenCorrected) {
+  CameraDrift drift(testing::convergingRig());
+  SeenCamera seen(4);
+  int lost = 0;
+  for (int frame = 0; frame < 240; ++frame) {
+    const Vector6d moved = frame < 120 ? Vector6d(Vector6d::Zero()) : yawOf(0.3);
+    drift.add(Timestamp{frame / kFrames_per_s}, seen.at(frame, moved, drift));
+    const Eigen::Isometry3d step =
+        drift.right_T_left().isometry() * testing::convergingRig().right_T_left.isometry().inverse();
+    if (drift.fault())
+      ++lost;
+    else
+      EXPECT_NEAR(kDegPerRad * logRotation(step.linear()).y(), kDegPerRad * moved[1], 0.03) << frame;
+  }
+  EXPECT_GT(lost, 0);
+  EXPECT_LE(lost, 8);
+}
+
+TEST(CameraDrift, AMovedCameraThatIsNotSeenForSecondsIsAFault) {
+  CameraDrift drift(testing::convergingRig());
+  SeenCamera seen(6);
+  for (int frame = 0; frame < 240; ++frame)
+    drift.add(Timestamp{frame / kFrames_per_s}, seen.at(frame, yawOf(0.1 * frame / 240.0), drift));
+  ASSERT_TRUE(drift.isCorrected());
+  drift.addWithoutFace(Timestamp{4.5});
+  EXPECT_FALSE(drift.fault().has_value());
+  drift.addWithoutFace(Timestamp{7.0});
+  EXPECT_TRUE(drift.fault().has_value());
 }
 
 }  // namespace
