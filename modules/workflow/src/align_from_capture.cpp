@@ -96,12 +96,12 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
   if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(plain, outcome.face, outcome.result);
+  outcome.skin = std::make_shared<const surface::ScalpSurface>(setup.scalp);
   for (const auto& target : setup.targets) {
     // The coil rests on the skin as the MRI shows it: where that is unsure, so is its place.
     constexpr double kUnsure_mm = 0.5, kBound = 1.96;
     const double skin_mm = surface::skinDoubtUnder_mm(setup.scalp, target.scalp_point);
-    outcome.predicted_tre_mm[target.name] =
-        std::hypot(outcome.result.predictedError_mm(target.cortex_point), skin_mm);
+    outcome.predicted_tre_mm[target.name] = outcome.predictedError_mm(target);
     outcome.predicted_tre_p95_mm[target.name] =
         std::hypot(outcome.result.errorBound_mm(target.cortex_point), kBound * skin_mm);
     if (skin_mm > kUnsure_mm)
@@ -131,6 +131,11 @@ registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {
   skin.field_of_view = scalp.field_of_view;
   skin.has_face = scalp.has_face;
   return skin;
+}
+
+double AlignmentOutcome::predictedError_mm(const guidance::Target& target) const {
+  const double skin_mm = skin ? surface::skinDoubtUnder_mm(*skin, target.scalp_point) : 0.0;
+  return std::hypot(result.predictedError_mm(target.cortex_point), skin_mm);
 }
 
 double AlignmentOutcome::worstPredicted_mm() const {

@@ -66,7 +66,10 @@ struct AlignmentOutcome {
   std::string matcher = stereo::kDefaultMatcher;  // that measured the face
   // What the face was aligned to; also used by the drift watchdog.
   std::shared_ptr<const registration::ScalpField> scalp;
+  std::shared_ptr<const surface::ScalpSurface> skin;  // the same, with its doubt
 
+  /// Standard error at a target, mm: of the pose there, and of the skin that the coil rests on.
+  double predictedError_mm(const guidance::Target& target) const;
   /// The largest predicted error (standard error, mm) at a target; without targets, in the head's middle.
   double worstPredicted_mm() const;
   casefile::StoredAlignment stored() const;
