@@ -79,7 +79,9 @@ int runCommandLine(int argc, char** argv) {
   app::addBrain(cli, context);
   app::addWorklist(cli, context);
   app::addLabel(cli, context);
+  app::addCameras(cli, context);
   app::addCalibrate(cli, context);
+  app::addRig(cli, context);
   app::addCalibrateCoil(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);

@@ -12,6 +12,8 @@ void addSeries(CLI::App& app, Context& context);
 void addPacs(CLI::App& app, Context& context);
 void addPrepare(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
+void addCameras(CLI::App& app, Context& context);
+void addRig(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
@@ -41,6 +43,7 @@ void addEvaluate(CLI::App& app, Context& context);
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 /// `facenav evaluate rigs`, below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
+void addEvaluateSkin(CLI::App& evaluate, Context& context);
 /// `facenav evaluate return`, below evaluate.
 void addEvaluateReturn(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);

@@ -11,7 +11,7 @@
 #include "appearance.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sign_off.h"
-#include "facenav/casefile/zip_file.h"
+#include "facenav/core/zip_file.h"
 #include "facenav/scene/display.h"
 #include "facenav/workflow/expert_pose.h"
 #include "home/fitted_words.h"
@@ -137,7 +137,7 @@ TEST_F(HomePresenterTest, GoesThroughThreeStepsAndEndsWithOneFile) {
   EXPECT_EQ(home.pulseCounts().on_target, 1) << "still shown at the end";
   const fs::path file = folder_.path() / home.sendBackName().toStdString();
   EXPECT_TRUE(home.save(QString::fromStdString(file.string())));
-  EXPECT_EQ(casefile::readZip(file).count("pulses.csv"), 1u);
+  EXPECT_EQ(readZip(file).count("pulses.csv"), 1u);
   EXPECT_EQ(home.actionWords(), "CLOSE");
 }
 

@@ -10,7 +10,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/poses_csv.h"
-#include "facenav/casefile/zip_file.h"
+#include "facenav/core/zip_file.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/pose_error.h"
@@ -89,7 +89,7 @@ TEST_F(ReturnPath, ACaseGoesHomeWithoutItsMriAndComesBackToTheExpertsPose) {
   EXPECT_EQ(stored["name"], "expert M1 hand L");
   EXPECT_LT(stored["spread_mm"].get<double>(), 1);
   run("export " + in(case_) + " --as home --coil " + in(first_ / "coil.json") + " -o " + in(file_));
-  for (const auto& [name, content] : casefile::readZip(file_)) {
+  for (const auto& [name, content] : readZip(file_)) {
     EXPECT_THAT(content, Not(HasSubstr(kName))) << name;
     EXPECT_THAT(name, Not(HasSubstr(".nii")));
   }

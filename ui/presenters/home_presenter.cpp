@@ -137,13 +137,12 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
   workflow::TreatmentRequest request{home_->store, seen, !recording_.has_value(), home_->coil, std::move(outcome),
                                      workflow::calibrationReminder(home_->card)};
   tasks_.start(tr("Starting"),
-               [this, request, left = cameras_.left(), right = cameras_.right(),
+               [this, request, open = cameras_.opener(),
                 preview = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  const workflow::TreatmentDevices devices{
                      services_.makeNavigator, [&] {
                        preview.reset();  // first: a camera can be opened only once
-                       return request.is_live ? services_.openCameras(request.recording.rig, left, right)
-                                              : capture::makeSource(request.recording);
+                       return request.is_live ? open() : capture::makeSource(request.recording);
                      }};
                  auto prepared =
                      std::make_shared<workflow::PreparedTreatment>(workflow::prepareTreatment(request, devices));

@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "facenav/atlas/brain_template.h"
-#include "facenav/capture/camera_list.h"
+#include "facenav/capture/camera_backend.h"
 #include "facenav/capture/recording.h"
+#include "facenav/capture/rig_store.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
@@ -50,11 +51,16 @@ struct Services {
   std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                            TaskMonitor&)>
       align;
-  /// Connected cameras; fast.
-  std::function<std::vector<capture::CameraDevice>()> listCameras;
-  /// A live pair, by index. Its destructor releases both cameras.
-  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, int left, int right)>
+  /// Connected cameras. Search::quick is fast; Search::everywhere waits for the network.
+  std::function<std::vector<capture::FoundCamera>(capture::Search)> listCameras;
+  /// A live pair, by stable names (capture/camera.h). Its destructor releases both cameras.
+  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, const std::string& left,
+                                                      const std::string& right)>
       openCameras;
+  /// The rigs kept under a name (`facenav rig new`); fast.
+  std::function<std::vector<capture::RigEntry>()> listRigs;
+  /// The cameras of such a rig, with their locked settings.
+  std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&)> openRig;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;

@@ -200,13 +200,12 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
   tasks_.start(tr("Starting the trackers"),
-               [this, request, left = cameras_.left(), right = cameras_.right(),
+               [this, request, opens = is_live_ ? cameras_.opener() : nullptr,
                 seen = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  const workflow::TreatmentDevices devices{
                      services_.makeNavigator, [&] {
                        seen.reset();  // first: a camera can be opened only once
-                       return request.is_live ? services_.openCameras(request.recording.rig, left, right)
-                                              : capture::makeSource(request.recording);
+                       return request.is_live ? opens() : capture::makeSource(request.recording);
                      }};
                  auto prepared = std::make_shared<workflow::PreparedTreatment>(
                      workflow::prepareTreatment(request, devices));
@@ -383,6 +382,7 @@ QString TreatPresenter::alignmentWords() const {
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   if (treatment_) {
     const auto latest = treatment_->session().latest();
+    if (!latest->rig_correction.empty()) rig_fault_ = QString::fromStdString(latest->rig_correction);
     if (!latest->rig_fault.empty()) rig_fault_ = QString::fromStdString(latest->rig_fault);
     if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));

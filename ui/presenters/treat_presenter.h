@@ -100,7 +100,7 @@ class TreatPresenter : public QObject {
   /// True if everything needed to align is there.
   bool canAlign() const;
   bool canGoOn() const { return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning(); }
-  /// The fault of the cameras that the last session found; empty: none.
+  /// The fault of the cameras that the last session found, or a motion that it corrected; empty: none.
   QString rigFault() const { return rig_fault_; }
   bool isAligned() const { return outcome_ != nullptr; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }

@@ -15,6 +15,7 @@
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/segmentation/head_outline.h"
 #include "facenav/segmentation/prior_use.h"
 #include "facenav/stereo/shared_error.h"
 #include "facenav/stimulation/threshold_rules.h"
@@ -32,12 +33,13 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
-                   registration::MisfitPrior, stereo::SharedError, head_tracking::SkinDetailLimits,
-                   head_tracking::IdentityModel, head_tracking::SkinFieldModel, head_tracking::StepLimits,
-                   FrameBudget, head_tracking::SearchBudget, guidance::PlateRest, stimulation::ThresholdRules,
-                   links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits, casefile::EvidenceRules,
-                   monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules>;
+using All =
+    Groups<segmentation::BrainGrowth, segmentation::PriorUse, segmentation::HeadOutline,
+           registration::FitLimits, registration::MisfitPrior, stereo::SharedError,
+           head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
+           stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits,
+           casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules>;
 
 }  // namespace
 

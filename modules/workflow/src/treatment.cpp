@@ -87,13 +87,13 @@ std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Ta
   std::string words =
       formatted("aligned: %.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
   if (target)
-    words += formatted(", \u00b1%.1f mm at ", alignment.result.predictedError_mm(target->cortex_point)) +
+    words += formatted(", \u00b1%.1f mm at ", alignment.predictedError_mm(*target)) +
              target->name;
   return words;
 }
 
 session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment) {
-  return {target, alignment ? alignment->result.predictedError_mm(target.cortex_point) : 0.0};
+  return {target, alignment ? alignment->predictedError_mm(target) : 0.0};
 }
 
 Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)

@@ -6,9 +6,9 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sign_off.h"
-#include "facenav/casefile/zip_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/core/zip_file.h"
 #include "facenav/workflow/expert_pose.h"
 #include "support/ball_case.h"
 #include "support/made_session.h"
@@ -95,7 +95,7 @@ TEST_F(HomeCaseTest, ACaseWithoutAnMriSaysSoWhereAnMriIsNeeded) {
 
 TEST_F(HomeCaseTest, LeavesAsOneFileAndComesBackWithoutAName) {
   make();
-  for (const auto& [name, content] : casefile::readZip(file_)) {
+  for (const auto& [name, content] : readZip(file_)) {
     EXPECT_THAT(content, Not(HasSubstr(kName))) << name;
     EXPECT_EQ(name.find("mri"), std::string::npos) << name;
   }
@@ -142,13 +142,13 @@ TEST_F(HomeCaseTest, NothingLeavesThatIsNotCheckedOrNotTheExperts) {
 
 TEST_F(HomeCaseTest, AChangedFileIsNotTaken) {
   make();
-  auto entries = casefile::readZip(file_);
+  auto entries = readZip(file_);
   std::string& targets = entries.at("targets.json");
   targets.replace(targets.find("\"expert M1\""), 11, "\"expert M2\"");
-  casefile::writeZip(entries, file_, FileAccess::owner_only);
+  writeZip(entries, file_, FileAccess::owner_only);
   EXPECT_THAT(refusalOf([&] { importHome(file_, home_); }), HasSubstr("'targets.json' in it has changed"));
   entries.erase("coil.json");
-  casefile::writeZip(entries, file_, FileAccess::owner_only);
+  writeZip(entries, file_, FileAccess::owner_only);
   EXPECT_NE(refusalOf([&] { importHome(file_, home_); }), "");
   writeWholeFile(file_, "no zip");
   EXPECT_NE(refusalOf([&] { importHome(file_, home_); }), "");
@@ -181,7 +181,7 @@ TEST_F(HomeCaseTest, TheFileToSendBackHoldsThePulsesAndNoName) {
   make();
   const auto sent = folder_.path() / "back.zip";
   writeSendBack(store_, session_, sent);
-  const auto entries = casefile::readZip(sent);
+  const auto entries = readZip(sent);
   for (const char* name : {"report.html", "pulses.csv", "summary.json", "events.jsonl"})
     EXPECT_EQ(entries.count(name), 1u) << name;
   for (const auto& [name, content] : entries) EXPECT_THAT(content, Not(HasSubstr(kName))) << name;

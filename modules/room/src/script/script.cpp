@@ -53,6 +53,7 @@ MomentOf momentsOf(const Setting& setting) {
       {"grimace", grimaceScript},       {"grimace_other", grimaceScript},
       {"returns", returnsScript},       {"out_of_step", outOfStepScript},
       {"moments", momentsScript},       {"moments_other", momentsScript},
+      {"drift", driftScript},           {"drift_face", driftScript},
       {kPlainAlign, turningScript}};
   return scripts.at(setting.options.name)(setting);
 }

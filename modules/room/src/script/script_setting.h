@@ -60,6 +60,8 @@ MomentOf protractorScript(const Setting& setting);
 MomentOf freeMotionScript(const Setting& setting);
 MomentOf treatmentScript(Setting setting);
 MomentOf turningScript(const Setting& setting);
+/// script_drift.cpp: the right camera moves on its mount.
+MomentOf driftScript(const Setting& setting);
 // script_disturbances.cpp: disturbances of a treatment room.
 MomentOf occlusionScript(const Setting& setting);
 MomentOf talkingScript(const Setting& setting);

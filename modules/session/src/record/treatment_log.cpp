@@ -35,7 +35,7 @@ struct FollowOn {
 };
 
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
-constexpr double kRetry_s = 1.0;       // after a fault of the disk
+constexpr double kLogRetry_s = 1.0;       // after a fault of the disk
 constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
@@ -80,7 +80,7 @@ struct TreatmentLog::Implementation {
   std::string failure;
   std::thread thread;
   // Used only by the thread: what held at the previous frame.
-  bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
+  bool has_head = false, has_coil = false, has_faulted = false, has_corrected = false, has_noted_end = false;
   int noted_check = 0;
   std::string noted_coil;  // whose poses the lines of poses.csv are
   std::string evidence_fault;
@@ -132,6 +132,8 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
   const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
   if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
   has_faulted = !fault.empty();
+  if (!state.rig_correction.empty() && !has_corrected) log.addEvent("camera moved", state.rig_correction);
+  has_corrected = !state.rig_correction.empty();
   if (state.check && state.check->number != noted_check) {
     log.addEvent("registration check", inWords(*state.check));
     noted_check = state.check->number;
@@ -224,7 +226,7 @@ void TreatmentLog::Implementation::tried(Work work) {
       broken = Timestamp::now();
     }
     setFailure(error.what());
-    retry = {Timestamp::now().s + kRetry_s};
+    retry = {Timestamp::now().s + kLogRetry_s};
   }
 }
 

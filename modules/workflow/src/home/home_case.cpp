@@ -6,11 +6,11 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sha256.h"
 #include "facenav/casefile/utc_time.h"
-#include "facenav/casefile/zip_file.h"
 #include "facenav/core/json_reader.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/core/whole_folder.h"
+#include "facenav/core/zip_file.h"
 #include "facenav/workflow/coil_library.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
@@ -204,18 +204,18 @@ HomeExport exportHome(const face::FaceDetector& detector, const casefile::CaseSt
   for (const auto& [name, ignored] : entries)
     manifest["sha256"][name] = casefile::sha256OfFile(home.folder() / name);
   entries[kManifest] = manifest.dump(1, ' ', false, HomeJson::error_handler_t::replace) + "\n";
-  casefile::writeZip(entries, file, FileAccess::owner_only);
+  writeZip(entries, file, FileAccess::owner_only);
   made.bytes = fs::file_size(file);
   return made;
 }
 
 bool isHomeFile(const fs::path& file) {
   if (readWholeFile(file).rfind("PK", 0) != 0) return false;
-  return casefile::readZip(file).count(kManifest) == 1;
+  return readZip(file).count(kManifest) == 1;
 }
 
 casefile::CaseStore importHome(const fs::path& file, const fs::path& case_folder) {
-  const auto entries = casefile::readZip(file);
+  const auto entries = readZip(file);
   const HomeJson manifest = checkedManifest(entries, file);
   const bool exists = fs::exists(case_folder / "case.json");
   if (exists && casefile::CaseStore::open(case_folder).caseId() != manifest["case_id"].get<std::string>())

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/casefile/kept_session.h"
-#include "facenav/casefile/zip_file.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/core/zip_file.h"
 #include "facenav/workflow/home_case.h"
 #include "facenav/workflow/session_report.h"
 #include "facenav/workflow/session_review.h"
@@ -44,7 +44,7 @@ void writeSendBack(const casefile::CaseStore& store, const std::filesystem::path
       summaryOf(store, session).dump(1, ' ', false, SummaryJson::error_handler_t::replace) + "\n";
   for (const char* name : {"events.jsonl", "notes.jsonl", "pulses.jsonl", "protocol.json"})
     if (std::filesystem::exists(session_folder / name)) entries[name] = readWholeFile(session_folder / name);
-  casefile::writeZip(entries, file, FileAccess::owner_only);
+  writeZip(entries, file, FileAccess::owner_only);
 }
 
 }  // namespace facenav::workflow

@@ -62,6 +62,7 @@ struct PreparedCase {
   std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
   std::optional<BrainQuality> brain_quality;
+  std::string contrast;  // what the scan looks like ("T1", "CT", ..); empty: not told. Not kept.
   std::string label;  // as asLabel gives it; empty: none, or that of the replaced case
 };
 

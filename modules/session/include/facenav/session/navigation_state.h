@@ -52,7 +52,8 @@ struct NavigationState {
   head_tracking::LossDetail head_detail =
       head_tracking::LossDetail::unknown;  // why the head is lost, as far as known
   bool has_drifted = false;                // the watchdog's alarm: the face is not where tracking places it
-  std::string rig_fault;  // why every pose is refused, in words: the cameras moved, are out of step, ..
+  std::string rig_fault;       // why every pose is refused, in words: the cameras moved, are out of step, ..
+  std::string rig_correction;  // a camera moved on its mount and the poses are corrected for it, in words
   head_tracking::LossDetail rig_fault_detail = head_tracking::LossDetail::unknown;  // the same as one word
   /// Why every pose of the head is withheld until a check of the registration passes, in words; empty: none
   /// is.

@@ -69,6 +69,7 @@ class Navigator {
   std::string coil_name_;
   guidance::Tolerance tolerance_;
   monitoring::RigCheck rig_check_;
+  std::shared_ptr<monitoring::DriftCheck> drift_check_;   // null: none
   std::unique_ptr<monitoring::DriftWatchdog> watchdog_;   // null: none
   std::unique_ptr<monitoring::RegistrationCheck> check_;  // null: none
   std::shared_ptr<const monitoring::RegistrationFinding> finding_;
