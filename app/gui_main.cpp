@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "appearance.h"
 #include "facenav/core/parallel_for.h"
@@ -102,6 +103,12 @@ int runHome(QApplication& application, const Arguments& arguments) {
   ui::HomeWindow window(ui::servicesWith(app::makeRegistrations));
   window.presenter().open(QString::fromStdString(arguments.home));
   if (!arguments.recording.empty()) window.presenter().play(QString::fromStdString(arguments.recording));
+  auto has_begun = std::make_shared<bool>(arguments.recording.empty());
+  QObject::connect(&window.presenter(), &ui::HomePresenter::changed, &window, [&window, has_begun] {
+    if (*has_begun || window.presenter().stage() != ui::HomePresenter::Stage::sit) return;
+    *has_begun = true;  // a recording starts by itself, as in the other window
+    QTimer::singleShot(0, &window, [&window] { window.presenter().act(); });
+  });
   const QSize room = QApplication::primaryScreen()->availableSize();
   window.resize(std::min(1366, room.width()), std::min(768, room.height()));
   window.show();

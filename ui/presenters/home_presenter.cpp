@@ -42,7 +42,7 @@ void HomePresenter::open(const QString& case_folder) {
         workflow::openHomeCase(std::filesystem::path(case_folder.toStdString())));
     return [this, home] {
       home_ = *home;
-      set(Stage::sit);
+      play_refusal_.isEmpty() ? set(Stage::sit) : set(Stage::unusable, play_refusal_);
     };
   });
 }
@@ -56,7 +56,8 @@ void HomePresenter::play(const QString& recording) {
     emit changed();
   } catch (const Error& error) {
     recording_.reset();
-    set(Stage::unusable, QString::fromUtf8(error.what()));
+    play_refusal_ = QString::fromUtf8(error.what());
+    set(Stage::unusable, play_refusal_);
   }
 }
 
@@ -137,7 +138,7 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
   workflow::TreatmentRequest request{home_->store, seen, !recording_.has_value(), home_->coil, std::move(outcome),
                                      workflow::calibrationReminder(home_->card)};
   tasks_.start(tr("Starting"),
-               [this, request, open = cameras_.opener(),
+               [this, request, open = recording_ ? nullptr : cameras_.opener(),
                 preview = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  const workflow::TreatmentDevices devices{
                      services_.makeNavigator, [&] {

@@ -77,7 +77,7 @@ class HomePresenter : public QObject {
   TaskRunner& tasks_;
   CamerasPresenter cameras_;
   Stage stage_ = Stage::opening;
-  QString refusal_, saved_as_;
+  QString refusal_, play_refusal_, saved_as_;
   std::optional<workflow::HomeCase> home_;
   std::optional<capture::Recording> recording_;  // played; nothing: live cameras
   std::shared_ptr<workflow::Treatment> treatment_;
