@@ -25,7 +25,7 @@ constexpr int kKnocked = 5;
 constexpr double kSmoothed_s = 0.1;  // time constant of the correction
 // Chi-square of 6 degrees of freedom that chance exceeds as seldom as three standard errors: 20.1.
 constexpr double kMoved = 20.1;
-constexpr double kSurely = 3.0;           // standard errors of what the motion does to the pose at the cortex
+constexpr double kSureEffect = 3.0;       // standard errors of what the motion does to the pose at the cortex
 constexpr double kCortexDepth_mm = 80.0;  // from the face's centre, away from the cameras
 constexpr double kSure_mm = 0.8;  // of the pose at the cortex: more than three of them are no wrong pose
 constexpr double kMostTurn_rad = 0.6 * kRadPerDeg, kMostShift_mm = 4.0;  // beyond it a mount is broken
@@ -91,7 +91,7 @@ void CameraDrift::judge(const head_tracking::HeadPose& head, double since_s) {
   carry = (carry * head.right_camera->pose_by_moved).eval();
   effect_mm_ = (carry * left_over).norm();
   effect_sigma_mm_ = std::sqrt((carry * certainty_ * carry.transpose()).trace());
-  if (statistic_ > kMoved || effect_mm_ > kSurely * effect_sigma_mm_) has_moved_ = true;
+  if (statistic_ > kMoved || effect_mm_ > kSureEffect * effect_sigma_mm_) has_moved_ = true;
   // At once where it is first noticed, then smoothed.
   if (has_moved_ && !fault())
     corrected_ += (is_followed_ ? 1.0 - std::exp(-since_s / kSmoothed_s) : 1.0) * (moved_ - corrected_);

@@ -10,7 +10,7 @@ namespace facenav::registration {
 namespace {
 
 constexpr int kMostFits = 7;
-constexpr double kSettled = 0.3;                        // standard errors
+constexpr double kLeftOver = 0.3;                       // standard errors
 constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate per true turn
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 
@@ -52,7 +52,7 @@ std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<
   CameraTurn left = *first.posterior.turn;  // what is left at `at_rad`
   double at_rad = 0.0, slope = kFirstSlope;
   const Eigen::Vector3d middle_mm = middleOf(face);
-  for (int fits = 1; fits < kMostFits && std::abs(left.rad) > kSettled * left.sigma_rad; ++fits) {
+  for (int fits = 1; fits < kMostFits && std::abs(left.rad) > kLeftOver * left.sigma_rad; ++fits) {
     const double step_rad = std::clamp(left.rad / slope, -kLongestStep_rad, kLongestStep_rad);
     if (std::abs(at_rad + step_rad) > kMostTurn_rad) break;
     const PointCloud<Camera> turned = turnedBack(face, *start.right, at_rad + step_rad);
