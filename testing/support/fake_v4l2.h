@@ -59,9 +59,10 @@ struct FakeV4l2Camera {
   std::atomic<int> drop{0}, damage{0}, lose{0}, repeat{0};  // that many of the next pictures
   std::atomic<double> stamp_shift_s{0.0};                   // error of the time stamps
   std::uint32_t stamp_flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
-  double phase_s = 0.0;       // of its exposures, within an interval
-  int forced_width = 0;       // S_FMT gives this width whatever is asked
-  std::int64_t pictures = 0;  // taken since the start
+  double phase_s = 0.0;          // of its exposures, within an interval
+  int automatic_exposure = 333;  // that it finds while it runs on automatic
+  int forced_width = 0;          // S_FMT gives this width whatever is asked
+  std::int64_t pictures = 0;     // taken since the start
 
   // Driver state.
   Mode current{V4L2_PIX_FMT_YUYV, 64, 48, 100};
@@ -263,6 +264,10 @@ class FakeV4l2 : public capture::V4l2Driver {
     if (camera.is_bandwidth_short && camera.current.format != V4L2_PIX_FMT_MJPEG) return -ENOSPC;
     for (auto& [id, control] : camera.controls)
       if (control.forgets_at_start) control.value = control.at_start;
+    const auto exposure = camera.controls.find(V4L2_CID_EXPOSURE_ABSOLUTE);
+    if (exposure != camera.controls.end() &&
+        camera.controls[V4L2_CID_EXPOSURE_AUTO].value != V4L2_EXPOSURE_MANUAL)
+      exposure->second.value = camera.automatic_exposure;
     camera.is_streaming = true;
     const double interval_s = interval(camera), now_s = Timestamp::now().s;
     camera.begun_s = camera.last_due_s = std::floor(now_s / interval_s) * interval_s + camera.phase_s;

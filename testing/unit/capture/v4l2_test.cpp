@@ -140,6 +140,21 @@ TEST(V4l2, SetsWantedValuesInTheirUnits) {
   EXPECT_TRUE(unlockedInWords(state).empty());
 }
 
+TEST(V4l2, LocksTheExposureThatItFoundForThisLight) {
+  V4l2Bench bench;
+  const auto camera = bench.open();
+  camera->configure(bench.settings());
+  auto adjusting = bench.settings();
+  adjusting.is_adjusting = true;
+  camera->configure(adjusting);
+  EXPECT_EQ(bench.camera().controls[V4L2_CID_FOCUS_AUTO].value, 1);
+  camera->start();
+  ASSERT_TRUE(camera->next(1.0));
+  const auto state = camera->configure(bench.settings());
+  EXPECT_DOUBLE_EQ(*control(state, "exposure").actual, 33.3);
+  EXPECT_TRUE(unlockedInWords(state).empty());
+}
+
 TEST(V4l2, SaysWhatTheDriverRefuses) {
   V4l2Bench bench;
   bench.camera().controls[V4L2_CID_FOCUS_AUTO].is_stuck = true;

@@ -144,7 +144,10 @@ CameraState GenicamCamera::configure(const CameraSettings& settings) {
   require(call, "the camera does not take its picture format");
   setTrigger(camera_.get(), settings.trigger, where_);
   if (settings.trigger == Trigger::free_run) setRate(settings);
-  state_.controls = lockControls(camera_.get(), settings);
+  if (settings.is_adjusting)
+    freeControls(camera_.get());
+  else
+    state_.controls = lockControls(camera_.get(), settings);
   state_.clock = "the camera's time stamps, fitted to this computer's clock";
   return state_;
 }

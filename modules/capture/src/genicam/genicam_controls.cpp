@@ -126,6 +126,12 @@ std::vector<ControlState> lockControls(ArvCamera* camera, const CameraSettings& 
           fixedFocus(settings.focus), lockWhiteBalance(camera, settings.white_balance_k)};
 }
 
+void freeControls(ArvCamera* camera) {
+  GenicamCall call;
+  for (const GenicamControl* control : {&kExposure, &kGain})
+    if (control->has_automatic(camera, call)) control->set_automatic(camera, ARV_AUTO_CONTINUOUS, call);
+}
+
 void setTrigger(ArvCamera* camera, Trigger trigger, const std::string& where) {
   GenicamCall call;
   if (trigger == Trigger::free_run) {

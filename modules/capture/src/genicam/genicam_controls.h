@@ -10,6 +10,8 @@
 namespace facenav::capture {
 
 std::vector<ControlState> lockControls(ArvCamera* camera, const CameraSettings& settings);
+/// Turns the automatic adjustments on, where the camera has them.
+void freeControls(ArvCamera* camera);
 /// Free running, or waiting for the first trigger input of its kind. Throws CameraError refused.
 void setTrigger(ArvCamera* camera, Trigger trigger, const std::string& where);
 

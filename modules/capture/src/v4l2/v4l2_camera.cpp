@@ -77,7 +77,10 @@ CameraState V4l2Camera::configure(const CameraSettings& settings) {
   state_ = {};
   applyFormat(settings);
   noteRate();
-  state_.controls = lockControls(device_, settings);
+  if (settings.is_adjusting)
+    freeControls(device_);
+  else
+    state_.controls = lockControls(device_, settings);
   return state_;
 }
 

@@ -128,6 +128,17 @@ std::vector<ControlState> lockControls(V4l2Device& device, const CameraSettings&
   return states;
 }
 
+void freeControls(V4l2Device& device) {
+  for (const ControlPlan& plan : kControls) {
+    if (!rangeOf(device, plan.automatic)) continue;
+    const bool is_exposure = plan.automatic == V4L2_CID_EXPOSURE_AUTO;
+    setControl(device, plan.automatic, is_exposure ? int(V4L2_EXPOSURE_APERTURE_PRIORITY) : 1);
+    if (is_exposure &&
+        readControl(device, plan.automatic) == plan.manual)  // some know the other automatic only
+      setControl(device, plan.automatic, V4L2_EXPOSURE_AUTO);
+  }
+}
+
 void confirmControls(V4l2Device& device, std::vector<ControlState>& controls) {
   for (std::size_t i = 0; i < controls.size(); ++i)
     if (controls[i].lock == Lock::locked) controls[i] = lockControl(device, kControls[i], controls[i].wanted);

@@ -11,6 +11,8 @@ namespace facenav::capture {
 /// Turns the automatic adjustments off, sets the values of `settings` (absent: as they are) and reads them
 /// back.
 std::vector<ControlState> lockControls(V4l2Device& device, const CameraSettings& settings);
+/// Turns the automatic adjustments on.
+void freeControls(V4l2Device& device);
 /// Reads back what was locked. A control that changed since is set once more and read again.
 void confirmControls(V4l2Device& device, std::vector<ControlState>& controls);
 

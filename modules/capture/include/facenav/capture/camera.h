@@ -59,6 +59,9 @@ struct CameraSettings {
   // Absent: locked at the value that the camera has now.
   std::optional<double> exposure_ms, gain, focus, white_balance_k;
   Trigger trigger = Trigger::free_run;
+  // The camera adjusts itself, to find values for this light: run it so for some seconds, then configure
+  // again without.
+  bool is_adjusting = false;
 };
 
 /// One of the camera's own adjustments. It changes the picture under the tracker unless it is locked.
