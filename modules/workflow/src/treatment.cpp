@@ -1,5 +1,6 @@
 #include "facenav/workflow/treatment.h"
 
+#include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/face_looks.h"
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/core/error.h"
@@ -73,6 +74,7 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
   setup.scalp = request.alignment->scalp;
   setup.pace = head_tracking::Pace::live;
   setup.key_frames = storedKeyFrames(request.store.folder());
+  setup.plate = casefile::coilOf(request.store.folder()).plate;
   PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
   prepared.source = devices.openSource();
   return prepared;
@@ -92,7 +94,9 @@ session::ChosenTarget chosenTarget(const guidance::Target& target, const Alignme
 }
 
 Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
-    : case_folder_(prepared.request.store.folder()), alignment_(prepared.request.alignment) {
+    : case_folder_(prepared.request.store.folder()),
+      alignment_(prepared.request.alignment),
+      tip_(prepared.request.coil.tip) {
   prepared.navigator->setTarget(target);
   session::SessionOptions options;
   options.is_paced = !prepared.request.is_live;
@@ -181,6 +185,15 @@ void Treatment::chooseTargetNamed(const std::string& name) {
 }
 
 void Treatment::checkRegistration() { session_->checkRegistration(); }
+
+void Treatment::judgeTip(TipVerdict verdict, const guidance::TipReading& reading) {
+  log_->addEvent(session_events::kTip, inWords(verdict, reading));
+  if (verdict == TipVerdict::wrong) session_->checkRegistration(true);
+}
+
+std::shared_ptr<const guidance::TipCheck> Treatment::makeTipCheck() const {
+  return seeAlignment(casefile::CaseStore::open(case_folder_), *alignment_).check;
+}
 
 /// A check that could not measure enough is still asked for.
 bool Treatment::isCheckDue() {

@@ -114,7 +114,8 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::coil, state.camera_T_coil));
-    if (!state.target.empty()) log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance});
+    if (!state.target.empty())
+      log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance, state.gap});
   }
   noteChange(has_head, bool(state.camera_T_mri), "face",
              state.camera_T_mri ? "" : toString(state.camera_T_mri.reason()));

@@ -23,6 +23,7 @@ struct PosedFrame {
   std::shared_ptr<const ChosenTarget> chosen;
   guidance::Tolerance tolerance;
   std::string loss;  // what is lost, in words: "face covered"; empty if nothing is
+  std::optional<guidance::LiveSurface> live = {};  // beside the coil
 };
 PosedFrame posedFrame(const NavigationState& state);
 

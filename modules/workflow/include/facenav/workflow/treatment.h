@@ -15,6 +15,7 @@
 #include "facenav/links/pulse_source.h"
 #include "facenav/session/treatment_log.h"
 #include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/alignment_seen.h"
 #include "facenav/workflow/session_notes.h"
 
 namespace facenav::workflow {
@@ -104,6 +105,13 @@ class Treatment {
   /// Measures for two seconds whether the MRI is still aligned with the face. The finding is in the next
   /// states (NavigationState::check) and in the log; one that failed withholds guidance until one passes.
   void checkRegistration();
+  /// What a person says of the coil's tip, held to nose or ear; logged with its distances. Wrong: guidance is
+  /// withheld until a measured check passes.
+  void judgeTip(TipVerdict verdict, const guidance::TipReading& reading);
+  /// Of the case's scalp; takes a second.
+  std::shared_ptr<const guidance::TipCheck> makeTipCheck() const;
+  /// The point of the coil in use that is held to the face.
+  const Point<Coil>& tip() const { return tip_; }
   /// It is asked for: the last one, or the alignment, is longer ago than RegistrationCheckRules says.
   bool isCheckDue();
 
@@ -119,6 +127,7 @@ class Treatment {
 
   std::filesystem::path case_folder_, session_folder_;
   std::shared_ptr<const AlignmentOutcome> alignment_;
+  Point<Coil> tip_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;
   std::atomic<double> intensity_pct_{-1};  // < 0: not known; read by the sources' threads
