@@ -6,14 +6,17 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "commands/commands.h"
+#include "facenav/pictures/titled_row.h"
+#include "facenav/scene/png.h"
 #include "facenav/workflow/align_case.h"
+#include "facenav/workflow/alignment_seen.h"
 
 namespace facenav::app {
 namespace {
 
 struct AlignRequest {
   std::filesystem::path case_folder;
-  std::optional<std::filesystem::path> recording, rig, output;
+  std::optional<std::filesystem::path> recording, rig, output, picture;
   std::vector<std::filesystem::path> left, right;  // with dots, without
   std::string aligner, matcher = stereo::kDefaultMatcher, from;
 };
@@ -57,6 +60,15 @@ void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
   if (!words.empty()) std::printf("skin: %s\n", words.c_str());
 }
 
+/// Both pictures of the capture with the MRI's skin over them, for a person to judge.
+void writePicture(const std::filesystem::path& path, const casefile::CaseStore& store,
+                  const cameras::StereoRig& rig, const workflow::AlignmentOutcome& outcome) {
+  auto drawn = workflow::drawAlignment(rig, outcome, workflow::seeAlignment(store, outcome));
+  scene::writePng(pictures::titledRow({{"MRI's skin, left camera", std::move(drawn.left)},
+                                       {"MRI's skin, right camera", std::move(drawn.right)}}),
+                  path);
+}
+
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto recording = request.recording ? capture::openCapture(*request.recording) : fromFiles(request);
@@ -68,6 +80,7 @@ void runAlign(Context& context, const AlignRequest& request) {
   const auto& outcome = aligned.outcome;
   const auto stored = outcome.stored();
   if (request.output) casefile::writeAlignment(stored, *request.output);
+  if (request.picture) writePicture(*request.picture, store, recording.rig, outcome);
   if (context.is_quiet) return;
   std::printf("%s\n", inWords(aligned).c_str());
   if (stored.matcher) std::printf("face measured by the matcher %s\n", stored.matcher->c_str());
@@ -94,6 +107,8 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("--left", request->left, "left image with dots, then the one without");
   verb->add_option("--right", request->right, "right image with dots, then the one without");
   verb->add_option("-o,--output", request->output, "also write alignment.json here");
+  verb->add_option("--picture", request->picture,
+                   "PNG: the MRI's skin (contour, points, landmarks) over both pictures, to judge by eye");
   verb->add_option("--aligner", request->aligner,
                    "method: " + workflow::namesOf(context.registrations.aligners))
       ->capture_default_str();

@@ -4,26 +4,83 @@
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "facenav/cameras/projector_model.h"
+#include "facenav/casefile/case_coil.h"
+#include "facenav/core/error.h"
+#include "facenav/pictures/projected_guide.h"
+#include "facenav/scene/png.h"
+#include "facenav/workflow/align_from_capture.h"
 #include "facenav/workflow/guide_poses.h"
 
 namespace facenav::app {
+namespace {
+
+struct GuideRequest {
+  std::filesystem::path case_folder, poses, output, projector, projected;
+  std::string target;
+  std::optional<std::int64_t> frame;
+};
+
+/// The picture that the projector would show at one frame: by default the last one in which the head was
+/// tracked.
+void writeProjected(const GuideRequest& request, const casefile::CaseStore& store,
+                    const std::vector<casefile::PoseRow>& poses,
+                    const std::vector<guidance::GuidanceRow>& rows) {
+  const auto projector = cameras::readProjector(request.projector);
+  const auto target = store.targets().find(request.target);
+  std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
+  std::int64_t frame = request.frame.value_or(-1);
+  for (const auto& row : poses) {
+    if (row.object != casefile::PoseObject::head || (request.frame && row.frame != frame)) continue;
+    const auto pose = row.tracked<Camera, Mri>();
+    if (!pose) continue;
+    camera_T_mri = *pose;
+    frame = row.frame;
+  }
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const auto& each) { return each.frame == frame; });
+  if (request.frame && row == rows.end())
+    throw Error("there is no frame " + std::to_string(frame), request.poses.string(),
+                "frames " + std::to_string(rows.front().frame) + " to " + std::to_string(rows.back().frame) +
+                    " are there");
+  const auto state = row == rows.end() ? guidance::GuidanceState() : row->state;
+  pictures::ProjectedGuide guide(projector, store.scalp().mesh, casefile::coilOf(store.folder()).plate);
+  scene::writePng(guide.draw(camera_T_mri, target, state), request.projected);
+  if (!camera_T_mri)
+    std::fprintf(stderr, "note: the head is lost there: the picture is black\n");
+  else if (guide.ringLit() < 1)
+    std::fprintf(stderr,
+                 "note: the projector's light reaches %.0f %% of the ring: turn the head, or move it\n",
+                 100 * guide.ringLit());
+}
+
+}  // namespace
 
 void addGuide(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "guide", "poses of head and coil -> distance, tilt and twist to a target, frame by frame");
-  struct GuideRequest {
-    std::filesystem::path case_folder, poses, output;
-    std::string target;
-  };
   auto request = std::make_shared<GuideRequest>();
   verb->add_option("CASE", request->case_folder, "case folder with targets.json")->required();
   verb->add_option("POSES", request->poses, "poses.csv, tracked with --case and --coil")->required();
   verb->add_option("--target", request->target, "name of the target")->required();
   verb->add_option("-o,--output", request->output, "guidance.csv to write")->required();
+  auto* projector =
+      verb->add_option("--projector", request->projector,
+                       "projector.yml: a calibrated projector (image_width, image_height, K, D, R, T)");
+  auto* projected = verb->add_option("--projected", request->projected,
+                                     "PNG: what the projector shows, so that outline, ring and arrow lie on "
+                                     "the head; black while it is lost");
+  projected->needs(projector);
+  projector->needs(projected);
+  verb->add_option("--frame", request->frame, "of --projected; default: the last one with the head tracked")
+      ->needs(projected);
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
-    const auto rows = workflow::guidePoses(store, casefile::readPoses(request->poses), request->target);
+    const auto scalp = registration::keptScalpField(workflow::skinModel(store.scalp()), store.scalpField());
+    const auto poses = casefile::readPoses(request->poses);
+    const auto rows = workflow::guidePoses(store, poses, request->target, scalp.get());
     guidance::writeGuidanceCsv(rows, request->output);
+    if (!request->projected.empty()) writeProjected(*request, store, poses, rows);
     if (context.is_quiet) return;
     const auto on_target = std::count_if(rows.begin(), rows.end(), [](const auto& row) {
       return row.state.state == guidance::State::on_target;

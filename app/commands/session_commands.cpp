@@ -64,8 +64,9 @@ void setIntensity(const std::string& value, workflow::Treatment& treatment) {
 
 std::string sessionCommandWords() {
   return "pause REASON, resume, target NAME, coil NAME, intensity PCT, mep UV, twitch y|n (of the newest "
-         "pulse), check "
-         "(the registration), note WORDS (an adverse event), end";
+         "pulse), check (the registration), tip (where the coil's tip is on the MRI's skin), tip right|wrong "
+         "(a "
+         "person's judgement of it), note WORDS (an adverse event), end";
 }
 
 bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatment) {
@@ -87,12 +88,32 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
     answer(word, rest, treatment);
   else if (word == "check")
     treatment.checkRegistration();
+  else if (word == "tip")
+    judgeTip(rest, treatment);
   else if (word == "note")
     treatment.log().addEvent(workflow::session_events::kAdverse, workflow::noteWords(rest, "note"));
   else
     refuseCommand(line);
   say({{"done", word}});
   return true;
+}
+
+/// Where the coil's tip is on the MRI's skin, and what a person says of it.
+void SessionCommands::judgeTip(const std::string& verdict, workflow::Treatment& treatment) {
+  if (!verdict.empty() && verdict != "right" && verdict != "wrong")
+    throw Error("the tip is judged right or wrong", {}, "or give no word, to read where it is");
+  if (!tip_check_) tip_check_ = treatment.makeTipCheck();
+  const auto reading = workflow::readTip(*treatment.session().latest(), treatment.tip(), *tip_check_);
+  if (!reading) throw Error("head or coil is lost", {}, "show both to the cameras");
+  Json told{{"tip", inWords(*reading)}, {"off_skin_mm", reading->off_skin_mm}};
+  if (reading->nearest) {
+    told["nearest"] = reading->nearest->name;
+    told["off_place_mm"] = reading->off_place_mm;
+  }
+  say(told);
+  if (!verdict.empty())
+    treatment.judgeTip(verdict == "right" ? workflow::TipVerdict::right : workflow::TipVerdict::wrong,
+                       *reading);
 }
 
 bool SessionCommands::readInput(workflow::Treatment& treatment) {

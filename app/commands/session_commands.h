@@ -22,9 +22,11 @@ class SessionCommands {
  private:
   bool readInput(workflow::Treatment& treatment);
   bool obey(const std::string& line, workflow::Treatment& treatment);
+  void judgeTip(const std::string& verdict, workflow::Treatment& treatment);
   void tell(workflow::Treatment& treatment);
 
   std::filesystem::path coil_library_;
+  std::shared_ptr<const guidance::TipCheck> tip_check_;  // made at the first use
   std::string input_;
   bool has_begun_ = false, has_input_ = true, is_check_due_ = false;
   int told_check_ = 0;

@@ -73,6 +73,16 @@ void requireDifferent(const std::vector<MarkerModel>& markers, const JsonReader&
   }
 }
 
+constexpr double kFarthestTip_mm = 500.0;
+
+Point<Coil> readTip(const JsonReader& json) {
+  const auto numbers = json.numbers(3);
+  const Point<Coil> tip(numbers[0], numbers[1], numbers[2]);
+  if (!(tip.mm.norm() <= kFarthestTip_mm))
+    json.refuse("a tip at most 500 mm from the coil's centre was expected");
+  return tip;
+}
+
 Json toJson(const MarkerModel& marker, const fs::path& folder) {
   Json json;
   if (marker.pattern) {
@@ -100,6 +110,7 @@ CoilModel readCoil(const fs::path& path) {
   coil.markers = readMarkers(json, folderOf(path));
   requireDifferent(coil.markers, json);
   if (json.has("mesh")) coil.mesh = folderOf(path) / json.at("mesh").text();
+  if (json.has("tip_mm")) coil.tip = readTip(json.at("tip_mm"));
   return coil;
 }
 
@@ -121,6 +132,7 @@ void writeCoil(const CoilModel& coil, const fs::path& path) {
     const fs::path relative = fs::absolute(*coil.mesh).lexically_relative(fs::absolute(folder));
     json["mesh"] = relative.empty() ? coil.mesh->string() : relative.string();
   }
+  if (!coil.tip.mm.isZero()) json["tip_mm"] = {coil.tip.mm.x(), coil.tip.mm.y(), coil.tip.mm.z()};
   writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "camera_view.h"
+#include "skin_over.h"
 #include "to_rgb.h"
 
 namespace facenav::pictures {
@@ -53,14 +54,17 @@ std::string caption(const session::NavigationState& state, bool is_left) {
 }
 
 RgbImage drawView(CameraView view, const session::NavigationState& state,
-                  const std::optional<guidance::Target>& target, bool is_left) {
-  if (state.head) {
+                  const std::optional<guidance::Target>& target,
+                  const std::optional<AlignmentShown>& alignment, bool is_left) {
+  if (alignment && state.camera_T_mri) drawSkinOver(view, *state.camera_T_mri, *alignment->skin);
+  if (state.head && !alignment) {
     if (is_left && state.head->face_left) drawCorners(view, *state.head->face_left);
     drawFeatures(view, *state.head, is_left);
   }
   if (state.coil) drawMarker(view, is_left ? state.coil->left_corners_px : state.coil->right_corners_px);
   if (state.camera_T_mri && target) drawTarget(view, *state.camera_T_mri, *target);
   if (state.camera_T_coil) drawAxis(view, *state.camera_T_coil);
+  if (state.camera_T_coil && alignment) drawTip(view, *state.camera_T_coil * alignment->tip);
   drawCaption(view, caption(state, is_left), !state.head || !state.coil);
   return toRgb(view.image);
 }
@@ -68,16 +72,17 @@ RgbImage drawView(CameraView view, const session::NavigationState& state,
 }  // namespace
 
 CameraOverlay drawOverlay(const cameras::StereoRig& rig, const session::NavigationState& state,
-                          const std::optional<guidance::Target>& target) {
+                          const std::optional<guidance::Target>& target,
+                          const std::optional<AlignmentShown>& alignment) {
   CameraOverlay overlay;
   if (!state.images) return overlay;
   const auto& images = *state.images;
   if (images.left.type() == CV_8UC1 && !images.left.empty())
-    overlay.left =
-        drawView(makeView(images.left, rig.left, Eigen::Isometry3d::Identity()), state, target, true);
+    overlay.left = drawView(makeView(images.left, rig.left, Eigen::Isometry3d::Identity()), state, target,
+                            alignment, true);
   if (images.right.type() == CV_8UC1 && !images.right.empty())
-    overlay.right =
-        drawView(makeView(images.right, rig.right, rig.right_T_left.isometry()), state, target, false);
+    overlay.right = drawView(makeView(images.right, rig.right, rig.right_T_left.isometry()), state, target,
+                             alignment, false);
   return overlay;
 }
 

@@ -11,7 +11,7 @@ namespace facenav::pictures {
 namespace {
 
 CameraOverlay drawOrder(const OverlayOrder& order) {
-  return drawOverlay(order.rig, *order.state, order.target);
+  return drawOverlay(order.rig, *order.state, order.target, order.alignment);
 }
 
 }  // namespace

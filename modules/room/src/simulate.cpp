@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "facenav/cameras/projector_model.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/room/synthetic_source.h"
@@ -80,6 +81,7 @@ void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatie
   scenario["capture_camera_T_mri"] = rows(source.captureTruth().matrix());
   writeWholeFile(writer.temporaryFolder() / "coil.json", coilJson(source.coil()).dump(2) + "\n");
   writeWholeFile(writer.temporaryFolder() / "scenario.json", scenario.dump(2) + "\n");
+  cameras::writeProjector(source.projector(), writer.temporaryFolder() / "projector.yml");
   writer.close();
 }
 

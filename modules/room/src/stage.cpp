@@ -52,9 +52,9 @@ bool Cast::operator==(const Cast& other) const {
   return room_T_mri.matrix() == other.room_T_mri.matrix() && isSame(room_T_coil, other.room_T_coil) &&
          isSame(room_T_hand, other.room_T_hand) && lamp_scale == other.lamp_scale &&
          ambient_scale == other.ambient_scale && lamp_shift_mm == other.lamp_shift_mm && dots == other.dots &&
-         wetness == other.wetness && gloss == other.gloss && has_mask == other.has_mask &&
-         stranger == other.stranger && jaw_mm == other.jaw_mm && lids == other.lids &&
-         expression == other.expression && hair == other.hair &&
+         shown.data == other.shown.data && wetness == other.wetness && gloss == other.gloss &&
+         has_mask == other.has_mask && stranger == other.stranger && jaw_mm == other.jaw_mm &&
+         lids == other.lids && expression == other.expression && hair == other.hair &&
          right_moved.matrix() == other.right_moved.matrix();
 }
 
@@ -171,14 +171,14 @@ struct Stage::Implementation {
     lighting.ambient = 0.40 * cast.ambient_scale;
     lighting.up = camera_T_room.rotation() * -Eigen::Vector3d::UnitY();
     lighting.projector.reset();
-    if (!cast.dots) return;
+    if (!cast.dots && cast.shown.empty()) return;
+    const auto model = roomProjector(camera_T_room);
     DotProjector projector;
-    Eigen::Isometry3d room_T_projector = Eigen::Isometry3d::Identity();
-    room_T_projector.translation() = Eigen::Vector3d(5.0, -70.0, 20.0);
-    room_T_projector.linear() = Eigen::AngleAxisd(-0.12, Eigen::Vector3d::UnitX()).toRotationMatrix();
-    projector.projector_T_world = room_T_projector.inverse() * camera_T_room.inverse().isometry();
-    projector.pattern = patternOf(*cast.dots);
+    projector.projector_T_world = model.projector_T_camera.isometry();
+    projector.focal_px = model.lens.k(0, 0);
+    projector.pattern = cast.shown.empty() ? patternOf(*cast.dots) : cast.shown;
     lighting.projector = projector;
+    if (!cast.shown.empty()) return;
     for (auto& lamp : lighting.lamps) lamp.intensity *= 0.5;  // the room is darker while dots are projected
     lighting.ambient *= 0.5;
   }
@@ -224,7 +224,8 @@ void Stage::set(const Cast& cast) {
   all.scene.setShown(all.hand, cast.room_T_hand.has_value());
   if (cast.room_T_hand) all.scene.setPose(all.hand, all.camera_T_room.isometry() * *cast.room_T_hand);
   all.light(cast);
-  all.lighting.backdrop = 0.5 * (cast.lamp_scale + cast.ambient_scale) * (cast.dots ? 0.5 : 1.0);
+  all.lighting.backdrop =
+      0.5 * (cast.lamp_scale + cast.ambient_scale) * (cast.dots && cast.shown.empty() ? 0.5 : 1.0);
   all.scene.commit();
 }
 

@@ -28,7 +28,9 @@ struct Cast {
   double lamp_scale = 1.0, ambient_scale = 1.0;
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
   std::optional<stereo::DotPattern> dots;                   // projected; nothing: the projector is off
-  double wetness = 0.0;                                     // of the skin: 1: small hard highlights
+  cv::Mat
+      shown;  // 8-bit, in place of the dots: what the projector shows, of roomProjector()'s size; not dimmed
+  double wetness = 0.0;             // of the skin: 1: small hard highlights
   double gloss = 0.0;               // sheen of the skin, different in each camera: 1: shiny
   bool has_mask = false;            // surgical mask over nose and mouth
   std::uint64_t stranger = 0;       // number of another person who replaces the patient; 0: the patient

@@ -142,6 +142,18 @@ cameras::StereoFrame SyntheticSource::captureWith(std::optional<stereo::DotPatte
   return all.stage.photograph(0, 0.0, seed + (dots ? 0 : 1));
 }
 
+cameras::StereoFrame SyntheticSource::captureShowing(const cv::Mat& picture) {
+  auto& all = *implementation_;
+  Cast cast = all.script->capture();
+  cast.shown = picture;
+  all.stage.set(cast);
+  return all.stage.photograph(0, 0.0, all.options.seed * kFramesPerSeed + 900002);
+}
+
+cameras::ProjectorModel SyntheticSource::projector() const {
+  return roomProjector(implementation_->stage.camera_T_room());
+}
+
 capture::CapturePair SyntheticSource::capturePair() {
   capture::CapturePair pair;
   pair.pattern = captureWith(stereo::DotPattern::dense);

@@ -5,6 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/session/navigator.h"
 
 namespace facenav::workflow {
 namespace {
@@ -37,7 +38,8 @@ std::optional<double> predictedError_mm(const casefile::CaseStore& store, const 
 
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
                                               const std::vector<casefile::PoseRow>& poses,
-                                              const std::string& target_name) {
+                                              const std::string& target_name,
+                                              const registration::ScalpField* scalp) {
   requirePlacedPoses(poses);
   const auto plan = store.targets();
   const auto& target = plan.find(target_name);
@@ -57,7 +59,9 @@ std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
         coil ? coil->tracked<Camera, Coil>()
              : Tracked<RigidTransform<Camera, Coil>>(Lost{LostReason::no_marker});
     previous = guidance::evaluate(target, camera_T_mri, camera_T_coil, {}, predicted_mm, previous);
-    rows.push_back({frame, (head ? head : coil)->t_s, target_name, previous});
+    rows.push_back({frame, (head ? head : coil)->t_s, target_name, previous, {}});
+    if (scalp && camera_T_mri && camera_T_coil)
+      rows.back().gap.by_poses_mm = session::gapToSkin_mm(camera_T_mri->inverse() * *camera_T_coil, *scalp);
   }
   return rows;
 }

@@ -3,6 +3,7 @@
 #include "facenav/casefile/evidence.h"
 #include "facenav/core/frame_budget.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/guidance/coil_gap.h"
 #include "facenav/guidance/coil_plate.h"
 #include "facenav/guidance/mep_map.h"
 #include "facenav/head_tracking/identity_model.h"
@@ -38,8 +39,9 @@ using All =
            registration::FitLimits, registration::MisfitPrior, stereo::SharedError,
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
            head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
-           stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions, MepImportLimits,
-           casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules>;
+           guidance::FieldByGap, stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions,
+           MepImportLimits, casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules,
+           CoilRules, ExpertRules>;
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "facenav/workflow/treatment.h"
 
+#include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/face_looks.h"
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/core/error.h"
@@ -78,6 +79,7 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
   setup.scalp = request.alignment->scalp;
   setup.pace = head_tracking::Pace::live;
   setup.key_frames = storedKeyFrames(request.store.folder());
+  setup.plate = casefile::coilOf(request.store.folder()).plate;
   PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
   prepared.source = devices.openSource();
   return prepared;
@@ -86,9 +88,7 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
   std::string words =
       formatted("aligned: %.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
-  if (target)
-    words += formatted(", \u00b1%.1f mm at ", alignment.predictedError_mm(*target)) +
-             target->name;
+  if (target) words += formatted(", \u00b1%.1f mm at ", alignment.predictedError_mm(*target)) + target->name;
   return words;
 }
 
@@ -210,6 +210,15 @@ void Treatment::noteOtherCoil() {
 }
 
 void Treatment::checkRegistration() { session_->checkRegistration(); }
+
+void Treatment::judgeTip(TipVerdict verdict, const guidance::TipReading& reading) {
+  log_->addEvent(session_events::kTip, inWords(verdict, reading));
+  if (verdict == TipVerdict::wrong) session_->checkRegistration(true);
+}
+
+std::shared_ptr<const guidance::TipCheck> Treatment::makeTipCheck() const {
+  return seeAlignment(casefile::CaseStore::open(case_folder_), *alignment_).check;
+}
 
 /// A check that could not measure enough is still asked for.
 bool Treatment::isCheckDue() {

@@ -7,6 +7,7 @@
 #include <opencv2/core/persistence.hpp>
 #include <regex>
 
+#include "facenav/cameras/projector_model.h"
 #include "facenav/cameras/rig_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -143,6 +144,52 @@ TEST(StereoRig, RefusesWhatIsNoRig) {
             std::string::npos);
   EXPECT_NE(messageOfReading(replaced("image_width", "0")).find("'image_width'"), std::string::npos);
   EXPECT_NE(messageOfReading(replaced("image_width", "\"wide\"")).find("'image_width'"), std::string::npos);
+}
+
+static ProjectorModel someProjector() {
+  ProjectorModel projector;
+  projector.width_px = 1024, projector.height_px = 768;
+  projector.lens.k = cv::Matx33d(1400, 0, 511.5, 0, 1402, 380, 0, 0, 1);
+  projector.lens.distortion = (cv::Mat_<double>(1, 5) << 0.01, -0.02, 0, 0.001, 0);
+  projector.projector_T_camera = {Eigen::Quaterniond(0.99, 0.1, -0.05, 0.02), {5, -70, 20}};
+  return projector;
+}
+
+TEST(ProjectorModel, RoundTrips) {
+  const rigs::TemporaryFolder folder;
+  const auto path = folder.path() / "projector.yml";
+  const auto written = someProjector();
+  writeProjector(written, path);
+  const auto read = readProjector(path);
+  EXPECT_EQ(read.width_px, 1024);
+  EXPECT_EQ(read.lens.k, written.lens.k);
+  EXPECT_EQ(cv::norm(read.lens.distortion, written.lens.distortion), 0);
+  EXPECT_LT((read.projector_T_camera.matrix() - written.projector_T_camera.matrix()).norm(), 1e-9);
+}
+
+TEST(ProjectorModel, AFaultNamesFileAndKey) {
+  const rigs::TemporaryFolder folder;
+  const auto path = folder.path() / "projector.yml";
+  writeProjector(someProjector(), path);
+  const std::string whole = readWholeFile(path);
+  const auto faultWith = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    text.replace(text.find(from), from.size(), to);
+    writeWholeFile(path, text);
+    try {
+      readProjector(path);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(faultWith("image_width", "image_w").find("key 'image_width' is missing"), std::string::npos);
+  EXPECT_NE(faultWith("K:", "L:").find("key 'K' is missing"), std::string::npos);
+  EXPECT_NE(faultWith("K:", "L:").find("projector.yml"), std::string::npos);
+  auto metres = someProjector();
+  metres.projector_T_camera = {Eigen::Quaterniond::Identity(), {0.005, -0.07, 0.02}};
+  writeProjector(metres, path);
+  EXPECT_THROW(readProjector(path), Error);
 }
 
 TEST(StereoRig, DamagedFileIsAnErrorNotACrash) {

@@ -53,6 +53,10 @@ TEST(CoilModel, RoundTripsSeveralMarkers) {
   EXPECT_THAT(read.markers[1].coil_T_marker, PoseNear(coil.markers[1].coil_T_marker, 1e-9, 1e-9));
   writeCoil(defaultCoil(), folder.path() / "one.json");
   EXPECT_EQ(readCoil(folder.path() / "one.json").markers.size(), 1u);
+  EXPECT_TRUE(readCoil(folder.path() / "one.json").tip.mm.isZero()) << "the contact face's centre";
+  coil.tip = Point<Coil>(98.5, 0, -2);
+  writeCoil(coil, folder.path() / "coil.json");
+  EXPECT_EQ(readCoil(folder.path() / "coil.json").tip.mm, coil.tip.mm);
 }
 
 TEST(CoilModel, NamesFileAndKeyOfAFault) {
@@ -78,6 +82,9 @@ TEST(CoilModel, NamesFileAndKeyOfAFault) {
       {R"({"markers": [{"dictionary": "4x4_50", "id": 7, "size_mm": 60, "coil_T_marker": )" + kShifted +
            R"(}, {"dictionary": "4x4_50", "id": 7, "size_mm": 50, "coil_T_marker": )" + kShifted + "}]}",
        "twice"},
+      {R"({"marker": )" + marker + R"(, "tip_mm": [1, 2], "marker_T_coil": )" + kShifted + "}", "tip_mm"},
+      {R"({"marker": )" + marker + R"(, "tip_mm": [0, 900, 0], "marker_T_coil": )" + kShifted + "}",
+       "500 mm"},
   };
   for (const auto& fault : faults) {
     const std::string message = faultOf(fault.content);

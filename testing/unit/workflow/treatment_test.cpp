@@ -162,6 +162,47 @@ TEST_F(TreatmentTest, ASourceThatCannotBeOpenedLeavesTheSessionAlone) {
   EXPECT_TRUE(waitFor([&] { return treatment->log().pulses() == 1; }));
 }
 
+/// As start(), with a measurement of the registration that never says anything.
+std::unique_ptr<session::Navigator> unmeasured(std::unique_ptr<session::Navigator> navigator) {
+  navigator->setCheck(std::make_unique<monitoring::RegistrationCheck>(
+      [](const cameras::StereoFrame&, const RigidTransform<Camera, Mri>&) {
+        return monitoring::DriftFinding();
+      },
+      monitoring::DriftWatchdog::Mode::in_line));
+  return navigator;
+}
+
+TEST_F(TreatmentTest, WhatAPersonSaysOfTheTipIsKeptAndAWrongOneWithholdsGuidance) {
+  casefile::signOff(store_, {"XY", "", true});
+  auto request = this->request();
+  request.coil.tip = Point<Coil>(0, 40, 0);
+  auto devices = this->devices();
+  devices.makeNavigator = [made = devices.makeNavigator](const session::NavigatorSetup& setup) {
+    return unmeasured(made(setup));
+  };
+  Treatment treatment(prepareTreatment(request, devices), fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+  ASSERT_TRUE(waitFor([&] { return treatment.session().latest()->frame >= 2; }));
+  const auto check = treatment.makeTipCheck();
+  const auto reading = readTip(*treatment.session().latest(), treatment.tip(), *check);
+  ASSERT_TRUE(reading);
+  const Eigen::Vector3d tip_mm =
+      (fakes::cameraAtReference().inverse() * (kMarker.reframe<Camera, Coil>() * treatment.tip())).mm;
+  EXPECT_LT((reading->tip.mm - tip_mm).norm(), 1e-9);
+  EXPECT_NEAR(reading->off_skin_mm, tip_mm.norm() - 90, 0.5) << "the case's head is a ball of 90 mm";
+  treatment.judgeTip(TipVerdict::right, *reading);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_TRUE(treatment.session().latest()->camera_T_mri);
+  treatment.judgeTip(TipVerdict::wrong, *reading);
+  EXPECT_TRUE(waitFor([&] { return !treatment.session().latest()->withheld.empty(); }));
+  EXPECT_FALSE(treatment.session().latest()->camera_T_mri);
+  EXPECT_FALSE(readTip(*treatment.session().latest(), treatment.tip(), *check)) << "no pose, no tip";
+  treatment.end();
+  std::string events;
+  for (const auto& event : kept().events) events += event.event + ": " + event.detail + "\n";
+  EXPECT_THAT(events, HasSubstr("tip check: judged right: " + inWords(*reading)));
+  EXPECT_THAT(events, HasSubstr("tip check: judged wrong: " + inWords(*reading)));
+}
+
 TEST_F(TreatmentTest, ItsReportFollowsItsEnd) {
   auto treatment = start();
   treatment->end();

@@ -59,6 +59,7 @@ void visitNumbers(PulseType& pulse, Visitor&& visit) {
   visit("e_target_v_per_m", pulse.e_target_v_per_m);
   visit("mep_uv", pulse.mep_uv);
   visit("latency_ms", pulse.latency_ms);
+  visit("gap_stereo_mm", pulse.gap_stereo_mm);
 }
 
 void addOffset(const PulseOffset& offset, Json& json) {

@@ -8,6 +8,7 @@
 #include "facenav/core/csv_table.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/guidance/coil_gap.h"
 #include "json_lines.h"
 #include "pulse_json.h"
 
@@ -155,8 +156,10 @@ std::string csvLine(const ReviewedPulse& reviewed) {
     line += ",,,,,";
   line += field(pulse.gap_mm, 2) + field(pulse.predicted_error_mm, 4) + field(pulse.intensity_pct, 2) +
           field(pulse.e_target_v_per_m, 2) + field(pulse.mep_uv, 2) + field(pulse.latency_ms, 2);
+  std::optional<double> lost_pct;
+  if (pulse.gap_mm) lost_pct = guidance::fieldLost_pct(*pulse.gap_mm);
   return line + (reviewed.is_excluded ? ",1," : ",0,") + csvField(reviewed.note) + "," +
-         csvField(pulse.coil) + "\n";
+         csvField(pulse.coil) + field(pulse.gap_stereo_mm, 2) + field(lost_pct, 1) + "\n";
 }
 
 }  // namespace
@@ -214,7 +217,7 @@ std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses) {
   std::string csv =
       "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
       "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
-      "excluded,note,coil\n";
+      "excluded,note,coil,gap_stereo_mm,field_lost_pct\n";
   for (const ReviewedPulse& reviewed : pulses) csv += csvLine(reviewed);
   return csv;
 }

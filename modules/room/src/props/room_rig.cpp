@@ -86,4 +86,18 @@ RigidTransform<Camera, Room> cameraFromRoom(const cameras::StereoRig& rig, doubl
   return RigidTransform<Camera, Room>::fromIsometry(camera_T_room);
 }
 
+cameras::ProjectorModel roomProjector(const RigidTransform<Camera, Room>& camera_T_room) {
+  constexpr double kFocal_px = 1400.0;
+  cameras::ProjectorModel projector;
+  projector.width_px = 1024, projector.height_px = 768;
+  projector.lens.k = cv::Matx33d(kFocal_px, 0, 0.5 * (projector.width_px - 1), 0, kFocal_px,
+                                 0.5 * (projector.height_px - 1), 0, 0, 1);
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  place.translation() = Eigen::Vector3d(5.0, -70.0, 20.0);
+  place.linear() = Eigen::AngleAxisd(-0.12, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const auto room_T_projector = RigidTransform<Room, Projector>::fromIsometry(place);
+  projector.projector_T_camera = room_T_projector.inverse() * camera_T_room.inverse();
+  return projector;
+}
+
 }  // namespace facenav::room

@@ -84,6 +84,7 @@ NavigationState blanked(const NavigationState& state, LostReason reason) {
   out.camera_T_mri = Lost{reason};
   out.camera_T_coil = Lost{reason};
   out.head_detail = LossDetail::unknown;  // it belongs to an earlier frame
+  out.gap = {};
   out.guidance = {};
   out.guidance.reason = reason;
   out.guidance.instruction = lossInWords(out);

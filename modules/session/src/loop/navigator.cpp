@@ -1,6 +1,7 @@
 #include "facenav/session/navigator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "facenav/core/number_text.h"
@@ -35,7 +36,24 @@ bool isUsable(const cameras::StereoFrame& frame, const cameras::StereoRig& rig) 
   return fits(frame.left) && fits(frame.right);
 }
 
+std::unique_ptr<monitoring::BesideCoilWatch> makeGapWatch(const NavigatorSetup& setup) {
+  const auto beside =
+      std::make_shared<const monitoring::SurfaceBesideCoil>(setup.rig, setup.scalp, setup.plate.outline_mm);
+  return std::make_unique<monitoring::BesideCoilWatch>(
+      [beside](const monitoring::BesideCoilWatch::Question& question) {
+        return beside->measure(*question.frame, question.camera_T_mri, question.camera_T_coil);
+      },
+      monitoring::BesideCoilWatch::Mode::own_thread);
+}
+
 }  // namespace
+
+std::optional<double> gapToSkin_mm(const RigidTransform<Mri, Coil>& mri_T_coil,
+                                   const registration::ScalpField& scalp) {
+  const float gap_mm = scalp.fine(mri_T_coil.translation_mm().cast<float>()).distance_mm;
+  if (!std::isfinite(gap_mm) || gap_mm >= registration::ScalpField::kFar_mm) return std::nullopt;
+  return gap_mm;
+}
 
 Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking::HeadTracker> head,
                      std::unique_ptr<coil_tracking::CoilTracker> coil)
@@ -44,6 +62,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
       coil_name_(setup.coil.name),
       tolerance_(setup.tolerance),
       rig_check_(setup.rig),
+      scalp_(setup.scalp),
       head_(std::move(head)),
       coil_(std::move(coil)) {
   if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
@@ -64,6 +83,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
     watchdog_ = std::make_unique<monitoring::DriftWatchdog>(measure, mode);
     check_ = std::make_unique<monitoring::RegistrationCheck>(measure, mode);
   }
+  if (setup.scalp && setup.pace == head_tracking::Pace::live) gap_watch_ = makeGapWatch(setup);
 }
 
 std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
@@ -103,6 +123,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
     const Timestamp tracked = Timestamp::now();
     check(frame, state);
     watch(frame, state);
+    measureGap(frame, state);
     if (watchdog_) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
@@ -183,6 +204,22 @@ void Navigator::watch(const std::shared_ptr<const cameras::StereoFrame>& frame, 
   state.has_drifted = true;
   state.head = Lost{LostReason::high_residual};
   state.camera_T_mri = Lost{LostReason::high_residual};
+}
+
+/// From the poses in each frame; from stereo about once a second, beside the frames.
+void Navigator::measureGap(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
+  const auto maybe = [](const auto& tracked) { return tracked ? std::optional(*tracked) : std::nullopt; };
+  const auto camera_T_mri = maybe(state.camera_T_mri);
+  const auto camera_T_coil = maybe(state.camera_T_coil);
+  if (gap_watch_) gap_watch_->add(frame, camera_T_mri, camera_T_coil);
+  if (!scalp_ || !camera_T_mri || !camera_T_coil) return;
+  state.gap.by_poses_mm = gapToSkin_mm(camera_T_mri->inverse() * *camera_T_coil, *scalp_);
+  // The predicted error is that of a point in space; the gap feels its part along the normal.
+  if (target_) state.gap.alignment_sigma_mm = target_->predicted_error_mm / std::sqrt(3.0);
+  if (!gap_watch_ || !gap_watch_->finding()) return;
+  const auto& finding = *gap_watch_->finding();
+  state.gap.unseen = finding.unseen;
+  if (finding.has_measured) state.gap.live = guidance::LiveSurface{finding.above_skin_mm, finding.sigma_mm};
 }
 
 void Navigator::guide(NavigationState& state) {

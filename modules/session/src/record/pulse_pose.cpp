@@ -9,6 +9,7 @@
 #include "facenav/geometry/interpolate.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
+#include "facenav/session/navigator.h"
 
 namespace facenav::session {
 namespace {
@@ -63,15 +64,6 @@ std::optional<Pose> between(const std::optional<Pose>& a, const std::optional<Po
   return interpolated(*a, *b, fraction);
 }
 
-/// Distance of the contact face's centre from the skin, > 0 outside.
-std::optional<double> gapOf(const RigidTransform<Mri, Coil>& mri_T_coil,
-                            const registration::ScalpField* scalp) {
-  if (!scalp) return std::nullopt;
-  const float gap_mm = scalp->fine(mri_T_coil.translation_mm().cast<float>()).distance_mm;
-  if (!std::isfinite(gap_mm) || gap_mm >= registration::ScalpField::kFar_mm) return std::nullopt;
-  return gap_mm;
-}
-
 /// What makes a pulse doubtful though the coil is where it should be.
 std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& target) {
   std::string words;
@@ -102,8 +94,8 @@ void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
 }  // namespace
 
 PosedFrame posedFrame(const NavigationState& state) {
-  PosedFrame posed{state.frame, state.captured, state.taken, {}, {}, state.chosen, state.tolerance,
-                   {},          state.coil_name};
+  PosedFrame posed{state.frame, state.captured,  state.taken,   {}, {}, state.chosen, state.tolerance,
+                   {},          state.coil_name, state.gap.live};
   if (state.camera_T_mri) posed.camera_T_mri = *state.camera_T_mri;
   if (state.camera_T_coil) posed.camera_T_coil = *state.camera_T_coil;
   if (!state.camera_T_mri || !state.camera_T_coil) posed.loss = titleOf(lossInWords(state));
@@ -135,7 +127,8 @@ casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<Po
   pulse.camera_T_mri = between(before->camera_T_mri, after->camera_T_mri, fraction);
   pulse.camera_T_coil = between(before->camera_T_coil, after->camera_T_coil, fraction);
   if (pulse.camera_T_mri && pulse.camera_T_coil) {
-    pulse.gap_mm = gapOf(*pulse.mri_T_coil(), scalp);
+    if (scalp) pulse.gap_mm = gapToSkin_mm(*pulse.mri_T_coil(), *scalp);
+    if (pulse.gap_mm && before->live) pulse.gap_stereo_mm = *pulse.gap_mm - before->live->above_skin_mm;
     judge(pulse, *before);
   } else {
     pulse.reason = before->loss.empty() ? after->loss : before->loss;

@@ -35,7 +35,7 @@ struct FollowOn {
 };
 
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
-constexpr double kLogRetry_s = 1.0;       // after a fault of the disk
+constexpr double kLogRetry_s = 1.0;    // after a fault of the disk
 constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
@@ -123,7 +123,8 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::coil, state.camera_T_coil));
-    if (!state.target.empty()) log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance});
+    if (!state.target.empty())
+      log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance, state.gap});
   }
   noteChange(has_head, bool(state.camera_T_mri), "face",
              state.camera_T_mri ? "" : toString(state.camera_T_mri.reason()));

@@ -12,6 +12,7 @@
 #include "facenav/guidance/guidance.h"
 #include "facenav/scene/png.h"
 #include "facenav/workflow/review_charts.h"
+#include "facenav/workflow/session_notes.h"
 #include "facenav/workflow/session_review.h"
 #include "facenav/workflow/software_version.h"
 #include "report_html.h"
@@ -167,6 +168,7 @@ std::string accuracyPart(const casefile::KeptSession& session, const SessionSumm
   std::vector<TableRow> rows{
       {"Alignment of MRI and head", detailsOf(session, "alignment")},
       {"Re-checks of the registration", detailsOf(session, "registration check")},
+      {"Coil's tip held to the face, judged by a person", detailsOf(session, session_events::kTip)},
       {"Predicted error at the target", errorWords(session)},
       {"Distance of coil and target at the pulses, median / 95th percentile",
        spreadWords(s.distance_mm, "mm")},

@@ -41,6 +41,8 @@ struct Pulse {
   double fraction = 0;                                // of the way between them
   std::optional<PulseOffset> offset;
   std::optional<double> gap_mm, predicted_error_mm, intensity_pct, e_target_v_per_m, mep_uv, latency_ms;
+  std::optional<double>
+      gap_stereo_mm;  // to the live surface (skin or hair) that the cameras see beside the coil
 
   /// Absent unless both poses are known.
   std::optional<RigidTransform<Mri, Coil>> mri_T_coil() const;

@@ -38,6 +38,8 @@ struct CoilModel {
   std::string name;
   std::vector<MarkerModel> markers;
   std::optional<std::filesystem::path> mesh;  // STL in Coil coordinates, mm
+  /// The point that is held to nose and ear to check an alignment; by default the contact face's centre.
+  Point<Coil> tip;
   RigidTransform<Marker, Coil> marker_T_coil() const { return markers.front().coil_T_marker.inverse(); }
 };
 /// Throws Error naming file and key.

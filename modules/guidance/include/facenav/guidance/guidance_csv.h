@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/guidance/coil_gap.h"
 #include "facenav/guidance/guidance.h"
 
 namespace facenav::guidance {
@@ -15,6 +16,7 @@ struct GuidanceRow {
   double t_s = 0.0;
   std::string target;
   GuidanceState state;
+  CoilGap gap = {};
 };
 
 std::string guidanceCsvHeader();

@@ -5,18 +5,22 @@
 #include <optional>
 
 #include "facenav/cameras/stereo_rig.h"
-#include "facenav/core/rgb_image.h"
 #include "facenav/guidance/target.h"
+#include "facenav/pictures/aligned_skin.h"
 #include "facenav/session/navigation_state.h"
 
 namespace facenav::pictures {
 
-struct CameraOverlay {
-  RgbImage left, right;  // same size as the camera image; empty if the state has no images
+/// For the check of the alignment by eye: the MRI's skin, and the point of the coil that is held to the face.
+struct AlignmentShown {
+  std::shared_ptr<const AlignedSkin> skin;  // not null
+  Point<Coil> tip;
 };
 
-/// `target` may be absent. A lost pose is not drawn; text at the top of the image says so.
+/// `target` may be absent. A lost pose is not drawn; text at the top of the image says so. With `alignment`,
+/// the MRI's skin and the coil's tip are drawn in place of what tracking sees in the face.
 CameraOverlay drawOverlay(const cameras::StereoRig& rig, const session::NavigationState& state,
-                          const std::optional<guidance::Target>& target = std::nullopt);
+                          const std::optional<guidance::Target>& target = std::nullopt,
+                          const std::optional<AlignmentShown>& alignment = std::nullopt);
 
 }  // namespace facenav::pictures

@@ -15,6 +15,7 @@ struct OverlayOrder {
   cameras::StereoRig rig;
   std::shared_ptr<const session::NavigationState> state;  // not null
   std::optional<guidance::Target> target;
+  std::optional<AlignmentShown> alignment = {};
 };
 
 struct DrawnOverlay {

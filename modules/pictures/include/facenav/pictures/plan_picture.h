@@ -7,14 +7,12 @@
 
 #include "facenav/core/rgb_image.h"
 #include "facenav/guidance/coil_plate.h"
+#include "facenav/surface/named_place.h"
 #include "facenav/surface/scalp_surface.h"
 
 namespace facenav::pictures {
 
-struct NamedPlace {
-  std::string name;
-  Point<Mri> point;
-};
+using surface::NamedPlace;
 
 /// From the left, the front, above, the right and behind, side by side; 2 pixels per mm, along the axes of
 /// Mri. A place is drawn where no skin hides it. `landmarks` are orange, `sites` green, targets blue. Of a

@@ -8,7 +8,8 @@
 
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/guidance/coil_plate.h"
-#include "facenav/pictures/camera_overlay.h"
+#include "facenav/guidance/target.h"
+#include "facenav/pictures/camera_picture.h"
 #include "facenav/surface/triangle_mesh.h"
 
 namespace facenav::pictures {

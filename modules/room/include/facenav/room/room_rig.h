@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "facenav/cameras/projector_model.h"
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/field.h"
 
@@ -50,5 +51,8 @@ cameras::StereoRig makeRig(const RigOptions& options);
 
 /// Camera from Room for any rig. Room's axes are the mean of the cameras' axes with the rig's roll removed.
 RigidTransform<Camera, Room> cameraFromRoom(const cameras::StereoRig& rig, double roll_deg = 0.0);
+
+/// The room's projector, above the cameras: 1024 x 768, without distortion.
+cameras::ProjectorModel roomProjector(const RigidTransform<Camera, Room>& camera_T_room);
 
 }  // namespace facenav::room

@@ -27,6 +27,9 @@ class SyntheticSource : public capture::FrameSource {
 
   /// One picture pair of the capture: with these dots, or without.
   cameras::StereoFrame captureWith(std::optional<stereo::DotPattern> dots);
+  /// The same while the projector shows a picture (8-bit, 1 channel, of projector()'s size).
+  cameras::StereoFrame captureShowing(const cv::Mat& picture);
+  cameras::ProjectorModel projector() const;
   /// The still pair for the initial alignment (dense dots), and the head's pose in it.
   capture::CapturePair capturePair();
   RigidTransform<Camera, Mri> captureTruth() const;

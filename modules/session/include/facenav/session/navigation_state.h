@@ -11,6 +11,7 @@
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/timestamp.h"
 #include "facenav/core/tracked.h"
+#include "facenav/guidance/coil_gap.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/head_tracking/head_tracker.h"
 #include "facenav/monitoring/registration_check.h"
@@ -42,6 +43,8 @@ struct NavigationState {
   std::string coil_name;    // of the coil that is followed: the pose of `coil` is that of no other one
   /// The same target as it was at this frame; null: none.
   std::shared_ptr<const ChosenTarget> chosen;
+  /// Between the contact face and the head, as both poses and the cameras give it; empty when lost.
+  guidance::CoilGap gap;
   /// That guidance used.
   guidance::Tolerance tolerance;
   guidance::GuidanceState guidance;

@@ -8,10 +8,12 @@
 
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/casefile/face_looks.h"
+#include "facenav/guidance/coil_plate.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/monitoring/drift_watchdog.h"
 #include "facenav/monitoring/registration_check.h"
 #include "facenav/monitoring/rig_check.h"
+#include "facenav/monitoring/surface_beside_coil.h"
 #include "facenav/session/navigation_state.h"
 
 namespace facenav::session {
@@ -25,11 +27,18 @@ struct NavigatorSetup {
   guidance::Tolerance tolerance;
   /// The aligned skin, for the drift watchdog; null: no watchdog.
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
+  /// The coil's contact outline; around it the live surface is measured, while `pace` is live.
+  guidance::CoilPlate plate = guidance::figureOfEight();
   /// For work that takes longer than a frame: the drift watchdog, recovery of a lost face.
   head_tracking::Pace pace = head_tracking::Pace::as_live;
   /// The patient's face in earlier sessions; used where the head is placed in the MRI.
   std::vector<casefile::StoredKeyFrame> key_frames = {};
 };
+
+/// Distance of the contact face's centre from the MRI's skin, > 0 outside; nothing where the skin is beyond
+/// the scan or too far.
+std::optional<double> gapToSkin_mm(const RigidTransform<Mri, Coil>& mri_T_coil,
+                                   const registration::ScalpField& scalp);
 
 class Navigator {
  public:
@@ -48,6 +57,8 @@ class Navigator {
   bool checkRegistration(bool is_withheld_until = false);
   /// Replaces the check made from the setup's scalp; null: none.
   void setCheck(std::unique_ptr<monitoring::RegistrationCheck> check) { check_ = std::move(check); }
+  /// Replaces the measurement of the surface beside the coil; null: none.
+  void setGapWatch(std::unique_ptr<monitoring::BesideCoilWatch> watch) { gap_watch_ = std::move(watch); }
   const cameras::StereoRig& rig() const { return rig_; }
   /// Key frames of the patient's face from this session, to be saved with the case; empty without an
   /// alignment.
@@ -61,6 +72,7 @@ class Navigator {
   void place(NavigationState& state) const;
   void watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void check(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
+  void measureGap(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void guide(NavigationState& state);
 
   cameras::StereoRig rig_;
@@ -69,9 +81,11 @@ class Navigator {
   std::string coil_name_;
   guidance::Tolerance tolerance_;
   monitoring::RigCheck rig_check_;
-  std::shared_ptr<monitoring::DriftCheck> drift_check_;   // null: none
-  std::unique_ptr<monitoring::DriftWatchdog> watchdog_;   // null: none
-  std::unique_ptr<monitoring::RegistrationCheck> check_;  // null: none
+  std::shared_ptr<monitoring::DriftCheck> drift_check_;     // null: none
+  std::unique_ptr<monitoring::DriftWatchdog> watchdog_;     // null: none
+  std::unique_ptr<monitoring::RegistrationCheck> check_;    // null: none
+  std::shared_ptr<const registration::ScalpField> scalp_;   // null: no gap
+  std::unique_ptr<monitoring::BesideCoilWatch> gap_watch_;  // null: none
   std::shared_ptr<const monitoring::RegistrationFinding> finding_;
   std::string withheld_;  // why poses of the head are withheld; empty: they are not
   std::unique_ptr<head_tracking::HeadTracker> head_;

@@ -24,6 +24,7 @@ struct PosedFrame {
   guidance::Tolerance tolerance;
   std::string loss;  // what is lost, in words: "face covered"; empty if nothing is
   std::string coil;  // name of the coil that was followed
+  std::optional<guidance::LiveSurface> live = {};  // beside the coil
 };
 PosedFrame posedFrame(const NavigationState& state);
 

@@ -18,6 +18,7 @@ constexpr const char* kSource = "pulse source";
 constexpr const char* kOperator = "operator";
 constexpr const char* kMuscle = "muscle";
 constexpr const char* kStimulator = "stimulator";
+constexpr const char* kTip = "tip check";  // of the alignment, by a person
 }  // namespace session_events
 
 /// 0 (none) to 10 (the worst imaginable), as the event's detail: "6", "3.5". Throws Error outside.

@@ -16,6 +16,7 @@
 #include "facenav/links/pulse_source.h"
 #include "facenav/session/treatment_log.h"
 #include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/alignment_seen.h"
 #include "facenav/workflow/session_notes.h"
 
 namespace facenav::workflow {
@@ -113,6 +114,13 @@ class Treatment {
   /// Measures for two seconds whether the MRI is still aligned with the face. The finding is in the next
   /// states (NavigationState::check) and in the log; one that failed withholds guidance until one passes.
   void checkRegistration();
+  /// What a person says of the coil's tip, held to nose or ear; logged with its distances. Wrong: guidance is
+  /// withheld until a measured check passes.
+  void judgeTip(TipVerdict verdict, const guidance::TipReading& reading);
+  /// Of the case's scalp; takes a second.
+  std::shared_ptr<const guidance::TipCheck> makeTipCheck() const;
+  /// The point of the coil in use that is held to the face.
+  const Point<Coil>& tip() const { return coil_.tip; }
   /// It is asked for: the last one, or the alignment, is longer ago than RegistrationCheckRules says.
   bool isCheckDue();
 

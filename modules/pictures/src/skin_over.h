@@ -1,0 +1,13 @@
+#pragma once
+// Draws the MRI's skin into one camera's view: contour, points, named places. Private to pictures.
+
+#include "camera_view.h"
+#include "facenav/pictures/aligned_skin.h"
+
+namespace facenav::pictures {
+
+void drawSkinOver(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri, const AlignedSkin& skin);
+/// The coil's tip: a ring with a cross.
+void drawTip(CameraView& view, const Point<Camera>& tip);
+
+}  // namespace facenav::pictures

@@ -1,0 +1,66 @@
+#include "facenav/workflow/alignment_seen.h"
+
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
+#include "facenav/workflow/case_landmarks.h"
+
+namespace facenav::workflow {
+namespace {
+
+std::string placeName(surface::Landmark landmark) {
+  switch (landmark) {
+    case surface::Landmark::tragus_left:
+      return "left tragus";
+    case surface::Landmark::tragus_right:
+      return "right tragus";
+    default:
+      return toString(landmark);
+  }
+}
+
+}  // namespace
+
+std::vector<surface::NamedPlace> placesToTouch(const casefile::CaseStore& store,
+                                               const surface::ScalpSurface& scalp,
+                                               const registration::ScalpField* field) {
+  constexpr double kNoseTip_mm = 1.0;  // the tip is flat: its foremost point is about so uncertain
+  std::vector<surface::NamedPlace> places;
+  if (field && scalp.has_face) places.push_back({"nose tip", Point<Mri>(field->noseTip_mm()), kNoseTip_mm});
+  try {
+    const auto landmarks = landmarksOf(store, scalp);
+    for (const auto which :
+         {surface::Landmark::nasion, surface::Landmark::tragus_left, surface::Landmark::tragus_right})
+      if (const auto& landmark = landmarks[which])
+        places.push_back({placeName(which), landmark->point, landmark->sd_mm});
+  } catch (const Error& error) {  // the skin alone still says much
+    logWarning(std::string("no landmarks for the check of the alignment: ") + error.what());
+  }
+  return places;
+}
+
+AlignmentSeen seeAlignment(const casefile::CaseStore& store, const AlignmentOutcome& alignment) {
+  const auto scalp = store.scalp();
+  auto places = placesToTouch(store, scalp, alignment.scalp.get());
+  return {std::make_shared<const pictures::AlignedSkin>(pictures::makeAlignedSkin(scalp.mesh, places)),
+          std::make_shared<const guidance::TipCheck>(scalp.mesh, places)};
+}
+
+pictures::CameraOverlay drawAlignment(const cameras::StereoRig& rig, const AlignmentOutcome& alignment,
+                                      const AlignmentSeen& seen) {
+  return pictures::drawAlignedSkin(rig, alignment.reference.frame, alignment.result.camera_T_mri, *seen.skin);
+}
+
+std::optional<guidance::TipReading> readTip(const session::NavigationState& state, const Point<Coil>& tip,
+                                            const guidance::TipCheck& check) {
+  if (!state.camera_T_mri || !state.camera_T_coil) return std::nullopt;
+  return check.read(state.camera_T_mri->inverse() * (*state.camera_T_coil * tip));
+}
+
+std::string inWords(TipVerdict verdict, const guidance::TipReading& reading) {
+  return std::string(verdict == TipVerdict::right ? "judged right: " : "judged wrong: ") + inWords(reading) +
+         formatted("; tip at (%.1f, %.1f, %.1f) mm in the MRI", reading.tip.mm.x(), reading.tip.mm.y(),
+                   reading.tip.mm.z());
+}
+
+}  // namespace facenav::workflow
