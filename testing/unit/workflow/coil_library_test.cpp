@@ -8,6 +8,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "support/changed_settings.h"
+#include "support/refusal.h"
 #include "support/test_data.h"
 
 namespace facenav::workflow {
@@ -21,14 +22,7 @@ std::string coilText(const std::string& name, int id, const std::string& more = 
          R"(, "size_mm": 60}, "marker_T_coil": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])" + more + "}";
 }
 
-std::string refusalOf(const std::function<void()>& act) {
-  try {
-    act();
-    return "";
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
+using facenav::testing::refusalOf;
 
 class CoilLibrary : public ::testing::Test {
  protected:

@@ -12,6 +12,7 @@
 #include "facenav/workflow/expert_pose.h"
 #include "support/ball_case.h"
 #include "support/made_session.h"
+#include "support/refusal.h"
 #include "support/test_data.h"
 
 namespace facenav::workflow {
@@ -34,14 +35,7 @@ class NoFace : public face::FaceDetector {
   }
 };
 
-std::string refusalOf(const std::function<void()>& act) {
-  try {
-    act();
-    return "";
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
+using facenav::testing::refusalOf;
 
 /// A case without an MRI, with a session and the expert's pose of it.
 class HomeCaseTest : public ::testing::Test {
