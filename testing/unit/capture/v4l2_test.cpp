@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <unistd.h>
+
 #include <fstream>
 
 #include "support/camera_contract.h"
@@ -387,6 +389,9 @@ TEST_F(V4l2List, ACameraInUseIsNamedWithTheProgramThatHasIt) {
   EXPECT_EQ(found[0].use, FoundCamera::Use::free);
   EXPECT_EQ(found[1].use, FoundCamera::Use::in_use);
   EXPECT_THAT(inWords(found[1]), HasSubstr("in use by cheese (process 4711)"));
+  std::filesystem::create_directories(root() / "proc" / std::to_string(::getpid()) / "fd");
+  std::filesystem::create_symlink("/dev/video2", root() / "proc" / std::to_string(::getpid()) / "fd" / "9");
+  EXPECT_EQ(list()[1].use, FoundCamera::Use::free);  // this program has it, for its own pictures
   kernel_->cameras["/dev/video0"]->open_error = EACCES;
   EXPECT_THAT(adviceOn(list())[0], HasSubstr("this user may not open it: ask your administrator"));
 }

@@ -37,17 +37,22 @@ void readUsb(const fs::path& entry, CameraIdentity& camera) {
   if (is_usb) camera.serial = firstLineOf(interface.parent_path() / "serial");
 }
 
-/// Another process that has the device open: "cheese (process 4711)"; empty: not visible to this user.
+bool hasOpen(const fs::path& process, const std::string& device) {
+  std::error_code unreadable;
+  for (const auto& file : fs::directory_iterator(process / "fd", unreadable)) {
+    std::error_code gone;
+    if (fs::read_symlink(file.path(), gone) == device) return true;
+  }
+  return false;
+}
+
+/// A process that has the device open: "cheese (process 4711)"; empty: not visible to this user.
 std::string userOf(const std::string& device, const fs::path& proc) {
   std::error_code ignored;
   for (const auto& process : fs::directory_iterator(proc, ignored)) {
     const std::string number = process.path().filename();
-    if (number.find_first_not_of("0123456789") != std::string::npos || number == std::to_string(::getpid()))
-      continue;
-    std::error_code unreadable;
-    for (const auto& file : fs::directory_iterator(process.path() / "fd", unreadable))
-      if (fs::read_symlink(file.path(), unreadable) == device)
-        return firstLineOf(process.path() / "comm") + " (process " + number + ")";
+    if (number.find_first_not_of("0123456789") == std::string::npos && hasOpen(process.path(), device))
+      return firstLineOf(process.path() / "comm") + " (process " + number + ")";
   }
   return "";
 }
@@ -76,7 +81,8 @@ void V4l2Backend::readUse(FoundCamera& camera) const {
   none.memory = V4L2_MEMORY_MMAP;
   const int answer = device < 0 ? device : driver_->control(device, VIDIOC_REQBUFS, &none);
   if (device >= 0) driver_->close(device);
-  if (answer >= 0 || answer == -EINVAL) return;
+  const bool is_ours = hasOpen(places_.proc / std::to_string(::getpid()), camera.identity.address);
+  if (answer >= 0 || answer == -EINVAL || (answer == -EBUSY && is_ours)) return;
   camera.use = answer == -EBUSY                        ? FoundCamera::Use::in_use
                : answer == -EACCES || answer == -EPERM ? FoundCamera::Use::no_permission
                                                        : FoundCamera::Use::no_answer;
