@@ -179,12 +179,14 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
 }
 
 [[noreturn]] void refuseTurn(const CameraTurn& turn) {
-  refuse(
-      "the face fits this MRI only if a camera has turned sideways since the calibration (by " +
+  throw CameraTurned(
+      "not aligned: the face fits this MRI only if a camera has turned sideways since the calibration (by " +
           fixed(kDegPerRad * std::abs(turn.rad), 2) + " +/- " + fixed(kDegPerRad * turn.sigma_rad, 2) +
           " deg)",
+      {},
       "fix the cameras and calibrate them again; if they never moved, check that this is the patient's own "
-      "MRI, and its size");
+      "MRI, "
+      "and its size");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // When a fit is refused, and the message. A doubtful pose must never be returned.
 
 #include "cloud/bare_skin.h"
+#include "facenav/core/error.h"
 #include "misfit_model.h"
 #include "search/start_search.h"
 
@@ -30,6 +31,12 @@ struct FitEvidence {
   std::optional<CameraTurn> turn;  // of the right camera, sideways
   double fitting_scale = 1.0, scale_log_odds = 0.0;
   double rival_log_odds = 1e9;  // log likelihood ratio of the pose to the best other pose
+};
+
+/// The cameras no longer stand as calibrated: another pose would not help.
+class CameraTurned : public Error {
+ public:
+  using Error::Error;
 };
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,

@@ -65,6 +65,8 @@ class SurfaceAligner : public Aligner {
         return conclude(scalp, face, *robust, {}, start, monitor);
     } catch (const Cancelled&) {
       throw;
+    } catch (const CameraTurned&) {
+      throw;
     } catch (const Error&) {
       // The guess was poor: search around it.
     }
@@ -76,6 +78,8 @@ class SurfaceAligner : public Aligner {
       try {
         return search(scalp, face, start, width, std::size_t(most), monitor);
       } catch (const Cancelled&) {
+        throw;
+      } catch (const CameraTurned&) {
         throw;
       } catch (const Error& refusal) {
         if (!reason) reason = refusal;
