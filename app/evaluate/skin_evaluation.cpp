@@ -45,7 +45,7 @@ bool isJudged(const volume::VoxelGrid& grid, const Eigen::Vector3d& p_mm, double
   return true;
 }
 
-SkinRow compared(const Skin& clean, const Skin& found, const volume::Mask& pads) {
+SkinRow comparedSkin(const Skin& clean, const Skin& found, const volume::Mask& pads) {
   const std::vector<float> moved_mm = surface::signedDistances_mm(clean.scalp.mesh, found.scalp.mesh);
   const std::vector<float> pad_mm = volume::distanceTo(pads);
   const surface::ClosestPoint closest(found.scalp.mesh);
@@ -84,7 +84,7 @@ void addRows(Context& context, const SkinEvaluation& request, const std::string&
       continue;
     context.monitor.report("evaluate skin: " + name + ", " + addition.name, 0.5);
     const auto added = made.with(addition, request.seed);
-    rows.push_back(compared(clean, skinOf(context, added.scan), added.pads));
+    rows.push_back(comparedSkin(clean, skinOf(context, added.scan), added.pads));
     rows.back().volume = name, rows.back().addition = addition.name;
   }
 }

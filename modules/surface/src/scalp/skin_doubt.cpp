@@ -9,8 +9,8 @@
 namespace facenav::surface {
 namespace {
 
-constexpr double kInside_mm = 3, kOutside_mm = 5, kProbeStep_mm = 0.5, kFromSkin_mm = 2;
-constexpr int kSmoothings = 2;
+constexpr double kInside_mm = 3, kOutside_mm = 5, kDoubtStep_mm = 0.5, kFromSkin_mm = 2;
+constexpr int kDoubtSmoothings = 2;
 
 // Fitted on the virtual patient, Colin27 and painted heads 03 06 09 with made halos, pads and earphones
 // (evaluation/skin_additions.h): standard errors that the skin's moves show; heads 02 07 12 17 held out.
@@ -27,25 +27,25 @@ struct Place {
 
 Place placeAt(const volume::Volume& scan, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
   std::vector<float> values, outside;
-  for (double t = -kInside_mm; t <= kOutside_mm; t += kProbeStep_mm) {
+  for (double t = -kInside_mm; t <= kOutside_mm; t += kDoubtStep_mm) {
     values.push_back(volume::sampleLinear(scan, scan.grid.toVoxel(Point<Mri>(p_mm + t * normal))));
     if (t >= kFromSkin_mm) outside.push_back(values.back());
   }
   Place place;
-  const std::size_t skin = std::size_t(kInside_mm / kProbeStep_mm);
+  const std::size_t skin = std::size_t(kInside_mm / kDoubtStep_mm);
   place.tissue = *std::max_element(values.begin(), values.begin() + std::ptrdiff_t(skin) + 1);
   place.around = upperMedian(std::move(outside));
   const float half = 0.5f * (place.tissue + place.around);
   std::size_t at = skin + 4;  // seen from outside, 2 mm beyond the skin
   while (at > 0 && values[at] < half) --at;
-  place.half_mm = double(at) * kProbeStep_mm - kInside_mm;
+  place.half_mm = double(at) * kDoubtStep_mm - kInside_mm;
   if (at + 1 < values.size() && values[at] > values[at + 1])
-    place.half_mm += kProbeStep_mm * std::clamp((values[at] - half) / (values[at] - values[at + 1]), 0.f, 1.f);
+    place.half_mm += kDoubtStep_mm * std::clamp((values[at] - half) / (values[at] - values[at + 1]), 0.f, 1.f);
   return place;
 }
 
 std::vector<float> averaged(std::vector<float> values, const MeshNeighbours& neighbours) {
-  for (int pass = 0; pass < kSmoothings; ++pass) {
+  for (int pass = 0; pass < kDoubtSmoothings; ++pass) {
     const std::vector<float> before = values;
     for (std::size_t v = 0; v < values.size(); ++v) {
       float sum = before[v];
