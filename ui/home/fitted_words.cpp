@@ -7,7 +7,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kSmallest_pt = 9, kStep = 0.92;
+constexpr double kSmallest_pt = 9, kShrink = 0.92;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void FittedWords::paintEvent(QPaintEvent*) {
   painter.setPen(colour_);
   QFont shown = font();
   const int how = Qt::AlignCenter | Qt::TextWordWrap;
-  for (double pt = largest_pt_ * textScale(); ; pt *= kStep) {
+  for (double pt = largest_pt_ * textScale(); ; pt *= kShrink) {
     shown.setPointSizeF(pt);
     const QRect needed = QFontMetrics(shown).boundingRect(rect(), how, words_);
     if (pt <= kSmallest_pt || (needed.width() <= width() && needed.height() <= height())) break;
