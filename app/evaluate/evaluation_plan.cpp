@@ -13,7 +13,7 @@ constexpr const char* kCapture = "capture";
 // At a capture the patient may sit anywhere. During treatment no patient sits turned by 30 degrees.
 constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
 constexpr double kAlignTurn_deg = 12.0, kAlignShift_mm = 30.0;  // to align, the patient looks at the cameras
-constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90;
+constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90, kDriftFrames = 240;
 
 std::vector<std::string> allScenarios() {
   std::vector<std::string> names;
@@ -22,11 +22,13 @@ std::vector<std::string> allScenarios() {
   return names;
 }
 
+bool drifts(const std::string& scenario) { return scenario.rfind("drift", 0) == 0; }
+
 int framesOf(const EvaluationRequest& request, const std::string& scenario) {
   if (request.frames > 0) return request.frames;
   if (!request.is_quick || scenario == "protractor") return 0;
-  const bool has_parts =
-      scenario == "lost" || scenario == "free_motion";  // shorter runs would end before their parts
+  const bool has_parts = scenario == "lost" || scenario == "free_motion" ||
+                         drifts(scenario);  // shorter runs would end before their parts
   return scenario == "still" ? 15 : has_parts ? kQuickLost : kQuickFrames;
 }
 
@@ -58,6 +60,10 @@ PlannedRun planned(const EvaluationRequest& request, int rig, const std::string&
   options.seed = seed;
   const bool is_capture = scenario == kCapture;
   options.frames = is_capture ? 1 : framesOf(request, scenario);
+  if (request.is_quick && drifts(scenario)) {  // as slowly as in the whole scenario
+    const double share = double(options.frames) / kDriftFrames;
+    options.drift_deg *= share, options.drift_mm *= share;
+  }
   const bool is_to_align = scenario == room::kPlainAlign;
   options.seat_turn_deg = is_capture ? kCaptureTurn_deg : is_to_align ? kAlignTurn_deg : kSeatTurn_deg;
   options.seat_shift_mm = is_capture ? kCaptureShift_mm : is_to_align ? kAlignShift_mm : kSeatShift_mm;
