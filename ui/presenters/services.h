@@ -19,7 +19,7 @@
 #include "facenav/dicom/thumbnail.h"
 #include "facenav/pacs/pacs.h"
 #include "facenav/session/session.h"
-#include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/alignment_seen.h"
 #include "facenav/workflow/registrations.h"
 
 namespace facenav::ui {
@@ -50,6 +50,9 @@ struct Services {
   std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                            TaskMonitor&)>
       align;
+  /// What a person judges the alignment by. Empty: nothing is shown.
+  std::function<workflow::AlignmentSeen(const casefile::CaseStore&, const workflow::AlignmentOutcome&)>
+      seeAlignment;
   /// Connected cameras; fast.
   std::function<std::vector<capture::CameraDevice>()> listCameras;
   /// A live pair, by index. Its destructor releases both cameras.
