@@ -20,13 +20,13 @@ binaries="$root/build/release/bin"
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libeigen3-dev libspdlog-dev nlohmann-json3-dev libcli11-dev libssl-dev zlib1g-dev
-  libvtk9-dev libvtk9-qt-dev libgdcm-dev libdcmtk-dev libnifti-dev libnifti2-dev libgiftiio-dev libdeflate-dev libtbb-dev
-  libopencv-dev libopencv-contrib-dev opencv-data
+  libvtk9-dev libvtk9-qt-dev libgdcm-dev libdcmtk-dev libnifti-dev libnifti2-dev libgiftiio-dev libdeflate-dev libzip-dev libtbb-dev
+  libopencv-dev libopencv-contrib-dev opencv-data libaravis-dev
   libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
   xvfb xauth mricron-data fonts-dejavu-core
 )
-check_packages=(clang-format clang-tidy git)
-test_packages=(libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk libgdcm-tools opencv-doc snakemake python3-skimage python3-nibabel)
+check_packages=(clang-tidy git)
+test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk libgdcm-tools opencv-doc snakemake python3-skimage python3-nibabel)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }

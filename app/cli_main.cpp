@@ -20,8 +20,9 @@ namespace {
 
 using namespace facenav;
 
-constexpr const char* kVerbsWithSettings[] = {"prepare", "align",    "track",     "cloud",  "evaluate",
-                                              "demo",    "settings", "threshold", "hotspot", "pulses", "report"};
+constexpr const char* kVerbsWithSettings[] = {"prepare", "align",    "track",     "cloud",   "evaluate",
+                                              "demo",    "settings", "threshold", "hotspot", "pulses",
+                                              "report",  "coil",     "target"};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 
@@ -78,7 +79,9 @@ int runCommandLine(int argc, char** argv) {
   app::addBrain(cli, context);
   app::addWorklist(cli, context);
   app::addLabel(cli, context);
+  app::addCameras(cli, context);
   app::addCalibrate(cli, context);
+  app::addRig(cli, context);
   app::addCalibrateCoil(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);
@@ -95,6 +98,9 @@ int runCommandLine(int argc, char** argv) {
   app::addTarget(cli, context);
   app::addPlan(cli, context);
   app::addExport(cli, context);
+  app::addFaceCase(cli, context);
+  app::addImport(cli, context);
+  app::addCoil(cli, context);
   app::addMarker(cli, context);
   app::addEvaluate(cli, context);
   app::addDemo(cli, context);

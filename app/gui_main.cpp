@@ -6,16 +6,19 @@
 #include <QApplication>
 #include <QFile>
 #include <QGuiApplication>
+#include <QScreen>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "appearance.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/scene/display.h"
 #include "facenav/workflow/pulse_pictures.h"
+#include "home/home_window.h"
 #include "main_window.h"
 #include "presenters/worklist_presenter.h"
 #include "registrations.h"
@@ -32,7 +35,7 @@ constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
 struct Arguments {
   workflow::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
-  std::string report_pdf, session;
+  std::string report_pdf, session, home;
   bool has_name = false, has_no_pictures = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
@@ -95,6 +98,27 @@ int printReport(int argc, char** argv, const Arguments& arguments) {
   return 0;
 }
 
+/// Three steps for a person at home or a nurse. Files stay private: they show a face.
+int runHome(QApplication& application, const Arguments& arguments) {
+  ui::HomeWindow window(ui::servicesWith(app::makeRegistrations));
+  window.presenter().open(QString::fromStdString(arguments.home));
+  if (!arguments.recording.empty()) window.presenter().play(QString::fromStdString(arguments.recording));
+  auto has_begun = std::make_shared<bool>(arguments.recording.empty());
+  QObject::connect(&window.presenter(), &ui::HomePresenter::changed, &window, [&window, has_begun] {
+    if (*has_begun || window.presenter().stage() != ui::HomePresenter::Stage::sit) return;
+    *has_begun = true;  // a recording starts by itself, as in the other window
+    QTimer::singleShot(0, &window, [&window] { window.presenter().act(); });
+  });
+  const QSize room = QApplication::primaryScreen()->availableSize();
+  window.resize(std::min(1366, room.width()), std::min(768, room.height()));
+  window.show();
+  if (!arguments.screenshot.empty())
+    QTimer::singleShot(int(arguments.after_s * 1000), &window, [&window, arguments] {
+      QApplication::exit(window.grab().save(QString::fromStdString(arguments.screenshot)) ? 0 : 1);
+    });
+  return application.exec();
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!scene::hasDisplay()) {
     std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
@@ -108,6 +132,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   ui::applyAppearance(application, rememberedTextScale(arguments.text_scale));
   // Start the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
+  if (!arguments.home.empty()) return runHome(application, arguments);
   ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
   if (!changedSettings().empty()) window.setWindowTitle(QObject::tr("FaceNav (changed settings)"));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
@@ -134,6 +159,8 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App cli("FaceNav: the workstation window", "facenav-gui");
   cli.add_option("--case", arguments.case_folder, "case folder to open");
+  cli.add_option("--home", arguments.home,
+                 "case for use near home ('facenav import'): three steps, big buttons, one file to send back");
   cli.add_option("--cases", arguments.cases_folder, "folder of cases that the worklist shows; remembered");
   cli.add_option("--step", arguments.step, "of prepare: worklist, series, check or sign-off")
       ->check(CLI::IsMember({"worklist", "series", "check", "sign-off"}));

@@ -43,6 +43,9 @@ workflow::Registrations makeRegistrations() {
                         [face = all.face_detector] { return head_tracking::makeFeatureHeadTracker(face()); });
   all.coil_trackers.add("marker", "printed square markers", coil_tracking::makeMarkerCoilTracker);
   addExporters(all.exporters);
+  all.cameras.add("v4l2", "USB and other Video4Linux cameras", [] { return capture::makeV4l2Backend(); });
+  all.cameras.add("genicam", "GigE Vision and USB3 Vision cameras", capture::makeGenicamBackend);
+  all.cameras.add("stream", "network streams and videos", capture::makeStreamBackend);
   return all;
 }
 

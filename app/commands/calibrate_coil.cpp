@@ -2,15 +2,18 @@
 
 #include <cstdio>
 
+#include "commands/coil_option.h"
 #include "commands/commands.h"
 #include "facenav/capture/recording.h"
+#include "facenav/casefile/utc_time.h"
 #include "facenav/coil_tracking/coil_calibration.h"
 
 namespace facenav::app {
 namespace {
 
 struct CalibrateCoilRequest {
-  std::filesystem::path recording, jig, centre, handle, side, coil, output;
+  std::filesystem::path recording, jig, centre, handle, side, coil, output, library;
+  std::string coil_words;
 };
 
 using MarkerPoses = std::vector<Tracked<coil_tracking::CoilPose>>;
@@ -53,18 +56,21 @@ coil_tracking::Pivot pivot(Context& context, const std::filesystem::path& folder
   return coil_tracking::fitPivot(poses);
 }
 
-void run(Context& context, const CalibrateCoilRequest& request) {
+void run(Context& context, CalibrateCoilRequest request) {
+  if (!request.coil_words.empty())
+    request.coil = workflow::coilFileOf(request.coil_words, workflow::coilLibrary(request.library));
   const auto coil =
       request.coil.empty() ? coil_tracking::defaultCoil() : coil_tracking::readCoil(request.coil);
   const bool has_pivots = !request.centre.empty() && !request.handle.empty() && !request.side.empty();
   const bool has_jig = !request.jig.empty() && !request.recording.empty();
   if (has_jig == has_pivots)
     throw Error("give a RECORDING with --jig, or --centre, --handle and --side", {}, "see --help");
-  const auto result = has_jig ? fromJig(context, request, coil)
-                              : coil_tracking::calibrateWithPivots(pivot(context, request.centre, coil),
-                                                                   pivot(context, request.handle, coil),
-                                                                   pivot(context, request.side, coil));
-  coil_tracking::writeCalibratedCoil(coil, result, request.output);
+  auto result = has_jig ? fromJig(context, request, coil)
+                        : coil_tracking::calibrateWithPivots(pivot(context, request.centre, coil),
+                                                             pivot(context, request.handle, coil),
+                                                             pivot(context, request.side, coil));
+  result.utc = casefile::isoUtc(std::chrono::system_clock::now());
+  coil_tracking::writeCalibratedCoil(coil, result, request.output, request.coil);
   if (context.is_quiet) return;
   std::printf("%s: %d of %d frames, residual rms %.2f mm; standard error %.2f mm, %.2f deg\n",
               request.output.c_str(), result.used, result.frames, result.rms_mm, result.sigma_mm,
@@ -85,7 +91,10 @@ void addCalibrateCoil(CLI::App& app, Context& context) {
                    "recording: a point of the handle's axis turned about the tip");
   verb->add_option("--side", request->side,
                    "recording: a point of the face, left of one who holds the handle, turned about the tip");
-  verb->add_option("--coil", request->coil, "coil.json with the marker (without it: 60 mm, 4x4_50, id 7)");
+  verb->add_option("--coil", request->coil_words,
+                   "coil.json with the marker, or a coil's name in the library (without it: 60 mm, 4x4_50, "
+                   "id 7)");
+  addCoilLibraryOption(*verb, request->library);
   verb->add_option("-o,--output", request->output, "coil.json to write")->required();
   verb->callback([&context, request] { run(context, *request); });
 }

@@ -12,6 +12,8 @@ void addSeries(CLI::App& app, Context& context);
 void addPacs(CLI::App& app, Context& context);
 void addPrepare(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
+void addCameras(CLI::App& app, Context& context);
+void addRig(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
@@ -32,12 +34,18 @@ void addLocate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);
 void addPlan(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);
+void addCoil(CLI::App& app, Context& context);
+void addFaceCase(CLI::App& app, Context& context);
+void addImport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);
 /// `facenav evaluate prepare`, below evaluate.
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 /// `facenav evaluate rigs`, below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
+void addEvaluateSkin(CLI::App& evaluate, Context& context);
+/// `facenav evaluate return`, below evaluate.
+void addEvaluateReturn(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 void addSettings(CLI::App& app, Context& context);

@@ -142,10 +142,10 @@ struct SharedFlags {
   template <class Value>
   void operator()(const Field& field, Value& value) {
     static const std::set<std::string> shared{
-        "noise_grey",       "gamma",        "blur_px",        "exposure",        "frames_per_s",
-        "head_distance_mm", "jpeg_quality", "gloss",          "haze_grey",       "right_gain",
-        "right_gamma",      "blinks",       "hair_sway_mm",   "skin_contrast",   "bayer",
-        "grey_red",         "grey_blue",    "right_grey_red", "right_grey_blue", "rig"};
+        "noise_grey",      "gamma",         "blur_px",   "exposure",   "frames_per_s", "head_distance_mm",
+        "jpeg_quality",    "gloss",         "haze_grey", "right_gain", "right_gamma",  "blinks",
+        "hair_sway_mm",    "skin_contrast", "bayer",     "grey_red",   "grey_blue",    "right_grey_red",
+        "right_grey_blue", "rig",           "drift_deg", "drift_mm",   "drift_about"};
     if (shared.count(field.name)) FlagVisitor{verb}(field, value);
   }
 };
@@ -204,9 +204,12 @@ void addEvaluate(CLI::App& app, Context& context) {
       ->capture_default_str();
   addEvaluatePrepare(*verb, context);
   addEvaluateRigs(*verb, context);
+  addEvaluateSkin(*verb, context);
   addEvaluatePairs(*verb, context);
+  addEvaluateReturn(*verb, context);
   verb->callback([&context, request, verb] {
-    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs"))
+    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs") ||
+        verb->got_subcommand("return"))
       return;
     if (!request->recordings.empty()) {
       if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")

@@ -1,8 +1,10 @@
-// facenav export CASE --as stl -o FOLDER: surfaces and masks for other programs.
+// facenav export CASE --as stl -o FOLDER: surfaces and masks for other programs. CASE --as home -o FILE: the
+// case to take home.
 
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/home.h"
 #include "facenav/casefile/case_store.h"
 
 namespace facenav::app {
@@ -14,16 +16,33 @@ void addExport(CLI::App& app, Context& context) {
     std::filesystem::path case_folder, output;
     std::vector<std::string> formats;
     bool replace = false;
+    HomeExportRequest home;
   };
   auto request = std::make_shared<ExportRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
-  verb->add_option("--as", request->formats,
-                   "one or more of: " + workflow::namesOf(context.registrations.exporters))
+  verb->add_option(
+          "--as", request->formats,
+          "one or more of: " + workflow::namesOf(context.registrations.exporters) +
+              "; or home: one file without MRI and name, with the face and the expert's pose, for use "
+              "near home ('facenav import', 'facenav-gui --home')")
       ->required();
-  verb->add_option("-o,--output", request->output, "folder to write into")->required();
+  verb->add_option("-o,--output", request->output, "folder to write into; of home: the file")->required();
+  verb->add_option("--target", request->home.target,
+                   "of home: the expert's pose ('facenav target --from-session'); default: the only one");
+  verb->add_option(
+      "--coil", request->home.coil.words,
+      "of home: the expert's coil, its name in the library or its coil.json; default: by its name");
+  addCoilLibraryOption(*verb, request->home.coil.library);
+  verb->add_option("--by", request->home.by,
+                   "of home: who releases it, kept in the file; default: \"clinic\"");
   verb->add_flag("--replace", request->replace, "overwrite files of the same name");
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
+    if (request->formats == std::vector<std::string>{"home"}) {
+      request->home.output = request->output;
+      request->home.replaces = request->replace;
+      return exportHomeCase(context, store, request->home);
+    }
     std::vector<std::unique_ptr<casefile::Exporter>> exporters;  // checks all names before a file is written
     for (const auto& format : request->formats)
       exporters.push_back(context.registrations.exporters.create(format));

@@ -1,8 +1,9 @@
-// facenav marker [--coil coil.json] [--dictionary 4x4_50 --id 7 --size 60] -o marker.svg: a page of markers
-// to print.
+// facenav marker [--coil coil.json|NAME] [--dictionary 4x4_50 --id 7 --size 60] -o marker.svg: a page of
+// markers to print.
 
 #include <cstdio>
 
+#include "commands/coil_option.h"
 #include "commands/commands.h"
 #include "facenav/coil_tracking/marker_page.h"
 
@@ -12,11 +13,14 @@ void addMarker(CLI::App& app, Context& context) {
   auto* verb =
       app.add_subcommand("marker", "a page with the coil's markers at true size, to print (SVG, A4)");
   struct MarkerRequest {
-    std::filesystem::path coil, output;
+    std::string coil;
+    std::filesystem::path library, output;
     coil_tracking::MarkerModel marker;
   };
   auto request = std::make_shared<MarkerRequest>();
-  auto* coil = verb->add_option("--coil", request->coil, "coil.json with the markers; else one marker:");
+  auto* coil = verb->add_option("--coil", request->coil,
+                                "coil.json, or the name of a coil of the library; else one marker:");
+  addCoilLibraryOption(*verb, request->library);
   verb->add_option("--dictionary", request->marker.dictionary, "ArUco dictionary")
       ->capture_default_str()
       ->excludes(coil);
@@ -31,7 +35,9 @@ void addMarker(CLI::App& app, Context& context) {
   verb->callback([&context, request] {
     coil_tracking::CoilModel model = coil_tracking::defaultCoil();
     model.markers = {request->marker};
-    if (!request->coil.empty()) model = coil_tracking::readCoil(request->coil);
+    if (!request->coil.empty())
+      model = coil_tracking::readCoil(
+          workflow::coilFileOf(request->coil, workflow::coilLibrary(request->library)));
     coil_tracking::writeMarkerPage(model, request->output);
     if (!context.is_quiet)
       std::printf("%s: print at 100 %%, then check the 100 mm line\n", request->output.c_str());

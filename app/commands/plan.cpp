@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "commands/coil_option.h"
 #include "commands/commands.h"
 #include "commands/overlay_steps.h"
 #include "commands/plan_print.h"
@@ -31,11 +32,11 @@ namespace facenav::app {
 namespace {
 
 struct PlanRequest {
-  std::filesystem::path case_folder, coil, protocol, picture, slices, map;
+  std::filesystem::path case_folder, coil_library, protocol, picture, slices, map;
   bool is_json = false, lists_presets = false, lists_landmarks = false, measures = false,
        shows_protocol = false;
   std::vector<std::string> set_landmarks, find_landmarks, compare;
-  std::string preset, name, by = "", target, note, grid_on = "scalp", map_space = "mni";
+  std::string coil, preset, name, by = "", target, note, grid_on = "scalp", map_space = "mni";
   std::vector<int> grid;
   std::vector<double> within;
   OverlayRequest overlays;
@@ -67,7 +68,9 @@ class PlanSteps {
       : request_(request), is_quiet_(is_quiet), store_(casefile::CaseStore::open(request.case_folder)) {}
 
   void run() {
-    if (!request_.coil.empty()) casefile::setCoil(store_.folder(), request_.coil);
+    if (!request_.coil.empty())
+      casefile::setCoil(store_.folder(),
+                        workflow::coilFileOf(request_.coil, workflow::coilLibrary(request_.coil_library)));
     bool has_done = landmarkSteps();
     has_done |= protocolSteps();
     has_done |= targetSteps();
@@ -256,7 +259,9 @@ void addTargetOptions(CLI::App& verb, PlanRequest& request) {
       ->check(CLI::Range(0.0, guidance::kMostGap_mm))
       ->capture_default_str();
   verb.add_option("--coil", request.coil,
-                  "coil.json that the case is planned for from now on (contact_outline_mm: its plate)");
+                  "coil that the case is planned for from now on: its name in the library, or its coil.json "
+                  "(contact_outline_mm: its plate)");
+  addCoilLibraryOption(verb, request.coil_library);
   verb.add_option("--target", request.target, "the target that the next options change");
   verb.add_option("--grid", request.grid, "a grid round the target: rows columns")->expected(2);
   verb.add_option("--spacing-mm", request.spacing_mm, "of the grid")->capture_default_str();

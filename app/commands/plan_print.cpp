@@ -96,11 +96,17 @@ void printPlan(const guidance::TreatmentPlan& plan, const workflow::PlannedHead&
   for (const auto& target : plan.targets) {
     const auto contact = guidance::contactOf(target, *head.scalp, head.plate);
     const double handle_deg = tenthDegrees(guidance::handleAngle(target, *head.scalp).angle_rad);
+    const double skin_mm = surface::skinDoubtUnder_mm(*head.scalp, target.scalp_point);
     const Eigen::Vector3d& p = target.cortex_point.mm;
     if (!is_json) {
       std::printf("%-24s cortex %6.1f %6.1f %6.1f  handle %+4.0f deg  gap %.1f mm%s%s\n", target.name.c_str(),
                   p.x(), p.y(), p.z(), handle_deg, std::max(0.0, guidance::hairGap_mm(target)),
                   target.is_locked ? "  locked" : "", contact.isTangent() ? "" : "  not tangent");
+      if (skin_mm > 0.5)
+        std::printf(
+            "%-24s the skin beneath the coil is unsure by %.1f mm (pads or haze in the scan), and so is "
+            "the gap\n",
+            "", skin_mm);
       if (!contact.isTangent())
         std::printf("%-24s coil %.1f mm over the skin, tilted %.0f deg, %zu contacts, %.1f mm through it\n",
                     "", contact.lift_mm, tenthDegrees(contact.tilt_rad), contact.touching.size(),
@@ -111,6 +117,7 @@ void printPlan(const guidance::TreatmentPlan& plan, const workflow::PlannedHead&
                     {"cortex_point_mm", tenths(p)},
                     {"handle_deg", handle_deg},
                     {"gap_mm", tenth(guidance::hairGap_mm(target))},
+                    {"skin_sd_mm", tenth(skin_mm)},
                     {"lift_mm", tenth(contact.lift_mm)},
                     {"tilt_deg", tenthDegrees(contact.tilt_rad)},
                     {"through_mm", tenth(contact.through_mm)},

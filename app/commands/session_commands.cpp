@@ -8,6 +8,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/workflow/coil_library.h"
 
 namespace facenav::app {
 namespace {
@@ -25,6 +26,7 @@ Json toJson(const casefile::Pulse& pulse) {
             {"reason", pulse.reason},
             {"source", pulse.source},
             {"target", pulse.target ? pulse.target->name : ""}};
+  if (!pulse.coil.empty()) json["coil"] = pulse.coil;
   if (pulse.intensity_pct) json["intensity_pct"] = *pulse.intensity_pct;
   if (pulse.offset) json["distance_mm"] = pulse.offset->distance_mm;
   return json;
@@ -61,9 +63,10 @@ void setIntensity(const std::string& value, workflow::Treatment& treatment) {
 }  // namespace
 
 std::string sessionCommandWords() {
-  return "pause REASON, resume, target NAME, intensity PCT, mep UV, twitch y|n (of the newest pulse), check "
-         "(the registration), tip (where the coil's tip is on the MRI's skin), tip right|wrong (a person's "
-         "judgement of it), note WORDS (an adverse event), end";
+  return "pause REASON, resume, target NAME, coil NAME, intensity PCT, mep UV, twitch y|n (of the newest "
+         "pulse), check (the registration), tip (where the coil's tip is on the MRI's skin), tip right|wrong "
+         "(a "
+         "person's judgement of it), note WORDS (an adverse event), end";
 }
 
 bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatment) {
@@ -77,6 +80,8 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
     treatment.resume();
   else if (word == "target")
     treatment.chooseTargetNamed(rest);
+  else if (word == "coil")
+    treatment.chooseCoil(workflow::findCoil(coil_library_, rest).model);
   else if (word == "intensity")
     setIntensity(rest, treatment);
   else if (word == "mep" || word == "twitch")

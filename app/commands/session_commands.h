@@ -13,6 +13,8 @@ std::string sessionCommandWords();
 
 class SessionCommands {
  public:
+  /// `coil_library`: where the command `coil NAME` finds coils.
+  explicit SessionCommands(std::filesystem::path coil_library) : coil_library_(std::move(coil_library)) {}
   /// Takes commands that have come, and tells what is new: pulses that are on the disk (only those: what was
   /// told survives a crash), checks, losses. Returns at once. False: the session is to end.
   bool look(workflow::Treatment& treatment);
@@ -23,6 +25,7 @@ class SessionCommands {
   void judgeTip(const std::string& verdict, workflow::Treatment& treatment);
   void tell(workflow::Treatment& treatment);
 
+  std::filesystem::path coil_library_;
   std::shared_ptr<const guidance::TipCheck> tip_check_;  // made at the first use
   std::string input_;
   bool has_begun_ = false, has_input_ = true, is_check_due_ = false;

@@ -1,9 +1,10 @@
 // facenav locate CASE and facenav target CASE: a place of the brain in MRI and MNI coordinates with its
-// labels, and a new target at that place.
+// labels, and a new target at that place, or where the coil was held in a session.
 
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/expert_target.h"
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
@@ -73,18 +74,25 @@ void addLocate(CLI::App& app, Context&) {
 }
 
 void addTarget(CLI::App& app, Context& context) {
-  auto* verb = app.add_subcommand(
-      "target",
-      "adds a target to a case, typed in MNI or MRI coordinates; the coil rests on the scalp over it");
+  auto* verb = app.add_subcommand("target",
+                                  "adds a target to a case, typed in MNI or MRI coordinates; the coil rests "
+                                  "on the scalp over it; or where "
+                                  "the coil was held in a session");
   struct TargetRequest {
     std::string name;
     double handle_deg = 45, gap_mm = 0;
+    bool is_json = false;
+    ExpertTargetRequest expert;
   };
   auto place = std::make_shared<Place>();
   auto request = std::make_shared<TargetRequest>();
   addPlaceOptions(*verb, place);
-  verb->add_option("--name", request->name, "name of the target; one of the same name is replaced")
-      ->required();
+  verb->add_option(
+      "--name", request->name,
+      "name of the target; one of the same name is replaced; with --from-session: \"expert\" and the "
+      "session's target where none is given");
+  addExpertOptions(*verb, request->expert);
+  verb->add_flag("--json", request->is_json, "with --from-session: JSON");
   verb->add_option("--handle-deg", request->handle_deg, "handle, from anterior towards the midline")
       ->check(CLI::Range(-180.0, 180.0))
       ->capture_default_str();
@@ -93,6 +101,9 @@ void addTarget(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->callback([&context, place, request] {
     const auto store = casefile::CaseStore::open(place->case_folder);
+    if (request->expert.is_wanted)
+      return storeExpertTarget(context, store, request->expert, request->name, request->is_json);
+    if (request->name.empty()) throw CLI::RequiredError("--name");
     const auto plan = store.targets();
     if (const auto* old = workflow::find(plan, request->name); old && old->is_locked)
       throw Error("the target '" + old->name + "' is locked", store.folder().string(), "unlock it first");

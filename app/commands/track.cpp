@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "commands/coil_option.h"
 #include "commands/commands.h"
 #include "commands/session_commands.h"
 #include "facenav/core/error.h"
@@ -21,6 +22,7 @@ struct Treated {
   std::optional<double> intensity_pct;
   bool goes_on = false, has_commands = false;
   std::string session;
+  std::filesystem::path coil_library;
   double speed = 1;
   int passes = 1;
 };
@@ -45,7 +47,7 @@ void treat(const workflow::TrackRequest& track, const Treated& treated, const st
   request.session = treated.session;
   request.speed = treated.speed;
   request.passes = treated.passes;
-  SessionCommands commands;
+  SessionCommands commands(treated.coil_library);
   if (treated.has_commands)
     request.look = [&commands](workflow::Treatment& treatment) { return commands.look(treatment); };
   noteInterrupted(*track.case_folder, treated, context);
@@ -92,7 +94,12 @@ void addTrack(CLI::App& app, Context& context) {
   verb->add_option("RECORDING", request->recording, "recording folder")->required();
   verb->add_option("--case", request->case_folder,
                    "case folder: poses in the MRI's frame, aligned from the recording's capture/");
-  verb->add_option("--coil", request->coil_file, "coil.json (without it: one 60 mm marker, 4x4_50, id 7)");
+  auto coil = std::make_shared<CoilChoice>();
+  verb->add_option(
+      "--coil", coil->words,
+      "the coil: its name in the library, or its coil.json (without it: one 60 mm marker, 4x4_50, "
+      "id 7)");
+  addCoilLibraryOption(*verb, coil->library);
   verb->add_flag("--keep-looks", request->keeps_key_frames,
                  "keep with the case how the face looked, so that it is found at once in the next session");
   verb->add_option("-o,--output", *output, "poses.csv to write")->required();
@@ -119,7 +126,9 @@ void addTrack(CLI::App& app, Context& context) {
   verb->add_option("--override", treated->reason, "with --pulses: treats a case without a sign-off; why")
       ->needs(by);
   addSessionOptions(*verb, *treated);
-  verb->callback([&context, request, output, treated] {
+  verb->callback([&context, request, output, treated, coil] {
+    treated->coil_library = workflow::coilLibrary(coil->library);
+    if (!coil->words.empty()) request->coil_file = workflow::coilFileOf(coil->words, treated->coil_library);
     if (!treated->sources.empty()) return treat(*request, *treated, *output, context);
     const auto outcome = workflow::trackRecording(context.registrations, *request, context.monitor);
     casefile::writePoses(outcome.poses, *output);

@@ -98,6 +98,7 @@ evaluation::FrameRecord record(const session::NavigationState& state, evaluation
   if (state.coil) frame.marker = state.coil->camera_T_marker.isometry();
   frame.is_marker_in_view = truth.marker && isMarkerInView(sequence.source->rig(), *truth.marker,
                                                            sequence.coil.markers.front().size_mm);
+  frame.is_camera_noticed = !state.rig_correction.empty() || !state.rig_fault.empty();
   frame.truth = std::move(truth);
   return frame;
 }

@@ -28,6 +28,8 @@ evaluation::FrameTruth truthOf(const room::GroundTruth& truth) {
   if (truth.camera_T_marker) frame.marker = truth.camera_T_marker->isometry();
   frame.must_be_lost = truth.must_be_lost;
   frame.face_visible_fraction = truth.face_visible_fraction;
+  frame.camera_turn_deg = kDegPerRad * truth.right_moved.head<3>().norm();
+  frame.camera_shift_mm = truth.right_moved.tail<3>().norm();
   return frame;
 }
 

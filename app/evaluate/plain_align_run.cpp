@@ -1,5 +1,6 @@
 #include "evaluate/plain_align_run.h"
 
+#include <cstdio>
 #include <random>
 
 #include "facenav/core/processor_time.h"
@@ -49,6 +50,10 @@ evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, 
     record.predicted_mm = outcome.result.predictedError_mm(target.cortex_point);
     record.bound95_mm = outcome.result.errorBound_mm(target.cortex_point);
     record.rms_mm = outcome.result.rms_mm;
+    if (outcome.result.right_turn) {
+      record.turn_deg = kDegPerRad * outcome.result.right_turn->rad;
+      record.turn_sigma_deg = kDegPerRad * outcome.result.right_turn->sigma_rad;
+    }
     run.cloud = evaluation::evaluateCloud(sitting.room->rig(), outcome.face, sitting.depth, sitting.visible);
   } catch (const Cancelled&) {
     throw;
@@ -77,6 +82,30 @@ cameras::StereoRig beforeAKnock(cameras::StereoRig rig, std::uint64_t seed) {
   turn.linear() = expRotation(kMoved_deg * kRadPerDeg * axis);
   rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(turn * rig.right_T_left.isometry());
   return rig;
+}
+
+/// The calibration from before the right camera turned about its vertical axis, which no match shows.
+cameras::StereoRig beforeATurn(cameras::StereoRig rig, double turn_deg) {
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  turn.linear() = expRotation(-turn_deg * kRadPerDeg * Eigen::Vector3d::UnitY());
+  rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(turn * rig.right_T_left.isometry());
+  return rig;
+}
+
+/// Each must be refused, corrected, or lie inside its stated bound.
+void addTurned(const Sitting& sitting, const std::vector<std::pair<std::string, capture::CapturePair>>& ways,
+               std::vector<evaluation::RunRecord>& runs) {
+  const double sign = sitting.names.seed % 2 ? 1.0 : -1.0;
+  for (const double turn_deg : {0.05, 0.1, 0.2, 0.3})
+    for (const auto& [way, pair] : ways) {
+      const auto from = way == "plain" ? AlignedFrom::plain : AlignedFrom::dots;
+      char name[64];
+      std::snprintf(name, sizeof name, "%s: turned sideways by %.2f deg", way.c_str(), sign * turn_deg);
+      runs.push_back(recordOf(sitting, name, [&, pair = pair] {
+        return workflow::alignFromCapture(beforeATurn(sitting.room->rig(), sign * turn_deg), pair, from,
+                                          sitting.setup(sitting.head.scalp), sitting.context.monitor);
+      }));
+    }
 }
 
 void addRefusals(const Sitting& sitting, const capture::CapturePair& pair, const surface::ScalpSurface* other,
@@ -130,6 +159,7 @@ std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::S
       return workflow::alignFromFilm(room, 0, *room.frameCount() - 1, *tracker, sitting.setup(head.scalp),
                                      context.monitor);
     }));
+  addTurned(sitting, {{"dots", dense}, {"sparse dots", sparse}, {"plain", plain}}, runs);
   addRefusals(sitting, dense, other, runs);
   return runs;
 }

@@ -1,7 +1,8 @@
 #pragma once
 // The scenario plain_align of `facenav evaluate`: one seated patient, aligned from dense dots, the paper's
 // sparse dots, the plain pair and a film in which the head turns; and plain pairs that must be refused:
-// another person's scan, a mirrored scan, cameras that moved. One RunRecord each.
+// another person's scan, a mirrored scan, cameras that moved. With a right camera that turned about its
+// vertical axis, each alignment must be refused, corrected or inside its bound. One RunRecord each.
 
 #include <functional>
 #include <vector>

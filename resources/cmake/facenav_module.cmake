@@ -1,8 +1,9 @@
 # facenav_add_module(NAME m SOURCES a.cpp .. [DEPENDS lower modules] [LIBS public third party] [PRIVATE_LIBS ..])
 # One static library facenav_<m> with its own public include folder. A DEPENDS that was not added before is
 # an error: modules are added bottom-up, so a cycle cannot be written.
+# UNITY n: so many files are compiled together (default: CMakeLists.txt); fewer where names of more files clash.
 function(facenav_add_module)
-  cmake_parse_arguments(M "" "NAME" "SOURCES;DEPENDS;LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(M "" "NAME;UNITY" "SOURCES;DEPENDS;LIBS;PRIVATE_LIBS" ${ARGN})
   add_library(facenav_${M_NAME} STATIC ${M_SOURCES})
   target_include_directories(facenav_${M_NAME} PUBLIC include PRIVATE src)
   foreach(dependency ${M_DEPENDS})
@@ -12,5 +13,8 @@ function(facenav_add_module)
     target_link_libraries(facenav_${M_NAME} PUBLIC facenav_${dependency})
   endforeach()
   target_link_libraries(facenav_${M_NAME} PUBLIC ${M_LIBS} PRIVATE ${M_PRIVATE_LIBS} facenav_warnings)
+  if(M_UNITY)
+    set_target_properties(facenav_${M_NAME} PROPERTIES UNITY_BUILD_BATCH_SIZE ${M_UNITY})
+  endif()
   facenav_use_headers(facenav_${M_NAME} facenav_module_headers)
 endfunction()

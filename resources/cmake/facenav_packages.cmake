@@ -17,6 +17,11 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d objde
 find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters)
 find_package(dlib REQUIRED)
 find_package(embree 3 REQUIRED)
+# Optional: GenICam cameras. Without it they are not listed.
+find_package(PkgConfig)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(ARAVIS IMPORTED_TARGET aravis-0.8)
+endif()
 if(FACENAV_BUILD_UI)
   find_package(VTK 9.1 REQUIRED COMPONENTS GUISupportQt)
   find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets)

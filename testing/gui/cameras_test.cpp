@@ -38,11 +38,25 @@ class FakeCameras : public capture::FrameSource {
   std::int64_t number_ = 0;
 };
 
+const QString kLeft = "v4l2:Webcam#A", kRight = "v4l2:Webcam#B";
+
+capture::FoundCamera webcam(const std::string& number, const std::string& serial) {
+  capture::FoundCamera camera;
+  camera.identity = {"v4l2", "/dev/video" + number, "Webcam", serial, "1-" + number};
+  return camera;
+}
+
 class CamerasTest : public ::testing::Test {
  protected:
   CamerasTest() {
-    services_.listCameras = [this] { return plugged_in_; };
-    services_.openCameras = [this](const cameras::StereoRig&, int left, int right) {
+    services_.listCameras = [this](capture::Search search) {
+      auto all = plugged_in_;
+      if (search == capture::Search::everywhere)
+        all.insert(all.end(), on_network_.begin(), on_network_.end());
+      return all;
+    };
+    services_.openCameras = [this](const cameras::StereoRig&, const std::string& left,
+                                   const std::string& right) {
       opened_ = {left, right};
       return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
     };
@@ -82,7 +96,7 @@ class CamerasTest : public ::testing::Test {
   void openCameras() {
     cameras().setRigFile(QString::fromStdString((folder_.path() / "stereo.yml").string()));
     cameras().refreshDevices();
-    cameras().choose(2, 4);
+    cameras().choose(kLeft, kRight);
     ASSERT_TRUE(cameras().canOpen());
     cameras().open();
     ASSERT_TRUE(fixtures::waitFor([&] { return cameras().isWell(); }));
@@ -96,11 +110,11 @@ class CamerasTest : public ::testing::Test {
   Services services_;
   CaseModel model_;
   TaskRunner tasks_;
-  std::vector<capture::CameraDevice> plugged_in_{{2, "left"}, {4, "right"}};
+  std::vector<capture::FoundCamera> plugged_in_{webcam("2", "A"), webcam("4", "B")}, on_network_;
   std::shared_ptr<std::atomic<int>> open_ = std::make_shared<std::atomic<int>>(0);
   std::shared_ptr<std::atomic<bool>> unplugged_ = std::make_shared<std::atomic<bool>>(false);
   std::shared_ptr<std::atomic<bool>> hung_ = std::make_shared<std::atomic<bool>>(false);
-  std::pair<int, int> opened_{-1, -1};
+  std::pair<std::string, std::string> opened_;
   std::optional<capture::Recording> aligned_with_;
   QString refused_;
   std::unique_ptr<TreatPresenter> treat_;
@@ -111,13 +125,73 @@ TEST_F(CamerasTest, WithoutACameraItSaysSoAndWhatToDo) {
   cameras().refreshDevices();
   EXPECT_TRUE(cameras().words().contains("no camera found"));
   EXPECT_FALSE(cameras().canOpen());
-  plugged_in_ = {{0, "the only one"}};
+  plugged_in_ = {webcam("0", "A")};
   cameras().refreshDevices();
   EXPECT_TRUE(cameras().words().contains("one camera only"));
 }
 
+TEST_F(CamerasTest, TwoEqualCamerasWithoutSerialNumbersAreToldApartByTheirPorts) {
+  plugged_in_ = {webcam("0", ""), webcam("2", "")};
+  cameras().refreshDevices();
+  EXPECT_EQ(cameras().left(), "v4l2:Webcam@1-0");
+  EXPECT_EQ(cameras().right(), "v4l2:Webcam@1-2");
+  EXPECT_TRUE(cameras().deviceWords().contains("two equal cameras without serial numbers"));
+  cameras().setRigFile(QString::fromStdString((folder_.path() / "stereo.yml").string()));
+  EXPECT_TRUE(cameras().words().contains("ready to be opened"));
+  EXPECT_TRUE(cameras().words().contains("port"));
+}
+
+TEST_F(CamerasTest, ACameraInUseIsSaidWithWhatToDo) {
+  plugged_in_[1].use = capture::FoundCamera::Use::in_use;
+  plugged_in_[1].user = "cheese (process 4711)";
+  cameras().refreshDevices();
+  EXPECT_TRUE(cameras().words().contains("in use by cheese (process 4711): close that program"));
+}
+
+TEST_F(CamerasTest, NetworkCamerasAreLookedForOnDemandAndStayChosen) {
+  capture::FoundCamera gige;
+  gige.identity = {"genicam", "GV01", "Vendor Model", "7", "192.168.1.7"};
+  on_network_ = {gige};
+  cameras().lookEverywhere();
+  settle();
+  ASSERT_EQ(cameras().devices().size(), 3u);
+  cameras().choose("genicam:Vendor Model#7", kRight);
+  cameras().refreshDevices();
+  EXPECT_EQ(cameras().devices().size(), 3u);
+  EXPECT_EQ(cameras().left(), "genicam:Vendor Model#7");
+  on_network_.clear();
+  cameras().lookEverywhere();
+  settle();
+  EXPECT_TRUE(cameras().left().isEmpty());
+}
+
+TEST_F(CamerasTest, ANamedRigBringsItsCamerasSettingsAndCalibration) {
+  capture::RigEntry entry{"bar", folder_.path(), capture::NamedRig(), ""};
+  entry.rig->rig = fakes::rig();
+  entry.rig->left = capture::RigCamera{plugged_in_[1].identity, {}};
+  entry.rig->right = capture::RigCamera{plugged_in_[0].identity, {}};
+  entry.rig->last_check = capture::RigCheckNote{"", "holds", "the calibration holds"};
+  services_.listRigs = [&] { return std::vector<capture::RigEntry>{entry}; };
+  services_.openRig = [this](const capture::NamedRig& rig) {
+    opened_ = {capture::stableName(rig.left->identity), capture::stableName(rig.right->identity)};
+    return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
+  };
+  cameras().chooseRig("bar");
+  EXPECT_EQ(cameras().left(), kRight);
+  EXPECT_TRUE(cameras().rigWords().contains("last check: the calibration holds"));
+  plugged_in_.clear();
+  cameras().refreshDevices();
+  EXPECT_EQ(cameras().rigName(), "bar");  // plugged in again, it is there
+  cameras().open();
+  ASSERT_TRUE(fixtures::waitFor([&] { return cameras().isWell(); }));
+  EXPECT_EQ(opened_, std::make_pair(kRight.toStdString(), kLeft.toStdString()));
+  EXPECT_EQ(CamerasPresenter(services_, tasks_).rigName(), "bar");
+  cameras().swapSides();
+  EXPECT_TRUE(cameras().rigName().isEmpty());
+}
+
 TEST_F(CamerasTest, ACalibrationThatCannotBeReadIsNamedAndOpensNothing) {
-  cameras().choose(2, 4);
+  cameras().choose(kLeft, kRight);
   cameras().setRigFile(QString::fromStdString((folder_.path() / "missing.yml").string()));
   EXPECT_FALSE(cameras().isRigGood());
   EXPECT_TRUE(cameras().rigWords().contains("missing.yml"));
@@ -126,7 +200,7 @@ TEST_F(CamerasTest, ACalibrationThatCannotBeReadIsNamedAndOpensNothing) {
 
 TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   openCameras();
-  EXPECT_EQ(opened_, std::make_pair(2, 4));
+  EXPECT_EQ(opened_, std::make_pair(kLeft.toStdString(), kRight.toStdString()));
   EXPECT_TRUE(cameras().words().contains("live"));
   EXPECT_FALSE(treat_->canAlign());
   treat_->align(false);  // never with an old capture
@@ -189,8 +263,8 @@ TEST_F(CamerasTest, TheChoiceComesBackAfterARestart) {
   openCameras();
   cameras().swapSides();
   CamerasPresenter again(services_, tasks_);
-  EXPECT_EQ(again.left(), 4);
-  EXPECT_EQ(again.right(), 2);
+  EXPECT_EQ(again.left(), kRight);
+  EXPECT_EQ(again.right(), kLeft);
   EXPECT_TRUE(again.isRigGood());
 }
 

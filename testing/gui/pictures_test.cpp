@@ -96,12 +96,14 @@ Services exampleServices() {
     return std::vector<pacs::PacsSeries>{t1, t2};
   };
   const char* recording = std::getenv("FACENAV_GUI_RECORDING");
-  services.listCameras = [recording] {
-    return recording
-               ? std::vector<capture::CameraDevice>{{0, "FLIR Blackfly, left"}, {2, "FLIR Blackfly, right"}}
-               : std::vector<capture::CameraDevice>();
+  services.listCameras = [recording](capture::Search) {
+    if (!recording) return std::vector<capture::FoundCamera>();
+    std::vector<capture::FoundCamera> pair(2);
+    pair[0].identity = {"genicam", "FLIR-1", "FLIR Blackfly", "19040101", "192.168.1.11"};
+    pair[1].identity = {"genicam", "FLIR-2", "FLIR Blackfly", "19040102", "192.168.1.12"};
+    return pair;
   };
-  services.openCameras = [recording](const cameras::StereoRig&, int, int) {
+  services.openCameras = [recording](const cameras::StereoRig&, const std::string&, const std::string&) {
     return std::make_unique<PlayedCameras>(recording);
   };
   services.readTemplate = [] { return atlas::readColin27(); };
@@ -178,8 +180,8 @@ void takeCameras(MainWindow& window, Pictures& shots, const std::string& recordi
   auto* treat = window.findChild<TreatWorkspace*>();
   window.setWorkspace(Workspace::treat);
   treat->presenter().cameras().setRigFile(QString::fromStdString(recording + "/stereo.yml"));
-  treat->presenter().cameras().choose(0, 2);
-  buttonNamed(window, "Look again")->click();
+  treat->presenter().cameras().choose("genicam:FLIR Blackfly#19040101", "genicam:FLIR Blackfly#19040102");
+  treat->presenter().cameras().refreshDevices();
   buttonNamed(window, "Open the cameras")->click();
   fixtures::waitFor([&] { return treat->presenter().cameras().isWell(); });
   buttonNamed(window, "1 Take with dots")->click();

@@ -12,35 +12,78 @@
 namespace facenav::ui {
 namespace {
 
+QString nameOf(const capture::FoundCamera& camera) {
+  return QString::fromStdString(capture::stableName(camera.identity));
+}
+
+bool isOfNetwork(const QString& name) { return name.startsWith("genicam:"); }
+
 constexpr double kFresh_s = 0.5;        // an older image does not show the present
 constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
-const char* const kLeft = "cameras/left";
-const char* const kRight = "cameras/right";
+const char* const kLeft = "cameras/left_name";
+const char* const kRight = "cameras/right_name";
 const char* const kRig = "cameras/rig";
+const char* const kRigName = "cameras/rig_name";
 
 }  // namespace
 
 CamerasPresenter::CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), tasks_(tasks) {
   const QSettings settings;
-  left_ = settings.value(kLeft, -1).toInt();
-  right_ = settings.value(kRight, -1).toInt();
+  left_ = settings.value(kLeft).toString();
+  right_ = settings.value(kRight).toString();
   rig_file_ = settings.value(kRig).toString();
+  rig_name_ = settings.value(kRigName).toString();
+  readRigs();
   readRig();
 }
 
 void CamerasPresenter::refreshDevices() {
-  devices_ = services_.listCameras ? services_.listCameras() : std::vector<capture::CameraDevice>();
-  const auto isThere = [&](int index) {
-    return std::any_of(devices_.begin(), devices_.end(), [&](const auto& d) { return d.index == index; });
+  std::vector<capture::FoundCamera> found;
+  if (services_.listCameras) found = services_.listCameras(capture::Search::quick);
+  for (const auto& camera : devices_)  // these do not answer a quick search
+    if (isOfNetwork(nameOf(camera))) found.push_back(camera);
+  use(std::move(found), false);
+}
+
+void CamerasPresenter::lookEverywhere() {
+  if (tasks_.isRunning() || isLive() || !services_.listCameras) return refreshDevices();
+  tasks_.start(tr("Looking for cameras"), [this](TaskMonitor&) -> TaskRunner::Delivery {
+    auto found = services_.listCameras(capture::Search::everywhere);
+    return [this, found = std::move(found)] { use(found, true); };
+  });
+}
+
+/// A chosen camera that is gone is no longer chosen, unless this search could not have found it, or a rig
+/// names it.
+void CamerasPresenter::use(std::vector<capture::FoundCamera> devices, bool has_network) {
+  devices_ = std::move(devices);
+  const auto kept = [&](const QString& name) {
+    return device(name) || (!has_network && isOfNetwork(name)) || devices_.empty() ? name : QString();
   };
-  if (left_ < 0 && right_ < 0 && devices_.size() >= 2) return choose(devices_[0].index, devices_[1].index);
-  if (!devices_.empty() && (!isThere(left_) || !isThere(right_)))
-    return choose(isThere(left_) ? left_ : -1, isThere(right_) ? right_ : -1);
+  QString left = namedRig() ? left_ : kept(left_), right = namedRig() ? right_ : kept(right_);
+  if (left.isEmpty() && right.isEmpty() && devices_.size() == 2) {
+    left = nameOf(devices_[0]);
+    right = nameOf(devices_[1]);
+  }
+  if (left != left_ || right != right_) return choose(left, right);
   emit changed();
 }
 
-void CamerasPresenter::choose(int left, int right) {
+const capture::FoundCamera* CamerasPresenter::device(const QString& name) const {
+  const auto at =
+      std::find_if(devices_.begin(), devices_.end(), [&](const auto& d) { return nameOf(d) == name; });
+  return at == devices_.end() ? nullptr : &*at;
+}
+
+QString CamerasPresenter::deviceWords() const {
+  QStringList words;
+  for (const auto& advice : capture::adviceOn(devices_)) words << QString::fromStdString(advice);
+  return words.join("\n");
+}
+
+void CamerasPresenter::choose(const QString& left, const QString& right) {
+  if (left != left_ || right != right_) forgetRigName();
   left_ = left;
   right_ = right;
   QSettings settings;
@@ -50,10 +93,64 @@ void CamerasPresenter::choose(int left, int right) {
 }
 
 void CamerasPresenter::setRigFile(const QString& path) {
+  forgetRigName();
   rig_file_ = path;
   QSettings().setValue(kRig, path);
   readRig();
   emit changed();
+}
+
+void CamerasPresenter::readRigs() {
+  rigs_.clear();
+  if (!services_.listRigs) return;
+  try {
+    rigs_ = services_.listRigs();
+  } catch (const Error& error) {
+    rig_problem_ = QString::fromUtf8(error.what());
+  }
+}
+
+QStringList CamerasPresenter::rigNames() const {
+  QStringList names;
+  for (const auto& entry : rigs_) names << QString::fromStdString(entry.name);
+  return names;
+}
+
+/// The chosen one, if it can be read and knows its cameras.
+std::optional<capture::NamedRig> CamerasPresenter::namedRig() const {
+  for (const auto& entry : rigs_)
+    if (!rig_name_.isEmpty() && entry.name == rig_name_.toStdString() && entry.rig && entry.rig->left)
+      return entry.rig;
+  return std::nullopt;
+}
+
+void CamerasPresenter::forgetRigName() {
+  rig_name_.clear();
+  QSettings().remove(kRigName);
+}
+
+void CamerasPresenter::chooseRig(const QString& name) {
+  readRigs();
+  const auto at = std::find_if(rigs_.begin(), rigs_.end(),
+                               [&](const auto& entry) { return entry.name == name.toStdString(); });
+  if (at == rigs_.end() || !at->rig)
+    return emit refused(at == rigs_.end() ? tr("there is no rig called %1").arg(name)
+                                          : QString::fromStdString(at->problem));
+  setRigFile(QString::fromStdString((at->folder / "stereo.yml").string()));
+  if (at->rig->left)
+    choose(QString::fromStdString(capture::stableName(at->rig->left->identity)),
+           QString::fromStdString(capture::stableName(at->rig->right->identity)));
+  rig_name_ = name;
+  QSettings().setValue(kRigName, name);
+  emit changed();
+}
+
+std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener() const {
+  if (const auto named = namedRig(); named && services_.openRig)
+    return [open = services_.openRig, rig = *named] { return open(rig); };
+  FACENAV_EXPECT(rig_, "a calibration is chosen first");
+  return [open = services_.openCameras, rig = *rig_, left = left_.toStdString(),
+          right = right_.toStdString()] { return open(rig, left, right); };
 }
 
 void CamerasPresenter::readRig() {
@@ -75,22 +172,25 @@ QString CamerasPresenter::rigWords() const {
                       .arg(rig_->height_px)
                       .arg(rig_->baseline_mm(), 0, 'f', 1);
   if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
-  return words + tr(", of %1").arg(
-                     QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
+  words +=
+      tr(", of %1").arg(QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
+  if (const auto named = namedRig())
+    words +=
+        "\n" + (named->last_check ? tr("last check: %1").arg(QString::fromStdString(named->last_check->words))
+                                  : tr("never checked since it was made"));
+  return words;
 }
 
 bool CamerasPresenter::canOpen() const {
-  return rig_ && left_ >= 0 && right_ >= 0 && left_ != right_ && services_.openCameras;
+  return rig_ && !left_.isEmpty() && !right_.isEmpty() && left_ != right_ && services_.openCameras;
 }
 
 void CamerasPresenter::open() {
   if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   tasks_.start(tr("Opening the cameras"),
-               [this, rig = *rig_, left = left_, right = right_,
-                old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+               [this, opens = opener(), old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  old.reset();  // first: a camera can be opened only once
-                 auto preview =
-                     std::make_shared<capture::LivePreview>(services_.openCameras(rig, left, right), false);
+                 auto preview = std::make_shared<capture::LivePreview>(opens(), false);
                  return [this, preview] {
                    preview_ = preview;
                    is_live_ = true;
@@ -133,13 +233,23 @@ QString CamerasPresenter::words() const {
     if (!preview_->failure().empty()) return QString::fromStdString(preview_->failure());
     if (!is_live_) return preview_->hasEnded() ? tr("recording, at its end") : tr("recording");
     if (preview_->age_s() > kFresh_s) return tr("NO PICTURE from the cameras");
-    return tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
+    QString words = tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
+    for (const auto& caution : preview_->cautions()) words += "\n" + QString::fromStdString(caution);
+    return words;
   }
+  return notReadyWords();
+}
+
+QString CamerasPresenter::notReadyWords() const {
   if (devices_.empty()) return tr("no camera found: plug two cameras in and look again, or open a recording");
-  if (devices_.size() < 2) return tr("one camera only: two are needed; plug the other in and look again");
-  if (left_ < 0 || right_ < 0 || left_ == right_) return tr("choose two different cameras");
+  if (devices_.size() < 2) return deviceWords();
+  for (const QString& name : {left_, right_})
+    if (const auto* chosen = device(name); chosen && chosen->use != capture::FoundCamera::Use::free)
+      return deviceWords();
+  if (left_.isEmpty() || right_.isEmpty() || left_ == right_) return tr("choose two different cameras");
   if (!rig_) return tr("choose the calibration of these two cameras");
-  return tr("ready to be opened");
+  const QString advice = deviceWords();
+  return advice.isEmpty() ? tr("ready to be opened") : tr("ready to be opened; %1").arg(advice);
 }
 
 /// Copy of the newest live pair. Refused if it is older than kFresh_s.

@@ -4,10 +4,11 @@
 
 #include <QObject>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
 
-#include "facenav/capture/camera_list.h"
+#include "facenav/capture/camera_backend.h"
 #include "facenav/capture/live_preview.h"
 #include "facenav/capture/recording.h"
 #include "presenters/retirement.h"
@@ -22,14 +23,24 @@ class CamerasPresenter : public QObject {
  public:
   CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
 
-  /// Updates the list of connected cameras.
+  /// Updates the list of connected cameras at once. Network cameras stay as they were found last.
   void refreshDevices();
-  const std::vector<capture::CameraDevice>& devices() const { return devices_; }
-  /// Index of the chosen camera, -1: none. Remembered.
-  int left() const { return left_; }
-  int right() const { return right_; }
-  void choose(int left, int right);
+  /// The same with the network's cameras, in the background.
+  void lookEverywhere();
+  const std::vector<capture::FoundCamera>& devices() const { return devices_; }
+  /// What to know or do about the connected cameras; empty: nothing.
+  QString deviceWords() const;
+  /// Stable name of the chosen camera (capture/camera.h), empty: none. Remembered.
+  QString left() const { return left_; }
+  QString right() const { return right_; }
+  void choose(const QString& left, const QString& right);
   void swapSides() { choose(right_, left_); }
+  /// Names of the kept rigs (`facenav rig new`).
+  QStringList rigNames() const;
+  /// The chosen one; empty: cameras and calibration were chosen one by one. Remembered.
+  QString rigName() const { return rig_name_; }
+  /// Takes the rig's cameras, settings and calibration.
+  void chooseRig(const QString& name);
   /// The rig's stereo.yml; remembered.
   QString rigFile() const { return rig_file_; }
   void setRigFile(const QString& path);
@@ -39,6 +50,8 @@ class CamerasPresenter : public QObject {
   bool isRigGood() const { return rig_.has_value(); }
 
   bool canOpen() const;
+  /// Opens what is chosen now; for another thread.
+  std::function<std::unique_ptr<capture::FrameSource>()> opener() const;
   /// Opens both cameras; live images follow.
   void open();
   /// Plays a recording as a preview.
@@ -71,15 +84,22 @@ class CamerasPresenter : public QObject {
   void refused(const QString& words);
 
  private:
+  void use(std::vector<capture::FoundCamera> devices, bool has_network);
+  const capture::FoundCamera* device(const QString& name) const;
+  QString notReadyWords() const;
   void retire(std::shared_ptr<capture::LivePreview> preview);
   void readRig();
+  void readRigs();
+  std::optional<capture::NamedRig> namedRig() const;
+  void forgetRigName();
   std::optional<cameras::StereoFrame> takeFresh();
 
   const Services& services_;
   TaskRunner& tasks_;
-  std::vector<capture::CameraDevice> devices_;
-  int left_ = -1, right_ = -1;
-  QString rig_file_, rig_problem_;
+  std::vector<capture::FoundCamera> devices_;
+  QString left_, right_;
+  std::vector<capture::RigEntry> rigs_;
+  QString rig_name_, rig_file_, rig_problem_;
   std::optional<cameras::StereoRig> rig_;
   std::shared_ptr<capture::LivePreview> preview_;
   Retirement retirement_;

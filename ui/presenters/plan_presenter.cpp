@@ -7,6 +7,7 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/compare_targets.h"
 #include "facenav/guidance/handle.h"
+#include "facenav/workflow/coil_library.h"
 #include "facenav/workflow/coil_slice_sheet.h"
 #include "presenters/typed_coordinates.h"
 
@@ -206,6 +207,17 @@ void PlanPresenter::removeProtocol() {
 
 void PlanPresenter::setCoil(const QString& file) {
   attempt([&] { model_.setCoil(file.toStdString()); });
+}
+
+QStringList PlanPresenter::libraryCoils() const {
+  QStringList names;
+  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary()))
+    if (coil.problem.empty()) names << QString::fromStdString(coil.name);
+  return names;
+}
+
+void PlanPresenter::setCoilNamed(const QString& name) {
+  attempt([&] { model_.setCoil(workflow::findCoil(workflow::coilLibrary(), name.toStdString()).file); });
 }
 
 std::optional<guidance::Dose> PlanPresenter::doseInForce() const {

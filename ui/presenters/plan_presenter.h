@@ -50,6 +50,10 @@ class PlanPresenter : public QObject {
   void removeProtocol();
   /// The case is planned for this coil.json from now on; targets stay as they are until they are edited.
   void setCoil(const QString& file);
+  /// Names of the coils of the library that can be used.
+  QStringList libraryCoils() const;
+  /// The same as setCoil by the coil's name in the library.
+  void setCoilNamed(const QString& name);
   /// A grid round the active target; nothing removes it. Targets of it that were edited by hand stay.
   void setGrid(const std::optional<guidance::GridSpec>& grid);
   /// Up (-1) or down (1) in the list.

@@ -52,9 +52,20 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
                                                 all.head_trackers.create(all.head_trackers.defaultName()),
                                                 all.coil_trackers.create(all.coil_trackers.defaultName()));
   };
-  services.listCameras = [] { return capture::listCameras(); };
-  services.openCameras = [](const cameras::StereoRig& rig, int left, int right) {
-    return capture::openCameraPair(rig, left, right);
+  services.listCameras = [makeMethods](capture::Search search) {
+    return capture::listCameras(makeMethods().cameras, search);
+  };
+  services.openCameras = [makeMethods](const cameras::StereoRig& rig, const std::string& left,
+                                       const std::string& right) -> std::unique_ptr<capture::FrameSource> {
+    const auto methods = makeMethods();
+    const auto found = capture::listCameras(methods.cameras);
+    return capture::openCameraPair(rig,
+                                   capture::openCamera(methods.cameras, capture::findCamera(found, left)),
+                                   capture::openCamera(methods.cameras, capture::findCamera(found, right)));
+  };
+  services.listRigs = [] { return capture::RigStore().list(); };
+  services.openRig = [makeMethods](const capture::NamedRig& rig) -> std::unique_ptr<capture::FrameSource> {
+    return capture::openRig(makeMethods().cameras, rig);
   };
   return services;
 }

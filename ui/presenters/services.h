@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "facenav/atlas/brain_template.h"
-#include "facenav/capture/camera_list.h"
+#include "facenav/capture/camera_backend.h"
 #include "facenav/capture/recording.h"
+#include "facenav/capture/rig_store.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
@@ -53,11 +54,16 @@ struct Services {
   /// What a person judges the alignment by. Empty: nothing is shown.
   std::function<workflow::AlignmentSeen(const casefile::CaseStore&, const workflow::AlignmentOutcome&)>
       seeAlignment;
-  /// Connected cameras; fast.
-  std::function<std::vector<capture::CameraDevice>()> listCameras;
-  /// A live pair, by index. Its destructor releases both cameras.
-  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, int left, int right)>
+  /// Connected cameras. Search::quick is fast; Search::everywhere waits for the network.
+  std::function<std::vector<capture::FoundCamera>(capture::Search)> listCameras;
+  /// A live pair, by stable names (capture/camera.h). Its destructor releases both cameras.
+  std::function<std::unique_ptr<capture::FrameSource>(const cameras::StereoRig&, const std::string& left,
+                                                      const std::string& right)>
       openCameras;
+  /// The rigs kept under a name (`facenav rig new`); fast.
+  std::function<std::vector<capture::RigEntry>()> listRigs;
+  /// The cameras of such a rig, with their locked settings.
+  std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&)> openRig;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;

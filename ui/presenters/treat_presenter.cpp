@@ -6,6 +6,8 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
+#include "facenav/workflow/coil_library.h"
+#include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/session_return.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
@@ -16,6 +18,7 @@ namespace facenav::ui {
 namespace {
 
 const char* const kPulseSource = "treat/pulses";
+const char* const kCoil = "treat/coil";
 
 }  // namespace
 
@@ -27,6 +30,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
       tasks_(tasks),
       cameras_(services, tasks),
       coil_(coil_tracking::defaultCoil()),
+      coil_card_{coil_.name, {}, {}, {}, Eigen::Vector3d::Zero(), false, std::nullopt},
       pulse_source_(QSettings().value(kPulseSource).toString()),
       overlays_(
           [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
@@ -73,6 +77,8 @@ void TreatPresenter::openRecording(const QString& folder) {
       is_live_ = false;
       rig_fault_.clear();
       coil_ = film->coil;
+      coil_card_ = film->card;
+      film_ = *film;
       aligned_ = {};
       emit changed();
       cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
@@ -86,9 +92,56 @@ void TreatPresenter::useCameras() {
   recording_ = capture::Recording{};
   recording_->rig = *cameras_.rig();
   is_live_ = true;
+  film_.reset();
+  useRememberedCoil();
   aligned_ = {};
   rig_fault_.clear();
   emit changed();
+}
+
+/// With live cameras nothing else says which coil is held.
+void TreatPresenter::useRememberedCoil() {
+  const auto name = QSettings().value(kCoil).toString().toStdString();
+  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary())) {
+    if (coil.name != name || !coil.problem.empty()) continue;
+    coil_ = coil.model;
+    coil_card_ = coil.card;
+  }
+}
+
+QStringList TreatPresenter::coils() const {
+  QStringList names{film_ ? QString::fromStdString(film_->coil.name) : coilName()};
+  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary()))
+    if (coil.problem.empty()) names << QString::fromStdString(coil.name);
+  names.removeDuplicates();
+  return names;
+}
+
+void TreatPresenter::chooseCoil(const QString& name) {
+  try {
+    auto coil = coil_;
+    auto card = coil_card_;
+    if (film_ && QString::fromStdString(film_->coil.name) == name) {
+      coil = film_->coil, card = film_->card;
+    } else if (name != coilName()) {
+      const auto found = workflow::findCoil(workflow::coilLibrary(), name.toStdString());
+      coil = found.model, card = found.card;
+      QSettings().setValue(kCoil, name);
+    }
+    if (isRunning()) treatment_->chooseCoil(coil);
+    coil_ = coil;
+    coil_card_ = card;
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+  emit changed();
+}
+
+QString TreatPresenter::coilReminder() const {
+  if (const auto* aim = target())
+    if (const auto caution = workflow::otherCoilCaution(*aim, coil_.name))
+      return QString::fromStdString(*caution);
+  return QString::fromStdString(workflow::calibrationReminder(coil_card_).value_or(""));
 }
 
 bool TreatPresenter::canAlign() const {
@@ -145,17 +198,17 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
 
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_, aligned_.outcome};
+  request.coil_reminder = workflow::calibrationReminder(coil_card_);
   request.goes_on = goes_on;
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
   tasks_.start(tr("Starting the trackers"),
-               [this, request, left = cameras_.left(), right = cameras_.right(),
+               [this, request, opens = is_live_ ? cameras_.opener() : nullptr,
                 seen = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  const workflow::TreatmentDevices devices{
                      services_.makeNavigator, [&] {
                        seen.reset();  // first: a camera can be opened only once
-                       return request.is_live ? services_.openCameras(request.recording.rig, left, right)
-                                              : capture::makeSource(request.recording);
+                       return request.is_live ? opens() : capture::makeSource(request.recording);
                      }};
                  auto prepared = std::make_shared<workflow::PreparedTreatment>(
                      workflow::prepareTreatment(request, devices));
@@ -328,6 +381,7 @@ QString TreatPresenter::alignmentWords() const {
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   if (treatment_) {
     const auto latest = treatment_->session().latest();
+    if (!latest->rig_correction.empty()) rig_fault_ = QString::fromStdString(latest->rig_correction);
     if (!latest->rig_fault.empty()) rig_fault_ = QString::fromStdString(latest->rig_fault);
     if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));

@@ -42,6 +42,14 @@ class TreatPresenter : public QObject {
   void goOn(const casefile::SessionSoFar& session);
   void stop();
   void chooseTarget(const QString& name);
+  /// Names of the coils to choose from: the recording's own one, then those of the library.
+  QStringList coils() const;
+  QString coilName() const { return QString::fromStdString(coil_.name); }
+  /// Follows this coil from now on, also while guidance runs. Remembered where it is of the library.
+  void chooseCoil(const QString& name);
+  /// That the target was found with another coil, or that the coil's calibration is old or not recorded;
+  /// empty: nothing to say.
+  QString coilReminder() const;
   /// Recorded in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
   /// Guides to a place that is not in the plan (a site of a hunting grid); nothing: to the chosen target
@@ -97,7 +105,7 @@ class TreatPresenter : public QObject {
   /// True if everything needed to align is there.
   bool canAlign() const;
   bool canGoOn() const { return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning(); }
-  /// The fault of the cameras that the last session found; empty: none.
+  /// The fault of the cameras that the last session found, or a motion that it corrected; empty: none.
   QString rigFault() const { return rig_fault_; }
   bool isAligned() const { return aligned_.outcome != nullptr; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
@@ -147,6 +155,7 @@ class TreatPresenter : public QObject {
  private:
   void startWith(const std::filesystem::path& goes_on);
   void use(const AlignedHead& aligned);
+  void useRememberedCoil();
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
   void listen();
@@ -163,6 +172,8 @@ class TreatPresenter : public QObject {
   coil_tracking::CoilModel coil_;
   AlignedHead aligned_;
   bool shows_skin_ = true;
+  coil_tracking::CoilCard coil_card_;
+  std::optional<workflow::TreatmentFilm> film_;  // whose coil may be chosen again
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
   std::filesystem::path last_session_;

@@ -33,6 +33,8 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
   state_ = label({}, "verdict", this);
   column->addWidget(state_);
   addCapture(*column);
+  coil_words_ = label({}, "plain", this);
+  column->addWidget(coil_words_);
   column->addStretch(1);
   column->addWidget(label(tr("Or a recording"), "heading", this));
   auto* recording = button(tr("Open a recording\u2026"), tr("a folder with stereo.yml, played as if live"),
@@ -43,6 +45,7 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, [this] { isVisible() ? showState() : timer_.stop(); });
   connect(&cameras_, &CamerasPresenter::changed, this, [this] {
     fillDevices();
+    fillRigs();
     showState();
   });
 }
@@ -78,18 +81,28 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   grid->addWidget(new QLabel(tr("right"), this), 1, 0);
   grid->addWidget(right_, 1, 1);
   grid->addWidget(again, 1, 2);
-  grid->addWidget(rig_, 2, 0, 1, 2);
+  named_rig_ = new QComboBox(this);
+  named_rig_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  named_rig_->setMinimumContentsLength(10);
+  named_rig_->setToolTip(tr("cameras, settings and calibration kept under a name (facenav rig new)"));
+  grid->addWidget(new QLabel(tr("rig"), this), 2, 0);
+  grid->addWidget(named_rig_, 2, 1);
   grid->addWidget(choose_rig, 2, 2);
+  grid->addWidget(rig_, 3, 0, 1, 3);
+  connect(named_rig_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    const QString name = named_rig_->currentData().toString();
+    if (!name.isEmpty()) cameras_.chooseRig(name);
+  });
   grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   column.addWidget(open_);
-  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::refreshDevices);
+  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);
   connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
   connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
   connect(open_, &QPushButton::clicked, &cameras_, &CamerasPresenter::open);
   for (auto* box : {left_, right_})
     connect(box, QOverload<int>::of(&QComboBox::activated), this,
-            [this] { cameras_.choose(left_->currentData().toInt(), right_->currentData().toInt()); });
+            [this] { cameras_.choose(left_->currentData().toString(), right_->currentData().toString()); });
 }
 
 void CamerasPanel::addCapture(QVBoxLayout& column) {
@@ -108,17 +121,32 @@ void CamerasPanel::addCapture(QVBoxLayout& column) {
 }
 
 void CamerasPanel::fillDevices() {
-  for (auto [box, chosen] : {std::pair(left_, cameras_.left()), std::pair(right_, cameras_.right())}) {
+  for (const auto& [box, chosen] : {std::pair(left_, cameras_.left()), std::pair(right_, cameras_.right())}) {
     box->clear();
-    for (const auto& device : cameras_.devices())
-      box->addItem(tr("%1: %2").arg(device.index).arg(QString::fromStdString(device.name)), device.index);
+    for (const auto& device : cameras_.devices()) {
+      box->addItem(QString::fromStdString(capture::inWords(device)),
+                   QString::fromStdString(capture::stableName(device.identity)));
+      box->setItemData(box->count() - 1, box->itemText(box->count() - 1), Qt::ToolTipRole);
+    }
     box->setEnabled(box->count() > 0);
-    if (box->count() == 0) box->addItem(tr("no camera found"), -1);
-    box->setCurrentIndex(std::max(chosen < 0 ? -1 : 0, box->findData(chosen)));
+    if (box->count() == 0) box->addItem(tr("no camera found"), QString());
+    box->setCurrentIndex(chosen.isEmpty() ? -1 : box->findData(chosen));
   }
 }
 
+void CamerasPanel::fillRigs() {
+  named_rig_->clear();
+  named_rig_->addItem(cameras_.rigNames().isEmpty() ? tr("none kept under a name") : tr("chosen one by one"),
+                      QString());
+  for (const QString& name : cameras_.rigNames()) named_rig_->addItem(name, name);
+  named_rig_->setEnabled(named_rig_->count() > 1);
+  named_rig_->setCurrentIndex(std::max(0, named_rig_->findData(cameras_.rigName())));
+}
+
 void CamerasPanel::showState() {
+  const QString reminder = presenter_.coilReminder();
+  coil_words_->setText(tr("Coil: %1").arg(presenter_.coilName()) +
+                       (reminder.isEmpty() ? QString() : "\n" + reminder));
   rig_->setText(cameras_.rigWords());
   const QString fault = presenter_.rigFault();
   const char* level = !fault.isEmpty()         ? "caution"

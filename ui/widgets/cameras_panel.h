@@ -27,6 +27,7 @@ class CamerasPanel : public QFrame {
   void addChoice(QVBoxLayout& column);
   void addCapture(QVBoxLayout& column);
   void fillDevices();
+  void fillRigs();
   void showState();
   void chooseRig();
   void chooseRecording();
@@ -34,8 +35,8 @@ class CamerasPanel : public QFrame {
 
   TreatPresenter& presenter_;
   CamerasPresenter& cameras_;
-  QComboBox *left_, *right_;
-  QLabel *rig_, *state_, *capture_words_;
+  QComboBox *left_, *right_, *named_rig_;
+  QLabel *rig_, *state_, *capture_words_, *coil_words_;
   QPushButton *open_, *dots_, *plain_;
   QTimer timer_;
   bool is_filling_ = false;

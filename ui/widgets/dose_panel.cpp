@@ -1,6 +1,7 @@
 #include "widgets/dose_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -24,6 +25,9 @@ DosePanel::DosePanel(PlanPresenter& presenter, QWidget* parent) : QFrame(parent)
     emit choosing();
     const QString file = QFileDialog::getOpenFileName(window(), tr("A coil"), {}, tr("Coils (*.json)"));
     if (!file.isEmpty()) presenter_.setCoil(file);
+  });
+  connect(library_coil_, QOverload<int>::of(&QComboBox::activated), this, [this](int item) {
+    if (item > 0) presenter_.setCoilNamed(library_coil_->itemText(item));
   });
   connect(apply_, &QPushButton::clicked, this, &DosePanel::apply);
   connect(is_own_, &QCheckBox::clicked, this,
@@ -79,6 +83,9 @@ void DosePanel::makeFields() {
   form->addRow(
       apply_ = button(tr("Apply to the target"), tr("sessions at this target count against these numbers")));
   coil_ = label(tr("coil"));
+  library_coil_ = new QComboBox(this);
+  library_coil_->setToolTip(tr("a coil of the library ('facenav coil add'), by its name"));
+  form->addRow(library_coil_);
   form->addRow(choose_coil_ = button(tr("Choose a coil \u2026"),
                                      tr("coil.json; its contact outline rests on the head from now on")));
 }
@@ -86,6 +93,11 @@ void DosePanel::makeFields() {
 void DosePanel::showPlan() {
   protocol_->setText(presenter_.protocolWords());
   coil_->setText(presenter_.coilWords());
+  library_coil_->clear();
+  const QStringList coils = presenter_.libraryCoils();
+  library_coil_->addItem(coils.isEmpty() ? tr("the library holds no coil") : tr("choose from the library"));
+  library_coil_->addItems(coils);
+  library_coil_->setEnabled(!coils.isEmpty());
   const auto* active = presenter_.active();
   const bool may_change = active && !active->is_locked;
   for (QWidget* field :

@@ -7,6 +7,7 @@
 #include "presenters/plan_presenter.h"
 
 class QCheckBox;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
@@ -32,6 +33,7 @@ class DosePanel : public QFrame {
   PlanPresenter& presenter_;
   QLabel *protocol_, *coil_, *duration_;
   QPushButton *choose_, *remove_, *choose_coil_, *apply_;
+  QComboBox* library_coil_;
   QCheckBox* is_own_;
   QSpinBox *pulses_, *trains_;
   QDoubleSpinBox *frequency_, *pause_, *output_, *threshold_;

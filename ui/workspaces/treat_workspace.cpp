@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "appearance.h"
@@ -22,7 +23,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kRefresh_ms = 33;
+constexpr int kPageRefresh_ms = 33;
 constexpr const char* kSlicesShown = "treat/slices_shown";
 constexpr const char* kSlicesInScene = "treat/slices_in_scene";
 
@@ -57,7 +58,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   column->addWidget(new ReturnPanel(return_, this));
   column->addLayout(row, 1);
   column->addWidget(makeSteps());
-  timer_.setInterval(kRefresh_ms);
+  timer_.setInterval(kPageRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, &TreatWorkspace::refresh);
   connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
   connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
@@ -105,6 +106,10 @@ QWidget* TreatWorkspace::makeSteps() {
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(14);
   target_->setToolTip(tr("the target to guide to"));
+  coil_ = new QComboBox(bar);
+  coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  coil_->setMinimumContentsLength(10);
+  coil_->setAccessibleName(tr("coil"));
   show_slices_ = new QPushButton(tr("Slices"), bar);
   show_slices_->setObjectName("tool");
   show_slices_->setCheckable(true);
@@ -123,6 +128,7 @@ QWidget* TreatWorkspace::makeSteps() {
   row->addWidget(words_, 1);
   row->addWidget(show_slices_);
   row->addWidget(slices_in_scene_);
+  row->addWidget(coil_);
   row->addWidget(target_);
   connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
     QSettings().setValue(kSlicesShown, are_shown);
@@ -143,6 +149,8 @@ QWidget* TreatWorkspace::makeSteps() {
   });
   connect(target_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { presenter_.chooseTarget(target_->currentText()); });
+  connect(coil_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { presenter_.chooseCoil(coil_->currentText()); });
   return bar;
 }
 
@@ -180,6 +188,7 @@ void TreatWorkspace::showSteps() {
   align_->setEnabled(presenter_.canAlign());
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
+  showCoils();
   words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
                               : tr("open a case first (Ctrl+O)"));
   target_->clear();
@@ -191,6 +200,17 @@ void TreatWorkspace::showSteps() {
     scene_->scene().setView(scene::ViewPreset::target);
     signature_.clear();
   }
+}
+
+/// A calibration that is old is marked at the coil's name, and said in its tip and in step 1.
+void TreatWorkspace::showCoils() {
+  const QString reminder = presenter_.coilReminder();
+  coil_->clear();
+  coil_->addItems(presenter_.coils());
+  coil_->setCurrentText(presenter_.coilName());
+  const bool is_old = !reminder.isEmpty() && presenter_.hasRecording();
+  coil_->setToolTip(tr("the coil that is held") + (is_old ? "\n" + reminder : QString()));
+  if (is_old) coil_->setItemIcon(coil_->currentIndex(), style()->standardIcon(QStyle::SP_MessageBoxWarning));
 }
 
 void TreatWorkspace::showCase() {

@@ -53,6 +53,7 @@ class TreatWorkspace : public QWidget {
   QWidget* makeSteps();
   void showCase();
   void showSteps();
+  void showCoils();
   void refresh();
   ReadOut readOut(const session::NavigationState& state, bool was_started) const;
   void draw(const std::shared_ptr<const session::NavigationState>& state, const ReadOut& read_out,
@@ -76,7 +77,7 @@ class TreatWorkspace : public QWidget {
   LiveSlices* slices_;
   CameraRow* pictures_;
   TreatSide* tools_;  // Aim, Motor, Session, Check
-  QComboBox* target_;
+  QComboBox *target_, *coil_;
   QStackedWidget* side_;
   QPushButton *cameras_, *align_, *guide_, *show_slices_, *slices_in_scene_;
   ElidedLabel* words_;

@@ -1,68 +1,186 @@
 #include "facenav/capture/camera_pair_source.h"
 
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/videoio.hpp>
+#include <condition_variable>
+#include <mutex>
 
-#include "facenav/core/error.h"
-#include "grey_image.h"
+#include "camera_reader.h"
+#include "facenav/core/number_text.h"
 #include "recording_frames.h"
 
 namespace facenav::capture {
 namespace {
 
-std::string nameOf(int index) { return "camera " + std::to_string(index); }
+constexpr double kNoteworthyDelay_s = 0.002;  // a head turns by less than 0.1 deg meanwhile
 
-cv::VideoCapture openCamera(const cameras::StereoRig& rig, int index) {
-  const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  cv::VideoCapture camera(index);
-  cv::utils::logging::setLogLevel(level);
-  if (!camera.isOpened()) throw Error("camera cannot be opened", nameOf(index), "is it plugged in and free?");
-  camera.set(cv::CAP_PROP_FRAME_WIDTH, rig.width_px);
-  camera.set(cv::CAP_PROP_FRAME_HEIGHT, rig.height_px);
-  return camera;
-}
+/// One side: when its last picture arrived, and why no more come.
+struct PairSide {
+  double last_arrival_s = 0.0;
+  std::exception_ptr failure;
+};
 
-class CameraPairSource : public FrameSource {
+class LivePair : public CameraPairSource {
  public:
-  CameraPairSource(const cameras::StereoRig& rig, int left_index, int right_index)
-      : rig_(rig),
-        left_index_(left_index),
-        right_index_(right_index),
-        left_(openCamera(rig, left_index)),
-        right_(openCamera(rig, right_index)) {}
+  LivePair(const cameras::StereoRig& rig, std::unique_ptr<Camera> left, std::unique_ptr<Camera> right,
+           const PairSettings& settings);
   const cameras::StereoRig& rig() const override { return rig_; }
-  std::shared_ptr<const cameras::StereoFrame> next() override {
-    auto frame = std::make_shared<cameras::StereoFrame>();
-    const Timestamp before = Timestamp::now();
-    const bool has_left = left_.grab(), has_right = right_.grab();
-    frame->captured = {0.5 * (before.s + Timestamp::now().s)};
-    frame->left = decode(left_, left_index_, has_left);
-    frame->right = decode(right_, right_index_, has_right);
-    frame->number = number_++;
-    requireRigSize(rig_, frame->left, frame->right, nameOf(left_index_) + ", " + nameOf(right_index_));
-    return frame;
-  }
+  std::shared_ptr<const cameras::StereoFrame> next() override;
+  std::vector<std::string> cautions() const override;
+  PairTiming timing() const override;
+  PictureCounts leftCounts() const override { return left_reader_->counts(); }
+  PictureCounts rightCounts() const override { return right_reader_->counts(); }
+  CameraState leftState() const override { return left_reader_->state(); }
+  CameraState rightState() const override { return right_reader_->state(); }
 
  private:
-  static cv::Mat decode(cv::VideoCapture& camera, int index, bool is_grabbed) {
-    cv::Mat image;
-    if (!is_grabbed || !camera.retrieve(image) || image.empty())
-      throw Error("camera gives no image", nameOf(index), "check the cable");
-    return toGrey8(image, 16).clone();
-  }
+  std::unique_ptr<CameraReader> read(std::unique_ptr<Camera> camera, PairSide& side,
+                                     void (PictureMatcher::*add)(CameraPicture));
+  std::optional<PicturePair> waitForPair();
+  std::optional<PicturePair> newestPair();
+  void requireBoth() const;
+  void triggerBoth();
+  [[noreturn]] void failSilent();
 
-  cameras::StereoRig rig_;
-  int left_index_, right_index_;
-  cv::VideoCapture left_, right_;
+  const cameras::StereoRig rig_;
+  const PairSettings settings_;
+  mutable std::mutex mutex_;
+  std::condition_variable arrived_;
+  PictureMatcher matcher_;
+  PairSide left_, right_;
   std::int64_t number_ = 0;
+  double next_trigger_s_ = 0.0;
+  std::unique_ptr<CameraReader> left_reader_, right_reader_;  // last: their threads use all of the above
 };
+
+CameraSettings sized(CameraSettings settings, const cameras::StereoRig& rig) {
+  settings.width_px = rig.width_px;
+  settings.height_px = rig.height_px;
+  return settings;
+}
+
+LivePair::LivePair(const cameras::StereoRig& rig, std::unique_ptr<Camera> left, std::unique_ptr<Camera> right,
+                   const PairSettings& settings)
+    : rig_(rig), settings_(settings), matcher_(1.0 / settings.left.frames_per_s) {
+  left->configure(sized(settings.left, rig));
+  right->configure(sized(settings.right, rig));
+  left->start();
+  right->start();
+  left_.last_arrival_s = right_.last_arrival_s = Timestamp::now().s;
+  left_reader_ = read(std::move(left), left_, &PictureMatcher::addLeft);
+  right_reader_ = read(std::move(right), right_, &PictureMatcher::addRight);
+}
+
+std::unique_ptr<CameraReader> LivePair::read(std::unique_ptr<Camera> camera, PairSide& side,
+                                             void (PictureMatcher::*add)(CameraPicture)) {
+  const auto deliver = [this, &side, add](CameraPicture picture) {
+    const std::lock_guard lock(mutex_);
+    side.last_arrival_s = Timestamp::now().s;
+    (matcher_.*add)(std::move(picture));
+    arrived_.notify_all();
+  };
+  const auto fail = [this, &side](std::exception_ptr failure) {
+    const std::lock_guard lock(mutex_);
+    side.failure = failure;
+    arrived_.notify_all();
+  };
+  return std::make_unique<CameraReader>(std::move(camera), deliver, fail);
+}
+
+std::optional<PicturePair> LivePair::newestPair() {
+  std::optional<PicturePair> newest;
+  while (auto pair = matcher_.take()) newest = std::move(pair);
+  return newest;
+}
+
+void LivePair::failSilent() {
+  const double now_s = Timestamp::now().s;
+  const bool is_left_silent = now_s - left_.last_arrival_s >= settings_.patience_s,
+             is_right_silent = now_s - right_.last_arrival_s >= settings_.patience_s;
+  const std::string left = inWords(left_reader_->identity()), right = inWords(right_reader_->identity());
+  if (!is_left_silent && !is_right_silent)
+    throw CameraError(CameraFault::hung, "the two cameras give no pictures of one moment",
+                      left + "; " + right, "set both to the same rate and check their cables");
+  throw CameraError(CameraFault::hung,
+                    "the camera gives no new picture for " + formatted("%.1f", settings_.patience_s) + " s",
+                    !is_right_silent  ? left
+                    : !is_left_silent ? right
+                                      : left + "; " + right,
+                    "check the cable; then open the cameras again");
+}
+
+/// Both at once, at the wanted rate.
+void LivePair::triggerBoth() {
+  if (settings_.left.trigger != Trigger::software || Timestamp::now().s < next_trigger_s_) return;
+  next_trigger_s_ = Timestamp::now().s + 1.0 / settings_.left.frames_per_s;
+  left_reader_->requestTrigger();
+  right_reader_->requestTrigger();
+}
+
+void LivePair::requireBoth() const {
+  for (const auto& failure : {left_.failure, right_.failure})
+    if (failure) std::rethrow_exception(failure);
+}
+
+std::optional<PicturePair> LivePair::waitForPair() {
+  std::unique_lock lock(mutex_);
+  const double until_s = Timestamp::now().s + settings_.patience_s;
+  while (Timestamp::now().s < until_s) {
+    if (auto pair = newestPair()) return pair;
+    requireBoth();
+    triggerBoth();
+    arrived_.wait_for(lock, std::chrono::milliseconds(10));
+  }
+  failSilent();
+}
+
+/// Null at the end of a file.
+std::shared_ptr<const cameras::StereoFrame> LivePair::next() {
+  std::optional<PicturePair> pair;
+  try {
+    pair = waitForPair();
+  } catch (const CameraError& error) {
+    if (error.fault() == CameraFault::ended) return nullptr;
+    throw;
+  }
+  auto frame = std::make_shared<cameras::StereoFrame>();
+  frame->right_late_s = pair->right_late_s();
+  frame->captured = pair->left.captured;
+  frame->left = std::move(pair->left.grey);
+  frame->right = std::move(pair->right.grey);
+  frame->number = number_++;
+  requireRigSize(rig_, frame->left, frame->right,
+                 inWords(left_reader_->identity()) + "; " + inWords(right_reader_->identity()));
+  return frame;
+}
+
+std::vector<std::string> LivePair::cautions() const {
+  std::vector<std::string> all;
+  for (const auto& [side, state] :
+       {std::pair("left camera, ", leftState()), std::pair("right camera, ", rightState())}) {
+    for (const auto& words : unlockedInWords(state)) all.push_back(side + words);
+    for (const auto& note : state.notes) all.push_back(side + note);
+  }
+  const PairTiming now = timing();
+  if (std::abs(now.right_late_s) > kNoteworthyDelay_s)
+    all.push_back(
+        formatted("the right picture is taken %.1f ms %s the left one: the cameras have no common trigger",
+                  1e3 * std::abs(now.right_late_s), now.right_late_s > 0 ? "after" : "before"));
+  return all;
+}
+
+PairTiming LivePair::timing() const {
+  const std::lock_guard lock(mutex_);
+  return matcher_.timing();
+}
 
 }  // namespace
 
-std::unique_ptr<FrameSource> openCameraPair(const cameras::StereoRig& rig, int left_index, int right_index) {
-  if (left_index == right_index)
-    throw Error("left and right are the same camera", nameOf(left_index), "give two different indices");
-  return std::make_unique<CameraPairSource>(rig, left_index, right_index);
+std::unique_ptr<CameraPairSource> openCameraPair(const cameras::StereoRig& rig, std::unique_ptr<Camera> left,
+                                                 std::unique_ptr<Camera> right,
+                                                 const PairSettings& settings) {
+  if (isSameCamera(left->identity(), right->identity()))
+    throw Error("left and right are the same camera", inWords(left->identity()),
+                "choose two different cameras");
+  return std::make_unique<LivePair>(rig, std::move(left), std::move(right), settings);
 }
 
 }  // namespace facenav::capture

@@ -97,6 +97,8 @@ std::string LivePreview::failure() const {
   return implementation_->failure;
 }
 
+std::vector<std::string> LivePreview::cautions() const { return implementation_->source->cautions(); }
+
 bool LivePreview::hasEnded() const { return implementation_->has_ended; }
 
 }  // namespace facenav::capture

@@ -13,11 +13,23 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kAssumedRate_hz = 60.0;
+constexpr double kMostApart_s = 1.0;  // of the two pictures of a pair
 
 struct StampedFrame {
   std::int64_t number;
   double t_s;
+  std::optional<double> right_late_s;
 };
+
+/// Column right_t_s, which may be absent or empty.
+std::optional<double> rightLate(const CsvTable& table, std::size_t row, double t_s) {
+  const auto column = table.findColumn("right_t_s");
+  if (!column || table.text(row, *column).empty()) return std::nullopt;
+  const double late_s = table.number(row, *column) - t_s;
+  if (std::abs(late_s) > kMostApart_s)
+    table.refuse(row, "right_t_s is far from t_s", "both are seconds of one clock");
+  return late_s;
+}
 
 std::vector<StampedFrame> readTimestamps(const fs::path& csv) {
   const CsvTable table(csv, kTypedByHand);
@@ -30,7 +42,7 @@ std::vector<StampedFrame> readTimestamps(const fs::path& csv) {
       table.refuse(i, "time does not rise", "t_s must grow from line to line");
     if (!stamps.empty() && !(std::int64_t(number) > stamps.back().number))
       table.refuse(i, "frame number does not rise");
-    stamps.push_back({std::int64_t(number), t_s});
+    stamps.push_back({std::int64_t(number), t_s, rightLate(table, i, t_s)});
   }
   return stamps;
 }
@@ -46,6 +58,7 @@ void applyTimestamps(const fs::path& csv, const std::vector<StampedFrame>& stamp
     if (at == stamps.size() || stamps[at].number != number) break;
     frames.numbers.push_back(number);
     frames.times_s.push_back(stamps[at].t_s);
+    frames.right_late_s.push_back(stamps[at].right_late_s);
   }
   if (frames.numbers.size() == images.size()) return;
   if (stamps.size() != images.size())
@@ -55,9 +68,11 @@ void applyTimestamps(const fs::path& csv, const std::vector<StampedFrame>& stamp
                 csv.string(), "each frame needs its line");
   frames.numbers.clear();
   frames.times_s.clear();
+  frames.right_late_s.clear();
   for (const auto& stamp : stamps) {
     frames.numbers.push_back(stamp.number);
     frames.times_s.push_back(stamp.t_s);
+    frames.right_late_s.push_back(stamp.right_late_s);
   }
 }
 
@@ -156,6 +171,7 @@ RecordingFrames openFrames(const fs::path& folder) {
   frames.numbers = frames.pairs->numbers();
   for (const std::int64_t number : frames.numbers)
     frames.times_s.push_back(double(number - frames.numbers.front()) / kAssumedRate_hz);
+  frames.right_late_s.assign(frames.times_s.size(), std::nullopt);
   return frames;
 }
 

@@ -3,6 +3,7 @@
 // plays them.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "facenav/capture/recording.h"
@@ -18,6 +19,7 @@ struct RecordingFrames {
   std::unique_ptr<FramePairs> pairs;  // null: the folder has neither image folders nor videos
   std::vector<std::int64_t> numbers;
   std::vector<double> times_s;
+  std::vector<std::optional<double>> right_late_s;  // as many as times_s
   bool has_timestamps = false;
 };
 

@@ -20,6 +20,7 @@ class RecordingSource : public FrameSource {
     frame->right = pair->right;
     frame->number = frames_.numbers[at_];
     frame->captured = {frames_.times_s[at_]};
+    frame->right_late_s = frames_.right_late_s[at_];
     ++at_;
     return frame;
   }

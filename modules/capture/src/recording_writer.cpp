@@ -30,6 +30,15 @@ std::string poseLine(std::int64_t frame, const Eigen::Isometry3d& pose) {
                    p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
 }
 
+/// The column right_t_s only where some frame has it.
+std::string timestampsFile(const std::string& lines, bool has_right_times) {
+  if (has_right_times) return "frame,t_s,right_t_s\n" + lines;
+  std::string without = "frame,t_s\n";
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i] != ',' || lines[i + 1] != '\n') without += lines[i];
+  return without;
+}
+
 const fs::path& withParent(const fs::path& place) {
   const fs::path named = fs::absolute(place / ".").lexically_normal().parent_path();  // "rec/" is "rec"
   std::error_code error;
@@ -49,7 +58,8 @@ struct RecordingWriter::Implementation {
   std::string place_name;
   WholeFolder folder;
   cameras::StereoRig rig;
-  std::string timestamps = "frame,t_s\n", head_truth, coil_truth;
+  std::string timestamps, head_truth, coil_truth;
+  bool has_right_times = false;
   std::optional<std::int64_t> last_number;
   double last_s = 0;
   bool is_closed = false;
@@ -74,7 +84,10 @@ void RecordingWriter::add(const cameras::StereoFrame& frame) {
                  "frame numbers and times must rise");
   writeImage(frame.left, self.path() / "left" / numbered(frame.number));
   writeImage(frame.right, self.path() / "right" / numbered(frame.number));
-  self.timestamps += formatted("%lld,%.9f\n", static_cast<long long>(frame.number), frame.captured.s);
+  self.timestamps += formatted("%lld,%.9f,", static_cast<long long>(frame.number), frame.captured.s);
+  if (frame.right_late_s) self.timestamps += formatted("%.9f", frame.captured.s + *frame.right_late_s);
+  self.timestamps += "\n";
+  self.has_right_times |= frame.right_late_s.has_value();
   self.last_number = frame.number;
   self.last_s = frame.captured.s;
 }
@@ -104,7 +117,7 @@ void RecordingWriter::close() {
   Implementation& self = *implementation_;
   self.requireOpen();
   const std::string header = "frame,tx,ty,tz,qw,qx,qy,qz\n";
-  writeWholeFile(self.path() / "timestamps.csv", self.timestamps);
+  writeWholeFile(self.path() / "timestamps.csv", timestampsFile(self.timestamps, self.has_right_times));
   if (!self.head_truth.empty() || !self.coil_truth.empty()) fs::create_directories(self.path() / "truth");
   if (!self.head_truth.empty()) writeWholeFile(self.path() / "truth" / "head.csv", header + self.head_truth);
   if (!self.coil_truth.empty()) writeWholeFile(self.path() / "truth" / "coil.csv", header + self.coil_truth);

@@ -122,7 +122,8 @@ void writeCaseJson(const CaseJson& content, const std::filesystem::path& path) {
   json["case_id"] = content.case_id;
   if (!content.label.empty()) json["label"] = content.label;
   json["created_utc"] = content.created_utc;
-  json["mri"] = {{"modality", content.modality}, {"orientation_source", content.orientation_source}};
+  if (!content.modality.empty() || !content.orientation_source.empty())
+    json["mri"] = {{"modality", content.modality}, {"orientation_source", content.orientation_source}};
   json["files"] = content.files;
   json["findings"] = content.findings;
   if (content.brain_quality) json["brain_quality"] = toJson(*content.brain_quality);

@@ -22,7 +22,7 @@ fs::path cleaned(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-constexpr char kScalpField[] = "scalp_field.bin";
+constexpr char kScalpField[] = "scalp_field.bin", kMri[] = "mri.nii.gz";
 
 bool isCase(const fs::path& folder) { return fs::is_regular_file(folder / "case.json"); }
 
@@ -30,6 +30,12 @@ bool has(const CaseJson& content, const std::string& file) {
   for (const std::string& name : content.files)
     if (name == file) return true;
   return false;
+}
+
+void requireMri(const CaseStore& store) {
+  if (!store.hasMri())
+    throw Error("this case holds no MRI, only the face as cameras measured it", store.folder().string(),
+                "use it with 'facenav-gui --home' or 'facenav track'");
 }
 
 void requireReplaceable(const fs::path& folder, bool replace) {
@@ -184,6 +190,35 @@ CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared
   return CaseStore(place);
 }
 
+CaseStore CaseStore::createFromFace(const fs::path& folder, const FaceCase& face,
+                                    const std::vector<Provenance>& provenance, bool replace) {
+  const fs::path place = cleaned(folder);
+  try {
+    requireReplaceable(place, replace);
+    const auto old = isCase(place) ? std::optional(readCaseJson(place / "case.json")) : std::nullopt;
+    if (old && has(*old, kMri))
+      throw Error("this case has an MRI: a face does not replace it", place.string(),
+                  "choose another folder");
+    WholeFolder fresh(place, FileAccess::owner_only, Existing::replace);
+    CaseJson content;
+    content.case_id = old ? old->case_id : !face.case_id.empty() ? face.case_id : makeCaseId();
+    content.label = face.label.empty() && old ? old->label : asLabel(face.label);
+    content.created_utc = utcNow();
+    content.files = {"scalp.vtp"};
+    content.findings = face.findings;
+    content.provenance = provenance;
+    surface::writeScalp(face.face, fresh.temporaryPath() / "scalp.vtp");
+    writeCaseJson(content, fresh.temporaryPath() / "case.json");
+    fresh.commit();
+  } catch (const fs::filesystem_error& fault) {
+    throw Error("cannot be written (" + fault.code().message() + ")", place.string(),
+                "check disk space and permissions");
+  }
+  return CaseStore(place);
+}
+
+bool CaseStore::hasMri() const { return has(readCaseJson(folder_ / "case.json"), kMri); }
+
 std::string CaseStore::caseId() const { return readCaseJson(folder_ / "case.json").case_id; }
 std::string CaseStore::label() const { return readCaseJson(folder_ / "case.json").label; }
 std::string CaseStore::createdUtc() const { return readCaseJson(folder_ / "case.json").created_utc; }
@@ -208,14 +243,18 @@ void CaseStore::addProvenance(const Provenance& step) const {
 }
 
 volume::Volume CaseStore::mri() const {
-  volume::Volume mri = volume::readNifti(folder_ / "mri.nii.gz").volume;
+  requireMri(*this);
+  volume::Volume mri = volume::readNifti(folder_ / kMri).volume;
   const CaseJson content = readCaseJson(folder_ / "case.json");
   if (!content.modality.empty()) mri.modality = content.modality;
   if (!content.orientation_source.empty()) mri.orientation_source = content.orientation_source;
   return mri;
 }
 
-volume::Mask CaseStore::headMask() const { return volume::readMask(folder_ / "head_mask.nii.gz"); }
+volume::Mask CaseStore::headMask() const {
+  requireMri(*this);
+  return volume::readMask(folder_ / "head_mask.nii.gz");
+}
 
 std::optional<volume::Mask> CaseStore::brainMask() const {
   if (!has(readCaseJson(folder_ / "case.json"), "brain_mask.nii.gz")) return std::nullopt;

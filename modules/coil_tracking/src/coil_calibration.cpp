@@ -8,6 +8,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/geometry/median_pose.h"
 #include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
@@ -24,27 +25,6 @@ Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const auto& pose : poses) sum += pose.linear();
   return nearestRotation(sum);
-}
-
-/// The rotation with the least sum of angles to all (Hartley, Aftab and Trumpf 2011, by Weiszfeld steps):
-/// fewer than half of the poses cannot move it far.
-Eigen::Matrix3d medianRotation(const std::vector<Eigen::Isometry3d>& poses) {
-  constexpr int kMostSteps = 50;
-  constexpr double kLeastAngle_rad = 1e-6, kSettled_rad = 1e-7;
-  Eigen::Matrix3d median = meanRotation(poses);
-  for (int step = 0; step < kMostSteps; ++step) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double weights = 0;
-    for (const auto& pose : poses) {
-      const Eigen::Vector3d turn = logRotation(median.transpose() * pose.linear());
-      const double weight = 1 / std::max(kLeastAngle_rad, turn.norm());
-      sum += weight * turn, weights += weight;
-    }
-    const Eigen::Vector3d turn = sum / weights;
-    median = median * expRotation(turn);
-    if (turn.norm() < kSettled_rad) break;
-  }
-  return median;
 }
 
 Eigen::Isometry3d meanPose(const std::vector<Eigen::Isometry3d>& poses) {
@@ -126,7 +106,9 @@ CoilCalibration calibrateWithJig(const std::vector<JigObservation>& observations
     z.push_back(pose.translation().z());
   }
   const Eigen::Vector3d middle(upperMedian(x), upperMedian(y), upperMedian(z));
-  const Eigen::Matrix3d turned = medianRotation(poses);
+  std::vector<Eigen::Matrix3d> rotations;
+  for (const auto& pose : poses) rotations.push_back(pose.linear());
+  const Eigen::Matrix3d turned = medianRotation(rotations);
   const auto kept = withoutOutliers(poses, [&](const Eigen::Isometry3d& pose) {
     return (pose.translation() - middle).norm() + 100 * rotationAngle(turned.transpose() * pose.linear());
   });
@@ -192,19 +174,25 @@ CoilCalibration calibrateWithPivots(const Pivot& centre, const Pivot& handle, co
 }
 
 void writeCalibratedCoil(CoilModel coil, const CoilCalibration& calibration,
-                         const std::filesystem::path& path) {
+                         const std::filesystem::path& path, const std::filesystem::path& source) {
   FACENAV_EXPECT(!coil.markers.empty(), "a coil needs a marker");
+  using Json = nlohmann::ordered_json;
+  const Json before = source.empty() ? Json::object() : Json::parse(readWholeFile(source));
   const auto old_marker_T_coil = coil.markers.front().coil_T_marker.inverse();
   for (MarkerModel& marker : coil.markers)  // first marker -> this marker stays as it was
     marker.coil_T_marker = calibration.marker_T_coil.inverse() * (old_marker_T_coil * marker.coil_T_marker);
   writeCoil(coil, path);
-  auto json = nlohmann::ordered_json::parse(readWholeFile(path));
+  Json json = Json::parse(readWholeFile(path));
+  for (const auto& [key, value] : before.items())
+    if (!json.contains(key) && key != "marker" && key != "marker_T_coil" && key != "markers")
+      json[key] = value;
   json["calibration"] = {{"method", calibration.method},
                          {"rms_mm", calibration.rms_mm},
                          {"sigma_mm", calibration.sigma_mm},
                          {"sigma_deg", calibration.sigma_deg},
                          {"frames", calibration.used}};
-  writeWholeFile(path, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  if (!calibration.utc.empty()) json["calibration"]["utc"] = calibration.utc;
+  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace facenav::coil_tracking

@@ -106,6 +106,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
 
 CoilResult MarkerCoilTracker::track(const cameras::StereoFrame& frame, const CoilContext& context) {
   FACENAV_EXPECT(!setup_.patterns.empty(), "track() before start()");
+  if (context.right_T_left) right_T_left_ = *context.right_T_left;
   right_late_s_ = context.exposure_offset.right_late_s;
   right_late_sigma_s_ = context.exposure_offset.sigma_s;
   work_ = context.work_before;

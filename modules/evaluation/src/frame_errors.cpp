@@ -134,4 +134,10 @@ double jitter_mm(const RunRecord& run) {
   return std::sqrt(squares / double(places.size() - 1));
 }
 
+std::optional<std::size_t> cameraNoticedAt(const RunRecord& run) {
+  for (std::size_t i = 0; i < run.frames.size(); ++i)
+    if (run.frames[i].is_camera_noticed) return i;
+  return std::nullopt;
+}
+
 }  // namespace facenav::evaluation

@@ -118,6 +118,18 @@ GoalRow boundGoal(const std::vector<Measured>& all, const std::string& from) {
           formatted("%zu captures", errors.mm.size())};
 }
 
+/// A camera that turned about its vertical axis leaves every match on its epipolar line.
+GoalRow turnedGoal(const std::vector<Measured>& all) {
+  const auto errors = alignmentErrors(
+      all, [](const RunRecord& run) { return run.from.find("turned sideways") != std::string::npos; });
+  const int accepted = int(errors.mm.size()), outside = accepted - errors.inside;
+  return {"aligned with a camera turned sideways by 0.05-0.3 deg: outside the stated bound", "0",
+          formatted("%d of %d accepted, max %.2f mm; %d refused", outside, accepted, summarise(errors.mm).max,
+                    errors.refused),
+          verdictOf(outside == 0, accepted + errors.refused > 0),
+          formatted("%d attempts", accepted + errors.refused)};
+}
+
 /// One patient aligned in several ways: errors and bound of each, and what must be refused.
 void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
   int tried = 0, accepted = 0;
@@ -132,6 +144,7 @@ void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
                                  "median <= 0.5, max <= 1.0 mm, <= 0.5 deg"));
     rows.push_back(boundGoal(all, from));
   }
+  rows.push_back(turnedGoal(all));
   rows.push_back({"aligned from a plain pair: another's scan, a mirrored one, moved cameras", "0",
                   formatted("%d of %d", accepted, tried), verdictOf(accepted == 0, tried > 0),
                   formatted("%d attempts", tried)});
@@ -266,6 +279,43 @@ GoalRow neverShownGoal(const char* quantity, const std::vector<Measured>& all, c
           basis(runs, frames)};
 }
 
+/// Time (s) from a turn of 0.05 deg to the frame that says so; 0: it was said before. Nothing: it was not
+/// said, or the camera did not turn so far.
+std::optional<double> lateBy_s(const RunRecord& run) {
+  constexpr double kSeen_deg = 0.05;
+  const auto noticed = cameraNoticedAt(run);
+  if (!noticed) return std::nullopt;
+  for (const auto& frame : run.frames)
+    if (frame.truth.camera_turn_deg >= kSeen_deg) return std::max(0.0, run.frames[*noticed].t_s - frame.t_s);
+  return std::nullopt;
+}
+
+/// A camera that turns or shifts on its mount during the session.
+GoalRow driftGoal(const std::vector<Measured>& all) {
+  int runs = 0, unnoticed = 0;
+  std::size_t wrong = 0, frames = 0;
+  double late_s = 0.0, turn_deg = 0.0, loss_s = 0.0;
+  for (const auto& one : all) {
+    if (one.run->scenario.rfind("drift", 0) != 0 || one.run->frames.empty()) continue;
+    ++runs, frames += one.run->frames.size();
+    for (const auto& frame : one.frames) wrong += frame.is_head_wrong || frame.is_coil_wrong;
+    loss_s = std::max(loss_s, longestLoss_s(*one.run));
+    late_s = std::max(late_s, lateBy_s(*one.run).value_or(0.0));
+    if (const auto noticed = cameraNoticedAt(*one.run))
+      turn_deg = std::max(turn_deg, one.run->frames[*noticed].truth.camera_turn_deg);
+    else
+      ++unnoticed;
+  }
+  return {
+      "a camera moves on its mount: wrong poses, when noticed",
+      "0 wrong; 0.05 deg noticed within 1 s; no loss > 0.2 s",
+      formatted("%zu wrong; noticed at %.3f deg or before, at most %.2f s after 0.05 deg, not in %d runs; "
+                "longest loss %.2f s",
+                wrong, turn_deg, late_s, unnoticed, loss_s),
+      verdictOf(wrong == 0 && unnoticed == 0 && late_s <= 1.0 && loss_s <= 0.2, runs > 0),
+      basis(runs, frames)};
+}
+
 GoalRow timeGoal(const std::vector<Measured>& all) {
   std::vector<double> both, head, coil;
   for (const auto& one : all)
@@ -309,6 +359,7 @@ std::vector<GoalRow> judge(const std::vector<RunRecord>& runs) {
   rows.push_back(relativeGoal(all));
   for (const char* scenario : {"talking", "occlusion", "lighting", "glint", "mask", "mask_on"})
     rows.push_back(disturbanceGoal(all, scenario));
+  rows.push_back(driftGoal(all));
   rows.push_back(wrongGoal(all));
   rows.push_back(foundAgainGoal(all));
   rows.push_back(

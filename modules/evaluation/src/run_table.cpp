@@ -126,7 +126,7 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
   csv.precision(6);
   csv << "scenario,head,rig,seed,failure";
   for (const auto& [name, ignored] : figuresOf(RunRecord{})) csv << ',' << name;
-  csv << ",from,must_be_refused\n";
+  csv << ",from,must_be_refused,right_turn_deg,right_turn_sigma_deg,camera_noticed_deg\n";
   for (const RunRecord& run : runs) {
     const std::string failure = run.failure.empty() && run.alignment ? run.alignment->refusal : run.failure;
     csv << quotedIfNeeded(run.scenario) << ',' << quoted(run.head) << ',' << quoted(run.rig) << ','
@@ -135,7 +135,14 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
       csv << ',';
       if (std::isfinite(value)) csv << value;
     }
-    csv << ',' << run.from << ',' << (run.must_be_refused ? "1" : "") << '\n';
+    csv << ',' << run.from << ',' << (run.must_be_refused ? "1" : "") << ',';
+    if (run.alignment && run.alignment->turn_deg)
+      csv << *run.alignment->turn_deg << ',' << run.alignment->turn_sigma_deg;
+    else
+      csv << ',';
+    csv << ',';
+    if (const auto noticed = cameraNoticedAt(run)) csv << run.frames[*noticed].truth.camera_turn_deg;
+    csv << '\n';
   }
   return csv.str();
 }

@@ -45,6 +45,27 @@ std::vector<Change> readChanges(const JsonReader& json) {
   return changes;
 }
 
+ExpertPose readExpert(const JsonReader& json) {
+  ExpertPose expert;
+  expert.session = json.at("session").text();
+  expert.pulses = json.at("pulses").integer();
+  expert.spread_mm = json.at("spread_mm").number();
+  expert.spread_deg = json.at("spread_deg").number();
+  if (json.has("predicted_error_mm")) expert.predicted_error_mm = json.at("predicted_error_mm").number();
+  if (json.has("coil")) expert.coil = json.at("coil").text();
+  return expert;
+}
+
+Json toJson(const ExpertPose& expert) {
+  Json json{{"session", expert.session},
+            {"pulses", expert.pulses},
+            {"spread_mm", expert.spread_mm},
+            {"spread_deg", expert.spread_deg}};
+  if (expert.predicted_error_mm > 0) json["predicted_error_mm"] = expert.predicted_error_mm;
+  if (!expert.coil.empty()) json["coil"] = expert.coil;
+  return json;
+}
+
 /// The members that older files lack.
 void readRecord(const JsonReader& json, Target& target) {
   if (json.has("lift_mm")) target.lift_mm = json.at("lift_mm").number();
@@ -52,6 +73,7 @@ void readRecord(const JsonReader& json, Target& target) {
   if (json.has("dose")) target.dose = readDose(json.at("dose"));
   if (json.has("grid")) target.grid = readGrid(json.at("grid"));
   if (json.has("grid_place")) target.grid_place = readGridPlace(json.at("grid_place"));
+  if (json.has("expert")) target.expert = readExpert(json.at("expert"));
   if (json.has("changes")) target.changes = readChanges(json.at("changes"));
 }
 
@@ -76,6 +98,7 @@ void writeRecord(const Target& target, Json& json) {
   setOrErase(json, "locked", target.is_locked ? Value(true) : std::nullopt);
   setOrErase(json, "dose", target.dose ? Value(doseJson(*target.dose)) : std::nullopt);
   setOrErase(json, "grid", target.grid ? Value(toJson(*target.grid)) : std::nullopt);
+  setOrErase(json, "expert", target.expert ? Value(toJson(*target.expert)) : std::nullopt);
   Value place, changes;
   if (const auto& p = target.grid_place)
     place = Json{{"seed", p->seed}, {"row", p->row}, {"column", p->column}};

@@ -87,7 +87,10 @@ std::optional<float> DriftCheck::SkinMap::at(const Eigen::Vector2d& px) const {
 DriftCheck::DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
                        const head_tracking::HeadReference& reference,
                        const RigidTransform<Camera, Mri>& camera_T_mri)
-    : rig_(rig), scalp_(std::move(scalp)), mri_T_head_(camera_T_mri.isometry().inverse()) {
+    : rig_(rig),
+      right_T_left_(rig.right_T_left),
+      scalp_(std::move(scalp)),
+      mri_T_head_(camera_T_mri.isometry().inverse()) {
   FACENAV_EXPECT(scalp_ != nullptr, "a scalp is needed");
   skin_.columns = rig.width_px / kCell_px + 1, skin_.rows = rig.height_px / kCell_px + 1;
   std::vector<std::pair<double, int>> sums(std::size_t(skin_.columns) * std::size_t(skin_.rows));
@@ -135,7 +138,7 @@ std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const cameras::StereoFra
   stereo::FaceCloud face;
   try {
     TaskMonitor monitor;
-    face = stereo::measureFace(rig_, frame, options, monitor);
+    face = stereo::measureFace(rigNow(), frame, options, monitor);
   } catch (const Error&) {  // too little texture or too dark: no answer
     return samples;
   }
@@ -195,6 +198,18 @@ std::optional<DriftCheck::Offset> DriftCheck::offsetOf(const std::vector<Sample>
   offset.covariance = sums.covariance();
   offset.points = sums.used;
   return offset;
+}
+
+void DriftCheck::moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) {
+  const std::lock_guard lock(moving_);
+  right_T_left_ = right_T_left;
+}
+
+cameras::StereoRig DriftCheck::rigNow() const {
+  cameras::StereoRig rig = rig_;
+  const std::lock_guard lock(moving_);
+  rig.right_T_left = right_T_left_;
+  return rig;
 }
 
 DriftFinding DriftCheck::measure(const cameras::StereoFrame& frame,

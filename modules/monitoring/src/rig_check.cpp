@@ -57,6 +57,7 @@ std::optional<RigFault> RigCheck::fault() const {
     return RigFault{head_tracking::LossDetail::cameras_moved,
                     "the coil's marker is not measured at its printed size: a camera has turned since the "
                     "calibration, or coil.json names another size: measure the print, or calibrate again"};
+  if (const auto moved = drift_.fault()) return moved;
   if (!verdict_.hasMoved()) return std::nullopt;
   const bool is_clear = verdict_.statistic > kClearStatistic || verdict_.contradiction > kClearContradiction;
   if (has_fitted_ && !is_clear) return std::nullopt;
@@ -83,7 +84,21 @@ void RigCheck::add(const cameras::StereoFrame& frame, const Tracked<head_trackin
     next_feature_ += 7;  // other features next time
     monitor_.add(points);
   }
+  head ? drift_.add(frame.captured, *head) : drift_.addWithoutFace(frame.captured);
+  followDrift();
   if (frames_++ % (is_first ? kFirstInterval : kLaterInterval) == 0) verdict_ = monitor_.verdict();
+}
+
+/// What the monitor gathered with the cameras as they stood before says nothing about the corrected ones.
+void RigCheck::followDrift() {
+  constexpr double kSame_rad = 0.01 * kRadPerDeg, kSame_mm = 0.1;
+  if (!drift_.isCorrected()) return;
+  const Eigen::Isometry3d now = drift_.right_T_left().isometry(),
+                          step = now * rig_.right_T_left.isometry().inverse();
+  if (rotationAngle(step.linear()) < kSame_rad && step.translation().norm() < kSame_mm) return;
+  rig_.right_T_left = drift_.right_T_left();
+  monitor_ = cameras::RigMonitor(rig_);
+  verdict_ = {};
 }
 
 }  // namespace facenav::monitoring

@@ -27,13 +27,18 @@ json coilJson(const RoomCoil& coil) {
 }
 
 json frameJson(const GroundTruth& truth) {
-  return {{"frame", truth.frame},
-          {"label", truth.label},
-          {"face_visible_fraction", truth.face_visible_fraction},
-          {"is_patient_there", truth.is_patient_there},
-          {"must_be_lost", truth.must_be_lost},
-          {"is_out_of_step", truth.is_out_of_step},
-          {"jaw_mm", truth.jaw_mm}};
+  json frame{{"frame", truth.frame},
+             {"label", truth.label},
+             {"face_visible_fraction", truth.face_visible_fraction},
+             {"is_patient_there", truth.is_patient_there},
+             {"must_be_lost", truth.must_be_lost},
+             {"is_out_of_step", truth.is_out_of_step},
+             {"jaw_mm", truth.jaw_mm}};
+  const auto numbers = [](const Eigen::Vector3d& v) { return json{v.x(), v.y(), v.z()}; };
+  if (truth.right_moved.isZero()) return frame;
+  frame["right_turn_deg"] = numbers(kDegPerRad * truth.right_moved.head<3>());
+  frame["right_shift_mm"] = numbers(truth.right_moved.tail<3>());
+  return frame;
 }
 
 struct JsonVisitor {

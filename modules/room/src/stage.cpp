@@ -54,7 +54,8 @@ bool Cast::operator==(const Cast& other) const {
          ambient_scale == other.ambient_scale && lamp_shift_mm == other.lamp_shift_mm && dots == other.dots &&
          shown.data == other.shown.data && wetness == other.wetness && gloss == other.gloss &&
          has_mask == other.has_mask && stranger == other.stranger && jaw_mm == other.jaw_mm &&
-         lids == other.lids && expression == other.expression && hair == other.hair;
+         lids == other.lids && expression == other.expression && hair == other.hair &&
+         right_moved.matrix() == other.right_moved.matrix();
 }
 
 struct Stage::Implementation {
@@ -97,6 +98,14 @@ struct Stage::Implementation {
              CameraRays(r.right, r.width_px, r.height_px, r.right_T_left.isometry())},
         renderers{Renderer(rays[0], renderBackdrop(rays[0], camera_T_room.inverse().isometry(), kWall_mm)),
                   Renderer(rays[1], renderBackdrop(rays[1], camera_T_room.inverse().isometry(), kWall_mm))} {}
+
+  /// Only a camera that moved: a rendered wall takes some tens of milliseconds.
+  void moveRight(const Cast& cast) {
+    const Eigen::Isometry3d right_T_world = cast.right_moved * rig.right_T_left.isometry();
+    if (rays[1].camera_T_world().matrix() == right_T_world.matrix()) return;
+    rays[1].moveTo(right_T_world);
+    renderers[1].setBackdrop(renderBackdrop(rays[1], camera_T_room.inverse().isometry(), kWall_mm));
+  }
 
   int add(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look) {
     looks.push_back(std::move(look));
@@ -198,6 +207,7 @@ void Stage::set(const Cast& cast) {
   if (all.shown && *all.shown == cast) return;
   all.shown = cast;
   all.views = {};
+  all.moveRight(cast);
   if (all.face.set(cast.jaw_mm, cast.lids, cast.expression, cast.hair))
     all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());

@@ -37,6 +37,8 @@ struct Cast {
   double jaw_mm = 0.0, lids = 0.0;  // how far the chin is lowered; 0 eyes open .. 1 closed
   Expression expression;            // of the person present
   HairPose hair;                    // of the person present
+  /// Motion of the right camera on its mount since the calibration, in its own frame: moved from calibrated.
+  Eigen::Isometry3d right_moved = Eigen::Isometry3d::Identity();
 
   /// The same in every detail: gives the same images.
   bool operator==(const Cast& other) const;

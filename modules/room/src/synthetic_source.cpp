@@ -99,6 +99,7 @@ struct SyntheticSource::Implementation {
     now.is_out_of_step = moment.right_behind != 0.0;
     now.must_be_lost = !is_shown || now.face_visible_fraction < 0.05 || now.is_out_of_step;
     now.jaw_mm = moment.cast.jaw_mm;
+    now.right_moved << logRotation(moment.cast.right_moved.linear()), moment.cast.right_moved.translation();
     return now;
   }
 };

@@ -9,6 +9,7 @@ namespace {
 class BetSegmenter : public Segmenter {
  public:
   SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const override {
+    requireMr(volume);
     requireBrainScan(volume);
     monitor.report("looking for the brain", 0);
     const volume::Volume working = workingVolume(volume, 1.0), coarse = halved(working);

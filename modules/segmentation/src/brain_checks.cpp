@@ -56,8 +56,11 @@ std::array<double, 6> areaAtEdges_mm2(const Mask& brain) {
 
 }  // namespace
 
-void requireBrainScan(const volume::Volume& volume) {
+void requireMr(const volume::Volume& volume) {
   if (volume.modality == "CT") noBrain("this is a CT, in which grey and white matter look alike");
+}
+
+void requireBrainScan(const volume::Volume& volume) {
   const Eigen::Vector3d h = volume.grid.spacing_mm();
   for (int a = 0; a < 3; ++a)
     if (volume.grid.size[a] * h[a] < anatomy::kScanOfBrain.low)

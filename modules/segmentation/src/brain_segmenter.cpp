@@ -5,6 +5,7 @@
 #include "brain_checks.h"
 #include "brain_start.h"
 #include "contrast_seen.h"
+#include "ct_brain.h"
 #include "facenav/core/error.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/segmentation/segmenter.h"
@@ -25,6 +26,7 @@ struct Found {
   std::vector<BoundaryDoubt> doubts;
   BetSphere sphere;
   std::vector<std::string> warnings;
+  std::string contrast = {};
 };
 
 Found byGrowthAlone(const Volume& working, const Volume& scan, TaskMonitor& monitor) {
@@ -48,8 +50,8 @@ void raiseDoubts(std::vector<BoundaryDoubt>& doubts, const Mask& other) {
   }
 }
 
-bool isLikeT1(const Volume& working, const BrainPrior& prior) {
-  return contrastSeen(volume::resample(working, prior.brain.grid), prior.brain, prior.fluid).isLikeT1();
+ContrastSeen contrastOf(const Volume& working, const BrainPrior& prior) {
+  return contrastSeen(volume::resample(working, prior.brain.grid), prior.brain, prior.fluid);
 }
 
 double agreement(const Mask& grown, const RefinedPrior& refined) {
@@ -74,14 +76,39 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
   }
 }
 
-Found byPrior(RefinedPrior refined, const BetSphere& sphere, bool is_like_t1) {
+Found byPrior(RefinedPrior refined, const BetSphere& sphere, const ContrastSeen& seen) {
   Found found{std::move(refined.mask), std::move(refined.doubts), sphere, {}};
-  if (!is_like_t1)
+  if (!seen.isLikeT1())
     for (auto& doubt : found.doubts) doubt.doubt_mm *= float(settingsOf<PriorUse>().doubt_other_contrast);
   found.warnings.push_back(
-      is_like_t1 ? "grey and white matter alone do not give the brain's outline: check it"
-                 : "this scan does not look like a T1: the brain's outline is less sure; a T1-weighted MR of "
-                   "the whole head is better");
+      seen.isLikeT1()
+          ? "grey and white matter alone do not give the brain's outline: check it"
+          : "this scan does not look like a T1 but like " + seen.inWords() +
+                ": the brain's outline is less sure; a T1-weighted MR of the whole head is better");
+  return found;
+}
+
+/// In a CT: the prior's outline within the skull.
+Found inCt(const Volume& ct, TaskMonitor& monitor) {
+  const InstalledPrior& installed = installedPrior();
+  if (!installed.network) requireMr({ct.grid, {}, "CT", {}});
+  const Volume working = workingVolume(softTissueWindow(ct), 1.0);
+  const auto prior = findBrainPrior(*installed.network, working);
+  if (!prior)
+    throw Error("no brain can be modelled: nothing in this CT looks like one (a phantom, another part of the "
+                "body, or a face alone)",
+                {}, "a T1-weighted MR of the whole head is needed");
+  monitor.report("fitting the brain's outline", 0.6);
+  const PriorUse& use = settingsOf<PriorUse>();
+  RefinedPrior refined = refinedPrior(working, *prior, use);
+  requireSkullAround(ct, refined.mask);
+  const Ball ball = ballLike(refined.mask);
+  Found found{withinSkull(ct, refined.mask), std::move(refined.doubts), {ball.centre_mm, ball.radius_mm}, {}};
+  for (auto& doubt : found.doubts) doubt.doubt_mm *= float(use.doubt_other_contrast);
+  found.warnings.push_back(
+      "this is a CT, in which grey and white matter look alike: the brain's outline is the learned prior's, "
+      "within the skull, and sure to some millimetres only; a T1-weighted MR of the whole head is better");
+  found.contrast = "CT";
   return found;
 }
 
@@ -92,14 +119,29 @@ Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& pri
   const Ball ball = ballLike(refined.mask);
   const BetSphere sphere{ball.centre_mm, ball.radius_mm};
   requireTissueSpread(halved(working), sphere);
-  const bool is_like_t1 = isLikeT1(working, prior);
-  if (is_like_t1) {
+  const ContrastSeen seen = contrastOf(working, prior);
+  const auto named = [&](Found found) {
+    found.contrast = seen.inWords();
+    return found;
+  };
+  if (seen.isLikeT1()) {
     const auto by_head = [&] { return startFromHead(working, monitor); };
-    if (auto found = grownAlike(by_head, refined, scan, monitor)) return std::move(*found);
+    if (auto found = grownAlike(by_head, refined, scan, monitor)) return named(std::move(*found));
     const auto by_prior = [&] { return startFromOutline(working, refined.mask, use.search_mm); };
-    if (auto found = grownAlike(by_prior, refined, scan, monitor)) return std::move(*found);
+    if (auto found = grownAlike(by_prior, refined, scan, monitor)) return named(std::move(*found));
   }
-  return byPrior(std::move(refined), sphere, is_like_t1);
+  return named(byPrior(std::move(refined), sphere, seen));
+}
+
+Found inMr(const Volume& volume, TaskMonitor& monitor) {
+  const Volume working = workingVolume(volume, 1.0);
+  const InstalledPrior& installed = installedPrior();
+  std::optional<BrainPrior> prior;
+  if (installed.network) prior = findBrainPrior(*installed.network, working);
+  monitor.report("looking for the brain", 0.4);
+  Found found = prior ? withPrior(working, volume, *prior, monitor) : byGrowthAlone(working, volume, monitor);
+  if (!installed.network) found.warnings.push_back("without the learned brain prior: " + installed.fault);
+  return found;
 }
 
 class BrainSegmenter : public Segmenter {
@@ -107,17 +149,11 @@ class BrainSegmenter : public Segmenter {
   SegmentationResult segment(const Volume& volume, TaskMonitor& monitor) const override {
     requireBrainScan(volume);
     monitor.report("looking for the brain", 0);
-    const Volume working = workingVolume(volume, 1.0);
-    const InstalledPrior& installed = installedPrior();
-    std::optional<BrainPrior> prior;
-    if (installed.network) prior = findBrainPrior(*installed.network, working);
-    monitor.report("looking for the brain", 0.4);
-    Found found =
-        prior ? withPrior(working, volume, *prior, monitor) : byGrowthAlone(working, volume, monitor);
-    if (!installed.network) found.warnings.push_back("without the learned brain prior: " + installed.fault);
+    Found found = isCt(volume) ? inCt(volume, monitor) : inMr(volume, monitor);
     SegmentationResult result;
     result.mask = onScanGrid(found.mask, volume.grid);
     result.doubts = std::move(found.doubts);
+    result.contrast = std::move(found.contrast);
     result.warnings = checkBrain(result.mask, found.sphere);
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     return result;

@@ -15,6 +15,7 @@ using volume::Volume;
 constexpr float kRim_mm = 5, kDeep_mm = 10, kDeepest_mm = 25;
 constexpr int kShadingPasses = 60;             // of 1-2-1 on 2 mm: sigma 11 mm
 constexpr float kBrain = 0.5f, kFluid = 0.4f;  // few voxels of 4 mm hold fluid alone
+constexpr double kBrightFluid = 1.15;
 constexpr double kWhiteAboveGrey = 1.02, kFluidBelowGrey = 0.95, kInverted = 0.98;
 
 double medianOf(std::vector<float> values) { return values.empty() ? 0 : upperMedian(std::move(values)); }
@@ -39,6 +40,13 @@ bool ContrastSeen::isLikeT1() const {
 }
 
 bool ContrastSeen::isInverted() const { return deep_to_rim < kInverted; }
+
+std::string ContrastSeen::inWords() const {
+  if (isLikeT1()) return "T1";
+  if (fluid_to_rim > kBrightFluid) return "T2 (fluid is brighter than the brain)";
+  if (fluid_to_rim < kFluidBelowGrey) return "FLAIR (white matter is darker than grey, fluid is dark)";
+  return "proton density (fluid and brain are alike)";
+}
 
 ContrastSeen contrastSeen(const Volume& coarse, const Volume& brain, const Volume& fluid) {
   Mask inside{brain.grid, std::vector<std::uint8_t>(brain.voxels.size())};

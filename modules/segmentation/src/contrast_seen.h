@@ -2,6 +2,8 @@
 // Which contrast a scan shows, by the brain within a first mask: in a T1 the white matter, which lies deeper
 // than the cortex, is brighter than it, and fluid is the darkest.
 
+#include <string>
+
 #include "facenav/volume/volume.h"
 
 namespace facenav::segmentation {
@@ -11,6 +13,8 @@ struct ContrastSeen {
   double fluid_to_rim = 1;  // of the fluid around it
   bool isLikeT1() const;
   bool isInverted() const;  // white matter is darker than grey: no T1
+  /// "T1", "T2 (fluid is brightest)", "FLAIR (..)", "PD (..)": the weighting that looks most like it.
+  std::string inWords() const;
 };
 
 /// `coarse`: RAS, voxels of about 2 mm, air 0; `brain`, `fluid`: probabilities on its grid.

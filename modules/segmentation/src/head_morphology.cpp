@@ -10,6 +10,10 @@ namespace {
 
 using volume::Mask;
 
+constexpr double kNarrowOpening_mm = 4.0;  // ear canals, nostrils: closed with a ball of this radius
+constexpr int kMostOpenDirections =
+    4;  // of 26: a voxel that sees the outside in at most this many lies in a cavity
+
 /// Calls visit(neighbour index) for the 6 neighbours within the grid.
 template <class Visit>
 void forNeighbours(const Mask& mask, std::size_t v, Visit&& visit) {
@@ -123,6 +127,17 @@ Mask fillOccluded(const Mask& mask, int most_open) {
   Mask filled = mask;
   for (std::size_t v = 0; v < filled.voxels.size(); ++v) filled.voxels[v] |= open_directions[v] <= most_open;
   return filled;
+}
+
+Mask withoutCavities(const Mask& tissue) {
+  const Mask closed = close(fillOccluded(tissue, kMostOpenDirections), kNarrowOpening_mm);
+  const Mask filled = fillCavities(closed);
+  Mask cavities = filled;
+  for (std::size_t v = 0; v < cavities.voxels.size(); ++v)
+    cavities.voxels[v] = filled.voxels[v] && !closed.voxels[v];
+  Mask plugs = dilate(cavities, kNarrowOpening_mm + tissue.grid.spacing_mm().maxCoeff());
+  for (std::size_t v = 0; v < plugs.voxels.size(); ++v) plugs.voxels[v] = plugs.voxels[v] && filled.voxels[v];
+  return fillCavities(fillOccluded(unionOf(plugs, tissue), kMostOpenDirections));
 }
 
 }  // namespace facenav::segmentation

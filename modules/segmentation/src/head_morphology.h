@@ -15,5 +15,8 @@ volume::Mask fillCavities(const volume::Mask& mask);
 /// Adds voxels that see the outside in at most `most_open` of the 26 grid directions: sinuses, nostrils, ear
 /// canals, and the dark bone under a scalp whose face was cut off.
 volume::Mask fillOccluded(const volume::Mask& mask, int most_open);
+/// Tissue plus the cavities within it. Filled creases of the outer surface (between ear and head, beside the
+/// nose) are removed again.
+volume::Mask withoutCavities(const volume::Mask& tissue);
 
 }  // namespace facenav::segmentation

@@ -115,6 +115,17 @@ std::string inWords(const AlignmentTry& tried) {
   return inWords(tried.from) + " would give " + fixed(*tried.predicted_mm, 2) + " mm";
 }
 
+/// A case without an MRI has a stored face in its place.
+std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
+  if (store.hasMri()) return words;
+  for (const char* mri : {"this is the patient's own MRI", "this MRI", "the MRI", "this scan", "the scan"})
+    for (std::size_t at; (at = words.find(mri)) != std::string::npos;)
+      words.replace(at, std::string(mri).size(),
+                    std::string(mri).rfind("this is", 0) == 0 ? "this is the person whose face is stored"
+                                                              : "the stored face");
+  return words;
+}
+
 }  // namespace
 
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
@@ -160,12 +171,14 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
       if (!first_error) first_error = error;
       now.refusal = error.what();
     } catch (const Error& error) {
+      const std::string words = inWordsOf(store, error.what());
+      if (!best && words != error.what()) throw Error(words);
       // Another head, or moved cameras: no other pictures of them may be accepted instead.
       if (!best) throw;
       now.refusal = error.what();
     }
   }
-  if (!best && first_error) throw *first_error;
+  if (!best && first_error) throw Error(inWordsOf(store, first_error->what()));
   if (!best)
     throw Error("not aligned: the recording has no capture/ pair with projected dots",
                 recording.folder.string(),

@@ -6,7 +6,9 @@
 #include <future>
 
 #include "camera_doubts.h"
+#include "dotted_face.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
@@ -15,26 +17,19 @@
 namespace facenav::workflow {
 namespace {
 
-/// The face's box, enlarged to include forehead, chin and temples; nothing if no face was found.
-std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
-  if (!face.left) return std::nullopt;
-  const cv::Rect& box = face.left->face;
-  const int grow_x = box.width / 2, grow_y = int(0.6 * box.height);
-  const cv::Rect grown(box.x - grow_x, box.y - grow_y, box.width + 2 * grow_x, box.height + 2 * grow_y);
-  const cv::Rect inside = grown & cv::Rect(0, 0, rig.width_px, rig.height_px);
-  if (inside.area() <= 0) return std::nullopt;
-  return inside;
-}
+constexpr const char* kSparseWords =
+    "the dots lie too far apart to measure the skin between them: the plain pair was measured; project dense "
+    "dots";
 
-stereo::FaceCloudOptions measuringOptions(const FaceInSpace& face, const cameras::StereoRig& rig,
-                                          const std::string& matcher) {
-  stereo::FaceCloudOptions options = stereo::dottedFaceOptions(matcher);
-  options.left_roi = region(face, rig);
-  if (face.centre) {
-    options.nearest_mm = std::max(100.0, face.centre->mm.z() - 180.0);
-    options.farthest_mm = face.centre->mm.z() + 220.0;
-  }
-  return options;
+/// The right camera, turning across its view of the face and the baseline.
+std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoRig& rig,
+                                                          const PointCloud<Camera>& face) {
+  if (face.empty()) return std::nullopt;
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const auto& p : face.points_mm) middle_mm += p / double(face.size());
+  const Eigen::Vector3d centre_mm = rig.right_T_left.isometry().inverse().translation();
+  return registration::TurnableCamera{Point<Camera>(centre_mm),
+                                      Direction<Camera>(middle_mm.cross(centre_mm).normalized())};
 }
 
 /// What is known of the face before it is fitted.
@@ -43,6 +38,7 @@ registration::AlignmentStart startOf(const cameras::StereoRig& rig, const Alignm
   const FaceError error = faceErrorOf(rig, outcome.face);
   start.shared_depth_sigma_mm = error.whole_mm;
   start.sight = error.sight;
+  start.right = turnableRight(rig, outcome.face.cloud);
   return start;
 }
 
@@ -100,9 +96,18 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
   if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(plain, outcome.face, outcome.result);
+  outcome.skin = std::make_shared<const surface::ScalpSurface>(setup.scalp);
   for (const auto& target : setup.targets) {
-    outcome.predicted_tre_mm[target.name] = outcome.result.predictedError_mm(target.cortex_point);
-    outcome.predicted_tre_p95_mm[target.name] = outcome.result.errorBound_mm(target.cortex_point);
+    // The coil rests on the skin as the MRI shows it: where that is unsure, so is its place.
+    constexpr double kUnsure_mm = 0.5, kBound = 1.96;
+    const double skin_mm = surface::skinDoubtUnder_mm(setup.scalp, target.scalp_point);
+    outcome.predicted_tre_mm[target.name] = outcome.predictedError_mm(target);
+    outcome.predicted_tre_p95_mm[target.name] =
+        std::hypot(outcome.result.errorBound_mm(target.cortex_point), kBound * skin_mm);
+    if (skin_mm > kUnsure_mm)
+      outcome.result.cautions.push_back(formatted(
+          "the skin at %s is unsure by %.1f mm (pads or haze in the scan): check the coil's gap there",
+          target.name.c_str(), skin_mm));
   }
 }
 
@@ -126,6 +131,11 @@ registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {
   skin.field_of_view = scalp.field_of_view;
   skin.has_face = scalp.has_face;
   return skin;
+}
+
+double AlignmentOutcome::predictedError_mm(const guidance::Target& target) const {
+  const double skin_mm = skin ? surface::skinDoubtUnder_mm(*skin, target.scalp_point) : 0.0;
+  return std::hypot(result.predictedError_mm(target.cortex_point), skin_mm);
 }
 
 double AlignmentOutcome::worstPredicted_mm() const {
@@ -156,26 +166,25 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
                                   AlignedFrom from, const AlignmentSetup& setup, TaskMonitor& monitor) {
   stereo::makeDenseMatcher(setup.matcher);  // refuses an unknown name before any work is done
   const Field field = fieldOf(setup);
-  const bool has_dots = from == AlignedFrom::dots;
-  const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   AlignmentOutcome outcome;
-  outcome.from = from;
   outcome.matcher = setup.matcher;
   monitor.report("finding the face", 0.0);
   outcome.landmarks = findFace(rig, capture.plain, setup.detector);
+  const bool is_sparse = from == AlignedFrom::dots && areDotsSparse(capture);
+  if (is_sparse) from = AlignedFrom::plain;
+  outcome.from = from;
+  const bool has_dots = from == AlignedFrom::dots;
+  const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   bool is_measured = false;
   const auto measureAndFit = [&] {
-    outcome.face =
-        has_dots
-            ? cutFace(stereo::measureFace(rig, measured,
-                                          measuringOptions(outcome.landmarks, rig, setup.matcher), monitor),
-                      outcome.landmarks)
-            : measurePlainSkin(rig, measured, outcome.landmarks, monitor);
+    outcome.face = has_dots ? measureDotted(rig, measured, outcome.landmarks, setup.matcher, monitor)
+                            : measurePlainSkin(rig, measured, outcome.landmarks, monitor);
     is_measured = true;
     fit(rig, setup, field, measured, capture.plain, monitor, outcome);
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
+  if (is_sparse) outcome.result.cautions.push_back(kSparseWords);
   conclude(setup, capture.plain, outcome);
   return outcome;
 }

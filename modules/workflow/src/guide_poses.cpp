@@ -1,5 +1,6 @@
 #include "facenav/workflow/guide_poses.h"
 
+#include <cmath>
 #include <map>
 
 #include "facenav/core/error.h"
@@ -25,7 +26,14 @@ void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
 
 std::optional<double> predictedError_mm(const casefile::CaseStore& store, const std::string& target) {
   const auto alignment = store.alignment();
-  return alignment ? alignment->predictedError_mm(store.targets().find(target)) : std::nullopt;
+  if (!alignment) return std::nullopt;
+  const auto plan = store.targets();
+  const auto& wanted = plan.find(target);
+  auto predicted_mm = alignment->predictedError_mm(wanted);
+  // The figure stored without a covariance holds the skin's share.
+  if (predicted_mm && alignment->uncertainty)
+    predicted_mm = std::hypot(*predicted_mm, surface::skinDoubtUnder_mm(store.scalp(), wanted.scalp_point));
+  return predicted_mm;
 }
 
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,

@@ -38,6 +38,7 @@ struct BrainPart {
   std::optional<surface::DetailedCortex> cortex;
   std::optional<atlas::AtlasMap> atlas;
   std::optional<casefile::BrainQuality> quality;
+  std::string contrast;
   std::vector<std::string> findings;
 };
 
@@ -91,6 +92,7 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
   try {
     auto result = segmenter.segment(mri, monitor);
     part.findings = std::move(result.warnings);
+    part.contrast = std::move(result.contrast);
     if (const auto finding = anatomy::brainVolumeFinding(result.mask.volume_ml()))
       part.findings.insert(part.findings.begin(), *finding);
     part.mask = std::move(result.mask);
@@ -159,6 +161,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
   prepared.cortex = std::move(part.cortex);
   prepared.atlas = std::move(part.atlas);
   prepared.brain_quality = std::move(part.quality);
+  prepared.contrast = std::move(part.contrast);
   auto checked = worthAcknowledging(*prepared.navigation_check);
   for (const auto* more : {&prepared.scalp.findings, &checked, &part.findings})
     prepared.findings.insert(prepared.findings.end(), more->begin(), more->end());

@@ -83,6 +83,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
   colin.wait();  // wait even if it was not used
   imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());
   prepared.label = label;
+  if (!prepared.contrast.empty()) imported.description.push_back("contrast: looks like " + prepared.contrast);
   if (const auto changed = changedSettingsFinding("made")) imported.warnings.push_back(*changed);
   prepared.findings.insert(prepared.findings.begin(), imported.warnings.begin(), imported.warnings.end());
   monitor.report("writing the case", 0.0);

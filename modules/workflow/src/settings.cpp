@@ -16,9 +16,12 @@
 #include "facenav/registration/fit_limits.h"
 #include "facenav/registration/misfit_prior.h"
 #include "facenav/segmentation/brain_growth.h"
+#include "facenav/segmentation/head_outline.h"
 #include "facenav/segmentation/prior_use.h"
 #include "facenav/stereo/shared_error.h"
 #include "facenav/stimulation/threshold_rules.h"
+#include "facenav/workflow/coil_library.h"
+#include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/mep_import.h"
 #include "facenav/workflow/session_return.h"
 
@@ -31,12 +34,14 @@ struct Groups {
   static void use(const SettingsTable& table) { putInForce<Group...>(table); }
 };
 
-using All = Groups<segmentation::BrainGrowth, segmentation::PriorUse, registration::FitLimits,
-                   registration::MisfitPrior, stereo::SharedError, head_tracking::SkinDetailLimits,
-                   head_tracking::IdentityModel, head_tracking::SkinFieldModel, head_tracking::StepLimits,
-                   FrameBudget, head_tracking::SearchBudget, guidance::PlateRest, guidance::FieldByGap,
-                   stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions,
-                   MepImportLimits, casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules>;
+using All =
+    Groups<segmentation::BrainGrowth, segmentation::PriorUse, segmentation::HeadOutline,
+           registration::FitLimits, registration::MisfitPrior, stereo::SharedError,
+           head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
+           head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
+           guidance::FieldByGap, stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions,
+           MepImportLimits, casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules,
+           CoilRules, ExpertRules>;
 
 }  // namespace
 

@@ -150,6 +150,7 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
     processing_ms.push_back(state.processing_ms);
     outcome.rig_fault_frames += !state.rig_fault.empty();
     if (!state.rig_fault.empty()) outcome.rig_fault = state.rig_fault;
+    outcome.rig_correction = state.rig_correction;
     outcome.right_late_ms = 1e3 * state.exposure_offset.right_late_s;
     if (on_frame) on_frame(state);
   }
@@ -164,6 +165,7 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
   if (outcome.rig_fault_frames > 0)
     logWarning(outcome.rig_fault + " (in " + std::to_string(outcome.rig_fault_frames) + " of " +
                std::to_string(outcome.frames) + " frames every pose is refused)");
+  if (!outcome.rig_correction.empty()) logWarning(outcome.rig_correction);
   outcome.processing_ms_median = quantile(processing_ms, 0.5);
   outcome.processing_ms_p99 = quantile(processing_ms, 0.99);
   return outcome;

@@ -6,8 +6,11 @@
 #include "facenav/capture/swinging_source.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/workflow/align_case.h"
+#include "facenav/workflow/coil_library.h"
+#include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/session_return.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
@@ -29,12 +32,21 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
     goes_on = sessionToGoOnWith(request.case_folder, request.session).folder;
     film.recording.capture.reset();
   }
-  if (request.coil_file) film.coil = coil_tracking::readCoil(*request.coil_file);
+  if (request.coil_file) {
+    film.coil = coil_tracking::readCoil(*request.coil_file);
+    film.card = coil_tracking::readCoilCard(*request.coil_file);
+  }
+  const auto reminder = calibrationReminder(film.card);
+  if (reminder) logWarning(*reminder);
   AlignOrder order{request.aligner};
   order.stored_pair_stands_in = true;
   const auto alignment = std::make_shared<AlignmentOutcome>(
       alignRecording(methods, store, film.recording, order, monitor).outcome);
-  return {store, film.recording, false, film.coil, alignment, request.override, goes_on, request.speed};
+  TreatmentRequest treatment{store, film.recording, false, film.coil, alignment, reminder};
+  treatment.override = request.override;
+  treatment.goes_on = goes_on;
+  treatment.speed = request.speed;
+  return treatment;
 }
 
 TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingRequest& request,
@@ -88,6 +100,8 @@ TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRe
   for (const auto& words : request.sources) sources.push_back(links::openPulseSource(words));
   const auto wanted = treatmentOf(methods, request, monitor);
   const auto target = targetOf(wanted, request.target);
+  if (target)
+    if (const auto caution = otherCoilCaution(target->target, wanted.coil.name)) logWarning(*caution);
   Treatment treatment(prepareTreatment(wanted, devicesOf(methods, request, wanted.recording)), target);
   treatment.setIntensity(request.intensity_pct);
   for (auto& source : sources) treatment.listen(std::move(source));

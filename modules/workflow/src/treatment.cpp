@@ -7,6 +7,7 @@
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/session_report.h"
 #include "facenav/workflow/sign_off_gate.h"
 
@@ -51,15 +52,19 @@ void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const
   if (const auto& given = request.override) log.addEvent("override", given->by + ": " + given->reason);
   log.addEvent("target", target ? target->name : "");
   log.addEvent("coil", request.coil.name);
+  if (request.coil_reminder) log.addEvent("coil calibration", *request.coil_reminder);
   log.addEvent("alignment", alignmentWords(*request.alignment, target));
 }
 
 }  // namespace
 
 TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder) {
-  TreatmentFilm film{capture::openRecording(folder), coil_tracking::defaultCoil()};
+  TreatmentFilm film{capture::openRecording(folder), coil_tracking::defaultCoil(), {}};
+  film.card.name = film.coil.name;
   const auto coil_file = folder / "coil.json";
-  if (std::filesystem::exists(coil_file)) film.coil = coil_tracking::readCoil(coil_file);
+  if (!std::filesystem::exists(coil_file)) return film;
+  film.coil = coil_tracking::readCoil(coil_file);
+  film.card = coil_tracking::readCoilCard(coil_file);
   return film;
 }
 
@@ -83,20 +88,18 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
   std::string words =
       formatted("aligned: %.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
-  if (target)
-    words += formatted(", \u00b1%.1f mm at ", alignment.result.predictedError_mm(target->cortex_point)) +
-             target->name;
+  if (target) words += formatted(", \u00b1%.1f mm at ", alignment.predictedError_mm(*target)) + target->name;
   return words;
 }
 
 session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment) {
-  return {target, alignment ? alignment->result.predictedError_mm(target.cortex_point) : 0.0};
+  return {target, alignment ? alignment->predictedError_mm(target) : 0.0};
 }
 
 Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
     : case_folder_(prepared.request.store.folder()),
-      alignment_(prepared.request.alignment),
-      tip_(prepared.request.coil.tip) {
+      coil_(prepared.request.coil),
+      alignment_(prepared.request.alignment) {
   prepared.navigator->setTarget(target);
   session::SessionOptions options;
   options.is_paced = !prepared.request.is_live;
@@ -113,6 +116,8 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   logStart(*log_, prepared.request, target ? &target->target : nullptr);
   protocol_ = protocolFor(case_folder_, *log_);
   plan(target ? &target->target : nullptr);
+  if (target) target_ = target->target;
+  noteOtherCoil();
   keyboard_.start(listenerFor(keyboard_.name()));
   session_->start();
 }
@@ -177,11 +182,31 @@ void Treatment::chooseTarget(const std::optional<session::ChosenTarget>& target,
   session_->setTarget(target);
   log_->addEvent("target", name);
   plan(target ? &target->target : nullptr);
+  target_ = target ? std::optional(target->target) : std::nullopt;
+  noteOtherCoil();
 }
 
 void Treatment::chooseTargetNamed(const std::string& name) {
   const auto target = casefile::CaseStore::open(case_folder_).targets().find(name);
   chooseTarget(chosenTarget(target, alignment_.get()), name);
+}
+
+void Treatment::chooseCoil(const coil_tracking::CoilModel& coil) {
+  if (coil.name == coil_.name) return;
+  if (coil_tracking::shareMarker(coil, coil_))
+    throw Error("the coil '" + coil.name + "' carries the same marker as '" + coil_.name + "' (" +
+                    coil_tracking::markerWords(coil.markers.front()) + "): a picture cannot tell them apart",
+                {}, "print another marker for one of them");
+  coil_ = coil;
+  session_->setCoil(coil);
+  log_->addEvent("coil", coil.name);
+  noteOtherCoil();
+}
+
+/// A pose is right only for the coil that it was found with.
+void Treatment::noteOtherCoil() {
+  if (!target_) return;
+  if (const auto caution = otherCoilCaution(*target_, coil_.name)) log_->addEvent("other coil", *caution);
 }
 
 void Treatment::checkRegistration() { session_->checkRegistration(); }

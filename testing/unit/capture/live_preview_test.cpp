@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <fstream>
 #include <thread>
 
-#include "facenav/capture/camera_list.h"
 #include "facenav/core/error.h"
-#include "support/test_data.h"
 
 namespace facenav::capture {
 namespace {
@@ -63,25 +60,6 @@ TEST(LivePreview, APacedRecordingTakesItsTimeAndStopsAtOnce) {
     EXPECT_GE(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(95));
   }
   LivePreview endless(std::make_unique<Frames>(1000, 3600.0, false), true);  // destroyed without waiting
-}
-
-TEST(CameraList, NamesWhatGivesPicturesByItsIndex) {
-  const testing::TemporaryFolder folder;
-  const auto add = [&](const std::string& entry, const std::string& name, const std::string& index) {
-    std::filesystem::create_directories(folder.path() / entry);
-    std::ofstream(folder.path() / entry / "name") << name << "\n";
-    std::ofstream(folder.path() / entry / "index") << index << "\n";
-  };
-  add("video10", "Right camera", "0");
-  add("video2", "Left camera", "0");
-  add("video3", "Left camera", "1");  // its metadata
-  add("v4l-subdev0", "sensor", "0");
-  const auto cameras = listCameras(folder.path());
-  ASSERT_EQ(cameras.size(), 2u);
-  EXPECT_EQ(cameras[0].index, 2);
-  EXPECT_EQ(cameras[0].name, "Left camera");
-  EXPECT_EQ(cameras[1].index, 10);
-  EXPECT_TRUE(listCameras(folder.path() / "none").empty());
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 
-#include "facenav/capture/camera_pair_source.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/error.h"
 #include "support/recordings.h"
@@ -154,14 +153,4 @@ TEST(RecordingErrors, TruthMustBeUnitQuaternions) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("line 3"));
   }
-}
-
-TEST(RecordingErrors, AbsentCameraIsNamed) {
-  try {
-    openCameraPair(support::smallRig(), 90, 91);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("camera 90"));
-  }
-  EXPECT_THROW(openCameraPair(support::smallRig(), 2, 2), Error);
 }

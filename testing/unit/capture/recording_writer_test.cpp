@@ -14,6 +14,21 @@ namespace fs = std::filesystem;
 namespace support = facenav::testing;
 using support::TemporaryFolder;
 
+TEST(RecordingWriter, KeepsWhenTheRightPictureWasTaken) {
+  TemporaryFolder folder;
+  {
+    RecordingWriter writer(folder.path() / "rec", support::smallRig());
+    auto frame = support::noiseFrame(0, 0.5);
+    frame.right_late_s = -0.009;
+    writer.add(frame);
+    writer.add(support::noiseFrame(1, 0.6));
+    writer.close();
+  }
+  const auto source = makeSource(openRecording(folder.path() / "rec"));
+  EXPECT_NEAR(source->next()->right_late_s.value(), -0.009, 1e-8);
+  EXPECT_FALSE(source->next()->right_late_s);
+}
+
 TEST(RecordingWriter, WhatIsWrittenIsReadBack) {
   TemporaryFolder folder;
   support::writeSmallRecording(folder.path() / "rec", 4, 17);

@@ -161,6 +161,49 @@ TEST(SurfaceAligner, TheBoundHoldsTheDistanceThatATurnedCameraMistakes) {
   EXPECT_THAT(near.cautions.back(), HasSubstr("turned sideways"));
 }
 
+/// Right camera 120 mm beside the left one; the face at some 600 mm.
+const TurnableCamera kRight{Point<Camera>(120, 0, 0), Direction<Camera>(Eigen::Vector3d::UnitY())};
+
+/// As measured with a right camera that turned by `deg` since the calibration: exact, along the left rays.
+PointCloud<Camera> turned(PointCloud<Camera> cloud, double deg) {
+  for (auto& p : cloud.points_mm) {
+    const Eigen::Vector3d ray = p.normalized(),
+                          seen = expRotation(deg * kRadPerDeg * kRight.axis.v) * (p - kRight.centre.mm);
+    p = ray * kRight.centre.mm.cross(seen).dot(kRight.axis.v) / ray.cross(seen).dot(kRight.axis.v);
+  }
+  return cloud;
+}
+
+TEST(SurfaceAligner, TheDisplacementByATurnIsThatOfTheRays) {
+  PointCloud<Camera> cloud;
+  cloud.points_mm = {{30, -40, 580}, {-50, 60, 620}};
+  const auto moved = turned(cloud, 0.01);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_LT((moved.points_mm[i] - cloud.points_mm[i] -
+               0.01 * kRadPerDeg * kRight.displacement(cloud.points_mm[i]))
+                  .norm(),
+              1e-3);  // the second order of half a millimetre at 600
+}
+
+TEST(SurfaceAligner, FindsHowFarTheRightCameraTurnedAndRefusesIt) {
+  AlignmentStart start;
+  start.right = kRight;
+  for (const std::uint32_t seed : {1u, 2u}) {
+    const auto truth = facing(8, 4, 0);
+    const auto cloud = measure(ModelHead(), truth, {.seed = seed});
+    const auto stands = align(patientsField(), cloud, start);
+    ASSERT_TRUE(stands.right_turn);
+    EXPECT_LT(std::abs(stands.right_turn->rad), 3.0 * stands.right_turn->sigma_rad);
+    EXPECT_LT(((stands.camera_T_mri * kTarget).mm - (truth * kTarget).mm).norm(),
+              stands.errorBound_mm(kTarget));
+    const double least_deg = 6.0 * kDegPerRad * stands.right_turn->sigma_rad;
+    for (const double deg : {least_deg, -least_deg, 0.3})
+      EXPECT_THAT([&] { align(patientsField(), turned(cloud, deg), start); },
+                  ThrowsMessage<Error>(HasSubstr("turned sideways")))
+          << deg;
+  }
+}
+
 TEST(SurfaceAligner, DepthThatAllPointsShareWidensTheBoundAlongTheView) {
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {});

@@ -42,6 +42,35 @@ TEST(Scenario, EachOfTheTableCanBePlayedToItsEnd) {
   }
 }
 
+TEST(Scenario, DriftMovesTheRightCameraSlowlyInTheAxisAskedFor) {
+  const Played played;
+  const char* const about[] = {"yaw", "pitch", "roll", "shift"};
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {  // in turn, where no axis is given
+    auto options = named("drift", 31);
+    options.seed = seed;
+    const auto script = played(options);
+    EXPECT_TRUE(script->capture().right_moved.matrix().isIdentity());
+    EXPECT_TRUE(script->at(0).cast.right_moved.matrix().isIdentity());
+    const Eigen::Isometry3d last = script->at(30).cast.right_moved, middle = script->at(15).cast.right_moved;
+    const Eigen::Vector3d turn_deg = kDegPerRad * logRotation(last.linear());
+    const bool is_shift = std::string(about[seed - 1]) == "shift";
+    EXPECT_NEAR(turn_deg.norm(), is_shift ? 0.0 : 0.3, 1e-9);
+    EXPECT_NEAR(last.translation().norm(), is_shift ? 1.0 : 0.0, 1e-9);
+    EXPECT_NEAR(rotationAngle(middle.linear()), 0.5 * rotationAngle(last.linear()), 1e-9);
+    options.seed = 9, options.drift_about = about[seed - 1];
+    const auto asked = played(options)->at(30).cast.right_moved;
+    EXPECT_NEAR(logRotation(asked.linear()).normalized().cwiseAbs().maxCoeff(), is_shift ? 0.0 : 1.0, 1e-9);
+    if (!is_shift)
+      EXPECT_EQ((kDegPerRad * logRotation(asked.linear())).cwiseAbs().maxCoeff() > 0.29,
+                turn_deg.cwiseAbs().maxCoeff() > 0.29);
+    EXPECT_TRUE(script->at(15).cast.room_T_coil.has_value());
+  }
+  EXPECT_FALSE(played(named("drift_face", 31))->at(15).cast.room_T_coil.has_value());
+  auto wrong = named("drift");
+  wrong.drift_about = "sideways";
+  EXPECT_THROW(played(wrong), Error);
+}
+
 TEST(Scenario, UnknownNameIsAnErrorThatListsTheOthers) {
   try {
     Played()(named("treatmnt"));

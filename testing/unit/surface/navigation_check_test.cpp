@@ -133,6 +133,26 @@ TEST(ScanQuality, WrapAroundOnTheOppositeSide) {
   EXPECT_THAT(finding.finding, HasSubstr("back"));
 }
 
+TEST(NavigationCheck, UnsureSkinOfTheUpperHeadIsACaution) {
+  const Ball ball = makeBall(4);
+  ScalpSurface scalp;
+  scalp.mesh.vertices_mm = {{0, 0, 0}, {80, 0, 0}, {0, 80, 0}};  // 32 cm2
+  scalp.mesh.normals.assign(3, Eigen::Vector3d::UnitZ());
+  scalp.mesh.triangles = {{0, 1, 2}};
+  const auto skin = [&] {
+    for (const auto& finding : checkForNavigation(ball.mri, ball.mask, scalp).findings)
+      if (finding.topic == CheckTopic::skin) return finding;
+    return CheckFinding{};
+  };
+  EXPECT_EQ(skin().topic, CheckTopic::skin) << "a case without doubts";
+  EXPECT_EQ(skin().verdict, Verdict::fine);
+  scalp.doubt_mm = {0.2f, 0.2f, 0.2f};
+  EXPECT_EQ(skin().verdict, Verdict::fine);
+  scalp.doubt_mm = {1.f, 1.f, 1.f};
+  EXPECT_EQ(skin().verdict, Verdict::caution);
+  EXPECT_THAT(skin().finding, HasSubstr("32 cm2"));
+}
+
 TEST(NavigationCheck, SaysWhatLeftAndRightRestOn) {
   Ball ball = makeBall(4);
   ball.mri.orientation_source = "DICOM";

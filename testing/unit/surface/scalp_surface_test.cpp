@@ -115,6 +115,27 @@ TEST(ScalpSurface, AirSetToZeroBelowAThresholdDoesNotMoveItOutwards) {
   EXPECT_LT(masked.rms_mm, whole.rms_mm + 0.1);
 }
 
+TEST(ScalpSurface, IsDoubtedBeneathAPadAndNowhereElse) {
+  SkinPhantom phantom;
+  phantom.dermis_mm = 0;
+  TaskMonitor monitor;
+  auto scan = phantom.scan({1, 1, 1}, kFrontLow, kFrontHigh);
+  const auto head = maskOf(phantom, scan.grid);
+  for (int k = 0; k < scan.grid.size[2]; ++k)  // against the left half of the front
+    for (int j = 0; j < scan.grid.size[1]; ++j)
+      for (int i = 0; i < scan.grid.size[0]; ++i) {
+        const Eigen::Vector3d p = scan.grid.toMri({double(i), double(j), double(k)}).mm;
+        if (p.x() < -20 && phantom.toSkin(p) > 0 && phantom.toSkin(p) < 12)
+          scan.voxels[scan.grid.index(i, j, k)] = 0.5f * float(phantom.fat_level);
+      }
+  const auto scalp = extractScalp(scan, head, monitor);
+  ASSERT_EQ(scalp.doubt_mm.size(), scalp.mesh.vertices_mm.size());
+  const Point<Mri> padded(-45, 76, -10), clear(45, 76, -10);
+  EXPECT_GT(skinDoubtUnder_mm(scalp, padded), 0.7);
+  EXPECT_LT(skinDoubtUnder_mm(scalp, clear), 0.15);
+  EXPECT_EQ(skinDoubtUnder_mm(scalp, Point<Mri>(0, 0, 900)), 0);
+}
+
 TEST(ScalpSurface, NormalsPointOutwardsAndTrianglesAgree) {
   for (const bool is_flipped : {false, true}) {
     SkinPhantom phantom;
@@ -195,6 +216,7 @@ TEST(ScalpSurface, SurvivesTheFile) {
   EXPECT_TRUE(read.has_cut_ear);
   EXPECT_EQ(read.findings, scalp.findings);
   EXPECT_EQ(read.mesh.triangles, scalp.mesh.triangles);
+  EXPECT_EQ(read.doubt_mm, scalp.doubt_mm);
   ASSERT_EQ(read.mesh.vertices_mm.size(), scalp.mesh.vertices_mm.size());
   EXPECT_LT((read.mesh.vertices_mm[100] - scalp.mesh.vertices_mm[100]).norm(), 1e-6);
   ASSERT_EQ(read.field_of_view.size(), 6u);

@@ -13,6 +13,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/core/zip_file.h"
 #include "facenav/surface/mesh_reader.h"
 #include "support/nibabel.h"
 
@@ -132,26 +133,6 @@ TEST(TractFiles, TckOfDoublesAndOtherByteOrder) {
   }
 }
 
-/// A ZIP of stored entries, as the format describes it (no checksum is read).
-std::string zipOf(const std::vector<std::pair<std::string, std::string>>& files) {
-  std::string bytes, directory;
-  for (const auto& [name, content] : files) {
-    const auto at = std::uint32_t(bytes.size()), size = std::uint32_t(content.size());
-    std::string local(30, '\0'), central(46, '\0');
-    put(local, 0, std::uint32_t(0x04034b50)), put(central, 0, std::uint32_t(0x02014b50));
-    put(local, 18, size), put(local, 22, size), put(local, 26, std::uint16_t(name.size()));
-    put(central, 20, size), put(central, 24, size), put(central, 28, std::uint16_t(name.size()));
-    put(central, 42, at);
-    bytes += local + name + content;
-    directory += central + name;
-  }
-  std::string end(22, '\0');
-  put(end, 0, std::uint32_t(0x06054b50)), put(end, 8, std::uint16_t(files.size()));
-  put(end, 10, std::uint16_t(files.size())), put(end, 12, std::uint32_t(directory.size()));
-  put(end, 16, std::uint32_t(bytes.size()));
-  return bytes + directory + end;
-}
-
 template <class T>
 std::string rawOf(const std::vector<T>& values) {
   return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
@@ -171,9 +152,9 @@ TEST(TractFiles, TrxIsRasMillimetresInEveryPrecision) {
                     ended = rawOf(std::vector<std::uint32_t>{0, 2, 3});
   const auto read = [&](const std::string& positions, const std::string& values,
                         const std::string& offsets_name, const std::string& offsets) {
-    return readTracts(
-        write(folder.path(), "a.trx",
-              zipOf({{"header.json", kTrxHeader}, {positions, values}, {offsets_name, offsets}})));
+    const auto file = folder.path() / "a.trx";
+    writeZip({{"header.json", kTrxHeader}, {positions, values}, {offsets_name, offsets}}, file);
+    return readTracts(file);
   };
   for (const auto& tracts : {read("positions.3.float32", floats, "offsets.uint64", wide),
                              read("positions.3.float64", doubles, "offsets.uint32", ended),
@@ -216,6 +197,10 @@ TEST(TractFiles, DamagedFilesAreRefusedInOneLine) {
   tracts.ends = {2};
   writeTck(tracts, folder.path() / "a.tck");
   const std::string tck = readWholeFile(folder.path() / "a.tck"), trk = trkFile("LPS");
+  const auto zipOf = [&](const ZipEntries& entries) {
+    writeZip(entries, folder.path() / "whole.trx");
+    return readWholeFile(folder.path() / "whole.trx");
+  };
   const std::string trx = zipOf({{"header.json", kTrxHeader},
                                  {"positions.3.float32", rawOf(std::vector<float>(9, 1.f))},
                                  {"offsets.uint64", rawOf(std::vector<std::uint64_t>{0, 2})}});

@@ -6,7 +6,6 @@
 #include "exposure_words.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
-#include "rig_effect.h"
 
 namespace facenav::cameras {
 namespace {

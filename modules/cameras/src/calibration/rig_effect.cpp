@@ -1,4 +1,4 @@
-#include "rig_effect.h"
+#include "facenav/cameras/head_effect.h"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -109,6 +109,7 @@ std::string toJsonLine(const Pulse& pulse) {
   json["source"] = pulse.source;
   json["status"] = toString(pulse.status);
   json["reason"] = pulse.reason;
+  if (!pulse.coil.empty()) json["coil"] = pulse.coil;
   if (pulse.target) json["target"] = targetOf(*pulse.target);
   if (pulse.camera_T_mri) json["camera_T_mri"] = matrixOf(*pulse.camera_T_mri);
   if (pulse.camera_T_coil) json["camera_T_coil"] = matrixOf(*pulse.camera_T_coil);
@@ -132,6 +133,7 @@ Pulse pulseFrom(const JsonReader& line) {
   pulse.source = line.at("source").text();
   pulse.status = pulseStatusFrom(line.at("status").text());
   pulse.reason = line.at("reason").text();
+  if (line.has("coil")) pulse.coil = line.at("coil").text();
   if (line.has("target")) pulse.target = targetFrom(line.at("target"));
   if (line.has("camera_T_mri")) pulse.camera_T_mri = transformFrom<Camera, Mri>(line.at("camera_T_mri"));
   if (line.has("camera_T_coil")) pulse.camera_T_coil = transformFrom<Camera, Coil>(line.at("camera_T_coil"));

@@ -158,8 +158,8 @@ std::string csvLine(const ReviewedPulse& reviewed) {
           field(pulse.e_target_v_per_m, 2) + field(pulse.mep_uv, 2) + field(pulse.latency_ms, 2);
   std::optional<double> lost_pct;
   if (pulse.gap_mm) lost_pct = guidance::fieldLost_pct(*pulse.gap_mm);
-  return line + (reviewed.is_excluded ? ",1," : ",0,") + csvField(reviewed.note) +
-         field(pulse.gap_stereo_mm, 2) + field(lost_pct, 1) + "\n";
+  return line + (reviewed.is_excluded ? ",1," : ",0,") + csvField(reviewed.note) + "," +
+         csvField(pulse.coil) + field(pulse.gap_stereo_mm, 2) + field(lost_pct, 1) + "\n";
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses) {
   std::string csv =
       "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
       "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
-      "excluded,note,gap_stereo_mm,field_lost_pct\n";
+      "excluded,note,coil,gap_stereo_mm,field_lost_pct\n";
   for (const ReviewedPulse& reviewed : pulses) csv += csvLine(reviewed);
   return csv;
 }

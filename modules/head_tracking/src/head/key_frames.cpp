@@ -61,7 +61,7 @@ void setAppearance(PatchLevel& level, std::size_t i, int camera, const PatchAppe
 
 }  // namespace
 
-KeyFrames::KeyFrames(const PatchModel& model) {
+KeyFrames::KeyFrames(const PatchModel& model, int newest) : newest_(newest) {
   KeyFrame reference;
   reference.level = model.level;
   keys_.push_back(std::move(reference));
@@ -136,6 +136,7 @@ void KeyFrames::begin(const cameras::StereoRig& rig, const PatchModel& model,
   fresh.key.covariance = verdict.covariance;
   fresh.key.unseen_covariance = verdict.unseen_covariance;
   fresh.key.moving = moving;
+  fresh.key.number = ++newest_;
   fresh.key.generation = keys_[chosen_].generation + 1;
   fresh.key.is_of_moment = keys_[chosen_].is_of_moment;
   fresh.key.level = keys_.front().level;
@@ -163,6 +164,7 @@ std::optional<KeyFrame> KeyFrames::ofMoment(const cameras::StereoRig& rig, const
 
 void KeyFrames::startMoment(KeyFrame key) {
   endMoment();
+  key.number = ++newest_;
   keys_.push_back(std::move(key));
   chosen_ = keys_.size() - 1;
 }

@@ -26,6 +26,7 @@ struct KeyFrame {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head of the key frame
   Matrix6d covariance = Matrix6d::Zero();                    // of that pose, as HeadPose's
   Matrix6d unseen_covariance = Matrix6d::Zero();             // additional error that no image shows
+  int number = 0;                                            // 0: the reference; the next ones count up
   int generation = 0;                                        // 0: the reference
   bool is_of_moment = false;  // learnt when the face was found again, with its appearance then
   KeyMotion moving;           // zero for the reference
@@ -35,7 +36,7 @@ struct KeyFrame {
 class KeyFrames {
  public:
   KeyFrames() = default;
-  explicit KeyFrames(const PatchModel& model);
+  explicit KeyFrames(const PatchModel& model, int newest = 0);
 
   /// The key frame with the view closest to that at `motion`. Keeps the last choice when two are about equal.
   const KeyFrame& nearest(const Eigen::Isometry3d& motion);
@@ -66,6 +67,8 @@ class KeyFrames {
   void forgetUnfinished() { unfinished_.clear(); }
 
   std::size_t size() const { return keys_.size(); }
+  /// Number of the last key frame that was begun.
+  int newest() const { return newest_; }
 
  private:
   struct Unfinished {
@@ -95,6 +98,7 @@ class KeyFrames {
 
   std::vector<KeyFrame> keys_;
   std::size_t chosen_ = 0;
+  int newest_ = 0;
   bool prefers_moment_ = true;
   std::deque<Unfinished>
       unfinished_;  // the first is being learnt; a new side goes before older coarse levels

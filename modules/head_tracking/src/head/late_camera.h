@@ -18,6 +18,10 @@ class LateCamera {
   LateCamera(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm)
       : rig_(rig), now_(rig), centre_mm_(centre_mm) {}
 
+  /// The right camera has moved on its mount.
+  void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) {
+    rig_.right_T_left = right_T_left;
+  }
   /// The rig for a head at rest.
   const cameras::StereoRig& rig() const { return rig_; }
   /// The rig for the next fit, set by allowFor().

@@ -57,6 +57,7 @@ class ModelHeadTracker : public HeadTracker {
   HeadResult track(const cameras::StereoFrame& frame, const HeadContext& context) override {
     FACENAV_EXPECT(lost_face_ != nullptr, "track() before start()");
     if (context.is_learnt_in_doubt) forgetLearnt();
+    if (context.right_T_left) patches_.moveRight(*context.right_T_left);
     left_out_ = context.reserved.comparisons;
     HeadResult result = poseIn(frame);
     if (result)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 #include "patch_placement.h"
 #include "pose_fit.h"
@@ -61,7 +62,7 @@ void PatchTrack::start(const cameras::StereoRig& rig, const HeadReference& refer
 }
 
 void PatchTrack::forgetLearnt() {
-  keys_ = KeyFrames(model_);
+  keys_ = KeyFrames(model_, keys_.newest());
   search_.forgetLearnt();
   patch_weights_.forget();
   last_.forget();
@@ -108,6 +109,7 @@ std::optional<PatchTrack::Followed> PatchTrack::follow(const Eigen::Isometry3d& 
 Verdict PatchTrack::verdictOf(const KeyFrame& key, const PoseFit& fit) const {
   Verdict verdict = judge(model_, fit, key.covariance, key.is_of_moment);
   verdict.unseen_covariance = key.unseen_covariance;
+  verdict.key_number = key.number;
   return verdict;
 }
 
@@ -258,6 +260,23 @@ void PatchTrack::learnSides(const cameras::StereoFrame& frame, const PoseFit& fi
     search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
 }
 
+// From the head's frame to the right camera's. A head that moves between two exposures looks like it.
+std::optional<RightCameraMotion> PatchTrack::rightCamera(const PoseFit& fit, const Verdict& verdict) const {
+  if (!fit.sides) return std::nullopt;
+  const Eigen::Isometry3d right_T_head = camera_.rig().right_T_left.isometry() * fit.motion;
+  Matrix6d to_right = Matrix6d::Zero(), to_camera = Matrix6d::Zero();
+  to_right.topLeftCorner<3, 3>() = to_right.bottomRightCorner<3, 3>() = right_T_head.linear();
+  to_right.bottomLeftCorner<3, 3>() = skew(right_T_head * model_.centre_mm) * right_T_head.linear();
+  to_camera.topLeftCorner<3, 3>() = to_camera.bottomRightCorner<3, 3>() = fit.motion.linear();
+  const Vector6d late = camera_.sigma_s() * last_.steady();
+  RightCameraMotion out;
+  out.moved = to_right * fit.sides->zeta;
+  out.covariance = to_right * (fit.sides->covariance + late * late.transpose()) * to_right.transpose();
+  out.pose_by_moved = to_camera * fit.sides->xi_by_zeta * inverseOf(to_right);
+  out.key = verdict.key_number, out.newest_key = keys_.newest();
+  return out;
+}
+
 Tracked<HeadPose> PatchTrack::accepted(const cameras::StereoFrame& frame, const PoseFit& fit,
                                        const Verdict& verdict) {
   patch_weights_.learn(fit, last_.isKnown() ? frame.captured - last_.captured() : kFirstFrame_s);
@@ -273,6 +292,7 @@ Tracked<HeadPose> PatchTrack::accepted(const cameras::StereoFrame& frame, const 
   pose.features = featuresOf(fit);
   pose.between_exposures_mm =
       last_.steady().tail<3>().norm() * (std::abs(camera_.late_s()) + camera_.sigma_s());
+  pose.right_camera = rightCamera(fit, verdict);
   left_box_ = boxOf(fit, 0), right_box_ = boxOf(fit, 1);
   pose.face_left = left_box_;
   return {pose, verdict.quality};

@@ -56,6 +56,7 @@ class PatchTrack {
   /// Ends the track. Later frames search.
   Tracked<HeadPose> lost(LostReason reason, LossDetail detail);
 
+  void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) { camera_.moveRight(right_T_left); }
   const LateCamera& camera() const { return camera_; }
   const PatchModel& model() const { return model_; }
   const DetailAgreement& bothCameras() const { return both_cameras_; }
@@ -102,6 +103,7 @@ class PatchTrack {
   LossDetail wordWithoutFit(const FaceSearch::Found& found) const;
   LossDetail wordOfFirst(Timestamp captured) const;
   void learnSides(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict);
+  std::optional<RightCameraMotion> rightCamera(const PoseFit& fit, const Verdict& verdict) const;
   Tracked<HeadPose> accepted(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict);
 
   LateCamera camera_;

@@ -105,6 +105,7 @@ class LevelFit {
       pulls[level_.patches[row.patch].region] +=
           (weightOf(row) * (observations_[row.observation].weighted * row.e)).cast<double>();
     }
+    fit.sides = sides();
     for (std::size_t i = 0; i < all.size(); ++i)
       for (int c = 0; c < 2; ++c)
         if (!is_observed[i][c]) all[i][c].weight = 0.f;
@@ -272,6 +273,20 @@ class LevelFit {
     for (int i = 0, k = 0; i < 6; ++i)
       for (int j = i; j < 6; ++j) h(i, j) = h(j, i) = sum[k++];
     return h;
+  }
+
+  std::optional<SidesFit> sides() const {
+    SidesEvidence evidence(model_.regions);
+    for (const auto& row : rows_) {
+      const float w = weightOf(row);
+      if (!(w > 0.f)) continue;
+      const auto& observation = observations_[std::size_t(row.observation)];
+      const Patch& patch = level_.patches[std::size_t(row.patch)];
+      evidence.add(patch.region, observation.jacobian,
+                   observation.combine.rightCols<2>() * patch.view[1].jacobian.cast<float>(), row.e,
+                   w * observation.information);
+    }
+    return evidence.solve();
   }
 
   Vector6d normalSolution() const {

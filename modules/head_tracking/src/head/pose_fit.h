@@ -7,9 +7,11 @@
 // neighbours, are subtracted (light_field.h).
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "patch_model.h"
+#include "sides_evidence.h"
 
 namespace facenav::head_tracking {
 
@@ -39,6 +41,7 @@ struct PoseFit {
   double scale = 1.0;    // spread of the normalised residuals; 1 if the error model holds
   bool is_settled = false;         // the last step moved no patch by more than a fraction of a pixel
   PatchMeasurements measurements;  // of level 0; empty when the fit ended at a coarser level
+  std::optional<SidesFit> sides;   // how the right camera stands to the left one, since the key frame
   int comparisons = 0;             // patch comparisons of all steps: the work
   double likeness = 0.0;           // fraction of the patches in view that look as expected, last level
 };

@@ -16,6 +16,7 @@ struct Verdict {
   double quality = 0.0;
   Matrix6d covariance = Matrix6d::Zero();         // as HeadPose's, from what the images show
   Matrix6d unseen_covariance = Matrix6d::Zero();  // of the key frame; stated with the pose, not judged
+  int key_number = 0;                             // of the key frame (KeyFrame::number)
   std::array<double, 2> good_share = {0, 0};
   bool isTracked() const { return !lost; }
 };

@@ -49,6 +49,10 @@ class FaceRecovery {
   /// all roll angles, not only that of the reference.
   std::optional<RecoveredFace> find(const cameras::StereoFrame& frame,
                                     const std::optional<Eigen::Isometry3d>& last, bool is_thorough) const;
+  /// How the cameras stand in the frames to come. Not while find() runs.
+  void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) {
+    rig_.right_T_left = right_T_left;
+  }
   /// A covariance of the pose, moved to increments about another point (Head, mm).
   Matrix6d carried(const RecoveryPose& pose, const Matrix6d& covariance,
                    const Eigen::Vector3d& centre_mm) const;

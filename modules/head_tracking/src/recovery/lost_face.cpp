@@ -68,8 +68,8 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
                                            ImagePyramid(question.frame.right)};
   const PatchModel& model = *learnt.model;
   const PoseFit patches =
-      fitPose(*learnt.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {}, 0, kMostSteps);
-  const DetailAgreement detail = detailAgreement(*learnt.rig, model, model.level[0], now, patches);
+      fitPose(question.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {}, 0, kMostSteps);
+  const DetailAgreement detail = detailAgreement(question.rig, model, model.level[0], now, patches);
   found.face.identity.log_likelihood_ratio += evidenceOf(detail, *learnt.both_cameras);
   found.identify();
   found.is_other |= found.face.identity.verdict() == Identity::Verdict::other;
@@ -79,7 +79,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
       identityOfSkin(detail, *learnt.both_cameras) == SkinIdentity::patient)
     found.camera_T_head = patches.motion;
   else
-    learnMoment(recovery, learnt, found);
+    learnMoment(recovery, learnt, question.rig, found);
   return found;
 }
 
@@ -92,10 +92,11 @@ void LostFace::Found::identify() {
 }
 
 // Makes new patches from the frame at the pose that recovery found.
-void LostFace::learnMoment(const FaceRecovery& recovery, const Learnt& learnt, Found& found) {
+void LostFace::learnMoment(const FaceRecovery& recovery, const Learnt& learnt, const cameras::StereoRig& rig,
+                           Found& found) {
   const RecoveryPose& pose = found.face.pose;
   const Eigen::Vector3d& centre_mm = learnt.model->centre_mm;
-  found.moment = KeyFrames::ofMoment(*learnt.rig, *learnt.model, found.frame, found.camera_T_head,
+  found.moment = KeyFrames::ofMoment(rig, *learnt.model, found.frame, found.camera_T_head,
                                      recovery.carried(pose, pose.covariance, centre_mm),
                                      recovery.carried(pose, pose.unseen_covariance, centre_mm));
   found.is_patient = found.moment.has_value();
@@ -136,6 +137,8 @@ void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen:
   question->frame = frame;
   question->frame.left = frame.left.clone(), question->frame.right = frame.right.clone();
   question->last = last, question->is_thorough = asked_++ % kThoroughEvery == 0, question->epoch = epoch_;
+  question->rig = *learnt_.rig;
+  recovery_->moveRight(learnt_.rig->right_T_left);
   answers_.ask(std::move(question), frame.captured.s);
   if (pace_ != Pace::live) beside_ms_ += processorTime_ms() - before_ms;
 }

@@ -69,6 +69,7 @@ class LostFace {
     std::optional<Eigen::Isometry3d> last;
     bool is_thorough;  // the face detector searches all roll angles
     int epoch;
+    cameras::StereoRig rig;  // as the cameras stand in this frame
   };
   struct Before {
     Eigen::Isometry3d camera_T_head;
@@ -76,7 +77,8 @@ class LostFace {
   };
   double allowed_px(const Found& found);
   static Found answer(const FaceRecovery& recovery, const Learnt& learnt, const Question& question);
-  static void learnMoment(const FaceRecovery& recovery, const Learnt& learnt, Found& found);
+  static void learnMoment(const FaceRecovery& recovery, const Learnt& learnt, const cameras::StereoRig& rig,
+                          Found& found);
 
   std::shared_ptr<FaceRecovery> recovery_;
   Learnt learnt_;

@@ -178,6 +178,17 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
       "with");
 }
 
+[[noreturn]] void refuseTurn(const CameraTurn& turn) {
+  throw CameraTurned(
+      "not aligned: the face fits this MRI only if a camera has turned sideways since the calibration (by " +
+          fixed(kDegPerRad * std::abs(turn.rad), 2) + " +/- " + fixed(kDegPerRad * turn.sigma_rad, 2) +
+          " deg)",
+      {},
+      "fix the cameras and calibrate them again; if they never moved, check that this is the patient's own "
+      "MRI, "
+      "and its size");
+}
+
 }  // namespace
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
@@ -220,6 +231,8 @@ void requireLikeness(const FitEvidence& evidence) {
 void requireTrust(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   requireLikeness(evidence);
+  if (evidence.turn && std::abs(evidence.turn->rad) > limits.refused_turn_z * evidence.turn->sigma_rad)
+    refuseTurn(*evidence.turn);
   if (scaleZ(evidence) > limits.refused_scale_z && std::abs(evidence.scale - 1) > limits.refused_scale)
     refuseSize(evidence.scale);
   if (!(evidence.predicted_error_mm < limits.largest_error_mm))

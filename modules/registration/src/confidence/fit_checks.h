@@ -2,6 +2,7 @@
 // When a fit is refused, and the message. A doubtful pose must never be returned.
 
 #include "cloud/bare_skin.h"
+#include "facenav/core/error.h"
 #include "misfit_model.h"
 #include "search/start_search.h"
 
@@ -27,8 +28,15 @@ struct FitEvidence {
   // Size of the live face over that of the scan: fitted together with the pose, with its standard error. And
   // the factor at which a face that does not fit would fit (log odds 0: at none).
   double scale = 1.0, scale_sigma = 0.0;
+  std::optional<CameraTurn> turn;  // of the right camera, sideways
   double fitting_scale = 1.0, scale_log_odds = 0.0;
   double rival_log_odds = 1e9;  // log likelihood ratio of the pose to the best other pose
+};
+
+/// The cameras no longer stand as calibrated: another pose would not help.
+class CameraTurned : public Error {
+ public:
+  using Error::Error;
 };
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,

@@ -67,25 +67,31 @@ Matrix6d bySize(const PosePosterior& posterior, const Eigen::Vector3d& face_mri_
 }
 
 /// Share of the face's distance by which a camera that turned sideways after the calibration may have moved
-/// it: such a turn leaves every match on its epipolar line, and shows only in the face's size. The size is
-/// fitted robustly and shows less than there is. Fitted on painted heads 03 04 06 08 09 11 13 14 15, turns of
-/// 0.05 to 0.2 deg, dense dots: with this factor 79 of 80 errors lie within the 95 % bound.
+/// it, where the turn itself is not estimated: such a turn leaves every match on its epipolar line, and shows
+/// only in the face's size. The size is fitted robustly and shows less than there is. Fitted on painted heads
+/// 03 04 06 08 09 11 13 14 15, turns of 0.05 to 0.2 deg, dense dots: with this factor 79 of 80 errors lie
+/// within the 95 % bound.
 constexpr double kDistancePerSize = 1.3;
 
-Eigen::Vector3d byTurnedCamera_mm(const PosePosterior& posterior, const Eigen::Vector3d& face_camera_mm) {
-  return kDistancePerSize * posterior.scale * face_camera_mm;
+Eigen::Vector3d byTurnedCamera_mm(const PosePosterior& posterior, const std::optional<TurnableCamera>& right,
+                                  const Eigen::Vector3d& face_camera_mm) {
+  if (!posterior.turn || !right) return kDistancePerSize * posterior.scale * face_camera_mm;
+  return std::hypot(posterior.turn->rad, posterior.turn->sigma_rad) * right->displacement(face_camera_mm);
 }
 
-/// Nothing where chance explains the size, or where little depends on it.
+/// Nothing where chance explains the turn, or where little depends on it.
 std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior,
-                                               const Eigen::Vector3d& face_camera_mm) {
+                                               const Eigen::Vector3d& off_mm) {
   constexpr double kSaid_mm = 2.0;
-  const double up_to_mm = 2.0 * byTurnedCamera_mm(posterior, face_camera_mm).norm();
-  if (std::abs(posterior.scale) < 2.0 * posterior.scale_sigma || up_to_mm < kSaid_mm) return std::nullopt;
+  const double up_to_mm = 2.0 * off_mm.norm();
+  const bool is_chance = posterior.turn ? std::abs(posterior.turn->rad) < 2.0 * posterior.turn->sigma_rad
+                                        : std::abs(posterior.scale) < 2.0 * posterior.scale_sigma;
+  if (is_chance || up_to_mm < kSaid_mm) return std::nullopt;
   return "if a camera turned sideways since the calibration, the head lies up to " + fixed(up_to_mm, 0) +
          " mm nearer or farther than shown (the cameras measure the face at " +
          fixed(100.0 * (1.0 + posterior.scale), 1) +
-         " % of the MRI's size): hold the coil's tip to nose and ears and check that the screen shows it there";
+         " % of the MRI's size): hold the coil's tip to nose and ears and check that the screen shows it "
+         "there";
 }
 
 }  // namespace
@@ -98,13 +104,18 @@ Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& point
 }
 
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                 const Eigen::Isometry3d& pose, double limit_mm, const SightError& sight) {
+                 const Eigen::Isometry3d& pose, double limit_mm, const AlignmentStart& start) {
   const FieldFitter fitter(scalp, face, points);
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Vector3d middle = scalp.middle_mm();
   FinalFit fit{leastSquares(scalp, fitter, pose, limit_mm), limit_mm, {}};
+  SeenFrom seen{fit.mri_T_camera.translation(), start.sight};
+  if (start.right)
+    seen.turn_mm = [right = *start.right, mri_T_camera = fit.mri_T_camera](const Eigen::Vector3d& p_mri_mm) {
+      return Eigen::Vector3d(mri_T_camera.linear() * right.displacement(mri_T_camera.inverse() * p_mri_mm));
+    };
   fit.posterior = posteriorOf(coveredPatches(scalp, fitter, fit.mri_T_camera, limit_mm), regions, middle,
-                              settingsOf<MisfitPrior>(), {fit.mri_T_camera.translation(), sight});
+                              settingsOf<MisfitPrior>(), seen);
   fit.mri_T_camera = increment(-fit.posterior.error, middle, fit.mri_T_camera);
   return fit;
 }
@@ -120,7 +131,8 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 }
 
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence) {
+                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence,
+                       const std::optional<TurnableCamera>& right) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
   result.covariance = inCamera(fit.posterior.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
@@ -128,6 +140,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   result.misfit_mm = fit.posterior.field_mm;
   evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
   evidence.misfit_mm = result.misfit_mm;
+  result.right_turn = evidence.turn = fit.posterior.turn;
   evidence.scale = 1.0 + fit.posterior.scale;
   evidence.scale_sigma = fit.posterior.scale_sigma;
   if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
@@ -161,8 +174,9 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   face_mri_mm /= std::max(1, result.points);
   result.covariance += bySize(fit.posterior, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
   const Eigen::Vector3d face_camera_mm = (result.camera_T_mri * Point<Mri>(face_mri_mm)).mm;
-  result.turned_camera_mm = byTurnedCamera_mm(fit.posterior, face_camera_mm);
-  if (const auto words = turnedCameraCaution(fit.posterior, face_camera_mm)) result.cautions.push_back(*words);
+  result.turned_camera_mm = byTurnedCamera_mm(fit.posterior, right, face_camera_mm);
+  if (const auto words = turnedCameraCaution(fit.posterior, result.turned_camera_mm))
+    result.cautions.push_back(*words);
   result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
   result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;
   return result;

@@ -21,9 +21,9 @@ Eigen::Isometry3d leastSquares(const ScalpField& scalp, const FieldFitter& point
                                const Eigen::Isometry3d& pose, double limit_mm);
 
 /// `pose` corrected by the misfit model of the `points`, with its covariance, which includes that of the
-/// cloud's own error (`sight`).
+/// cloud's own error, and the turn of a camera (of `start`: sight, right).
 FinalFit correct(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                 const Eigen::Isometry3d& pose, double limit_mm, const SightError& sight);
+                 const Eigen::Isometry3d& pose, double limit_mm, const AlignmentStart& start);
 
 /// The covariance of `pose` unchanged (for a method that does not model misfit).
 FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
@@ -33,7 +33,8 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 /// which the skins lie closest; the model may put one skin outside the other everywhere. `covers`,
 /// `evidence`: as found at `closest`.
 AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
-                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence);
+                       const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence,
+                       const std::optional<TurnableCamera>& right = {});
 
 /// Refuses before any fit: no skin, a defaced scan, too few points. Throws Error("not aligned: ...").
 void requireMaterial(const ScalpField& scalp, const PointCloud<Camera>& face);

@@ -23,9 +23,10 @@ struct ModeSizes {
 };
 
 /// The patches as one linear model: residual = misfit + design * error. Columns: six of the pose, the offset,
-/// the scale along each axis (modes of the misfit), and the residual itself.
+/// the scale along each axis (modes of the misfit), the residual itself, and a turn of the right camera (zero
+/// where that is not asked for).
 struct LinearModel {
-  static constexpr int kPose = 6, kOffset = 6, kScale = 7, kResidual = 10, kColumns = 11;
+  static constexpr int kPose = 6, kOffset = 6, kScale = 7, kResidual = 10, kTurn = 11, kColumns = 12;
   Eigen::Matrix<double, Eigen::Dynamic, kColumns> columns;
   VectorXd noise2, softness;
   MatrixXd distance_mm;
@@ -33,13 +34,14 @@ struct LinearModel {
 
 /// Rotations are multiplied by this lever, so that all six columns have similar size.
 constexpr double kLever_mm = 100.0;
+constexpr double kTurn_rad = 0.1 * kRadPerDeg;  // one unit of the turn's column
 constexpr double kPatch_mm = 12.0;
 // Fewer patches determine the shape too poorly: of 21 faces, the bound on one varied between 1.6 and 2.7 mm
 // with the third of the patches that was used.
 constexpr std::size_t kShapePatches = 150, kMostShapes = 6;
 
 LinearModel linearModel(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
-                        const Eigen::Vector3d& pivot) {
+                        const Eigen::Vector3d& pivot, const SeenFrom& seen = {}) {
   const auto n = Eigen::Index(patches.size());
   LinearModel model{{n, LinearModel::kColumns}, VectorXd(n), VectorXd(n), MatrixXd(n, n)};
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -48,7 +50,8 @@ LinearModel linearModel(const std::vector<SkinPatch>& patches, const anatomy::Fa
     model.softness[i] = regions.softness(patch.at_mri_mm);
     const Eigen::Vector3d stretch_mm = patch.normal.cwiseProduct(patch.at_mri_mm - pivot);
     model.columns.row(i) << patch.jacobian.head<3>().transpose() / kLever_mm,
-        patch.jacobian.tail<3>().transpose(), 1.0, stretch_mm.transpose(), patch.residual_mm;
+        patch.jacobian.tail<3>().transpose(), 1.0, stretch_mm.transpose(), patch.residual_mm,
+        seen.turn_mm ? kTurn_rad * patch.normal.dot(seen.turn_mm(patch.at_mri_mm)) : 0.0;
     for (Eigen::Index j = 0; j <= i; ++j)
       model.distance_mm(i, j) = model.distance_mm(j, i) =
           (patch.at_mri_mm - patches[std::size_t(j)].at_mri_mm).norm();
@@ -129,6 +132,19 @@ std::pair<double, double> estimateScale(const Whitened& white, const ModeSizes& 
   unknowns.block<3, 1>(LinearModel::kScale, 6).setOnes();
   const Estimate out = estimate(white, unknowns, VectorXd::Unit(LinearModel::kColumns, LinearModel::kOffset),
                                 VectorXd::Constant(1, sizes.offset_mm));
+  return {out.value[6], out.covariance(6, 6)};
+}
+
+/// Estimate and variance of the right camera's turn, fitted together with the pose. The scan's offset and
+/// scale along each axis are random, with their prior sizes.
+std::pair<double, double> estimateTurn(const Whitened& white, const ModeSizes& sizes) {
+  MatrixXd unknowns = MatrixXd::Zero(LinearModel::kColumns, 7);
+  unknowns.topLeftCorner<6, 6>().setIdentity();
+  unknowns(LinearModel::kTurn, 6) = 1.0;
+  const MatrixXd all = MatrixXd::Identity(LinearModel::kColumns, LinearModel::kColumns);
+  const Estimate out =
+      estimate(white, unknowns, all.middleCols<4>(LinearModel::kOffset),
+               (VectorXd(4) << sizes.offset_mm, VectorXd::Constant(3, sizes.scale)).finished());
   return {out.value[6], out.covariance(6, 6)};
 }
 
@@ -247,6 +263,22 @@ Matrix6d covarianceUnder(const std::vector<Plausible>& shapes, const LinearModel
   return sum;
 }
 
+/// Mean over the plausible shapes and sizes, and what remains uncertain within and between them.
+CameraTurn turnUnder(const std::vector<Plausible>& shapes, const LinearModel& model, double tails) {
+  double total = 0, mean = 0, squares = 0;
+  for (const auto& [shape, modes, log_weight] : shapes) {
+    const Whitened white =
+        whiten(model, fieldCovariance(model, correlation(model.distance_mm, shape.reach_mm), shape));
+    for (const auto& sizes : modes) {
+      const auto [turn, variance] = estimateTurn(white, sizes);
+      const double weight = std::exp(sizes.log_weight);
+      total += weight, mean += weight * turn, squares += weight * (tails * variance + turn * turn);
+    }
+  }
+  mean /= total;
+  return {kTurn_rad * mean, kTurn_rad * std::sqrt(std::max(0.0, squares / total - mean * mean))};
+}
+
 /// Of the estimate, by the cloud's error along the lines of sight.
 Matrix6d covarianceBySight(const std::vector<SkinPatch>& patches, const LinearModel& model,
                            const MatrixXd& estimator, const SeenFrom& seen) {
@@ -276,7 +308,7 @@ Vector6d poseError(const std::vector<SkinPatch>& patches, const anatomy::FaceReg
 PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
                           const Eigen::Vector3d& pivot, const MisfitPrior& prior, const SeenFrom& seen) {
   const auto shapes = plausibleShapes(linearModel(some(patches, kShapePatches), regions, pivot), prior);
-  LinearModel model = linearModel(patches, regions, pivot);
+  LinearModel model = linearModel(patches, regions, pivot, seen);
   dropOutliers(model, shapes.front());
   const MatrixXd estimator = workingEstimator(model);
   PosePosterior posterior;
@@ -302,6 +334,7 @@ PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::
       whiten(model, fieldCovariance(model, correlation(model.distance_mm, likeliest.reach_mm), likeliest)),
       shapes.front().modes.front());
   posterior.scale = scale, posterior.scale_sigma = std::sqrt(tails * variance);
+  if (seen.turn_mm) posterior.turn = turnUnder(shapes, model, tails);
   posterior.error = units().asDiagonal() * posterior.error;
   posterior.covariance = units().asDiagonal() * posterior.covariance * units().asDiagonal();
   return posterior;

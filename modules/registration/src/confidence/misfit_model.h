@@ -11,6 +11,8 @@
 // that look like a change of pose and therefore leave no residual.
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "cloud/skin_patches.h"
@@ -30,12 +32,17 @@ struct PosePosterior {
   // together with the pose without a prior on the scan's scale. Causes are cameras calibrated with a square
   // of the wrong size, or a scanner's gradients. The pose is not corrected by it.
   double scale = 0.0, scale_sigma = 0.0;
+  // Turn of the right camera (SeenFrom::turn_mm), in the same way, under the prior on the scan's scale.
+  std::optional<CameraTurn> turn;
 };
 
 /// The camera that the cloud is seen from, and what the cloud is off along its lines of sight.
 struct SeenFrom {
   Eigen::Vector3d camera_mri_mm = Eigen::Vector3d::Zero();
   SightError error;
+  /// Displacement (mm per rad, Mri) of a measured point (Mri, mm) where the right camera turned; empty: not
+  /// estimated.
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> turn_mm = {};
 };
 
 /// Error of a pose (turn rad, shift mm, about the pivot) under the working covariance alone.

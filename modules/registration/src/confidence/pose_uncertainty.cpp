@@ -56,6 +56,11 @@ double AlignmentResult::predictedError_mm(const Point<Mri>& target) const {
   return uncertainty().predictedError_mm(camera_T_mri, target);
 }
 
+Eigen::Vector3d TurnableCamera::displacement(const Eigen::Vector3d& p_camera_mm) const {
+  const Eigen::Vector3d ray = p_camera_mm.normalized(), swept = axis.v.cross(p_camera_mm - centre.mm);
+  return ray * (swept.squaredNorm() / swept.dot(ray));
+}
+
 double AlignmentResult::errorBound_mm(const Point<Mri>& target, double probability) const {
   PoseUncertainty all = uncertainty();
   all.covariance.bottomRightCorner<3, 3>() += turned_camera_mm * turned_camera_mm.transpose();

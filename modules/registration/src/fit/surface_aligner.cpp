@@ -1,6 +1,7 @@
 #include <future>
 #include <optional>
 
+#include "confidence/camera_turn.h"
 #include "confidence/fit_report.h"
 #include "facenav/core/error.h"
 #include "robust_fit.h"
@@ -9,7 +10,7 @@ namespace facenav::registration {
 namespace {
 
 AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
-                         const std::vector<Candidate>& rivals, const SightError& sight,
+                         const std::vector<Candidate>& rivals, const AlignmentStart& start,
                          TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
   auto gathering = std::async(std::launch::async, [&] {
@@ -17,21 +18,22 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
   });
   std::optional<FinalFit> fit;
   try {
-    fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm, sight);
+    fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm, start);
   } catch (const Error&) {
     requireLikeness(gathering.get());  // if the face is another person's, report that as the reason
     throw;
   }
   fit->posterior.covariance += robust.doubt;
+  fit->posterior.turn = settledTurn(scalp, face, start, *fit);
   monitor.report("checking the fit", 0.9);
-  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get());
+  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get(), start.right);
 }
 
 AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
                        SearchWidth width, std::size_t most, TaskMonitor& monitor) {
   const auto candidates = findStarts(scalp, face, start, width, most, monitor);
   monitor.report("fitting the face", 0.5);
-  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, start.sight,
+  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, start,
                   monitor);
 }
 
@@ -60,8 +62,10 @@ class SurfaceAligner : public Aligner {
     monitor.report("fitting the face", 0.0);
     try {
       if (const auto robust = fitFromGuess(scalp, face, start))
-        return conclude(scalp, face, *robust, {}, start.sight, monitor);
+        return conclude(scalp, face, *robust, {}, start, monitor);
     } catch (const Cancelled&) {
+      throw;
+    } catch (const CameraTurned&) {
       throw;
     } catch (const Error&) {
       // The guess was poor: search around it.
@@ -74,6 +78,8 @@ class SurfaceAligner : public Aligner {
       try {
         return search(scalp, face, start, width, std::size_t(most), monitor);
       } catch (const Cancelled&) {
+        throw;
+      } catch (const CameraTurned&) {
         throw;
       } catch (const Error& refusal) {
         if (!reason) reason = refusal;

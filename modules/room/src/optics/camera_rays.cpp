@@ -26,6 +26,12 @@ CameraRays::CameraRays(const cameras::CameraModel& camera, int width_px, int hei
       origin_mm_(camera_T_world.inverse().translation()),
       table_(undistortAll(camera, width_px, height_px)) {}
 
+void CameraRays::moveTo(const Eigen::Isometry3d& camera_T_world) {
+  camera_T_world_ = camera_T_world;
+  world_from_camera_ = camera_T_world.linear().transpose();
+  origin_mm_ = camera_T_world.inverse().translation();
+}
+
 bool CameraRays::shows(const Eigen::Vector3d& p_world_mm) const {
   const Eigen::Vector3d p = camera_T_world_ * p_world_mm;
   if (p.z() <= 0.0 || p.head<2>().norm() > 1.2 * p.z()) return false;

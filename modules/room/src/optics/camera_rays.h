@@ -17,6 +17,9 @@ class CameraRays {
   CameraRays(const cameras::CameraModel& camera, int width_px, int height_px,
              const Eigen::Isometry3d& camera_T_world);
 
+  /// The camera on its mount has moved.
+  void moveTo(const Eigen::Isometry3d& camera_T_world);
+
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
   const Eigen::Vector3d& origin_mm() const { return origin_mm_; }

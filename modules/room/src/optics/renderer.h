@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <opencv2/core.hpp>
+#include <utility>
 #include <vector>
 
 #include "camera_rays.h"
@@ -25,6 +26,7 @@ class Renderer {
  public:
   /// `backdrop`: radiance of pixels without an object (float, H x W, at full light), one image per camera.
   Renderer(const CameraRays& rays, cv::Mat backdrop);
+  void setBackdrop(cv::Mat backdrop) { backdrop_ = std::move(backdrop); }
   View render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
               const Lighting& lighting) const;
 

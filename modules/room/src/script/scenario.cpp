@@ -1,5 +1,8 @@
 #include "facenav/room/scenario.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "facenav/core/error.h"
 #include "script.h"
 
@@ -14,6 +17,8 @@ constexpr double kRealGloss = 0.8;
 // Of "plain_align": two seconds at webcams' pace; skin between a rendered face's and that of "moments".
 constexpr int kTurnFrames = 40, kWebcamJpeg = 75;
 constexpr double kTurnFrames_per_s = 20.0, kFaintSkin = 0.3, kDullGloss = 0.3;
+
+const char* const kDriftsAbout[] = {"yaw", "pitch", "roll", "shift"};
 
 struct OwnWhereUsual {
   template <class Value>
@@ -78,6 +83,9 @@ const std::vector<ScenarioKind>& scenarios() {
       {"mask_on", "the mask is put on after the capture", 100},
       {"other_face", "another person's face takes the patient's place, at once and walking in", 150},
       {"coil_sweep", "the coil's marker at 400-900 mm, tilted up to 60 deg", 120},
+      {"drift",
+       "face and coil, while the right camera turns slowly on its mount (0.3 deg; or shifts by 1 mm)", 240},
+      {"drift_face", "the same without the coil", 240},
       {"lost", "face away, head out of view, cameras black, frozen, swapped: each frame labelled", 180},
       {"grimace",
        "the patient comes back four times, each time after 1.4 s, elsewhere (0.5-5 deg, 3-16 mm) and with "
@@ -115,6 +123,12 @@ ScenarioOptions resolved(ScenarioOptions options) {
   if (options.blinks < 0) options.blinks = kind.blinks;
   if (kind.is_real) makeReal(options);
   if (kind.name == kPlainAlign) makeFaint(options);
+  const bool drifts = kind.name.rfind("drift", 0) == 0;
+  if (drifts && options.drift_about.empty()) options.drift_about = kDriftsAbout[(options.seed + 3) % 4];
+  if (drifts && std::find(std::begin(kDriftsAbout), std::end(kDriftsAbout), options.drift_about) ==
+                    std::end(kDriftsAbout))
+    throw Error("a camera does not drift in this way", options.drift_about,
+                "one of: yaw, pitch, roll, shift");
   if (options.hair_sway_mm < 0.0) options.hair_sway_mm = 0.0;
   if (options.bayer < 0) options.bayer = 0;
   if (options.rig_name.empty()) options.rig_name = "room";

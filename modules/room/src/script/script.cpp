@@ -53,6 +53,7 @@ MomentOf momentsOf(const Setting& setting) {
       {"grimace", grimaceScript},       {"grimace_other", grimaceScript},
       {"returns", returnsScript},       {"out_of_step", outOfStepScript},
       {"moments", momentsScript},       {"moments_other", momentsScript},
+      {"drift", driftScript},           {"drift_face", driftScript},
       {kPlainAlign, turningScript}};
   return scripts.at(setting.options.name)(setting);
 }
@@ -123,6 +124,7 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
   capture.has_mask = kind.name == "mask";
   capture.gloss = setting.options.gloss;
   capture.hair.sway_mm = setting.options.hair_sway_mm;
+  capture.expression = captureExpression(setting.options);
   return std::make_unique<FunctionScript>(setting, capture, momentsOf(setting));
 }
 

@@ -97,6 +97,15 @@ void otherLight(const Setting& setting, int visit, Cast& cast) {
 
 }  // namespace
 
+Expression captureExpression(const ScenarioOptions& options) {
+  Expression expression;
+  if (options.capture_grimace <= 0) return expression;
+  Dice dice(options.seed * 4001 + 11);
+  expression.brows = options.capture_grimace * dice.between(-0.4, 0.6);
+  expression.*kGrimaces[std::size_t(options.seed % kGrimaces.size())].part = options.capture_grimace;
+  return expression;
+}
+
 MomentOf grimaceScript(const Setting& setting) {
   const bool has_other = setting.options.name == "grimace_other";
   return [setting, has_other](double frame) {

@@ -60,6 +60,8 @@ MomentOf protractorScript(const Setting& setting);
 MomentOf freeMotionScript(const Setting& setting);
 MomentOf treatmentScript(Setting setting);
 MomentOf turningScript(const Setting& setting);
+/// script_drift.cpp: the right camera moves on its mount.
+MomentOf driftScript(const Setting& setting);
 // script_disturbances.cpp: disturbances of a treatment room.
 MomentOf occlusionScript(const Setting& setting);
 MomentOf talkingScript(const Setting& setting);
@@ -75,6 +77,8 @@ MomentOf otherFaceScript(const Setting& setting);
 MomentOf grimaceScript(const Setting& setting);
 MomentOf returnsScript(const Setting& setting);
 MomentOf outOfStepScript(const Setting& setting);
+/// Of the options' capture_grimace; its kind by the seed.
+Expression captureExpression(const ScenarioOptions& options);
 
 // script_moments.cpp: a real person in front of real cameras.
 MomentOf momentsScript(const Setting& setting);

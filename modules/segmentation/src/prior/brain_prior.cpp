@@ -96,7 +96,8 @@ void addShares(const PriorNetwork& network, const Volume& window, BrainPrior& su
   const int row = window.grid.size[0];
   const PriorShares plain = network.shares(window);
   const PriorShares other = network.shares({window.grid, mirrored(window.voxels, row), {}, {}});
-  for (const auto& [which, to] : {std::pair(kPriorBrain, &sum.brain), std::pair(kPriorFluid, &sum.fluid)}) {
+  for (const auto& [which, to] : {std::pair(kPriorBrain, &sum.brain), std::pair(kPriorFluid, &sum.fluid),
+                                  std::pair(kPriorAir, &sum.air)}) {
     Volume mean{window.grid, mirrored(other[which], row), {}, {}};
     for (std::size_t v = 0; v < mean.voxels.size(); ++v)
       mean.voxels[v] = 0.5f * (mean.voxels[v] + plain[which][v]);
@@ -123,7 +124,7 @@ std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const Volu
   for (int& size : prior.brain.grid.size) size *= 2;
   prior.brain.grid.mri_from_voxel.linear() /= 2;
   prior.brain.voxels.assign(prior.brain.grid.count(), 0);
-  prior.fluid = prior.brain;
+  prior.air = prior.fluid = prior.brain;
   addShares(network, first, prior);
   addShares(network, second, prior);
   return prior;

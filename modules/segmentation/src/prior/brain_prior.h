@@ -10,8 +10,9 @@
 namespace facenav::segmentation {
 
 struct BrainPrior {
-  volume::Volume brain, fluid;  // 0..1, RAS grid of 2 mm, the last window's extent
-  volume::Mask mask() const;    // 0.5 and more, in one piece, without holes
+  // 0..1, RAS grid of 2 mm, the last window's extent. Air: also pads, earphones and haze.
+  volume::Volume brain, fluid, air;
+  volume::Mask mask() const;  // 0.5 and more, in one piece, without holes
 };
 
 /// `working`: RAS, voxels of 1 mm, air about 0. Nothing where the network sees less brain than an infant's.

@@ -12,6 +12,7 @@ namespace {
 class PriorSegmenter : public Segmenter {
  public:
   SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const override {
+    requireMr(volume);
     requireBrainScan(volume);
     monitor.report("looking for the brain", 0);
     const InstalledPrior& installed = installedPrior();

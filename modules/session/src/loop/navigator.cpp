@@ -59,6 +59,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
                      std::unique_ptr<coil_tracking::CoilTracker> coil)
     : rig_(setup.rig),
       marker_T_coil_(setup.coil.marker_T_coil()),
+      coil_name_(setup.coil.name),
       tolerance_(setup.tolerance),
       rig_check_(setup.rig),
       scalp_(setup.scalp),
@@ -72,9 +73,9 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
   coil_->start(rig_, setup.coil);
   rig_check_.start(setup.reference);
   if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
-    const auto check = std::make_shared<const monitoring::DriftCheck>(rig_, setup.scalp, setup.reference,
-                                                                      *setup.camera_T_mri_at_reference);
-    const auto measure = [check](const auto& frame, const auto& camera_T_mri) {
+    drift_check_ = std::make_shared<monitoring::DriftCheck>(rig_, setup.scalp, setup.reference,
+                                                            *setup.camera_T_mri_at_reference);
+    const auto measure = [check = drift_check_](const auto& frame, const auto& camera_T_mri) {
       return check->measure(frame, camera_T_mri);
     };
     const auto mode = setup.pace == head_tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
@@ -95,6 +96,14 @@ void Navigator::setTarget(std::optional<ChosenTarget> target) {
   previous_ = {};
 }
 
+void Navigator::setCoil(const coil_tracking::CoilModel& coil) {
+  coil_->start(rig_, coil);
+  marker_T_coil_ = coil.marker_T_coil();
+  coil_name_ = coil.name;
+  coil_deferred_ = {};
+  previous_ = {};
+}
+
 NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const Timestamp begin = Timestamp::now();
@@ -105,6 +114,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   state.arrived = state.taken = begin;
   state.is_aligned = head_T_mri_.has_value();
   state.target = target_ ? target_->target.name : "";
+  state.coil_name = coil_name_;
   state.chosen = target_;
   state.tolerance = tolerance_;
   if (isUsable(*frame, rig_)) {
@@ -133,14 +143,18 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
 /// Tracks head, then coil. Returns the time (ms) of work that a live session does in parallel with the
 /// frames.
 double Navigator::track(const cameras::StereoFrame& frame, NavigationState& state) {
-  const auto head = head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false)});
-  const auto coil = coil_->track(frame, {head.exposure_offset, head.work});
+  const auto right_T_left = rig_check_.right_T_left();
+  const auto head =
+      head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false), right_T_left});
+  const auto coil = coil_->track(frame, {head.exposure_offset, head.work, right_T_left});
   coil_deferred_ = coil.deferred;
   state.head = head;
   state.head_detail = head.loss_detail;
   state.exposure_offset = head.exposure_offset;
   state.coil = coil;
   rig_check_.add(frame, state.head, coil);
+  state.rig_correction = rig_check_.correction();
+  if (drift_check_ && !state.rig_correction.empty()) drift_check_->moveRight(rig_check_.right_T_left());
   return head.beside_ms;
 }
 

@@ -29,6 +29,7 @@ struct Session::Implementation {
   mutable std::mutex mutex;  // guards the members below, up to `end`
   std::condition_variable stop_requested;
   std::optional<std::optional<ChosenTarget>> new_target;
+  std::optional<coil_tracking::CoilModel> new_coil;
   std::optional<bool> wanted_check;  // its value: poses are withheld until it passes
   std::string failure;
   std::optional<Timestamp> started, ended;
@@ -123,6 +124,8 @@ void Session::Implementation::track() {
       std::lock_guard lock(mutex);
       if (new_target) navigator->setTarget(std::move(*new_target));
       new_target.reset();
+      if (new_coil) navigator->setCoil(*new_coil);
+      new_coil.reset();
       if (wanted_check) navigator->checkRegistration(*wanted_check);
       wanted_check.reset();
     }
@@ -202,6 +205,11 @@ double Session::elapsed_s() const {
 void Session::setTarget(std::optional<ChosenTarget> target) {
   std::lock_guard lock(implementation_->mutex);
   implementation_->new_target = std::move(target);
+}
+
+void Session::setCoil(const coil_tracking::CoilModel& coil) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->new_coil = coil;
 }
 
 void Session::checkRegistration(bool is_withheld_until) {

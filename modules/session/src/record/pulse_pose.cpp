@@ -45,6 +45,7 @@ std::string missingFrames(const std::optional<PosedFrame>& before, const std::op
   if (!before) return "no picture before the pulse";
   if (!after) return formatted("no picture within %.1f s after the pulse", kLongestWait_s);
   const double between_s = after->taken - before->taken;
+  if (before->coil != after->coil) return "another coil was chosen at that moment";
   if (between_s > kLongestBetweenFrames_s) return formatted("no picture for %.2f s", between_s);
   return {};
 }
@@ -93,8 +94,8 @@ void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
 }  // namespace
 
 PosedFrame posedFrame(const NavigationState& state) {
-  PosedFrame posed{state.frame, state.captured, state.taken, {}, {}, state.chosen, state.tolerance,
-                   {},          state.gap.live};
+  PosedFrame posed{state.frame, state.captured,  state.taken,   {}, {}, state.chosen, state.tolerance,
+                   {},          state.coil_name, state.gap.live};
   if (state.camera_T_mri) posed.camera_T_mri = *state.camera_T_mri;
   if (state.camera_T_coil) posed.camera_T_coil = *state.camera_T_coil;
   if (!state.camera_T_mri || !state.camera_T_coil) posed.loss = titleOf(lossInWords(state));
@@ -113,6 +114,7 @@ casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<Po
   pulse.source = trigger.source;
   pulse.intensity_pct = trigger.intensity_pct;
   const PosedFrame* known = before ? &*before : after ? &*after : nullptr;
+  if (known) pulse.coil = known->coil;
   if (known && known->chosen) {
     pulse.target = known->chosen->target;
     pulse.target->note.clear();

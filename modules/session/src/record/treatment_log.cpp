@@ -35,7 +35,7 @@ struct FollowOn {
 };
 
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
-constexpr double kRetry_s = 1.0;       // after a fault of the disk
+constexpr double kLogRetry_s = 1.0;    // after a fault of the disk
 constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
@@ -80,8 +80,9 @@ struct TreatmentLog::Implementation {
   std::string failure;
   std::thread thread;
   // Used only by the thread: what held at the previous frame.
-  bool has_head = false, has_coil = false, has_faulted = false, has_noted_end = false;
+  bool has_head = false, has_coil = false, has_faulted = false, has_corrected = false, has_noted_end = false;
   int noted_check = 0;
+  std::string noted_coil;  // whose poses the lines of poses.csv are
   std::string evidence_fault;
   std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
   std::optional<Timestamp> broken;    // since when nothing can be written
@@ -93,6 +94,7 @@ struct TreatmentLog::Implementation {
   bool answer(std::variant<double, bool> said);
   void noteEnd();
   void noteEvidence();
+  void noteCoil(const NavigationState& state);
   std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
   void write(const NavigationState& state);
   template <class Work>
@@ -109,7 +111,14 @@ void TreatmentLog::Implementation::noteChange(bool& has, bool has_now, const cha
   has = has_now;
 }
 
+void TreatmentLog::Implementation::noteCoil(const NavigationState& state) {
+  if (state.frame < 0 || state.coil_name == noted_coil) return;
+  log.addEvent("coil followed", state.coil_name + formatted(", from frame %lld on", (long long)state.frame));
+  noted_coil = state.coil_name;
+}
+
 void TreatmentLog::Implementation::write(const NavigationState& state) {
+  noteCoil(state);
   if (state.frame >= 0) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));
@@ -124,6 +133,8 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
   const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
   if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
   has_faulted = !fault.empty();
+  if (!state.rig_correction.empty() && !has_corrected) log.addEvent("camera moved", state.rig_correction);
+  has_corrected = !state.rig_correction.empty();
   if (state.check && state.check->number != noted_check) {
     log.addEvent("registration check", inWords(*state.check));
     noted_check = state.check->number;
@@ -216,7 +227,7 @@ void TreatmentLog::Implementation::tried(Work work) {
       broken = Timestamp::now();
     }
     setFailure(error.what());
-    retry = {Timestamp::now().s + kRetry_s};
+    retry = {Timestamp::now().s + kLogRetry_s};
   }
 }
 

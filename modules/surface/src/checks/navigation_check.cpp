@@ -95,6 +95,33 @@ CheckFinding checkGhosts(const ScanQuality& scan) {
           "the scan again, head padded still, phase encoding left-right so that ghosts miss the face"};
 }
 
+/// Area of the upper head (where coils go) whose skin is unsure by more than half a millimetre.
+double unsureArea_mm2(const ScalpSurface& scalp) {
+  constexpr double kUnsure_mm = 0.5, kUpper_mm = 110;
+  if (scalp.doubt_mm.size() != scalp.mesh.vertices_mm.size()) return 0;
+  double top_mm = -1e9, area_mm2 = 0;
+  for (const auto& p : scalp.mesh.vertices_mm) top_mm = std::max(top_mm, p.z());
+  for (const auto& t : scalp.mesh.triangles) {
+    const auto& p = scalp.mesh.vertices_mm;
+    if (scalp.doubt_mm[t[0]] < kUnsure_mm || p[t[0]].z() < top_mm - kUpper_mm) continue;
+    area_mm2 += 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+  }
+  return area_mm2;
+}
+
+CheckFinding checkSkin(const ScalpSurface& scalp) {
+  constexpr double kMuch_mm2 = 1500;
+  const double unsure_mm2 = unsureArea_mm2(scalp);
+  if (unsure_mm2 < kMuch_mm2)
+    return {CheckTopic::skin, Verdict::fine, "it ends in dark air where coils go", ""};
+  return {
+      CheckTopic::skin, Verdict::caution,
+      formatted("pads, earphones or haze lie against %.0f cm2 of the upper head: the skin is unsure there by "
+                "more than 0.5 mm, and so is the coil's gap",
+                unsure_mm2 / 100),
+      "a scan with nothing but air at forehead and crown, or pads without signal"};
+}
+
 CheckFinding checkWrapping(const ScanQuality& scan) {
   constexpr double kShare = 0.2;
   for (const ScanSide& side : scan.sides)
@@ -166,6 +193,8 @@ std::string toString(CheckTopic topic) {
       return "noise";
     case CheckTopic::ghosts:
       return "ghosts";
+    case CheckTopic::skin:
+      return "skin";
     case CheckTopic::wrap_around:
       return "wrap-around";
     case CheckTopic::left_and_right:
@@ -204,9 +233,10 @@ NavigationCheck checkForNavigation(const volume::Volume& mri, const volume::Mask
     check.landmarks = findFaceLandmarks(scalp);
     check.measures = measureFace(check.landmarks, scan.largest_voxel_mm);
   }
-  check.findings = {checkFacePresence(scalp), checkEars(scan),     checkVertex(scan),
-                    checkSpacing(scan),       checkNoise(scan),    checkGhosts(scan),
-                    checkWrapping(scan),      checkLeftRight(mri), checkScale(check.measures)};
+  check.findings = {checkFacePresence(scalp),  checkEars(scan),     checkVertex(scan),
+                    checkSpacing(scan),        checkNoise(scan),    checkGhosts(scan),
+                    checkSkin(scalp),          checkWrapping(scan), checkLeftRight(mri),
+                    checkScale(check.measures)};
   return check;
 }
 

@@ -5,9 +5,14 @@
 #include <vector>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/volume/local_mean.h"
+#include "facenav/volume/mask_morphology.h"
 
 namespace facenav::surface {
 namespace {
+
+constexpr double kPlace_mm = 16;
+constexpr double kNear_mm = 3;  // pads and haze further out have edges of their own
 
 /// The value that more than half of the voxels outside the head have exactly.
 std::optional<float> commonAir(const volume::Volume& scan, const volume::Mask& head) {
@@ -21,9 +26,10 @@ std::optional<float> commonAir(const volume::Volume& scan, const volume::Mask& h
   return 2 * std::size_t(same) > outside.size() ? std::optional<float>(air) : std::nullopt;
 }
 
-/// Values brighter than air, of voxels that share a face with air.
-std::vector<float> besideAir(const volume::Volume& scan, float air) {
-  std::vector<float> values;
+/// Voxels at the head's outline that are brighter than air and share a face with air.
+std::vector<std::uint8_t> besideAir(const volume::Volume& scan, float air, const volume::Mask& head) {
+  const volume::Mask near = volume::dilate(head, kNear_mm);
+  std::vector<std::uint8_t> beside(scan.voxels.size());
   const auto& size = scan.grid.size;
   const std::array<std::size_t, 3> stride{1, std::size_t(size[0]), std::size_t(size[0]) * size[1]};
   for (int k = 0; k < size[2]; ++k)
@@ -31,15 +37,24 @@ std::vector<float> besideAir(const volume::Volume& scan, float air) {
       for (int i = 0; i < size[0]; ++i) {
         const std::array<int, 3> at{i, j, k};
         const std::size_t v = scan.grid.index(i, j, k);
-        if (!(scan.voxels[v] > air)) continue;
+        if (!near.voxels[v] || !(scan.voxels[v] > air)) continue;
         for (std::size_t a = 0; a < 3; ++a)
-          if ((at[a] > 0 && scan.voxels[v - stride[a]] == air) ||
-              (at[a] + 1 < size[a] && scan.voxels[v + stride[a]] == air)) {
-            values.push_back(scan.voxels[v]);
-            break;
-          }
+          beside[v] |= (at[a] > 0 && scan.voxels[v - stride[a]] == air) ||
+                       (at[a] + 1 < size[a] && scan.voxels[v + stride[a]] == air);
       }
-  return values;
+  return beside;
+}
+
+/// Nearly the least of the values, as a share of their mean: a few voxels inside the head may be darker than
+/// the threshold. Nothing for too few of them.
+std::optional<float> lowShare(const volume::Volume& scan, const std::vector<std::uint8_t>& beside) {
+  std::vector<float> values;
+  double sum = 0;
+  for (std::size_t v = 0; v < beside.size(); ++v)
+    if (beside[v]) values.push_back(scan.voxels[v]), sum += scan.voxels[v];
+  if (values.size() < 100 || !(sum > 0)) return {};
+  const double mean = sum / double(values.size());
+  return float(selectRank(values, values.size() / 10) / mean);
 }
 
 }  // namespace
@@ -47,12 +62,14 @@ std::vector<float> besideAir(const volume::Volume& scan, float air) {
 std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const volume::Mask& head) {
   const auto air = commonAir(scan, head);
   if (!air) return {};
-  std::vector<float> beside = besideAir(scan, *air);
-  if (beside.size() < 100) return {};
-  // Nearly the least of them, because a few voxels inside the head may be darker than the threshold.
-  const float low = selectRank(beside, beside.size() / 10);
+  const auto beside = besideAir(scan, *air, head);
+  const auto share = lowShare(scan, beside);
+  if (!share) return {};
+  // Place by place: under shading, the threshold lay elsewhere than one level shows.
+  const auto mean = volume::localMean(scan.grid, scan.voxels, beside, kPlace_mm, *air);
   volume::Volume raised = scan;
-  for (float& value : raised.voxels) value = std::max(value, low);
+  for (std::size_t v = 0; v < mean.size(); ++v)
+    raised.voxels[v] = std::max(raised.voxels[v], *share * mean[v]);
   return raised;
 }
 

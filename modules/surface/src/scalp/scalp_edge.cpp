@@ -184,7 +184,7 @@ std::vector<Edge> findEdges(const TriangleMesh& mesh, const MeshNeighbours& neig
   const int window = int(std::lround((search.inwards_mm + search.outwards_mm) / kStep_mm)) + 1;
   Profiles profiles =
       sampleProfiles(mesh, sample, -search.inwards_mm - radius * kStep_mm, window + 2 * radius);
-  const bool has_tails = !isMaskedOutside(profiles);
+  const bool has_tails = !search.is_air_erased && !isMaskedOutside(profiles);
   averageOverRings(profiles, neighbours, search.rings);
   std::vector<Edge> edges(mesh.vertices_mm.size());
   std::vector<float> fall(window);

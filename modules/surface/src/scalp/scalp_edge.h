@@ -15,6 +15,7 @@ struct EdgeSearch {
   double slope_sigma_mm = 0.6;                 // of the Gaussian derivative that measures the slope
   int rings = 3;                               // rings of neighbours averaged
   double stiffness = 1.0;                      // of the offsets along the surface; a clear edge has weight 1
+  bool is_air_erased = false;                  // then the edges' outer tails carry no information
 };
 
 /// Moves the vertices along their normals onto the edge and recomputes the normals. Vertices stay within the

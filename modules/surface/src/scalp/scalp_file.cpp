@@ -3,6 +3,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
@@ -16,7 +17,7 @@ namespace facenav::surface {
 namespace {
 
 constexpr char kHasFace[] = "has_face", kHasCutEar[] = "has_cut_ear", kFindings[] = "findings",
-               kFieldOfView[] = "field_of_view_mm";
+               kFieldOfView[] = "field_of_view_mm", kDoubt[] = "doubt_mm";
 
 Error malformed(const std::filesystem::path& path, const std::string& what) {
   return Error("not a scalp file: " + what, path.string(), "run 'facenav prepare' again");
@@ -43,6 +44,7 @@ void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path) {
     const double row[6] = {point.mm[0], point.mm[1], point.mm[2], normal.v[0], normal.v[1], normal.v[2]};
     planes->InsertNextTuple(row);
   }
+  if (!scalp.doubt_mm.empty()) addPointValues(*poly_data, kDoubt, scalp.doubt_mm);
   poly_data->GetFieldData()->AddArray(flag(kHasFace, scalp.has_face));
   poly_data->GetFieldData()->AddArray(flag(kHasCutEar, scalp.has_cut_ear));
   if (!scalp.findings.empty()) poly_data->GetFieldData()->AddArray(findings);
@@ -55,6 +57,11 @@ ScalpSurface readScalp(const std::filesystem::path& path) {
   ScalpSurface scalp;
   scalp.mesh = toTriangleMesh(*poly_data);
   if (scalp.mesh.triangles.empty()) throw malformed(path, "no triangles");
+  if (auto* doubt = poly_data->GetPointData()->GetArray(kDoubt)) {
+    if (doubt->GetNumberOfComponents() != 1) throw malformed(path, "doubt_mm needs 1 component");
+    for (vtkIdType v = 0; v < doubt->GetNumberOfTuples(); ++v)
+      scalp.doubt_mm.push_back(float(doubt->GetTuple1(v)));
+  }
   vtkFieldData& fields = *poly_data->GetFieldData();
   auto* has_face = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kHasFace));
   if (!has_face || has_face->GetNumberOfTuples() != 1) throw malformed(path, "no field has_face");

@@ -1,10 +1,14 @@
 #include "facenav/surface/scalp_surface.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "checks/face_check.h"
 #include "facenav/core/error.h"
 #include "masked_air.h"
 #include "scalp_edge.h"
 #include "scalp_outline.h"
+#include "skin_doubt.h"
 
 namespace facenav::surface {
 namespace {
@@ -40,11 +44,13 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   monitor.report("scalp", 0.3);
   const auto unmasked = withoutMaskStep(volume, head);
   const volume::Volume& scan = unmasked ? *unmasked : volume;
-  moveOntoEdge(scalp.mesh, neighbours, scan, {4.0, 3.0, 0.7, 4, 2.0});
+  const bool is_erased = unmasked.has_value();
+  moveOntoEdge(scalp.mesh, neighbours, scan, {4.0, 3.0, 0.7, 4, 2.0, is_erased});
   monitor.report("scalp", 0.5);
-  moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.6, 3, 1.0});
+  moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.6, 3, 1.0, is_erased});
   monitor.report("scalp", 0.7);
-  moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.5, 3, 0.7});
+  moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.5, 3, 0.7, is_erased});
+  scalp.doubt_mm = skinDoubt_mm(scalp.mesh, neighbours, volume);
   scalp.field_of_view = endsOf(volume.grid);
   const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
   scalp.has_face = face.has_face;
@@ -52,6 +58,16 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   scalp.findings = face.findings;
   monitor.report("scalp", 1.0);
   return scalp;
+}
+
+double skinDoubtUnder_mm(const ScalpSurface& scalp, const Point<Mri>& place, double reach_mm) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < scalp.doubt_mm.size(); ++v) {
+    if ((scalp.mesh.vertices_mm[v] - place.mm).squaredNorm() > reach_mm * reach_mm) continue;
+    squares += std::max(0.0, scalp.doubt_mm[v] * scalp.doubt_mm[v] - kClearSkin_mm * kClearSkin_mm), ++count;
+  }
+  return count ? std::sqrt(squares / double(count)) : 0.0;
 }
 
 }  // namespace facenav::surface

@@ -3,9 +3,8 @@
 #include <cstring>
 
 #include "facenav/core/json_reader.h"
-#include "facenav/core/whole_file.h"
+#include "facenav/core/zip_file.h"
 #include "tract_formats.h"
-#include "zip_archive.h"
 
 namespace facenav::surface {
 namespace {
@@ -62,7 +61,7 @@ std::vector<std::uint64_t> offsetsOf(const Entries& entries, const std::filesyst
 /// Positions are RAS mm. An offset is where a line begins; a last one, where present, is the number of
 /// points.
 TractLines readTrx(const std::filesystem::path& path) {
-  const Entries entries = readZip(readWholeFile(path), path);
+  const Entries entries = readZip(path);
   if (!entries.count("header.json")) refuseTracts(path, "it holds no header.json");
   const JsonReader header = JsonReader::readText(entries.at("header.json"), path);
   TractLines tracts;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <optional>
 
 #include "facenav/core/timestamp.h"
 
@@ -11,7 +12,9 @@ namespace facenav::cameras {
 struct StereoFrame {
   cv::Mat left, right;  // 8-bit, 1 channel, H x W, both of the rig's size
   std::int64_t number = 0;
-  Timestamp captured;
+  Timestamp captured;  // of the left image
+  /// How much later the right image was taken, by the cameras' own time stamps, s. Absent: unknown.
+  std::optional<double> right_late_s = std::nullopt;
 };
 
 }  // namespace facenav::cameras

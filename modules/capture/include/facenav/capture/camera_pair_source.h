@@ -1,17 +1,36 @@
 #pragma once
-// A live pair of plain cameras (USB, V4L2, GigE through OpenCV's videoio). Both are grabbed directly one
-// after the other and decoded afterwards: software synchronisation, with a skew of about a millisecond on one
-// hub. Cameras with a hardware trigger need their vendor's library, in another FrameSource.
+// A live pair of cameras as a FrameSource. Each camera is read on its own thread; pairs are made by capture
+// time (picture_matcher.h), not by arrival. A frame's `captured` is the left camera's time, its
+// `right_late_s` the right camera's delay. Newest first: a slow reader misses pairs, it never gets old ones.
 
 #include <memory>
 
+#include "facenav/capture/camera.h"
 #include "facenav/capture/frame_source.h"
+#include "facenav/capture/picture_matcher.h"
 
 namespace facenav::capture {
 
-/// Opens cameras `left_index` and `right_index` at the rig's image size. Throws Error naming the camera that
-/// does not open or does not deliver that size. Frames are numbered from 0; their time stamp is the steady
-/// clock at the grab.
-std::unique_ptr<FrameSource> openCameraPair(const cameras::StereoRig& rig, int left_index, int right_index);
+struct PairSettings {
+  CameraSettings left, right;  // their size is replaced by the rig's
+  double patience_s = 2.0;     // without a pair for so long, next() says which camera is silent
+};
+
+class CameraPairSource : public FrameSource {
+ public:
+  /// How pairs were made since the start.
+  virtual PairTiming timing() const = 0;
+  virtual PictureCounts leftCounts() const = 0;
+  virtual PictureCounts rightCounts() const = 0;
+  /// As read back from the cameras.
+  virtual CameraState leftState() const = 0;
+  virtual CameraState rightState() const = 0;
+};
+
+/// Configures and starts both cameras. Throws CameraError naming the camera; next() likewise: unplugged,
+/// hung.
+std::unique_ptr<CameraPairSource> openCameraPair(const cameras::StereoRig& rig, std::unique_ptr<Camera> left,
+                                                 std::unique_ptr<Camera> right,
+                                                 const PairSettings& settings = {});
 
 }  // namespace facenav::capture

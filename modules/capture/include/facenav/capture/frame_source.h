@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
@@ -19,6 +21,9 @@ class FrameSource {
   virtual std::shared_ptr<const cameras::StereoFrame> next() = 0;
   /// Number of frames, if known.
   virtual std::optional<std::int64_t> frameCount() const { return std::nullopt; }
+  /// What a user should know about live cameras, one line each: "left camera, focus: the camera stays on
+  /// automatic". May be called from any thread.
+  virtual std::vector<std::string> cautions() const { return {}; }
 };
 
 }  // namespace facenav::capture

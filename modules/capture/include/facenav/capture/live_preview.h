@@ -27,6 +27,8 @@ class LivePreview {
   double frames_per_s() const;
   /// Why no more frames arrive (the message of an Error); empty while there is no failure.
   std::string failure() const;
+  /// Of the source (FrameSource::cautions).
+  std::vector<std::string> cautions() const;
   /// True when a recording has been played to its end.
   bool hasEnded() const;
 

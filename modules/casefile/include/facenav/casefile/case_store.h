@@ -62,7 +62,17 @@ struct PreparedCase {
   std::optional<surface::NavigationCheck> navigation_check;  // kept as navigation_check.json
   std::vector<std::string> findings;
   std::optional<BrainQuality> brain_quality;
+  std::string contrast;  // what the scan looks like ("T1", "CT", ..); empty: not told. Not kept.
   std::string label;  // as asLabel gives it; empty: none, or that of the replaced case
+};
+
+/// What a case without an MRI is made of: the face as cameras measured it, in place of the MRI's skin. The
+/// frame Mri is then the face's: axes of the head (RAS), origin between the temples, mm.
+struct FaceCase {
+  surface::ScalpSurface face;
+  std::vector<std::string> findings;
+  std::string label = {};    // as asLabel gives it; empty: none
+  std::string case_id = {};  // empty: a new one
 };
 
 /// A step's record in case.json.
@@ -93,7 +103,16 @@ class CaseStore {
                           const std::vector<Provenance>& provenance, bool replace,
                           bool discard_edits = false);
 
+  /// The same for a case without an MRI. Throws Error also where `folder` is a case with one. A case that is
+  /// replaced keeps its id and label, and nothing else: its targets and sessions are those of another face
+  /// measurement.
+  static CaseStore createFromFace(const std::filesystem::path& folder, const FaceCase& face,
+                                  const std::vector<Provenance>& provenance, bool replace);
+
   const std::filesystem::path& folder() const { return folder_; }
+  /// False: the case holds the face as cameras measured it, and no MRI; mri(), headMask() and whatever needs
+  /// them throw Error.
+  bool hasMri() const;
   std::string caseId() const;
   /// Label of the case; empty unless someone set it. It may be a patient's name.
   std::string label() const;

@@ -33,6 +33,7 @@ struct Pulse {
   std::string source;         // "keyboard", ..
   PulseStatus status = PulseStatus::lost;
   std::string reason;                      // in words: what was lost, or outside the tolerance
+  std::string coil;                        // name of the coil that was followed; empty: not known
   std::optional<guidance::Target> target;  // a copy, without its note
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;

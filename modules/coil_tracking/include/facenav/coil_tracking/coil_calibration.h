@@ -20,6 +20,7 @@ struct CoilCalibration {
   double rms_mm = 0;                   // of the fitted points: the coil's origin (jig) or the tips (pivot)
   double sigma_mm = 0, sigma_deg = 0;  // standard errors of the coil's position and direction
   int frames = 0, used = 0;            // used: without outliers
+  std::string utc = {};                // when; empty: not stated
 };
 
 struct JigObservation {
@@ -44,9 +45,10 @@ Pivot fitPivot(const std::vector<RigidTransform<Camera, Marker>>& poses);
 /// Throws Error when the three points lie on one line, or one is nearer than 20 mm to the centre.
 CoilCalibration calibrateWithPivots(const Pivot& centre, const Pivot& handle, const Pivot& side);
 
-/// Writes coil.json with the new pose of its first marker and the additional key "calibration": {method,
-/// rms_mm, sigma_mm, sigma_deg, frames}. Further markers keep their poses relative to the first.
+/// Writes coil.json with the new pose of its first marker and the additional key "calibration": {method, utc,
+/// rms_mm, sigma_mm, sigma_deg, frames}. Further markers keep their poses relative to the first. All other
+/// keys of `source`, the coil's file before (empty: none), are kept.
 void writeCalibratedCoil(CoilModel coil, const CoilCalibration& calibration,
-                         const std::filesystem::path& path);
+                         const std::filesystem::path& path, const std::filesystem::path& source = {});
 
 }  // namespace facenav::coil_tracking

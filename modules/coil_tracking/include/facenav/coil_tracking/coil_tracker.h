@@ -70,6 +70,8 @@ struct MarkerObservation {
 struct CoilContext {
   cameras::ExposureOffset exposure_offset;  // of this frame's cameras
   FrameWork work_before;                    // work already done in this frame
+  /// How the cameras stand in this frame; empty: as in the frame before, at first as at start().
+  std::optional<RigidTransform<RightCamera, Camera>> right_T_left = {};
 };
 
 /// The pose or Lost, the work done, and what the frame shows about the cameras.

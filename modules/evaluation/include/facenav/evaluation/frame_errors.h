@@ -41,4 +41,7 @@ std::vector<double> timesToFindAgain_s(const RunRecord& run);
 /// head.
 double jitter_mm(const RunRecord& run);
 
+/// Index of the first frame in which it was said that a camera had moved; nothing: it never was.
+std::optional<std::size_t> cameraNoticedAt(const RunRecord& run);
+
 }  // namespace facenav::evaluation

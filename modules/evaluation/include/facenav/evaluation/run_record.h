@@ -15,11 +15,12 @@ namespace facenav::evaluation {
 
 /// The truth of one frame.
 struct FrameTruth {
-  std::string label;                        // the event, in words
-  std::optional<Eigen::Isometry3d> head;    // camera_T_mri; nullopt: the patient is absent
-  std::optional<Eigen::Isometry3d> marker;  // camera_T_marker; nullopt: no coil in the room
-  bool must_be_lost = false;                // the images do not allow a head pose
-  double face_visible_fraction = 1.0;       // share of the face's skin that both cameras see
+  std::string label;                                    // the event, in words
+  std::optional<Eigen::Isometry3d> head;                // camera_T_mri; nullopt: the patient is absent
+  std::optional<Eigen::Isometry3d> marker;              // camera_T_marker; nullopt: no coil in the room
+  bool must_be_lost = false;                            // the images do not allow a head pose
+  double face_visible_fraction = 1.0;                   // share of the face's skin that both cameras see
+  double camera_turn_deg = 0.0, camera_shift_mm = 0.0;  // of the right camera on its mount since the capture
 };
 
 struct FrameRecord {
@@ -29,15 +30,18 @@ struct FrameRecord {
   std::optional<Eigen::Isometry3d> head_motion;  // camera_T_head as tracked; nullopt when lost
   std::optional<Eigen::Isometry3d> marker;       // camera_T_marker as tracked
   bool is_marker_in_view = false;                // by the truth: whole square inside both images
+  bool is_camera_noticed = false;                // said that a camera moved: corrected, or every pose lost
   double head_ms = 0.0, coil_ms = 0.0;           // processor time, one core
 };
 
 struct AlignmentRecord {
   std::string refusal;  // why there is no alignment, as stated by the program; empty: there is one
   Eigen::Isometry3d estimated = Eigen::Isometry3d::Identity(), truth = Eigen::Isometry3d::Identity();
-  double predicted_mm = 0.0;  // standard error at the cortical target, as shown to the user
-  double bound95_mm = 0.0;    // 95 % of true errors should be below it
-  double rms_mm = 0.0;        // surface residual
+  double predicted_mm = 0.0;       // standard error at the cortical target, as shown to the user
+  double bound95_mm = 0.0;         // 95 % of true errors should be below it
+  double rms_mm = 0.0;             // surface residual
+  std::optional<double> turn_deg;  // of the right camera, as estimated from the face's size
+  double turn_sigma_deg = 0.0;     // its standard error
   double fit_ms = 0.0,
          measure_ms = 0.0;  // processor time of the fit, and of measuring the face before it
 };

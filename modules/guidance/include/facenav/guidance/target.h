@@ -26,7 +26,8 @@ struct Target {
   std::optional<Dose> dose = {};      // its own; else the case's protocol holds
   std::optional<GridSpec> grid = {};  // of the grid of which it is the seed
   std::optional<GridPlace> grid_place = {};
-  std::vector<Change> changes = {};  // oldest first
+  std::vector<Change> changes = {};       // oldest first
+  std::optional<ExpertPose> expert = {};  // where an expert held the coil
 };
 
 struct TreatmentPlan {

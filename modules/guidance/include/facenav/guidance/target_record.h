@@ -1,5 +1,6 @@
 #pragma once
-// What a target carries besides its pose: who changed it and when, and its place in a grid of targets.
+// What a target carries besides its pose: who changed it and when, its place in a grid of targets, and the
+// session that it was taken from.
 
 #include <optional>
 #include <string>
@@ -11,6 +12,15 @@ struct Change {
   std::string utc;   // 2026-11-23T14:05:09.123Z
   std::string by;    // who made it; empty: not known
   std::string what;  // "planned", "moved", "handle turned"
+};
+
+/// Of a target that is no plan, but where an expert held the coil in a session.
+struct ExpertPose {
+  std::string session;                   // its name
+  int pulses = 1;                        // the pose is their median
+  double spread_mm = 0, spread_deg = 0;  // medians of distance and angle between the pulses and the pose
+  double predicted_error_mm = 0;  // standard error that the session's alignment predicted there; 0: not known
+  std::string coil;               // its name; empty: not known
 };
 
 enum class GridOn { scalp, cortex };

@@ -27,6 +27,17 @@ struct FaceFeature {
   double weight = 0.0;  // 0..1, NCC or robust weight
 };
 
+/// How the right camera has moved on its mount since a key frame, as the face shows it: each camera by itself
+/// sees the known face at a pose. Relative to the rig that the frame was tracked with.
+struct RightCameraMotion {
+  Vector6d moved = Vector6d::Zero();  // (rad, mm), right camera: it stands at exp(moved) * right_T_left
+  Matrix6d covariance = Matrix6d::Zero();
+  /// What the pose's error is without it: by_moved * moved, as HeadPose::covariance's xi.
+  Matrix6d pose_by_moved = Matrix6d::Zero();
+  int key = 0,
+      newest_key = 0;  // numbers of the key frame of this fit and of the last one begun; 0: reference
+};
+
 struct HeadPose {
   RigidTransform<Camera, Head> camera_T_head;
   // Of xi = (w rad, v mm), the error that moves the true face points p to c + exp(w)(p - c) + v, c =
@@ -38,6 +49,7 @@ struct HeadPose {
   // How far the face may have moved between the left camera's exposure and the right one's. The pose is
   // corrected for the known part of it. Other comparisons of the two images are valid only up to some tenths.
   double between_exposures_mm = 0.0;
+  std::optional<RightCameraMotion> right_camera;  // empty where the face shows too little of it
 };
 
 /// Input from which the tracker learns the face: a frame without dots and, if the face was measured densely
@@ -62,6 +74,8 @@ struct HeadContext {
   /// The drift watchdog has raised an alarm: discard what was learnt since start(), and track from the
   /// reference.
   bool is_learnt_in_doubt = false;
+  /// How the cameras stand in this frame; empty: as in the frame before, at first as at start().
+  std::optional<RigidTransform<RightCamera, Camera>> right_T_left = {};
 };
 
 /// The pose or Lost, with further results of the frame.

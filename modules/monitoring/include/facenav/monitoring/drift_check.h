@@ -7,6 +7,7 @@
 // bias of stereo without dots, are measured once in the reference pair and subtracted.
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,8 @@ class DriftCheck {
   /// Takes some 40 ms. Const, and safe to call beside other threads.
   DriftFinding measure(const cameras::StereoFrame& frame,
                        const RigidTransform<Camera, Mri>& camera_T_mri) const;
+  /// How the cameras stand in the frames to come; at first as in the rig.
+  void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left);
 
  private:
   /// The reference's skin on a grid of the left reference image: where it shows skin, and how far that lies
@@ -62,7 +65,11 @@ class DriftCheck {
   std::vector<Sample> measureSkin(const cameras::StereoFrame& frame, const Eigen::Isometry3d& motion) const;
   std::optional<Offset> offsetOf(const std::vector<Sample>& samples, const Eigen::Isometry3d& motion) const;
 
+  cameras::StereoRig rigNow() const;
+
   cameras::StereoRig rig_;
+  mutable std::mutex moving_;
+  RigidTransform<RightCamera, Camera> right_T_left_;  // under moving_
   std::shared_ptr<const registration::ScalpField> scalp_;
   Eigen::Isometry3d mri_T_head_;
   std::vector<Eigen::Vector3d> surface_mm_;  // sample of the reference's surface, Head

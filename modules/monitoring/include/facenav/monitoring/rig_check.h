@@ -9,6 +9,7 @@
 #include "facenav/cameras/rig_monitor.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/head_tracking/head_tracker.h"
+#include "facenav/monitoring/camera_drift.h"
 #include "facenav/monitoring/pair_fault.h"
 
 namespace facenav::monitoring {
@@ -23,18 +24,25 @@ std::vector<cameras::Correspondence> matchSurface(const cameras::StereoRig& rig,
 
 class RigCheck {
  public:
-  explicit RigCheck(const cameras::StereoRig& rig) : rig_(rig), monitor_(rig) {}
+  explicit RigCheck(const cameras::StereoRig& rig) : rig_(rig), monitor_(rig), drift_(rig) {}
   /// The session's reference pair: checks as a whole whether it fits the rig (half a second).
   void start(const head_tracking::HeadReference& reference);
   void add(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
            const coil_tracking::CoilResult& coil);
   /// Why no pose can be trusted, as of the last verdict (some frames ago); empty if no fault is known.
   std::optional<RigFault> fault() const;
+  /// How the cameras stand, for the next frame: as calibrated, or corrected for a motion on the mount.
+  RigidTransform<RightCamera, Camera> right_T_left() const { return drift_.right_T_left(); }
+  /// One line, where a motion of a camera is corrected; empty otherwise.
+  std::string correction() const { return drift_.words(); }
 
  private:
+  void followDrift();
+
   cameras::StereoRig rig_;
   cameras::RigMonitor monitor_;
   cameras::RigVerdict verdict_;
+  CameraDrift drift_;
   std::optional<RigFault> reference_fault_;  // a session that starts with such images stays wrong
   bool has_fitted_ = false;                  // the whole reference pair fitted its calibration
   std::size_t frames_ = 0, next_feature_ = 0;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
 #include "facenav/guidance/coil_plate.h"
 #include "facenav/guidance/target.h"
 #include "facenav/pictures/camera_picture.h"

@@ -23,6 +23,17 @@ struct SightError {
   double sigma_mm = 0.0, reach_mm = 40.0;
 };
 
+/// The camera that may have turned sideways since the calibration. Such a turn leaves every match on its
+/// epipolar line: the face only seems nearer and smaller, or farther and larger.
+struct TurnableCamera {
+  Point<Camera> centre;    // the right camera's optical centre
+  Direction<Camera> axis;  // unit, across the baseline and the view
+
+  /// By how much (mm per rad) the measured point `p` lies off if the camera turned about the axis: along the
+  /// left camera's ray.
+  Eigen::Vector3d displacement(const Eigen::Vector3d& p_camera_mm) const;
+};
+
 /// What is known before the fit. All of it is optional: nothing is clicked. Directions and points in Camera.
 struct AlignmentStart {
   std::optional<Direction<Camera>> patient_right;     // e.g. from left-eye to right-eye landmarks
@@ -32,7 +43,8 @@ struct AlignmentStart {
   /// Standard error that all depths of the cloud share (calibration, matching). No residual shows it; the
   /// error bound includes it.
   double shared_depth_sigma_mm = 0.0;
-  SightError sight;  // the bound holds it too
+  SightError sight;                     // the bound holds it too
+  std::optional<TurnableCamera> right;  // empty: how far the right camera turned is not estimated
 };
 
 /// Size of the live face divided by that of the scan, with its standard error. The standard error says how
@@ -40,6 +52,12 @@ struct AlignmentStart {
 /// it.
 struct FaceScale {
   double value = 1.0, sigma = 0.0;
+};
+
+/// Turn of the right camera about TurnableCamera::axis since the calibration at which the face fits the MRI
+/// best, rad. Its standard error includes errors of the scan's scale and of the skin's shape.
+struct CameraTurn {
+  double rad = 0.0, sigma_rad = 0.0;
 };
 
 struct AlignmentResult {
@@ -53,20 +71,21 @@ struct AlignmentResult {
                                            // the image of Mri's origin
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
-  std::optional<FaceScale> face_scale;  // empty: not estimated
+  std::optional<FaceScale> face_scale;   // empty: not estimated
+  std::optional<CameraTurn> right_turn;  // empty: not estimated
   /// One standard error (mm, Camera) by which the whole head may lie nearer or farther if a camera turned
   /// sideways since the calibration. The face alone cannot exclude such a turn, but its size limits it; the
   /// coil's marker excludes it in a session. It is not part of `covariance`.
   Eigen::Vector3d turned_camera_mm = Eigen::Vector3d::Zero();
-  std::vector<std::string> cautions;    // plain words: what a clinician must check before trusting the fit
+  std::vector<std::string> cautions;  // plain words: what a clinician must check before trusting the fit
 
   /// Of cameras that stand as they were calibrated.
   PoseUncertainty uncertainty() const { return {covariance, freedom}; }
   /// Predicted standard error at a point of the patient (pose covariance carried there), mm, of cameras that
   /// stand as they were calibrated.
   double predictedError_mm(const Point<Mri>& target) const;
-  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm, also where a camera
-  /// turned sideways.
+  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm, also where a
+  /// camera turned sideways.
   double errorBound_mm(const Point<Mri>& target, double probability = 0.95) const;
 };
 

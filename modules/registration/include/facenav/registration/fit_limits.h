@@ -25,6 +25,7 @@ struct FitLimits {
   double caution_scale_z = 2.0;
   double refused_scale_z = 4.0;
   double refused_scale = 0.02;
+  double refused_turn_z = 3.0;
   double loose_mm = 0.6;
   double suspect_mm = 0.3;
   double hairy = 0.35;
@@ -78,6 +79,9 @@ struct FitLimits {
     visitor(kChance("refused_scale_z", 2, 20, "1",
                     "size error, in standard errors, that is refused: hardly ever by chance"),
             self.refused_scale_z);
+    visitor(kChance("refused_turn_z", 2, 20, "1",
+                    "turn of a camera sideways since the calibration, in standard errors, that is refused"),
+            self.refused_turn_z);
     visitor(kLever("refused_scale", 0, 0.1, "1", "size error that may be refused: 2 mm at the cortex"),
             self.refused_scale);
     visitor(

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "facenav/geometry/rigid_transform.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::room {
 
@@ -23,6 +24,8 @@ struct GroundTruth {
   bool must_be_lost = false;     // the images of this frame do not allow a head pose
   bool is_out_of_step = false;   // the right picture is older than the left; the poses are the left's
   double jaw_mm = 0.0;           // how far the chin is lowered (talking)
+  /// Turn (rad) and shift (mm) of the right camera on its mount since the calibration, in its own frame.
+  Vector6d right_moved = Vector6d::Zero();
 };
 
 /// Exact depth of the scene in one camera: mm along its z at each pixel's centre; 0 where only the wall is

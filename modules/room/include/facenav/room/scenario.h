@@ -33,12 +33,15 @@ struct ScenarioOptions {
   double right_gain = 1.0, right_gamma = 1.0;          // of the right camera, relative to the left one
   int blinks = -1;                                     // 1: blinks; 0: none; -1: the scenario's value
   double hair_sway_mm = -1.0;                          // 0: hair does not move; -1: the scenario's value
+  double capture_grimace = 0.0;                        // size of a grimace at the capture alone; 0: none
   double skin_contrast = 1.0;                          // scales the contrast of the patient's skin
   int bayer = -1;                                      // 1: colour sensors; -1: the scenario's value
   double grey_red = 1.0 / 3.0, grey_blue = 1.0 / 3.0;  // weights of red and blue in the left camera's grey
   double right_grey_red = 1.0 / 3.0, right_grey_blue = 1.0 / 3.0;
-  std::string rig_name;  // "room", "close"; empty: the scenario's rig
-  RigOptions rig;        // changes to the named rig: options that differ from their default
+  double drift_deg = 0.3, drift_mm = 1.0;  // motion of the right camera over "drift"
+  std::string drift_about;                 // "yaw", "pitch", "roll", "shift"; empty: in turn with the seed
+  std::string rig_name;                    // "room", "close"; empty: the scenario's rig
+  RigOptions rig;                          // changes to the named rig: options that differ from their default
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -78,6 +81,10 @@ struct ScenarioOptions {
               "the scenario says)",
               -1, 20},
         self.hair_sway_mm);
+    visitor(Field{"capture_grimace",
+                  "size of a grimace at the capture, which the seed chooses; the face is at rest afterwards",
+                  0, 1},
+            self.capture_grimace);
     visitor(Field{"skin_contrast", "scales blotches, freckles and pores of whoever sits there", 0, 3},
             self.skin_contrast);
     visitor(
@@ -91,6 +98,13 @@ struct ScenarioOptions {
     visitor(Field{"grey_blue", "share of blue in it", 0, 1}, self.grey_blue);
     visitor(Field{"right_grey_red", "share of red in the right camera's grey", 0, 1}, self.right_grey_red);
     visitor(Field{"right_grey_blue", "share of blue in it", 0, 1}, self.right_grey_blue);
+    visitor(Field{"drift_deg", "drift: turn of the right camera from the first frame to the last", 0, 5},
+            self.drift_deg);
+    visitor(Field{"drift_mm", "drift: its shift, where drift_about is shift", 0, 20}, self.drift_mm);
+    visitor(Field{"drift_about",
+                  "drift: yaw (the camera's vertical axis), pitch, roll or shift; empty: in turn with the "
+                  "seed, from yaw at 1"},
+            self.drift_about);
     visitor(Field{"rig",
                   "cameras: room (the default ones), close (near the face: 1024 x 1024, f 1550 px, 114 mm "
                   "and 20 deg apart, head at 560 mm); empty: as the scenario says"},

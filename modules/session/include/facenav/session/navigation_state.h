@@ -40,6 +40,7 @@ struct NavigationState {
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen
+  std::string coil_name;    // of the coil that is followed: the pose of `coil` is that of no other one
   /// The same target as it was at this frame; null: none.
   std::shared_ptr<const ChosenTarget> chosen;
   /// Between the contact face and the head, as both poses and the cameras give it; empty when lost.
@@ -54,7 +55,8 @@ struct NavigationState {
   head_tracking::LossDetail head_detail =
       head_tracking::LossDetail::unknown;  // why the head is lost, as far as known
   bool has_drifted = false;                // the watchdog's alarm: the face is not where tracking places it
-  std::string rig_fault;  // why every pose is refused, in words: the cameras moved, are out of step, ..
+  std::string rig_fault;       // why every pose is refused, in words: the cameras moved, are out of step, ..
+  std::string rig_correction;  // a camera moved on its mount and the poses are corrected for it, in words
   head_tracking::LossDetail rig_fault_detail = head_tracking::LossDetail::unknown;  // the same as one word
   /// Why every pose of the head is withheld until a check of the registration passes, in words; empty: none
   /// is.

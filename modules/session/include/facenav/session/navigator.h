@@ -47,6 +47,8 @@ class Navigator {
             std::unique_ptr<coil_tracking::CoilTracker> coil);
 
   void setTarget(std::optional<ChosenTarget> target);
+  /// Another coil is followed from the next frame on. Throws Error as CoilTracker::start does.
+  void setCoil(const coil_tracking::CoilModel& coil);
   /// Replaces the watchdog made from the setup's scalp; null: no watchdog.
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   /// Checks the registration on the next frames; NavigationState::check tells the finding. After a failed
@@ -76,8 +78,10 @@ class Navigator {
   cameras::StereoRig rig_;
   std::optional<RigidTransform<Head, Mri>> head_T_mri_;
   RigidTransform<Marker, Coil> marker_T_coil_;
+  std::string coil_name_;
   guidance::Tolerance tolerance_;
   monitoring::RigCheck rig_check_;
+  std::shared_ptr<monitoring::DriftCheck> drift_check_;     // null: none
   std::unique_ptr<monitoring::DriftWatchdog> watchdog_;     // null: none
   std::unique_ptr<monitoring::RegistrationCheck> check_;    // null: none
   std::shared_ptr<const registration::ScalpField> scalp_;   // null: no gap

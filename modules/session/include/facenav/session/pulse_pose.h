@@ -23,6 +23,7 @@ struct PosedFrame {
   std::shared_ptr<const ChosenTarget> chosen;
   guidance::Tolerance tolerance;
   std::string loss;  // what is lost, in words: "face covered"; empty if nothing is
+  std::string coil;  // name of the coil that was followed
   std::optional<guidance::LiveSurface> live = {};  // beside the coil
 };
 PosedFrame posedFrame(const NavigationState& state);
@@ -38,7 +39,8 @@ constexpr double kLongestWait_s = 0.1;
 constexpr double kMostGapBeyondPlan_mm = 3.0, kMostPredictedError_mm = 2.0;
 
 /// The pulse without its number. `before`: the last frame taken at or before the pulse, `after`: the first
-/// one later; nothing where there is none. Lost if either frame is missing or has lost head or coil.
+/// one later; nothing where there is none. Lost if either frame is missing or has lost head or coil, and
+/// where another coil was chosen between them.
 /// Tolerances hold as they are, without the hysteresis of guidance. The target is that of `before`. The gap
 /// is the distance of the contact face's centre from `scalp`; null, or skin beyond the scan: not known.
 casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& before,

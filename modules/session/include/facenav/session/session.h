@@ -56,6 +56,8 @@ class Session {
   /// From start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
+  /// As Navigator::setCoil, from the next frame on.
+  void setCoil(const coil_tracking::CoilModel& coil);
   /// As Navigator::checkRegistration, from the next frame on.
   void checkRegistration(bool is_withheld_until = false);
   const Recorder* recorder() const;

@@ -17,7 +17,18 @@ std::string toString(Verdict verdict);
 /// Throws Error for any other text.
 Verdict verdictFrom(const std::string& words);
 
-enum class CheckTopic { face, ears, vertex, spacing, noise, ghosts, wrap_around, left_and_right, scale };
+enum class CheckTopic {
+  face,
+  ears,
+  vertex,
+  spacing,
+  noise,
+  ghosts,
+  skin,
+  wrap_around,
+  left_and_right,
+  scale
+};
 /// As in navigation_check.json: "face", "wrap-around", "left and right", ..
 std::string toString(CheckTopic topic);
 /// Throws Error for any other text.

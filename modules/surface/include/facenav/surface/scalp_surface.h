@@ -14,8 +14,14 @@
 
 namespace facenav::surface {
 
+/// Standard error of skin that ends in dark air; the alignment and the plan count with it anyway.
+constexpr double kClearSkin_mm = 0.15;
+
 struct ScalpSurface {
   TriangleMesh mesh;
+  /// One standard error of the skin along its normal, per vertex: larger beneath pads and haze. Empty: not
+  /// known (cases made before it was measured).
+  std::vector<float> doubt_mm = {};
   /// Planes that bound the scan (a point on each, normal out of the scan), Mri. Skin is cut where it meets
   /// them.
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
@@ -25,12 +31,16 @@ struct ScalpSurface {
 };
 
 ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor);
-/// scalp.vtp: points, normals, mesh (Mri); has_face, has_cut_ear, findings and field of view as field data.
-/// Whole file or nothing.
+/// scalp.vtp: points, normals, mesh (Mri), point data doubt_mm; has_face, has_cut_ear, findings and field of
+/// view as field data. Whole file or nothing.
 void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path);
 ScalpSurface readScalp(const std::filesystem::path& path);
 /// The result of writing and reading, bit for bit: normals in single precision, those of the planes
 /// normalised again.
 ScalpSurface asStored(ScalpSurface scalp);
+
+/// The skin's doubt beneath a coil, mm: of the skin within `reach_mm` of a place, as far as it exceeds that
+/// of clear skin (root mean square). 0 where it is not known.
+double skinDoubtUnder_mm(const ScalpSurface& scalp, const Point<Mri>& place, double reach_mm = 20.0);
 
 }  // namespace facenav::surface

@@ -45,6 +45,10 @@ stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& fac
 /// False if the image with dots shows no more detail than the plain one: the projector was off.
 bool showsDots(const capture::CapturePair& capture);
 
+/// True if the dots lie so far apart that most skin lies between them, as with the paper's pattern of one dot in
+/// 64 x 64: only plain skin can be matched there, and noise is taken for detail. False where there are none.
+bool areDotsSparse(const capture::CapturePair& capture);
+
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 
 struct AlignmentOutcome {
@@ -62,7 +66,10 @@ struct AlignmentOutcome {
   std::string matcher = stereo::kDefaultMatcher;  // that measured the face
   // What the face was aligned to; also used by the drift watchdog.
   std::shared_ptr<const registration::ScalpField> scalp;
+  std::shared_ptr<const surface::ScalpSurface> skin;  // the same, with its doubt
 
+  /// Standard error at a target, mm: of the pose there, and of the skin that the coil rests on.
+  double predictedError_mm(const guidance::Target& target) const;
   /// The largest predicted error (standard error, mm) at a target; without targets, in the head's middle.
   double worstPredicted_mm() const;
   casefile::StoredAlignment stored() const;

@@ -2,6 +2,7 @@
 // The methods available for the steps, by name. The program fills it (app/registrations.cpp); a step asks for
 // a method by name and knows no implementation.
 
+#include "facenav/capture/camera_backend.h"
 #include "facenav/casefile/exporter.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/registry.h"
@@ -19,6 +20,7 @@ struct Registrations {
   Registry<head_tracking::HeadTracker> head_trackers{"head tracker"};
   Registry<coil_tracking::CoilTracker> coil_trackers{"coil tracker"};
   Registry<casefile::Exporter> exporters{"export format"};
+  capture::CameraBackends cameras{"kind of camera"};
   /// The program's one face detector (its landmark model takes 100 MB), made at first use.
   std::function<std::shared_ptr<const face::FaceDetector>()> face_detector;
 };

@@ -25,8 +25,9 @@ struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil
   std::optional<AlignmentOutcome> alignment;  // present if it was made from a capture pair
   int head_tracked = 0, coil_tracked = 0, frames = 0;
-  int rig_fault_frames = 0;  // frames in which every pose was refused because of a camera fault
-  std::string rig_fault;     // the fault in words; empty: none
+  int rig_fault_frames = 0;    // frames in which every pose was refused because of a camera fault
+  std::string rig_fault;       // the fault in words; empty: none
+  std::string rig_correction;  // a camera moved on its mount and was corrected, in words; empty: none
   // Delay of the right camera's exposure after the left one's, as estimated at the end.
   double right_late_ms = 0;
   double processing_ms_median = 0, processing_ms_p99 = 0;

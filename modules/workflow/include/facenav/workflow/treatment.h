@@ -12,6 +12,7 @@
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/protocol.h"
+#include "facenav/coil_tracking/coil_card.h"
 #include "facenav/links/pulse_source.h"
 #include "facenav/session/treatment_log.h"
 #include "facenav/workflow/align_from_capture.h"
@@ -24,6 +25,7 @@ namespace facenav::workflow {
 struct TreatmentFilm {
   capture::Recording recording;
   coil_tracking::CoilModel coil;
+  coil_tracking::CoilCard card;  // of the coil; of the default one: only its name
 };
 /// The coil is that of coil.json in the recording, else the default one. Throws Error.
 TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder);
@@ -39,6 +41,8 @@ struct TreatmentRequest {
   bool is_live = false;
   coil_tracking::CoilModel coil;
   std::shared_ptr<const AlignmentOutcome> alignment;
+  /// What a person must know of the coil: that its calibration is old (coil_library.h). Logged.
+  std::optional<std::string> coil_reminder = {};
   std::optional<SignOffOverride> override = {};
   /// The folder of an earlier session of the case that is gone on with (session_return.h); empty: a new one.
   /// The alignment is then the case's own, and guidance is withheld until it is checked.
@@ -89,6 +93,11 @@ class Treatment {
   /// A target of the case's plan, as it is there now. Throws Error if there is none of that name.
   void chooseTargetNamed(const std::string& name);
 
+  /// Another coil is followed from the next frame on, and the log says from which. Throws Error where its
+  /// marker is that of the coil in use: a picture could not tell them apart.
+  void chooseCoil(const coil_tracking::CoilModel& coil);
+  const std::string& coilName() const { return coil_.name; }
+
   /// The pulses of a source, from now on; beside it the keyboard is always there. What keeps a source from
   /// working is an event. Throws Error when it cannot be opened; none is added then.
   void listen(std::unique_ptr<links::PulseSource> source);
@@ -111,7 +120,7 @@ class Treatment {
   /// Of the case's scalp; takes a second.
   std::shared_ptr<const guidance::TipCheck> makeTipCheck() const;
   /// The point of the coil in use that is held to the face.
-  const Point<Coil>& tip() const { return tip_; }
+  const Point<Coil>& tip() const { return coil_.tip; }
   /// It is asked for: the last one, or the alignment, is longer ago than RegistrationCheckRules says.
   bool isCheckDue();
 
@@ -124,10 +133,12 @@ class Treatment {
  private:
   links::PulseListener listenerFor(const std::string& source);
   void plan(const guidance::Target* target);
+  void noteOtherCoil();
 
   std::filesystem::path case_folder_, session_folder_;
+  coil_tracking::CoilModel coil_;
+  std::optional<guidance::Target> target_;
   std::shared_ptr<const AlignmentOutcome> alignment_;
-  Point<Coil> tip_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;
   std::atomic<double> intensity_pct_{-1};  // < 0: not known; read by the sources' threads

@@ -1,0 +1,23 @@
+#pragma once
+// A coil given on the command line: by its name in the library of coils, or by its coil.json.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "facenav/workflow/coil_library.h"
+
+namespace facenav::app {
+
+struct CoilChoice {
+  std::string words;              // a name or a file; empty: none
+  std::filesystem::path library;  // empty: the usual one
+};
+
+inline void addCoilLibraryOption(CLI::App& verb, std::filesystem::path& library) {
+  verb.add_option("--coils", library,
+                  "folder of the library of coils (default: FACENAV_COILS, else " +
+                      std::string("facenav/coils in the user's data folder)"));
+}
+
+}  // namespace facenav::app

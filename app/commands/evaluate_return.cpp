@@ -1,0 +1,49 @@
+// facenav evaluate return: return error across visits, with the MRI and with the measured face alone.
+
+#include <cstdio>
+#include <set>
+
+#include "commands/commands.h"
+#include "evaluate/return_run.h"
+#include "facenav/core/whole_file.h"
+
+namespace facenav::app {
+
+void addEvaluateReturn(CLI::App& evaluate, Context& context) {
+  auto* verb = evaluate.add_subcommand(
+      "return",
+      "how far a coil on the expert's pose lies from where the expert held it, at later visits of the "
+      "virtual "
+      "room; with the MRI, and with the face measured at the first visit in its place");
+  struct Request {
+    std::vector<std::string> heads{"patient"};
+    ReturnRequest run;
+    std::filesystem::path output = "facenav_returns";
+  };
+  auto request = std::make_shared<Request>();
+  verb->add_option("--head", request->heads,
+                   "heads, as 'facenav evaluate --head'; the next one is the other person")
+      ->delimiter(',');
+  verb->add_option("--seed", request->run.seeds, "seeds of the visits")->delimiter(',');
+  verb->add_option("--frames", request->run.frames, "of each visit")
+      ->check(CLI::Range(10, 1000))
+      ->capture_default_str();
+  verb->add_option("-o,--output", request->output, "folder for returns.md and returns.csv")
+      ->capture_default_str();
+  verb->callback([&context, request] {
+    std::vector<EvaluationHead> heads;
+    for (const auto& spec : request->heads) heads.push_back(makeEvaluationHead(context, spec));
+    std::vector<ReturnRun> runs;
+    std::filesystem::create_directories(request->output);
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      const EvaluationHead* other = heads.size() > 1 ? &heads[(i + 1) % heads.size()] : nullptr;
+      for (auto& run : runReturns(context, heads[i], other, request->run)) runs.push_back(std::move(run));
+      writeWholeFile(request->output / "returns.csv", returnsCsv(runs));  // a long run is not lost
+    }
+    const std::string table = returnsTable(runs);
+    writeWholeFile(request->output / "returns.md", table);
+    if (!context.is_quiet) std::printf("%s", table.c_str());
+  });
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,83 @@
+// facenav face-case RECORDING -o CASE, facenav import CASE FILE, and `facenav export CASE --as home`: cases
+// that need no MRI.
+
+#include "commands/home.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.h"
+#include "facenav/core/error.h"
+#include "facenav/workflow/expert_pose.h"
+
+namespace facenav::app {
+
+void exportHomeCase(Context& context, const casefile::CaseStore& store, const HomeExportRequest& request) {
+  workflow::HomeOrder order;
+  order.target = request.target;
+  order.coil = request.coil.words;
+  order.coil_library = workflow::coilLibrary(request.coil.library);
+  if (!request.by.empty()) order.released_by = request.by;
+  if (std::filesystem::exists(request.output) && !request.replaces)
+    throw Error("the file exists already", request.output.string(), "choose another name, or --replace");
+  const auto detector = context.registrations.face_detector();
+  const auto made = workflow::exportHome(*detector, store, order, request.output, context.monitor);
+  if (context.is_quiet) return;
+  std::printf("%s: %.1f MB, no MRI, no name\n", request.output.c_str(), double(made.bytes) / 1e6);
+  std::printf("expert's pose '%s': %s\n", made.target.name.c_str(), workflow::inWords(*made.target.expert).c_str());
+  if (made.face) std::printf("%s\n", faceFinding(*made.face).c_str());
+}
+
+void addFaceCase(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand(
+      "face-case",
+      "a case without an MRI: the face that a recording's capture (with dots) shows is its model");
+  struct FaceCaseRequest {
+    std::filesystem::path recording, output;
+    std::string label;
+    bool replaces = false;
+  };
+  auto request = std::make_shared<FaceCaseRequest>();
+  verb->add_option("RECORDING", request->recording, "recording with capture/ of the first visit")->required();
+  verb->add_option("-o,--output", request->output, "case folder to make")->required();
+  verb->add_option("--label", request->label, "what the case is called in lists; default: nothing");
+  verb->add_flag(
+      "--replace", request->replaces,
+      "replaces a face case there; its targets and sessions go, for they belong to the old measurement");
+  verb->callback([&context, request] {
+    const auto detector = context.registrations.face_detector();
+    const auto store = workflow::makeFaceCase(*detector, request->recording, request->output, request->label,
+                                              request->replaces, context.monitor);
+    if (context.is_quiet) return;
+    for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
+    std::printf("%s: case %s\n", request->output.c_str(), store.caseId().c_str());
+  });
+}
+
+void addImport(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand("import", "a file that the clinic gave for use at home -> case folder");
+  struct ImportRequest {
+    std::filesystem::path case_folder, file;
+    bool is_json = false;
+  };
+  auto request = std::make_shared<ImportRequest>();
+  verb->add_option("CASE", request->case_folder, "case folder to make")->required();
+  verb->add_option("FILE", request->file, "file of 'facenav export --as home'")->required();
+  verb->add_flag("--json", request->is_json, "JSON");
+  verb->callback([&context, request] {
+    const auto store = workflow::importHome(request->file, request->case_folder);
+    const auto home = workflow::openHomeCase(store.folder());
+    if (request->is_json) {
+      const nlohmann::ordered_json json{{"case_id", store.caseId()},
+                                        {"target", home.target.name},
+                                        {"coil", home.coil.name},
+                                        {"expert", workflow::inWords(*home.target.expert)}};
+      std::printf("%s\n", json.dump(1).c_str());
+    } else if (!context.is_quiet) {
+      std::printf("case %s: '%s', %s\n", store.caseId().c_str(), home.target.name.c_str(),
+                  workflow::inWords(*home.target.expert).c_str());
+    }
+  });
+}
+
+}  // namespace facenav::app

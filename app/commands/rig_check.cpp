@@ -1,0 +1,105 @@
+// facenav rig check: does the calibration still hold?
+
+#include <cstdio>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "commands/rig_steps.h"
+#include "facenav/capture/calibration_images.h"
+#include "facenav/capture/recording.h"
+#include "facenav/core/log.h"
+#include "facenav/workflow/verify_rig.h"
+
+namespace facenav::app {
+namespace {
+
+using CheckJson = nlohmann::ordered_json;
+
+constexpr int kMostFrames = 60;  // of a recording that are looked at
+
+using FrameTaker = std::function<void(const cameras::StereoFrame&)>;
+
+void takeFrames(capture::FrameSource& source, std::int64_t step, const FrameTaker& take) {
+  for (std::int64_t i = 0; const auto frame = source.next(); ++i)
+    if (i % step == 0) take(*frame);
+}
+
+void takeLive(const capture::NamedRig& rig, const RigRequest& request, const Context& context,
+              const FrameTaker& take) {
+  const auto source = capture::openRig(context.registrations.cameras, rig);
+  double next_s = Timestamp::now().s;
+  for (const double until_s = next_s + request.live_s; Timestamp::now().s < until_s;) {
+    const auto frame = source->next();
+    if (!frame) break;
+    if (Timestamp::now().s < next_s) continue;
+    next_s = Timestamp::now().s + request.live_s / kMostFrames;
+    take(*frame);
+  }
+  for (const auto& words : capture::changedSettings(*source)) logWarning(words);
+}
+
+void takePictures(const RigRequest& request, const FrameTaker& take) {
+  for (const auto& pair : capture::readCalibrationImages(request.left, request.right))
+    take({pair.left, pair.right, 0, {}});
+}
+
+void takeAll(const capture::NamedRig& rig, const RigRequest& request, const Context& context,
+             const FrameTaker& take) {
+  const int sources = int(!request.recording.empty()) + int(!request.left.empty() && !request.right.empty()) +
+                      int(request.live_s > 0);
+  if (sources != 1)
+    throw Error("it is not said what to check the rig with", "",
+                "give a recording, or --left and --right pictures, or --live");
+  if (request.live_s > 0) return takeLive(rig, request, context, take);
+  if (request.recording.empty()) return takePictures(request, take);
+  const auto recording = capture::openRecording(request.recording);
+  takeFrames(*capture::makeSource(recording), std::max<std::int64_t>(1, recording.frame_count / kMostFrames),
+             take);
+}
+
+std::string checkJson(const workflow::RigVerification& result) {
+  CheckJson lengths = CheckJson::array();
+  for (const auto& length : result.lengths)
+    lengths.push_back({{"what", length.what},
+                       {"true_mm", length.true_mm},
+                       {"measured_mm", length.measured_mm},
+                       {"sigma_mm", length.sigma_mm}});
+  const CheckJson json = {{"state", workflow::toString(result.state)},
+                          {"words", result.words()},
+                          {"frames", result.frames},
+                          {"board_frames", result.board_frames},
+                          {"marker_frames", result.marker_frames},
+                          {"lengths", lengths},
+                          {"row_error_px", result.row_error_px},
+                          {"left_lens_px", result.left_lens_px},
+                          {"right_lens_px", result.right_lens_px},
+                          {"scale_change", result.scale_change},
+                          {"turn_deg", result.turn_deg},
+                          {"shift_mm", result.shift_mm},
+                          {"point_error_mm", result.point_error_mm}};
+  return json.dump(1, ' ', false, CheckJson::error_handler_t::replace);
+}
+
+}  // namespace
+
+void checkRig(const RigRequest& request, Context& context) {
+  const capture::RigStore store(request.rigs);
+  const capture::NamedRig rig = store.read(request.name);
+  const auto coil =
+      request.coil.empty() ? coil_tracking::defaultCoil() : coil_tracking::readCoil(request.coil);
+  const auto& trackers = context.registrations.coil_trackers;
+  workflow::RigVerifier verifier(rig.rig, boardOf(request), trackers.create(trackers.defaultName()), coil);
+  takeAll(rig, request, context, [&](const cameras::StereoFrame& frame) { verifier.add(frame); });
+  const workflow::RigVerification result = verifier.result();
+  store.note(request.name, {rigUtcNow(), workflow::toString(result.state), result.words()});
+  if (request.is_json) {
+    std::printf("%s\n", checkJson(result).c_str());
+  } else {
+    for (const auto& line : result.findings()) std::printf("%s\n", line.c_str());
+    if (result.state == workflow::RigState::holds)
+      std::printf("%s: %s\n", request.name.c_str(), result.words().c_str());
+  }
+  if (result.state != workflow::RigState::holds) throw Error(request.name + ": " + result.words());
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,43 @@
+#pragma once
+// `facenav evaluate return`: how far a coil that guidance calls on the expert's pose lies from where the
+// expert held it, across visits of the virtual room: another capture, expression, hair, light, seat and
+// cameras. With the MRI, with the face measured at the first visit's alignment, and with that face alone.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "context.h"
+#include "evaluate/evaluation_head.h"
+
+namespace facenav::app {
+
+/// One later visit against the first.
+struct ReturnRun {
+  std::string head, model;  // model: "MRI", "face in the MRI's frame", "face alone"
+  std::string change;       // what differs from the first visit
+  std::uint64_t seed = 1;
+  bool must_be_refused = false;  // another person, or moved cameras
+  std::string refusal;           // empty: aligned
+  int frames = 0;                // with both poses
+  // Medians over the frames, and the 95th percentile: of the true coil, at the moment when guidance reads 0,
+  // against where the expert's true coil was.
+  double off_mm = 0, off_deg = 0, p95_mm = 0, p95_deg = 0;
+  double predicted_mm = 0, bound95_mm = 0;  // as stated at the second alignment, at the expert's pose
+};
+
+struct ReturnRequest {
+  std::vector<std::uint64_t> seeds{1};
+  int frames = 40;  // of each visit
+};
+
+/// All models and changes for one head. `other`: another person, who must be refused; may be null.
+std::vector<ReturnRun> runReturns(Context& context, const EvaluationHead& head, const EvaluationHead* other,
+                                  const ReturnRequest& request);
+
+/// Markdown: a table of medians by model, then each run.
+std::string returnsTable(const std::vector<ReturnRun>& runs);
+std::string returnsCsv(const std::vector<ReturnRun>& runs);
+
+}  // namespace facenav::app

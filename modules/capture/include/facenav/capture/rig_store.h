@@ -1,0 +1,79 @@
+#pragma once
+// RigStore: camera pairs kept under a name: which two cameras, with which locked settings and which
+// calibration. One folder a rig: rig.json (FORMATS.md) and stereo.yml. Default place: the user's
+// configuration folder.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/capture/camera_backend.h"
+#include "facenav/capture/camera_pair_source.h"
+#include "facenav/core/whole_folder.h"
+
+namespace facenav::capture {
+
+/// One of the rig's cameras.
+struct RigCamera {
+  CameraIdentity identity;
+  CameraSettings settings;  // with the values that the adjustments were locked at
+};
+
+/// Effect of the calibration's error at the target: one standard deviation.
+struct RigUncertainty_mm {
+  double distance_mm = 0;  // of the target from the left camera
+  double point_mm = 0;     // of a point's position
+};
+
+/// Result of one check, as it is kept.
+struct RigCheckNote {
+  std::string utc;    // ISO 8601
+  std::string state;  // "holds", "moved", ..
+  std::string words;
+};
+
+struct NamedRig {
+  std::string name, created_utc;
+  std::optional<RigCamera> left, right;  // both or none: a rig made from files alone knows no cameras
+  cameras::StereoRig rig;
+  std::optional<RigUncertainty_mm> uncertainty;
+  std::optional<RigCheckNote> last_check;
+};
+
+/// A folder of the store; `problem` says why it cannot be read.
+struct RigEntry {
+  std::string name;
+  std::filesystem::path folder;
+  std::optional<NamedRig> rig;
+  std::string problem;
+};
+
+class RigStore {
+ public:
+  /// The folder need not exist yet. Empty: $XDG_CONFIG_HOME/facenav/rigs, else ~/.config/facenav/rigs.
+  explicit RigStore(std::filesystem::path folder = {});
+  const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path folderOf(const std::string& name) const;
+  /// By name.
+  std::vector<RigEntry> list() const;
+  /// Throws Error: there is no such rig (the message lists those there are), or a file of it is damaged.
+  NamedRig read(const std::string& name) const;
+  /// Writes the whole folder or nothing. Throws Error: the name has other signs than letters, digits, blank,
+  /// '-', '_' and '.', or it is taken and `existing` is refuse.
+  void write(const NamedRig& rig, Existing existing) const;
+  /// Replaces the note of the last check. Throws Error as read().
+  void note(const std::string& name, const RigCheckNote& check) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Opens the rig's two cameras with its settings. Throws CameraError, naming the camera: not connected,
+/// another piece of the same model, in use; Error if the rig knows no cameras.
+std::unique_ptr<CameraPairSource> openRig(const CameraBackends& backends, const NamedRig& rig);
+/// Adjustments that are not as the rig keeps them, one line each: "left camera, exposure: 5 ms was asked for,
+/// ..".
+std::vector<std::string> changedSettings(const CameraPairSource& source);
+
+}  // namespace facenav::capture

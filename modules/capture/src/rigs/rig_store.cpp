@@ -1,0 +1,124 @@
+#include "facenav/capture/rig_store.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+#include "facenav/core/whole_file.h"
+#include "rig_json.h"
+
+namespace facenav::capture {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+fs::path defaultFolder() {
+  if (const char* configuration = std::getenv("XDG_CONFIG_HOME"); configuration && *configuration)
+    return fs::path(configuration) / "facenav" / "rigs";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return fs::path(home) / ".config" / "facenav" / "rigs";
+  throw Error("this user has no home folder", "", "name a folder for the rigs with --rigs");
+}
+
+bool isGoodName(const std::string& name) {
+  const auto isGood = [](unsigned char c) {
+    return std::isalnum(c) || c == ' ' || c == '-' || c == '_' || c == '.' || c >= 0x80;
+  };
+  return !name.empty() && name.size() <= kLongestName && name.front() != '.' && name.front() != ' ' &&
+         name.back() != ' ' && std::all_of(name.begin(), name.end(), isGood);
+}
+
+NamedRig readRigFolder(const fs::path& folder) {
+  NamedRig rig = readRigJson(folder / "rig.json");
+  rig.name = folder.filename();  // a folder that was renamed has its new name
+  rig.rig = cameras::readRig(folder / "stereo.yml");
+  for (auto* side : {&rig.left, &rig.right}) {
+    if (!*side) continue;
+    (*side)->settings.width_px = rig.rig.width_px;
+    (*side)->settings.height_px = rig.rig.height_px;
+  }
+  return rig;
+}
+
+std::string namesIn(const std::vector<RigEntry>& entries) {
+  std::string names;
+  for (const auto& entry : entries) names += (names.empty() ? "there are: " : ", ") + entry.name;
+  return names.empty() ? "there is none yet; make one with: facenav rig new" : names;
+}
+
+}  // namespace
+
+RigStore::RigStore(fs::path folder) : folder_(folder.empty() ? defaultFolder() : std::move(folder)) {}
+
+fs::path RigStore::folderOf(const std::string& name) const {
+  if (!isGoodName(name))
+    throw Error("this is no name for a rig", name, "use up to 64 letters, digits, blanks, '-', '_' and '.'");
+  return folder_ / name;
+}
+
+std::vector<RigEntry> RigStore::list() const {
+  std::vector<RigEntry> entries;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
+    const std::string name = entry.path().filename();
+    if (!entry.is_directory(ignored) || !isGoodName(name)) continue;
+    RigEntry found{name, entry.path(), std::nullopt, ""};
+    try {
+      found.rig = readRigFolder(entry.path());
+    } catch (const Error& error) {
+      found.problem = error.what();
+    }
+    entries.push_back(std::move(found));
+  }
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return entries;
+}
+
+NamedRig RigStore::read(const std::string& name) const {
+  const fs::path folder = folderOf(name);
+  if (!fs::is_directory(folder)) throw Error("there is no such rig", folder.string(), namesIn(list()));
+  return readRigFolder(folder);
+}
+
+void RigStore::write(const NamedRig& rig, Existing existing) const {
+  const fs::path folder = folderOf(rig.name);
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error)
+    throw Error("the folder for rigs cannot be made (" + error.message() + ")", folder_.string(),
+                "choose another");
+  WholeFolder whole(folder, FileAccess::by_umask, existing);
+  writeWholeFile(whole.temporaryPath() / "rig.json", toRigJson(rig));
+  cameras::writeRig(rig.rig, whole.temporaryPath() / "stereo.yml");
+  whole.commit();
+}
+
+void RigStore::note(const std::string& name, const RigCheckNote& check) const {
+  NamedRig rig = read(name);
+  rig.last_check = check;
+  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig));
+}
+
+std::unique_ptr<CameraPairSource> openRig(const CameraBackends& backends, const NamedRig& rig) {
+  if (!rig.left || !rig.right)
+    throw Error("the rig knows no cameras: it was made from files alone", rig.name,
+                "make it again with --left-camera and --right-camera");
+  const bool is_quick = rig.left->identity.backend == "v4l2" && rig.right->identity.backend == "v4l2";
+  const auto found = listCameras(backends, is_quick ? Search::quick : Search::everywhere);
+  auto left = openCamera(backends, findCamera(found, rig.left->identity));
+  auto right = openCamera(backends, findCamera(found, rig.right->identity));
+  return openCameraPair(rig.rig, std::move(left), std::move(right),
+                        {rig.left->settings, rig.right->settings});
+}
+
+std::vector<std::string> changedSettings(const CameraPairSource& source) {
+  std::vector<std::string> changed;
+  for (const auto& [side, state] :
+       {std::pair("left", source.leftState()), std::pair("right", source.rightState())})
+    for (const auto& words : unlockedInWords(state))
+      changed.push_back(std::string(side) + " camera, " + words);
+  return changed;
+}
+
+}  // namespace facenav::capture

@@ -1,0 +1,176 @@
+// Videos and network streams through OpenCV's FFmpeg. A file is played at its own pace, as a camera would.
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/videoio.hpp>
+#include <thread>
+
+#include "facenav/capture/camera_backend.h"
+#include "grey_image.h"
+#include "picture_intake.h"
+
+namespace facenav::capture {
+namespace {
+
+constexpr int kOpenWithin_ms = 5000, kReadWithin_ms = 2000;
+
+bool isFile(const std::string& address) { return std::filesystem::is_regular_file(address); }
+
+/// These carry the sender's clock. In others the time stamps are made up from a nominal rate.
+bool carriesClock(const std::string& address) {
+  static const std::array<std::string, 5> kSchemes = {"rtsp://", "rtsps://", "rtp://", "srt://", "udp://"};
+  return std::any_of(kSchemes.begin(), kSchemes.end(),
+                     [&](const std::string& scheme) { return address.rfind(scheme, 0) == 0; });
+}
+
+/// FFmpeg looks at five seconds of an unknown stream before it gives the first picture, and then holds
+/// pictures back.
+void readWithoutDelay() {
+  static const bool is_set =
+      ::setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS",
+               "rtsp_transport;tcp|analyzeduration;300000|probesize;300000|fflags;nobuffer", 0) == 0;
+  (void)is_set;
+}
+
+cv::VideoCapture openStream(const std::string& address) {
+  static const bool is_quiet = ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0) == 0;
+  (void)is_quiet;
+  if (!isFile(address)) readWithoutDelay();
+  const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  cv::VideoCapture video(
+      address, cv::CAP_FFMPEG,
+      {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenWithin_ms, cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadWithin_ms});
+  cv::utils::logging::setLogLevel(level);
+  if (!video.isOpened())
+    throw CameraError(CameraFault::missing, "the stream cannot be opened", address,
+                      isFile(address) ? "is the file whole, and its codec installed?"
+                                      : "check the address, and that the camera is switched on");
+  return video;
+}
+
+class StreamCamera : public Camera {
+ public:
+  explicit StreamCamera(CameraIdentity identity)
+      : identity_(std::move(identity)), video_(openStream(identity_.address)) {}
+  const CameraIdentity& identity() const override { return identity_; }
+  CameraState configure(const CameraSettings& settings) override;
+  void start() override;
+  CameraState state() const override { return state_; }
+  std::optional<CameraPicture> next(double timeout_s) override;
+  void trigger() override;
+  void stop() override { is_running_ = false; }
+  PictureCounts counts() const override { return intake_.counts(); }
+
+ private:
+  [[noreturn]] void failAtEnd() const;
+  bool grab();
+  std::optional<CameraPicture> retrieve();
+
+  CameraIdentity identity_;
+  cv::VideoCapture video_;
+  CameraState state_;
+  PictureIntake intake_;
+  std::int64_t sequence_ = 0;
+  double begun_s_ = 0.0;
+  std::optional<double> due_s_;  // of the grabbed picture, where a file sets the pace
+  bool is_running_ = false, has_started_ = false;
+};
+
+CameraState StreamCamera::configure(const CameraSettings& settings) {
+  stop();
+  state_ = {};
+  state_.width_px = int(video_.get(cv::CAP_PROP_FRAME_WIDTH));
+  state_.height_px = int(video_.get(cv::CAP_PROP_FRAME_HEIGHT));
+  if (state_.width_px != settings.width_px || state_.height_px != settings.height_px)
+    throw CameraError(CameraFault::wrong_size,
+                      "the stream gives no pictures of " + std::to_string(settings.width_px) + " x " +
+                          std::to_string(settings.height_px) + " px",
+                      identity_.address,
+                      "it has " + std::to_string(state_.width_px) + " x " + std::to_string(state_.height_px) +
+                          "; set the sender to the calibrated size");
+  if (settings.trigger != Trigger::free_run) trigger();
+  state_.frames_per_s = video_.get(cv::CAP_PROP_FPS);
+  state_.format = "stream";
+  state_.clock = isFile(identity_.address) ? "the file's time stamps, from its start"
+                 : carriesClock(identity_.address)
+                     ? "the sender's time stamps, fitted to this computer's clock"
+                     : "time of arrival; this kind of stream has no time stamps";
+  state_.notes.push_back("exposure, gain, focus and white balance of a stream are set at its sender");
+  return state_;
+}
+
+void StreamCamera::start() {
+  if (has_started_) {
+    video_.release();  // first: many senders serve one receiver
+    video_ = openStream(identity_.address);
+  }
+  has_started_ = is_running_ = true;
+  intake_.restart();
+  due_s_.reset();
+  sequence_ = 0;
+  begun_s_ = Timestamp::now().s;
+}
+
+void StreamCamera::failAtEnd() const {
+  if (isFile(identity_.address))
+    throw CameraError(CameraFault::ended, "the video is at its end", identity_.address, "open it again");
+  throw CameraError(CameraFault::unplugged, "the stream broke off", identity_.address,
+                    "check the network and the camera, then open the cameras again");
+}
+
+bool StreamCamera::grab() {
+  if (due_s_) return true;
+  if (!video_.grab()) failAtEnd();
+  due_s_ =
+      isFile(identity_.address) ? begun_s_ + 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC) : Timestamp::now().s;
+  return true;
+}
+
+std::optional<CameraPicture> StreamCamera::retrieve() {
+  const double stamp_s = carriesClock(identity_.address) ? 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC) : *due_s_;
+  due_s_.reset();
+  cv::Mat image;
+  const std::int64_t sequence = sequence_++;
+  if (!video_.retrieve(image) || image.cols != state_.width_px || image.rows != state_.height_px) {
+    intake_.noteDamaged();
+    return std::nullopt;
+  }
+  return intake_.accept(toGrey8(image, 16).clone(), sequence,
+                        carriesClock(identity_.address) ? StampClock::device : StampClock::steady, stamp_s,
+                        Timestamp::now().s);
+}
+
+std::optional<CameraPicture> StreamCamera::next(double timeout_s) {
+  FACENAV_EXPECT(is_running_, "start() first");
+  const double until_s = Timestamp::now().s + timeout_s;
+  do {
+    grab();
+    const double wait_s = std::min(*due_s_, until_s) - Timestamp::now().s;
+    if (wait_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
+    if (*due_s_ > until_s) return std::nullopt;
+    if (auto picture = retrieve()) return picture;
+  } while (Timestamp::now().s < until_s);
+  return std::nullopt;
+}
+
+void StreamCamera::trigger() {
+  throw CameraError(CameraFault::refused, "a stream has no trigger", identity_.address,
+                    "let the cameras run free");
+}
+
+class StreamBackend : public CameraBackend {
+ public:
+  std::vector<FoundCamera> list() override { return {}; }
+  std::unique_ptr<Camera> open(const CameraIdentity& camera) override {
+    return std::make_unique<StreamCamera>(camera);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<CameraBackend> makeStreamBackend() { return std::make_unique<StreamBackend>(); }
+
+}  // namespace facenav::capture

@@ -1,0 +1,27 @@
+#pragma once
+// One file that holds several (ZIP): tracts of other programs (.trx), what goes home with a patient, and what
+// comes back. libzip reads and writes it; every entry's checksum is verified. A casefile or surface names the
+// entries, nothing here knows what they mean.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "facenav/core/file_access.h"
+
+namespace facenav {
+inline namespace core {
+
+/// Content of each file by its name, with '/' between folders.
+using ZipEntries = std::map<std::string, std::string>;
+
+/// Throws Error: no such file, no ZIP archive, cut short, damaged, encrypted, an entry of over 8 GiB, or a
+/// name that leads out of the folder that it is unpacked into.
+ZipEntries readZip(const std::filesystem::path& path);
+
+/// Writes the whole file or nothing; equal entries give equal bytes. Throws Error.
+void writeZip(const ZipEntries& entries, const std::filesystem::path& path,
+              FileAccess access = FileAccess::by_umask);
+
+}  // namespace core
+}  // namespace facenav

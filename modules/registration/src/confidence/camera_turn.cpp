@@ -1,0 +1,69 @@
+#include "camera_turn.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/error.h"
+#include "fit/robust_fit.h"
+
+namespace facenav::registration {
+namespace {
+
+constexpr int kMostFits = 7;
+constexpr double kLeftOver = 0.3;                       // standard errors
+constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate per true turn
+constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
+
+/// The fit of the turned cloud, from a pose near it.
+std::optional<FinalFit> fitTurned(const ScalpField& scalp, const PointCloud<Camera>& face,
+                                  const AlignmentStart& start, const Eigen::Isometry3d& near) {
+  try {
+    const RobustFit robust = fitFace(scalp, face, near);
+    return correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm, start);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+Eigen::Vector3d middleOf(const PointCloud<Camera>& face) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const auto& p : face.points_mm) middle += p / double(face.size());
+  return middle;
+}
+
+}  // namespace
+
+PointCloud<Camera> turnedBack(PointCloud<Camera> face, const TurnableCamera& right, double rad) {
+  const Eigen::Matrix3d back = expRotation(-rad * right.axis.v);
+  for (auto& p : face.points_mm) {
+    const Eigen::Vector3d ray = p.normalized(), seen = back * (p - right.centre.mm);
+    const double length_mm =
+        right.centre.mm.cross(seen).dot(right.axis.v) / ray.cross(seen).dot(right.axis.v);
+    if (std::isfinite(length_mm) && length_mm > 0) p = length_mm * ray;
+  }
+  return face;
+}
+
+std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<Camera>& face,
+                                      const AlignmentStart& start, const FinalFit& first) {
+  if (!start.right || !first.posterior.turn) return std::nullopt;
+  CameraTurn left = *first.posterior.turn;  // what is left at `at_rad`
+  double at_rad = 0.0, slope = kFirstSlope;
+  const Eigen::Vector3d middle_mm = middleOf(face);
+  for (int fits = 1; fits < kMostFits && std::abs(left.rad) > kLeftOver * left.sigma_rad; ++fits) {
+    const double step_rad = std::clamp(left.rad / slope, -kLongestStep_rad, kLongestStep_rad);
+    if (std::abs(at_rad + step_rad) > kMostTurn_rad) break;
+    const PointCloud<Camera> turned = turnedBack(face, *start.right, at_rad + step_rad);
+    const Eigen::Isometry3d near = first.mri_T_camera * Eigen::Translation3d(middle_mm - middleOf(turned));
+    const auto fit = fitTurned(scalp, turned, start, near);
+    if (!fit || !fit->posterior.turn) break;
+    at_rad += step_rad;
+    slope = std::clamp((left.rad - fit->posterior.turn->rad) / step_rad, kLeastSlope, 1.0);
+    left = *fit->posterior.turn;
+  }
+  return CameraTurn{at_rad + left.rad, left.sigma_rad};
+}
+
+}  // namespace facenav::registration

@@ -1,0 +1,20 @@
+#pragma once
+// Means of blocks of about 2 mm, where noise and ghosts are weak.
+
+#include <array>
+#include <vector>
+
+#include "facenav/volume/volume.h"
+
+namespace facenav::segmentation {
+
+struct BlockMeans {
+  std::array<int, 3> block;  // voxels of the scan along each axis
+  volume::VoxelGrid grid;
+  std::vector<float> mean;
+};
+
+/// On the scan's own axes. Values that are not finite count as missing, blocks of them as 0.
+BlockMeans blockMeans(const volume::Volume& volume);
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,24 @@
+#pragma once
+// A CT's brain: grey and white matter look alike, so the brain prior alone gives its outline, within the
+// skull. Hounsfield units.
+
+#include <string>
+
+#include "facenav/volume/volume.h"
+
+namespace facenav::segmentation {
+
+/// By the modality; where that is not known (NIfTI), by the values.
+bool isCt(const volume::Volume& scan);
+
+/// Soft tissue spread from 0 (air, fat's lower end) to the values of bone, as the brain prior needs it.
+volume::Volume softTissueWindow(const volume::Volume& ct);
+
+/// Throws Error "no brain can be modelled: ..": not within a skull (a phantom, a leg), or not as dense as a
+/// brain.
+void requireSkullAround(const volume::Volume& ct, const volume::Mask& brain);
+
+/// What lies within the outline and is no bone and no air.
+volume::Mask withinSkull(const volume::Volume& ct, const volume::Mask& brain);
+
+}  // namespace facenav::segmentation

@@ -1,0 +1,14 @@
+#pragma once
+// How sure the skin is at each place of the scalp: clear where tissue ends in dark air within a voxel or two,
+// unsure beneath pads and haze, and where the edge is drawn out.
+
+#include "facenav/volume/volume.h"
+#include "scalp_outline.h"
+
+namespace facenav::surface {
+
+/// One standard error along the normal, mm, per vertex of a mesh that lies on the skin.
+std::vector<float> skinDoubt_mm(const TriangleMesh& mesh, const MeshNeighbours& neighbours,
+                                const volume::Volume& scan);
+
+}  // namespace facenav::surface

@@ -1,0 +1,68 @@
+#pragma once
+// RigVerifier: does a rig's calibration still hold? Stereo frames of something of known size (the board in a
+// new position, or the coil's marker) are measured with the calibration and compared with the truth: lengths,
+// rows (epipolar lines), and each camera's own picture of the board. Distances come from lengths: rows alone
+// do not show a camera that turned sideways.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/cameras/chessboard.h"
+#include "facenav/cameras/rig_monitor.h"
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/coil_tracking/coil_tracker.h"
+
+namespace facenav::workflow {
+
+enum class RigState {
+  holds,          // the calibration fits
+  moved,          // one camera moved or turned against the other
+  other_cameras,  // a camera's own picture does not fit its lens: another camera, or its focus was changed
+  swapped,        // left and right are exchanged
+  unclear,        // board and marker were not seen, or too little of them
+};
+/// "holds", "moved", "other_cameras", "swapped", "unclear".
+std::string toString(RigState state);
+
+/// One length, measured in all frames.
+struct MeasuredLength {
+  std::string what;  // "board", "marker"
+  double true_mm = 0, measured_mm = 0;
+  double sigma_mm = 0;  // of the difference, if the calibration holds: calibration, print and pictures
+  bool contradicts() const;
+};
+
+struct RigVerification {
+  RigState state = RigState::unclear;
+  int frames = 0, board_frames = 0, marker_frames = 0;
+  std::vector<MeasuredLength> lengths;
+  double row_error_px = 0;                     // median distance of a point from its epipolar line
+  double left_lens_px = 0, right_lens_px = 0;  // rms of each camera's own picture of the board; 0: no board
+  double scale_change = 0;  // of one camera's picture against the other's: its focal length is not the calibrated one
+  double turn_deg = 0, shift_mm = 0;  // of the right camera against the calibration; 0 while it holds
+  double point_error_mm = 0;          // what it does to a point's position
+  /// What was found, with numbers: "board: 159.6 mm measured, 160.0 mm true (+-0.3 mm)", one line each.
+  std::vector<std::string> findings() const;
+  /// The verdict and what to do, one line.
+  std::string words() const;
+};
+
+class RigVerifier {
+ public:
+  /// `board`: look for it; else for the coil's markers only. `tracker`: of the coil (may be null: board
+  /// only).
+  RigVerifier(const cameras::StereoRig& rig, std::optional<cameras::Board> board,
+              std::unique_ptr<coil_tracking::CoilTracker> tracker, const coil_tracking::CoilModel& coil);
+  ~RigVerifier();
+  /// Throws Error if the pictures do not have the rig's size.
+  void add(const cameras::StereoFrame& frame);
+  RigVerification result() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace facenav::workflow

@@ -1,0 +1,50 @@
+#include <nlohmann/json.hpp>
+
+#include "facenav/casefile/kept_session.h"
+#include "facenav/core/whole_file.h"
+#include "facenav/core/zip_file.h"
+#include "facenav/workflow/home_case.h"
+#include "facenav/workflow/session_report.h"
+#include "facenav/workflow/session_review.h"
+#include "facenav/workflow/software_version.h"
+
+namespace facenav::workflow {
+namespace {
+
+using SummaryJson = nlohmann::ordered_json;
+
+SummaryJson summaryOf(const casefile::CaseStore& store, const casefile::KeptSession& session) {
+  int on_target = 0, outside = 0, lost = 0;
+  for (const auto& reviewed : session.pulses.pulses) {
+    if (reviewed.is_excluded) continue;
+    on_target += reviewed.pulse.status == casefile::PulseStatus::on_target;
+    outside += reviewed.pulse.status == casefile::PulseStatus::outside;
+    lost += reviewed.pulse.status == casefile::PulseStatus::lost;
+  }
+  return {{"format", "facenav session"},
+          {"version", 1},
+          {"case_id", store.caseId()},
+          {"session", session.name},
+          {"software_version", softwareVersion()},
+          {"pulses_on_target", on_target},
+          {"pulses_outside", outside},
+          {"pulses_lost", lost},
+          {"problems", session.pulses.problems}};
+}
+
+}  // namespace
+
+void writeSendBack(const casefile::CaseStore& store, const std::filesystem::path& session_folder,
+                   const std::filesystem::path& file) {
+  const auto session = casefile::readSession(session_folder);
+  std::map<std::string, std::string> entries;
+  entries["report.html"] = sessionReport(store, session);  // neither name nor pictures
+  entries["pulses.csv"] = casefile::pulsesCsv(session.pulses.pulses);
+  entries["summary.json"] =
+      summaryOf(store, session).dump(1, ' ', false, SummaryJson::error_handler_t::replace) + "\n";
+  for (const char* name : {"events.jsonl", "notes.jsonl", "pulses.jsonl", "protocol.json"})
+    if (std::filesystem::exists(session_folder / name)) entries[name] = readWholeFile(session_folder / name);
+  writeZip(entries, file, FileAccess::owner_only);
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,238 @@
+// Treatment at home: the presenter's steps and refusals, and the window at three sizes.
+// FACENAV_GUI_PICTURES=DIR keeps images.
+
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QtTest/QTest>
+#include <atomic>
+#include <cstdlib>
+
+#include "appearance.h"
+#include "facenav/casefile/kept_session.h"
+#include "facenav/casefile/sign_off.h"
+#include "facenav/core/zip_file.h"
+#include "facenav/scene/display.h"
+#include "facenav/workflow/expert_pose.h"
+#include "home/fitted_words.h"
+#include "home/home_window.h"
+#include "home/sign_view.h"
+#include "support/made_session.h"
+#include "treat_fixtures.h"
+
+namespace facenav::ui {
+namespace {
+
+using namespace treat_fixtures;
+using Stage = HomePresenter::Stage;
+namespace fs = std::filesystem;
+
+/// Trackers that see what the test says.
+struct Seen {
+  std::atomic<bool> head{true}, coil{true};
+};
+
+class SeenCoil : public coil_tracking::CoilTracker {
+ public:
+  SeenCoil(std::shared_ptr<Seen> seen, const RigidTransform<Camera, Marker>& pose)
+      : seen_(std::move(seen)), coil_(pose) {}
+  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
+  coil_tracking::CoilResult track(const cameras::StereoFrame& frame,
+                                  const coil_tracking::CoilContext& context) override {
+    if (!seen_->coil) return Lost{LostReason::no_marker};
+    return coil_.track(frame, context);
+  }
+
+ private:
+  std::shared_ptr<Seen> seen_;
+  fakes::Coil coil_;
+};
+
+/// `off`: of the coil from the target, in the coil's axes.
+Services homeServices(std::shared_ptr<Seen> seen, const Eigen::Vector3d& off_mm = Eigen::Vector3d::Zero(),
+                      const std::string& refusal = {}) {
+  Services services = fakeServices();
+  if (!refusal.empty())
+    services.align = [refusal](const casefile::CaseStore&, const capture::Recording&,
+                               TaskMonitor&) -> workflow::AlignmentOutcome { throw Error(refusal); };
+  services.makeNavigator = [seen, off_mm](const session::NavigatorSetup& setup) {
+    const RigidTransform<Marker, Marker> off(Eigen::Quaterniond::Identity(), off_mm);
+    return std::make_unique<session::Navigator>(
+        setup, std::make_unique<fakes::Head>([seen](auto) {
+          return seen->head ? std::optional(RigidTransform<Camera, Head>()) : std::nullopt;
+        }),
+        std::make_unique<SeenCoil>(seen, kMarker * off));
+  };
+  return services;
+}
+
+fs::path writeCapturedRecording(const fs::path& folder) {
+  capture::RecordingWriter writer(folder / "recording", fakes::rig());
+  const auto frame = fakes::frame(0, 0);
+  writer.setCapture({*frame, *frame});
+  for (int i = 0; i < 2000; ++i) writer.add(*fakes::frame(i, i * 0.02));
+  writer.close();
+  return folder / "recording";
+}
+
+/// As imported: a face, the expert's pose under the coil, the coil.
+fs::path writeHomeCase(const fs::path& folder) {
+  const auto store = casefile::CaseStore::createFromFace(
+      folder / "home", {testing::ballCase().scalp, {"no MRI"}, {}, {}}, {}, false);
+  auto target = fakes::targetAt(kMarker.reframe<Camera, Coil>()).target;
+  target.expert = guidance::ExpertPose{"20260101T100000Z", 40, 0.6, 0.5, 0.4, "figure-8"};
+  target.dose.emplace();
+  target.dose->pulses = 200;
+  store.setTargets({{target}});
+  auto coil = coil_tracking::defaultCoil();
+  coil.name = "figure-8";
+  writeCoil(coil, store.folder() / "coil.json");
+  casefile::signOff(store, {"clinic", "", true});
+  return store.folder();
+}
+
+class HomePresenterTest : public ::testing::Test {
+ protected:
+  void open(HomePresenter& home) {
+    home.open(QString::fromStdString(case_.string()));
+    settle();
+    home.play(QString::fromStdString(recording_.string()));
+  }
+  void settle() {
+    fixtures::waitFor([&] { return !tasks_.isRunning(); });
+  }
+  bool guides(HomePresenter& home) {
+    home.act();
+    return fixtures::waitFor([&] { return home.stage() == Stage::guiding; });
+  }
+  testing::TemporaryFolder folder_;
+  fs::path case_ = writeHomeCase(folder_.path()), recording_ = writeCapturedRecording(folder_.path());
+  std::shared_ptr<Seen> seen_ = std::make_shared<Seen>();
+  TaskRunner tasks_;
+};
+
+TEST_F(HomePresenterTest, GoesThroughThreeStepsAndEndsWithOneFile) {
+  const Services services = homeServices(seen_);
+  HomePresenter home(services, tasks_);
+  open(home);
+  ASSERT_EQ(home.stage(), Stage::sit);
+  EXPECT_EQ(home.actionWords(), "START");
+  seen_->head = false;
+  seen_->coil = false;
+  ASSERT_TRUE(guides(home));
+  const auto step = [&](workflow::HomeStep wanted) {
+    return fixtures::waitFor([&] { return home.advice().step == wanted; });
+  };
+  EXPECT_TRUE(step(workflow::HomeStep::sit));
+  seen_->head = true;
+  EXPECT_TRUE(step(workflow::HomeStep::hold));
+  seen_->coil = true;
+  EXPECT_TRUE(step(workflow::HomeStep::follow));
+  EXPECT_TRUE(fixtures::waitFor([&] { return home.advice().sign == workflow::HomeSign::hold; }));
+  home.countPulse();
+  EXPECT_TRUE(fixtures::waitFor([&] { return home.pulseCounts().on_target == 1; }));
+  EXPECT_EQ(home.plannedPulses(), 200);
+  home.act();
+  ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::ended; }));
+  EXPECT_EQ(home.pulseCounts().on_target, 1) << "still shown at the end";
+  const fs::path file = folder_.path() / home.sendBackName().toStdString();
+  EXPECT_TRUE(home.save(QString::fromStdString(file.string())));
+  EXPECT_EQ(readZip(file).count("pulses.csv"), 1u);
+  EXPECT_EQ(home.actionWords(), "CLOSE");
+}
+
+TEST_F(HomePresenterTest, AnotherPersonAndMovedCamerasDoNotStart) {
+  for (const auto& [error, words] :
+       {std::pair("not aligned: the face does not fit this MRI", "not the stored one"),
+        {"not aligned: the cameras moved", "cameras were moved"}}) {
+    const Services services = homeServices(seen_, Eigen::Vector3d::Zero(), error);
+    HomePresenter home(services, tasks_);
+    open(home);
+    home.act();
+    ASSERT_TRUE(fixtures::waitFor([&] { return !home.refusal().isEmpty(); }));
+    EXPECT_EQ(home.stage(), Stage::sit);
+    EXPECT_TRUE(home.words().contains(words)) << home.words().toStdString();
+    EXPECT_EQ(home.actionWords(), "TRY AGAIN");
+    EXPECT_TRUE(casefile::sessionFolders(case_).empty()) << "no session of what was refused";
+  }
+}
+
+TEST_F(HomePresenterTest, ACaseThatLacksAPartIsNotUsed) {
+  fs::remove(case_ / "coil.json");
+  const Services services = homeServices(seen_);
+  HomePresenter home(services, tasks_);
+  open(home);
+  EXPECT_EQ(home.stage(), Stage::unusable);
+  EXPECT_TRUE(home.words().contains("names no coil")) << home.words().toStdString();
+  EXPECT_TRUE(home.actionWords().isEmpty());
+  home.act();
+  EXPECT_FALSE(tasks_.isRunning());
+}
+
+TEST_F(HomePresenterTest, ALostFaceTakesTheArrowAway) {
+  const Services services = homeServices(seen_, {9, 0, 0});
+  HomePresenter home(services, tasks_);
+  open(home);
+  ASSERT_TRUE(guides(home));
+  ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().sign == workflow::HomeSign::arrow; }));
+  seen_->head = false;
+  EXPECT_TRUE(fixtures::waitFor([&] { return home.advice().sign == workflow::HomeSign::none; }));
+  EXPECT_EQ(home.advice().step, workflow::HomeStep::sit);
+}
+
+TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto take = [](QWidget& window, const QString& name) {
+    if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+      window.grab().save(QString("%1/home_%2.png").arg(pictures, name));
+  };
+  for (const auto& [size, scale, name] : {std::tuple(QSize(1366, 768), 1.0, "1366"),
+                                          {QSize(1920, 1080), 1.0, "1920"},
+                                          {QSize(1366, 768), 2.0, "1366_double"}}) {
+    applyAppearance(*qApp, scale);
+    HomeWindow window(homeServices(seen_, {9, -4, 0}));
+    auto& home = window.presenter();
+    window.resize(size);
+    window.show();
+    home.open(QString::fromStdString(case_.string()));
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::sit; }));
+    home.play(QString::fromStdString(recording_.string()));
+    QTest::qWait(200);
+    take(window, QString("sit_") + name);
+    QApplication::setActiveWindow(&window);
+    seen_->coil = false;
+    QTest::keyClick(&window, Qt::Key_Return);
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::guiding; }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().step == workflow::HomeStep::hold; }));
+    QTest::qWait(200);
+    take(window, QString("hold_") + name);
+    seen_->coil = true;
+    auto* sign = window.findChild<SignView*>();
+    ASSERT_TRUE(fixtures::waitFor([&] { return sign->sign() == workflow::HomeSign::arrow; }));
+    QTest::keyClick(&window, Qt::Key_P);
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.pulseCounts().outside == 1; }));
+    QTest::qWait(200);
+    take(window, QString("follow_") + name);
+    EXPECT_EQ(window.size(), size) << "no words widen the window";
+    QTest::keyClick(&window, Qt::Key_Return);
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::ended; }));
+    home.save(QString::fromStdString((folder_.path() / (std::string(name) + ".zip")).string()));
+    QTest::qWait(200);
+    take(window, QString("ended_") + name);
+  }
+  applyAppearance(*qApp, 1.0);
+  HomeWindow refused(
+      homeServices(seen_, Eigen::Vector3d::Zero(), "not aligned: the face does not fit this MRI"));
+  refused.resize(1366, 768);
+  refused.show();
+  refused.presenter().open(QString::fromStdString(case_.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return refused.presenter().stage() == Stage::sit; }));
+  refused.presenter().play(QString::fromStdString(recording_.string()));
+  refused.presenter().act();
+  ASSERT_TRUE(fixtures::waitFor([&] { return refused.findChild<SignView*>()->isRefused(); }));
+  QTest::qWait(200);
+  take(refused, "refused_1366");
+}
+
+}  // namespace
+}  // namespace facenav::ui

@@ -1,0 +1,140 @@
+// Return near home, from the command line: a first visit in the virtual room, the expert's pose of it, the
+// case as one file without the MRI, and a later visit with another capture, expression and seat. The room's
+// truth says how far the coil is from where the expert held it.
+
+#include <gmock/gmock.h>
+
+#include <thread>
+
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
+#include "facenav/casefile/kept_session.h"
+#include "facenav/casefile/poses_csv.h"
+#include "facenav/core/zip_file.h"
+#include "facenav/coil_tracking/coil_tracker.h"
+#include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/pose_error.h"
+#include "facenav/geometry/rotation.h"
+#include "support/command_line.h"
+#include "support/conversation.h"
+#include "support/pulse_sender.h"
+
+namespace facenav::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const char* const kName = "Jane Doe";
+
+class ReturnPath : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    FACENAV_NEEDS(virtualPatientMri());
+    ::signal(SIGPIPE, SIG_IGN);
+    run("prepare '" + virtualPatientMri().string() + "' -o " + in(case_) + " --label '" + kName + "' -q");
+    run("check " + in(case_) + " --by AB --acknowledge-findings");
+    run("target " + in(case_) + " --name 'M1 hand L' --mni -37 -21 58");
+    simulate(first_, "--seed 1");
+    simulate(later_, "--seed 7 --seat-turn-deg 4 --seat-shift-mm 15 --capture-grimace 0.4 --hair-sway-mm 3");
+  }
+  static std::string in(const fs::path& path) { return "'" + path.string() + "'"; }
+  CommandResult run(const std::string& words, int status = 0) const {
+    const auto result = runFacenav(words, 200);
+    EXPECT_EQ(result.status, status) << words << "\n" << result.errors;
+    return result;
+  }
+  void simulate(const fs::path& recording, const std::string& how) const {
+    run("simulate treatment --case " + in(case_) + " --frames 24 --frames-per-s 12 " + how + " -o " +
+        in(recording) + " -q");
+  }
+  /// Pulses while the coil rests on the target, in the last third of the recording.
+  std::vector<casefile::ReviewedPulse> treat(const fs::path& case_folder, const fs::path& recording) {
+    Conversation facenav({"track", recording.string(), "--case", case_folder.string(), "--coil",
+                          (recording / "coil.json").string(), "--pulses", sender_.source(), "--commands",
+                          "-q", "-o", (folder_.path() / "poses.csv").string()});
+    const auto begun = facenav.hearWithin(60);
+    EXPECT_TRUE(begun && begun->contains("session"));
+    for (int i = 0; i < 24; ++i) {
+      sender_.send(50);
+      std::this_thread::sleep_for(std::chrono::milliseconds(90));
+    }
+    while (facenav.hearWithin(20)) {
+    }
+    facenav.end();
+    return casefile::readSession(casefile::findSession(case_folder, "")).pulses.pulses;
+  }
+  TemporaryFolder folder_;
+  fs::path case_ = folder_.path() / "case", home_ = folder_.path() / "home",
+           file_ = folder_.path() / "to_go.zip", first_ = folder_.path() / "first",
+           later_ = folder_.path() / "later";
+  PulseSender sender_;
+};
+
+/// True pose of the coil against the MRI at the recording's end.
+RigidTransform<Mri, Coil> trueCoil(const fs::path& recording) {
+  const auto head = capture::readTruth(recording / "truth" / "head.csv"),
+             marker = capture::readTruth(recording / "truth" / "coil.csv");
+  const auto last = head.rbegin()->first;
+  return RigidTransform<Camera, Mri>::fromIsometry(head.at(last)).inverse() *
+         RigidTransform<Camera, Marker>::fromIsometry(marker.at(last)) *
+         coil_tracking::readCoil(recording / "coil.json").marker_T_coil();
+}
+
+TEST_F(ReturnPath, ACaseGoesHomeWithoutItsMriAndComesBackToTheExpertsPose) {
+  treat(case_, first_);
+  const auto stored =
+      nlohmann::json::parse(run("target " + in(case_) + " --from-session newest --json").output);
+  EXPECT_EQ(stored["name"], "expert M1 hand L");
+  EXPECT_LT(stored["spread_mm"].get<double>(), 1);
+  run("export " + in(case_) + " --as home --coil " + in(first_ / "coil.json") + " -o " + in(file_));
+  for (const auto& [name, content] : readZip(file_)) {
+    EXPECT_THAT(content, Not(HasSubstr(kName))) << name;
+    EXPECT_THAT(name, Not(HasSubstr(".nii")));
+  }
+  run("import " + in(home_) + " " + in(file_));
+
+  const auto pulses = treat(home_, later_);
+  std::vector<double> off_mm, off_deg;
+  const auto expert =
+      casefile::CaseStore::open(home_).targets().targets.front().mri_T_target.reframe<Mri, Coil>();
+  for (const auto& reviewed : pulses) {
+    if (reviewed.pulse.status != casefile::PulseStatus::on_target) continue;
+    // Where the coil would be if it were exactly on the expert's pose, by this pulse's errors.
+    const auto there = trueCoil(later_) * reviewed.pulse.mri_T_coil()->inverse() * expert;
+    const auto error = poseError(trueCoil(first_), there);
+    off_mm.push_back(error.translation_mm), off_deg.push_back(error.rotation_rad * kDegPerRad);
+  }
+  ASSERT_GE(off_mm.size(), 3u);
+  EXPECT_LT(upperMedian(off_mm), 1.0) << "the goal, mm";
+  EXPECT_LT(upperMedian(off_deg), 1.0) << "the goal, deg";
+  EXPECT_THAT(run("sessions " + in(home_)).output, HasSubstr("202"));
+  run("report " + in(home_) + " -o " + in(folder_.path() / "report.html"));
+  EXPECT_THAT(run("plan " + in(home_), 1).errors, HasSubstr("holds no MRI"));
+}
+
+TEST_F(ReturnPath, AFaceCaseNeedsNoMriAndRefusesWhatItCannotKnow) {
+  const fs::path face = folder_.path() / "face";
+  run("face-case " + in(first_) + " -o " + in(face) + " -q");
+  EXPECT_THAT(run("export " + in(face) + " --as home -o " + in(file_), 1).errors,
+              HasSubstr("not signed off"));
+  run("check " + in(face) + " --by AB --acknowledge-findings");
+  run("align " + in(face) + " " + in(later_));
+  EXPECT_THAT(run("face-case " + in(later_) + " -o " + in(face), 1).errors,
+              HasSubstr("exists there already"));
+  // Moved cameras: the calibration of before a knock.
+  const fs::path knocked = folder_.path() / "knocked";
+  fs::copy(later_, knocked, fs::copy_options::recursive);
+  auto rig = cameras::readRig(knocked / "stereo.yml");
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  turn.linear() = expRotation({0.4 * kRadPerDeg, 0, 0.2 * kRadPerDeg});
+  rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(turn * rig.right_T_left.isometry());
+  cameras::writeRig(rig, knocked / "stereo.yml");
+  EXPECT_NE(run("align " + in(face) + " " + in(knocked), 1).errors, "");
+  EXPECT_NE(run("face-case " + in(knocked) + " -o " + in(folder_.path() / "other"), 1).errors, "");
+  EXPECT_FALSE(fs::exists(folder_.path() / "other"));
+}
+
+}  // namespace
+}  // namespace facenav::testing

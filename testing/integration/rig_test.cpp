@@ -1,0 +1,126 @@
+// facenav cameras and facenav rig, as a user runs them: from files and streams, without a camera.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "facenav/capture/recording.h"
+#include "support/board_scene.h"
+#include "support/command_line.h"
+#include "unit/coil_tracking/tracked_once.h"
+
+namespace facenav::testing {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+namespace scene = coil_tracking::testing;
+
+class RigVerb : public ::testing::Test {
+ protected:
+  RigVerb() { cameras::writeRig(rig_, folder_.path() / "stereo.yml"); }
+  std::string at(const std::string& name) const { return "'" + (folder_.path() / name).string() + "'"; }
+  std::string rigs() const { return " --rigs " + at("rigs"); }
+  CommandResult make(const std::string& more = "") const {
+    return runFacenav("rig new bar --calibration " + at("stereo.yml") + rigs() + " " + more);
+  }
+  /// Board pictures of a rig as it really stands; gives the options.
+  std::string pictures(const std::string& name, const cameras::StereoRig& real) const {
+    fs::create_directories(folder_.path() / name);
+    for (int i = 0; i < 3; ++i) {
+      const auto frame = boardFrame(real, i);
+      cv::imwrite((folder_.path() / name / ("left" + std::to_string(i) + ".png")).string(), frame.left);
+      cv::imwrite((folder_.path() / name / ("right" + std::to_string(i) + ".png")).string(), frame.right);
+    }
+    return std::string(" ") + kPrintedBoardOptions + " --left " + at(name + "/left*.png") + " --right " +
+           at(name + "/right*.png");
+  }
+  nlohmann::json list() const { return nlohmann::json::parse(runFacenav("rig list --json" + rigs()).output); }
+
+  TemporaryFolder folder_;
+  cameras::StereoRig rig_ = scene::roomRig();
+};
+
+TEST_F(RigVerb, IsMadeListedAndCheckedFromFiles) {
+  EXPECT_THAT(runFacenav("rig list" + rigs()).output, HasSubstr("no rig in"));
+  const auto made = make();
+  ASSERT_EQ(made.status, 0) << made.errors;
+  EXPECT_THAT(made.output, HasSubstr("640 x 480 px"));
+  EXPECT_THAT(made.errors, HasSubstr("the rig knows no cameras"));
+  EXPECT_THAT(make().errors, HasSubstr("there is a rig of this name"));
+  const auto holds = runFacenav("rig check bar" + rigs() + pictures("same", rig_));
+  EXPECT_EQ(holds.status, 0) << holds.errors;
+  EXPECT_THAT(holds.output, HasSubstr("bar: the calibration holds"));
+  EXPECT_EQ(list()[0]["last_check"]["state"], "holds");
+  const auto turned = runFacenav("rig check bar --json" + rigs() +
+                                 pictures("turned", turnedRight(rig_, {0, 0.3 * kRadPerDeg, 0})));
+  EXPECT_EQ(turned.status, 1);
+  EXPECT_EQ(std::count(turned.errors.begin(), turned.errors.end(), '\n'), 1) << turned.errors;
+  EXPECT_THAT(turned.errors, HasSubstr("calibrate again"));
+  EXPECT_EQ(nlohmann::json::parse(turned.output)["state"], "moved");
+  EXPECT_EQ(list()[0]["last_check"]["state"], "moved");
+}
+
+TEST_F(RigVerb, ChecksFromARecordingOfTheCoilsMarker) {
+  ASSERT_EQ(make().status, 0);
+  {
+    capture::RecordingWriter writer(folder_.path() / "recording", rig_);
+    for (int i = 0; i < 20; ++i) {
+      scene::SceneOptions options;
+      options.seed = unsigned(i + 1);
+      auto frame = scene::renderMarkers(
+          rig_, {{scene::id7(), 60, scene::markerPose(560 + 10 * (i / 4), 25, 40, 10, {5.0 * (i / 4), 0})}},
+          options);
+      frame.number = i;
+      frame.captured = {i / 30.0};
+      writer.add(frame);
+    }
+    writer.close();
+  }
+  const auto result = runFacenav("rig check bar " + at("recording") + rigs());
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("marker: "));
+  EXPECT_THAT(result.output, HasSubstr("60.00 mm true"));
+}
+
+TEST_F(RigVerb, SaysWhatIsMissing) {
+  EXPECT_THAT(runFacenav("rig check foo" + rigs() + " --live 1").errors, HasSubstr("there is no such rig"));
+  ASSERT_EQ(make().status, 0);
+  EXPECT_THAT(runFacenav("rig check bar" + rigs()).errors,
+              HasSubstr("it is not said what to check the rig with"));
+  EXPECT_THAT(runFacenav("rig check bar --live 1" + rigs()).errors, HasSubstr("the rig knows no cameras"));
+  EXPECT_THAT(runFacenav("rig new b --board 9x6" + rigs()).errors, HasSubstr("--square"));
+  EXPECT_EQ(runFacenav("rig").status, 2);
+}
+
+/// Two videos stand in for cameras: they are opened, paired, kept as a rig and looked through.
+TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
+  const auto frame = boardFrame(rig_, 0);
+  for (const auto& [name, image] : {std::pair("left.avi", frame.left), std::pair("right.avi", frame.right)}) {
+    cv::VideoWriter writer((folder_.path() / name).string(), cv::VideoWriter::fourcc('H', 'F', 'Y', 'U'), 30,
+                           image.size(), false);
+    ASSERT_TRUE(writer.isOpened());
+    cv::Mat changing = image.clone();
+    for (int i = 0; i < 90; ++i) {
+      changing(cv::Rect(0, 0, 4, 4)).setTo(i);  // a picture that repeats is none
+      writer.write(changing);
+    }
+  }
+  const std::string pair = at("left.avi") + " --right " + at("right.avi");
+  const auto tried = runFacenav("cameras --quick --try 0.5 --size 640x480 --json --left " + pair);
+  ASSERT_EQ(tried.status, 0) << tried.errors;
+  EXPECT_NEAR(double(nlohmann::json::parse(tried.output)["pairs_per_s"]), 30.0, 8.0);
+  const auto made = make("--left-camera " + at("left.avi") + " --right-camera " + at("right.avi"));
+  ASSERT_EQ(made.status, 0) << made.errors;
+  EXPECT_EQ(list()[0]["left"], "stream:" + (folder_.path() / "left.avi").string());
+  const auto checked = runFacenav("rig check bar --live 1 " + std::string(kPrintedBoardOptions) + rigs());
+  EXPECT_EQ(checked.status, 0) << checked.errors << checked.output;
+  const auto wrong = runFacenav("cameras --quick --try 0.5 --size 320x240 --left " + pair);
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.errors, HasSubstr("it has 640 x 480"));
+}
+
+}  // namespace
+}  // namespace facenav::testing

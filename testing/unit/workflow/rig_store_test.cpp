@@ -1,0 +1,136 @@
+#include "facenav/capture/rig_store.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "support/camera_contract.h"
+#include "support/fake_v4l2.h"
+#include "support/recordings.h"
+#include "support/test_data.h"
+
+namespace facenav::capture {
+namespace {
+
+using ::testing::HasSubstr;
+
+NamedRig webcams(const std::string& name) {
+  NamedRig rig;
+  rig.name = name;
+  rig.created_utc = "2026-11-24T10:00:00Z";
+  rig.rig = testing::smallRig();
+  CameraSettings settings;
+  settings.width_px = 64;
+  settings.height_px = 48;
+  settings.frames_per_s = 100;
+  settings.exposure_ms = 8.0;
+  rig.left = RigCamera{{"v4l2", "/dev/video0", "Webcam", "A", "1-1"}, settings};
+  rig.right = RigCamera{{"v4l2", "/dev/video2", "Webcam", "B", "1-2"}, settings};
+  rig.uncertainty = RigUncertainty_mm{600, 0.42};
+  return rig;
+}
+
+std::string errorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RigStore, GivesBackWhatWasWritten) {
+  const testing::TemporaryFolder folder;
+  const RigStore store(folder.path() / "rigs");
+  EXPECT_TRUE(store.list().empty());
+  store.write(webcams("room 2"), Existing::refuse);
+  store.note("room 2", {"2026-11-25T08:00:00Z", "holds", "the calibration holds"});
+  const NamedRig rig = store.read("room 2");
+  EXPECT_EQ(rig.created_utc, "2026-11-24T10:00:00Z");
+  ASSERT_TRUE(rig.left && rig.right && rig.uncertainty && rig.last_check);
+  EXPECT_TRUE(isSameCamera(rig.left->identity, webcams("").left->identity));
+  EXPECT_EQ(rig.left->settings.exposure_ms, 8.0);
+  EXPECT_EQ(rig.left->settings.width_px, 64);
+  EXPECT_FALSE(rig.left->settings.focus);
+  EXPECT_EQ(rig.uncertainty->point_mm, 0.42);
+  EXPECT_EQ(rig.last_check->state, "holds");
+  EXPECT_NEAR(rig.rig.baseline_mm(), testing::smallRig().baseline_mm(), 1e-9);
+}
+
+TEST(RigStore, RefusesInOneClearLine) {
+  const testing::TemporaryFolder folder;
+  const RigStore store(folder.path());
+  store.write(webcams("bar"), Existing::refuse);
+  EXPECT_THAT(errorOf([&] { store.write(webcams("bar"), Existing::refuse); }), HasSubstr("bar"));
+  store.write(webcams("bar"), Existing::replace);
+  EXPECT_THAT(errorOf([&] { store.read("foo"); }), HasSubstr("there are: bar"));
+  for (const char* name : {"", "../etc", "a/b", ".hidden"})
+    EXPECT_THAT(errorOf([&] { store.write(webcams(name), Existing::refuse); }),
+                HasSubstr("no name for a rig"));
+  std::ofstream(folder.path() / "bar" / "rig.json") << R"({"version": 1, "name": "bar"})";
+  EXPECT_THAT(errorOf([&] { store.read("bar"); }), HasSubstr("created"));
+  ASSERT_EQ(store.list().size(), 1u);
+  EXPECT_THAT(store.list()[0].problem, HasSubstr("rig.json"));
+}
+
+TEST(RigStore, ItsPlaceIsTheUsersConfiguration) {
+  const testing::TemporaryFolder folder;
+  const char* before = std::getenv("XDG_CONFIG_HOME");
+  const std::string kept = before ? before : "";
+  ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
+  EXPECT_EQ(RigStore().folder(), folder.path() / "facenav" / "rigs");
+  before ? ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
+}
+
+/// Lists two webcams of a kernel of the tests.
+class TwoWebcams : public CameraBackend {
+ public:
+  explicit TwoWebcams(std::shared_ptr<testing::FakeV4l2> kernel) : kernel_(std::move(kernel)) {}
+  std::vector<FoundCamera> list() override {
+    std::vector<FoundCamera> found;
+    for (const auto& [path, camera] : kernel_->cameras)
+      found.push_back({{"v4l2", path, "Webcam",
+                        path == "/dev/video2"   ? "B"
+                        : path == "/dev/video0" ? "A"
+                                                : "C",
+                        ""},
+                       {},
+                       ""});
+    return found;
+  }
+  std::unique_ptr<Camera> open(const CameraIdentity& camera) override {
+    return makeV4l2Backend(kernel_, {})->open(camera);
+  }
+
+ private:
+  std::shared_ptr<testing::FakeV4l2> kernel_;
+};
+
+TEST(RigStore, OpensItsOwnCamerasWithTheirSettings) {
+  const auto kernel = std::make_shared<testing::FakeV4l2>();
+  for (const char* path : {"/dev/video0", "/dev/video2"})
+    kernel->cameras[path] = std::make_shared<testing::FakeV4l2Camera>();
+  CameraBackends backends("kind of camera");
+  backends.add("v4l2", "", [kernel] { return std::make_unique<TwoWebcams>(kernel); });
+  {
+    const auto source = openRig(backends, webcams("bar"));
+    EXPECT_TRUE(source->next());
+    EXPECT_TRUE(changedSettings(*source).empty());
+    EXPECT_EQ(kernel->cameras["/dev/video0"]->controls[V4L2_CID_EXPOSURE_ABSOLUTE].value, 80);
+  }
+  auto& exposure = kernel->cameras["/dev/video2"]->controls[V4L2_CID_EXPOSURE_ABSOLUTE];
+  exposure.value = 156;
+  exposure.is_stuck = true;
+  EXPECT_THAT(changedSettings(*openRig(backends, webcams("bar"))),
+              ::testing::ElementsAre("right camera, exposure: 8 ms was asked for, the camera keeps 15.6 ms"));
+  kernel->cameras["/dev/video4"] = kernel->cameras["/dev/video2"];
+  kernel->cameras.erase("/dev/video2");
+  EXPECT_THAT(errorOf([&] { openRig(backends, webcams("bar")); }),
+              HasSubstr("an equal camera is connected, another piece"));
+  NamedRig of_files = webcams("files");
+  of_files.left.reset();
+  EXPECT_THAT(errorOf([&] { openRig(backends, of_files); }), HasSubstr("knows no cameras"));
+}
+
+}  // namespace
+}  // namespace facenav::capture

@@ -1,0 +1,125 @@
+// Does a rig still fit? Pictures of a board and of the coil's marker, rendered with the calibrated rig and
+// with rigs that differ from it by a known amount.
+
+#include "facenav/workflow/verify_rig.h"
+
+#include <gmock/gmock.h>
+
+#include "facenav/core/error.h"
+#include "support/board_scene.h"
+#include "unit/coil_tracking/tracked_once.h"
+
+namespace facenav::workflow {
+namespace {
+
+using ::testing::HasSubstr;
+namespace scene = coil_tracking::testing;
+
+const cameras::StereoRig& calibration() {
+  static const cameras::StereoRig rig = scene::roomRig();
+  return rig;
+}
+
+RigVerification verifiedByBoard(const cameras::StereoRig& real, bool is_swapped = false) {
+  RigVerifier verifier(calibration(), testing::kPrintedBoard, nullptr, coil_tracking::defaultCoil());
+  for (int i = 0; i < 3; ++i) {
+    auto frame = testing::boardFrame(real, i);
+    if (is_swapped) std::swap(frame.left, frame.right);
+    verifier.add(frame);
+  }
+  return verifier.result();
+}
+
+RigVerification verifiedByMarker(const cameras::StereoRig& real) {
+  RigVerifier verifier(calibration(), std::nullopt, coil_tracking::makeMarkerCoilTracker(),
+                       coil_tracking::defaultCoil());
+  for (int i = 0; i < 8; ++i) {
+    scene::SceneOptions options;
+    options.seed = unsigned(i + 1);
+    const auto pose = scene::markerPose(560 + 60 * (i / 4), 25, 40, 10, {50.0 * (i / 4) - 25, 20});
+    auto frame = scene::renderMarkers(real, {{scene::id7(), 60, pose}}, options);
+    frame.number = i;
+    frame.captured = {i / 30.0};
+    verifier.add(frame);
+  }
+  return verifier.result();
+}
+
+TEST(VerifyRig, ARigThatHoldsIsSaidToHoldWithItsNumbers) {
+  const auto result = verifiedByBoard(calibration());
+  EXPECT_EQ(result.state, RigState::holds) << result.words();
+  EXPECT_EQ(result.board_frames, 3);
+  ASSERT_EQ(result.lengths.size(), 1u);
+  EXPECT_NEAR(result.lengths[0].measured_mm, 160.0, 0.15);
+  EXPECT_LT(result.row_error_px, 0.1);
+  EXPECT_LT(result.left_lens_px, 0.15);
+  EXPECT_THAT(result.findings()[1], HasSubstr("160.00 mm true"));
+}
+
+TEST(VerifyRig, ACameraThatTurnedSidewaysShowsInTheLength) {
+  const auto result = verifiedByBoard(testing::turnedRight(calibration(), {0, 0.3 * kRadPerDeg, 0}));
+  EXPECT_EQ(result.state, RigState::moved) << result.words();
+  EXPECT_LT(result.row_error_px, 1.0);  // rows alone would not show it
+  EXPECT_GT(std::abs(result.lengths[0].measured_mm - 160.0), 1.5);
+  EXPECT_THAT(result.words(), HasSubstr("instead of 160.00 mm"));
+}
+
+TEST(VerifyRig, ACameraThatNoddedShowsInTheRowsWithItsAngle) {
+  const auto result = verifiedByBoard(testing::turnedRight(calibration(), {0.15 * kRadPerDeg, 0, 0}));
+  EXPECT_EQ(result.state, RigState::moved) << result.words();
+  EXPECT_NEAR(result.turn_deg, 0.15, 0.05);
+  const auto gross = verifiedByBoard(testing::turnedRight(calibration(), {1.0 * kRadPerDeg, 0, 0}));
+  EXPECT_EQ(gross.state, RigState::moved) << gross.words();
+  EXPECT_NEAR(gross.turn_deg, 1.0, 0.2);
+}
+
+TEST(VerifyRig, AnotherLensIsNamedWithItsSide) {
+  auto other = calibration();
+  other.right.distortion = other.right.distortion.clone();
+  other.right.distortion.at<double>(0) -= 1.5;
+  const auto result = verifiedByBoard(other);
+  EXPECT_EQ(result.state, RigState::other_cameras) << result.words();
+  EXPECT_THAT(result.words(), HasSubstr("the right camera's pictures do not fit its lens"));
+}
+
+TEST(VerifyRig, AFocusThatWasChangedIsNoTurnedCamera) {
+  auto other = calibration();
+  other.right.k(0, 0) *= 1.02;
+  other.right.k(1, 1) *= 1.02;
+  const auto result = verifiedByBoard(other);
+  EXPECT_EQ(result.state, RigState::other_cameras) << result.words();
+  EXPECT_NEAR(result.scale_change, 0.02, 0.003);
+  const auto turned = verifiedByBoard(testing::turnedRight(calibration(), {0, 1.0 * kRadPerDeg, 0}));
+  EXPECT_EQ(turned.state, RigState::moved) << turned.words();
+  EXPECT_LT(std::abs(turned.scale_change), 0.003);
+}
+
+TEST(VerifyRig, ExchangedSidesAreSaid) {
+  const auto result = verifiedByBoard(calibration(), true);
+  EXPECT_EQ(result.state, RigState::swapped) << result.words();
+}
+
+TEST(VerifyRig, TheCoilsMarkerTellsTheSame) {
+  const auto holds = verifiedByMarker(calibration());
+  EXPECT_EQ(holds.state, RigState::holds) << holds.words();
+  ASSERT_EQ(holds.lengths.size(), 1u);
+  EXPECT_NEAR(holds.lengths[0].measured_mm, 60.0, 0.1);
+  const auto turned = verifiedByMarker(testing::turnedRight(calibration(), {0, 0.5 * kRadPerDeg, 0}));
+  EXPECT_EQ(turned.state, RigState::moved) << turned.words();
+  const auto nodded = verifiedByMarker(testing::turnedRight(calibration(), {0.15 * kRadPerDeg, 0, 0}));
+  EXPECT_EQ(nodded.state, RigState::moved) << nodded.words();
+}
+
+TEST(VerifyRig, WithoutBoardAndMarkerNothingIsClaimed) {
+  RigVerifier verifier(calibration(), testing::kPrintedBoard, coil_tracking::makeMarkerCoilTracker(),
+                       coil_tracking::defaultCoil());
+  verifier.add(scene::renderMarkers(calibration(), {}));
+  EXPECT_EQ(verifier.result().state, RigState::unclear);
+  EXPECT_THAT(verifier.result().words(), HasSubstr("neither board nor marker"));
+  cameras::StereoFrame small;
+  small.left = small.right = cv::Mat::zeros(240, 320, CV_8U);
+  EXPECT_THROW(verifier.add(small), Error);
+}
+
+}  // namespace
+}  // namespace facenav::workflow

@@ -1,0 +1,30 @@
+#pragma once
+// FittedWords: a sentence as large as its place allows, up to a wanted size: with doubled text or in a small
+// window it gets smaller, and is never cut.
+
+#include <QColor>
+#include <QWidget>
+
+namespace facenav::ui {
+
+class FittedWords : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `largest_pt`: at normal text size.
+  explicit FittedWords(double largest_pt, QWidget* parent = nullptr);
+  void set(const QString& words, const QColor& colour);
+  const QString& words() const { return words_; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double largest_pt_;
+  QString words_;
+  QColor colour_{Qt::white};
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,153 @@
+#include "home/home_window.h"
+
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "appearance.h"
+#include "home/fitted_words.h"
+#include "home/sign_view.h"
+#include "views/image_view.h"
+
+namespace facenav::ui {
+namespace {
+
+using Stage = HomePresenter::Stage;
+
+constexpr int kRefresh_ms = 50;
+const QColor kPlain(237, 241, 245), kQuietWords(130, 142, 155), kNow(255, 196, 60), kDone(82, 200, 120),
+    kRefused(255, 140, 130);
+
+}  // namespace
+
+HomeWindow::HomeWindow(const Services& services, QWidget* parent)
+    : QWidget(parent), services_(services), presenter_(services_, tasks_) {
+  setWindowTitle(tr("FaceNav at home"));
+  setAutoFillBackground(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(24, 16, 24, 20);
+  column->setSpacing(12);
+  auto* steps = new QHBoxLayout;
+  for (auto*& step : steps_) {
+    step = new FittedWords(22, this);
+    steps->addWidget(step);
+  }
+  column->addLayout(steps, 2);
+  auto* middle = new QHBoxLayout;
+  sign_ = new SignView(this);
+  picture_ = new ImageView(QString(), this);
+  middle->addWidget(sign_, 1);
+  middle->addWidget(picture_, 1);
+  column->addLayout(middle, 8);
+  words_ = new FittedWords(34, this);
+  words_->setObjectName("home_words");
+  column->addWidget(words_, 4);
+  counts_ = new FittedWords(16, this);
+  column->addWidget(counts_, 1);
+  button_ = new QPushButton(this);
+  button_->setObjectName("primary");
+  button_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  button_->setMinimumHeight(64);
+  button_->setToolTip(tr("Return"));
+  auto* inside = new QVBoxLayout(button_);
+  inside->setContentsMargins(12, 4, 12, 4);
+  button_words_ = new FittedWords(28, button_);
+  button_words_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  inside->addWidget(button_words_);
+  column->addWidget(button_, 3);
+  connect(button_, &QPushButton::clicked, this, &HomeWindow::press);
+  for (const int key : {Qt::Key_Return, Qt::Key_Enter})
+    connect(new QShortcut(key, this), &QShortcut::activated, this, &HomeWindow::press);
+  auto* pulse = new QShortcut(Qt::Key_P, this);
+  pulse->setAutoRepeat(false);
+  connect(pulse, &QShortcut::activated, &presenter_, &HomePresenter::countPulse);
+  connect(&presenter_, &HomePresenter::changed, this, &HomeWindow::refresh);
+  connect(&presenter_, &HomePresenter::saveWanted, this, &HomeWindow::chooseFile);
+  connect(&tasks_, &TaskRunner::succeeded, this, &HomeWindow::refresh);
+  connect(&timer_, &QTimer::timeout, this, &HomeWindow::refresh);
+  timer_.start(kRefresh_ms);
+  refresh();
+}
+
+HomeWindow::~HomeWindow() = default;
+
+void HomeWindow::press() {
+  if (presenter_.stage() == Stage::ended && !presenter_.savedAs().isEmpty()) return void(close());
+  presenter_.act();
+}
+
+void HomeWindow::chooseFile() {
+  const QString desktop = QStandardPaths::writableLocation(QStandardPaths::DesktopLocation);
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the file to send"),
+                                                    desktop + "/" + presenter_.sendBackName(), tr("ZIP (*.zip)"));
+  presenter_.save(file);
+}
+
+/// `active`: the step that is on, 0 to 2; 3: all are done.
+void HomeWindow::showSteps(int active, bool is_done) {
+  const QString names[3] = {tr("1  Sit and look"), tr("2  Hold the coil"), tr("3  Follow the arrow")};
+  for (int i = 0; i < 3; ++i) {
+    const bool has_passed = i < active || is_done;
+    steps_[i]->set(has_passed ? names[i] + QString("  \u2713") : i == active ? QString("\u25b6 ") + names[i] : names[i],
+                   has_passed ? kDone : i == active ? kNow : kQuietWords);
+  }
+}
+
+/// Like a mirror.
+void HomeWindow::showPicture() {
+  auto frame = presenter_.state()->images;
+  if (!frame) frame = presenter_.cameras().picture();
+  if (!frame) {
+    if (shown_ != -1) picture_->set({});
+    shown_ = -1;
+    return;
+  }
+  if (frame->number == shown_) return;
+  shown_ = frame->number;
+  picture_->set(toQImage(frame->left.data, frame->left.cols, frame->left.rows, int(frame->left.step)).mirrored(true, false));
+}
+
+void HomeWindow::refresh() {
+  const Stage stage = presenter_.stage();
+  const bool is_ended = stage == Stage::ended || stage == Stage::ending;
+  if (stage == Stage::guiding) {
+    const auto advice = presenter_.advice();
+    showSteps(int(advice.step), false);
+    sign_->set(advice.sign, advice.arrow_rad, advice.is_refused);
+    words_->set(QString::fromStdString(advice.words), advice.is_refused ? kRefused : kPlain);
+  } else {
+    const bool is_refused = !presenter_.refusal().isEmpty();
+    showSteps(is_ended ? 3 : 0, is_ended);
+    sign_->set(is_ended && !is_refused ? workflow::HomeSign::hold : workflow::HomeSign::none, 0, is_refused);
+    words_->set(presenter_.words(), is_refused ? kRefused : kPlain);
+  }
+  showPicture();
+  picture_->setVisible(!is_ended);
+  const auto counts = presenter_.pulseCounts();
+  const auto planned = presenter_.plannedPulses();
+  QString said = presenter_.reminder();
+  if (stage == Stage::guiding || is_ended) {
+    said = planned ? tr("%1 of %2 pulses on target").arg(counts.on_target).arg(*planned)
+                   : tr("%1 pulses on target").arg(counts.on_target);
+    if (counts.outside + counts.lost > 0) said += tr(", %1 not on target").arg(counts.outside + counts.lost);
+  }
+  if (stage == Stage::ended && !presenter_.savedAs().isEmpty()) said += "\n" + presenter_.savedAs();
+  counts_->set(said, kQuietWords);
+  const QString action = presenter_.actionWords();
+  button_->setVisible(!action.isEmpty());
+  button_words_->set(action, Qt::white);
+  button_->setAccessibleName(action);
+}
+
+void HomeWindow::closeEvent(QCloseEvent* event) {
+  timer_.stop();
+  event->accept();
+}
+
+}  // namespace facenav::ui

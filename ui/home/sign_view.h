@@ -1,0 +1,33 @@
+#pragma once
+// SignView: the one big sign of the home window: an arrow to slide along, up or down, a turn, a side to raise,
+// or a tick. Drawn as seen from behind the coil's handle, which points down. Shape first, colour second.
+
+#include <QWidget>
+
+#include "facenav/workflow/home_advice.h"
+
+class QPainter;
+
+namespace facenav::ui {
+
+class SignView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SignView(QWidget* parent = nullptr);
+  void set(workflow::HomeSign sign, double arrow_rad, bool is_refused);
+  workflow::HomeSign sign() const { return sign_; }
+  bool isRefused() const { return is_refused_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void drawCoil(QPainter& painter) const;
+
+  workflow::HomeSign sign_ = workflow::HomeSign::none;
+  double arrow_rad_ = 0;
+  bool is_refused_ = false;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,228 @@
+#include "presenters/home_presenter.h"
+
+#include <QSettings>
+
+#include "facenav/core/error.h"
+#include "facenav/workflow/coil_library.h"
+#include "presenters/session_end.h"
+
+namespace facenav::ui {
+
+HomePresenter::HomePresenter(const Services& services, TaskRunner& tasks, QObject* parent)
+    : QObject(parent), services_(services), tasks_(tasks), cameras_(services, tasks) {
+  connect(&tasks_, &TaskRunner::failed, this, &HomePresenter::refuse);
+  connect(&cameras_, &CamerasPresenter::changed, this, &HomePresenter::changed);
+  connect(&cameras_, &CamerasPresenter::refused, this, &HomePresenter::refuse);
+  connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
+    if (cameras_.capture()) align();
+  });
+}
+
+HomePresenter::~HomePresenter() {
+  if (treatment_) endBeside(retirement_, std::move(treatment_));
+}
+
+void HomePresenter::set(Stage stage, const QString& refusal) {
+  stage_ = stage;
+  refusal_ = refusal;
+  emit changed();
+}
+
+/// What failed decides where to go on.
+void HomePresenter::refuse(const QString& words) {
+  const QString sentence = QString::fromStdString(workflow::homeRefusal(Error(words.toStdString())));
+  if (!home_) return set(Stage::unusable, words);
+  if (stage_ == Stage::ending) return set(Stage::ended, words);
+  set(Stage::sit, sentence);
+}
+
+void HomePresenter::open(const QString& case_folder) {
+  tasks_.start(tr("Opening"), [this, case_folder](TaskMonitor&) -> TaskRunner::Delivery {
+    auto home = std::make_shared<workflow::HomeCase>(
+        workflow::openHomeCase(std::filesystem::path(case_folder.toStdString())));
+    return [this, home] {
+      home_ = *home;
+      play_refusal_.isEmpty() ? set(Stage::sit) : set(Stage::unusable, play_refusal_);
+    };
+  });
+}
+
+/// Only its pictures count: the coil is the case's.
+void HomePresenter::play(const QString& recording) {
+  try {
+    recording_ = capture::openRecording(std::filesystem::path(recording.toStdString()));
+    if (!recording_->capture)
+      throw Error("the recording has no pictures with dots to know the face by", recording.toStdString());
+    emit changed();
+  } catch (const Error& error) {
+    recording_.reset();
+    play_refusal_ = QString::fromUtf8(error.what());
+    set(Stage::unusable, play_refusal_);
+  }
+}
+
+QString HomePresenter::actionWords() const {
+  if (tasks_.isRunning()) return {};
+  switch (stage_) {
+    case Stage::sit:
+      if (recording_) return refusal_.isEmpty() ? tr("START") : tr("TRY AGAIN");
+      if (!cameras_.isLive()) return tr("OPEN THE CAMERAS");
+      return cameras_.hasDots() ? tr("TAKE THE SECOND PICTURE") : tr("TAKE THE FIRST PICTURE");
+    case Stage::guiding:
+      return tr("FINISH");
+    case Stage::ended:
+      return saved_as_.isEmpty() ? tr("SAVE THE FILE TO SEND") : tr("CLOSE");
+    default:
+      return {};
+  }
+}
+
+QString HomePresenter::words() const {
+  if (!refusal_.isEmpty()) return refusal_;
+  switch (stage_) {
+    case Stage::opening:
+      return tr("One moment.");
+    case Stage::unusable:
+      return tr("This case cannot be used here: call the clinic.");
+    case Stage::sit:
+      if (recording_) return tr("Sit still, look at the cameras, and press START.");
+      if (!cameras_.isLive()) return cameras_.words();
+      return cameras_.hasDots() ? tr("Switch the dots off, keep still, and press the button.")
+                                : tr("Switch the dots on, look at the cameras, and press the button.");
+    case Stage::starting:
+      return tr("Sit still: your face is being measured.");
+    case Stage::ending:
+      return tr("The session is being closed.");
+    case Stage::ended:
+      return saved_as_.isEmpty() ? tr("Finished: save the file, and send it to the clinic.")
+                                 : tr("Saved: send this file to the clinic.");
+    case Stage::guiding:
+      break;
+  }
+  return {};
+}
+
+void HomePresenter::act() {
+  if (tasks_.isRunning()) return;
+  if (stage_ == Stage::guiding) return finish();
+  if (stage_ == Stage::ended) return saved_as_.isEmpty() ? emit saveWanted() : void();
+  if (stage_ != Stage::sit || !home_) return;
+  if (recording_) return align();
+  if (!cameras_.isLive()) return cameras_.open();
+  refusal_.clear();
+  cameras_.hasDots() ? cameras_.takePlain() : cameras_.takeDots();
+}
+
+void HomePresenter::align() {
+  capture::Recording seen;
+  if (recording_) {
+    seen = *recording_;
+  } else {
+    seen.rig = *cameras_.rig();
+    seen.capture = cameras_.capture();
+  }
+  set(Stage::starting);
+  tasks_.start(tr("Measuring the face"),
+               [this, store = home_->store, seen](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                 auto outcome = std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, monitor));
+                 return [this, outcome] { startTrackers(outcome); };
+               });
+}
+
+void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutcome> outcome) {
+  capture::Recording seen;
+  if (recording_)
+    seen = *recording_;
+  else
+    seen.rig = *cameras_.rig();
+  workflow::TreatmentRequest request{home_->store, seen, !recording_.has_value(), home_->coil, std::move(outcome),
+                                     workflow::calibrationReminder(home_->card)};
+  tasks_.start(tr("Starting"),
+               [this, request, open = recording_ ? nullptr : cameras_.opener(),
+                preview = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+                 const workflow::TreatmentDevices devices{
+                     services_.makeNavigator, [&] {
+                       preview.reset();  // first: a camera can be opened only once
+                       return request.is_live ? open() : capture::makeSource(request.recording);
+                     }};
+                 auto prepared =
+                     std::make_shared<workflow::PreparedTreatment>(workflow::prepareTreatment(request, devices));
+                 return [this, prepared] { begin(*prepared); };
+               });
+}
+
+void HomePresenter::begin(workflow::PreparedTreatment& prepared) {
+  const auto target = workflow::chosenTarget(home_->target, prepared.request.alignment.get());
+  treatment_ = std::make_shared<workflow::Treatment>(std::move(prepared), target);
+  treatment_->log().addEvent("at home", "three steps, big buttons");
+  session_ = treatment_->log().folder();
+  planned_ = treatment_->plannedPulses();
+  other_coil_.emplace(home_->coil);
+  saved_as_.clear();
+  const auto source = QSettings().value("treat/pulses").toString().toStdString();
+  try {
+    if (!source.empty()) treatment_->listen(links::openPulseSource(source));
+  } catch (const Error& error) {
+    treatment_->log().addEvent(workflow::session_events::kSource, error.what());
+  }
+  set(Stage::guiding);
+}
+
+std::shared_ptr<const session::NavigationState> HomePresenter::state() const {
+  if (treatment_) return treatment_->session().latest();
+  return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
+}
+
+workflow::HomeAdvice HomePresenter::advice() {
+  if (!treatment_) return {};
+  const auto now = state();
+  if (treatment_->session().hasEnded() && now->failure.empty())
+    return {workflow::HomeStep::sit, workflow::HomeSign::none, 0, "The recording is over: press FINISH.", false};
+  return workflow::homeAdvice(*now, other_coil_->sees(*now));
+}
+
+void HomePresenter::countPulse() {
+  if (treatment_ && stage_ == Stage::guiding) treatment_->pressPulse();
+}
+
+session::PulseCounts HomePresenter::pulseCounts() const { return treatment_ ? treatment_->log().counts() : counts_; }
+
+std::optional<int> HomePresenter::plannedPulses() const { return planned_; }
+
+QString HomePresenter::reminder() const {
+  if (!home_) return {};
+  return QString::fromStdString(workflow::calibrationReminder(home_->card).value_or(""));
+}
+
+void HomePresenter::finish() {
+  set(Stage::ending);
+  tasks_.start(tr("Closing"), [this, treatment = treatment_](TaskMonitor&) -> TaskRunner::Delivery {
+    const auto counts = treatment->log().counts();
+    treatment->end();
+    treatment->keepReport();
+    return [this, counts] {
+      treatment_.reset();
+      counts_ = counts;
+      set(Stage::ended);
+    };
+  });
+}
+
+QString HomePresenter::sendBackName() const {
+  return QString("facenav_%1.zip").arg(QString::fromStdString(session_.filename().string()));
+}
+
+bool HomePresenter::save(const QString& file) {
+  if (stage_ != Stage::ended || file.isEmpty()) return false;
+  try {
+    workflow::writeSendBack(home_->store, session_, std::filesystem::path(file.toStdString()));
+    saved_as_ = file;
+    set(Stage::ended);
+    return true;
+  } catch (const Error& error) {
+    set(Stage::ended, QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+}  // namespace facenav::ui
