@@ -1,5 +1,6 @@
-// The three tools of Treat (aim, motor, session) during guidance, in the two usual window sizes: everything
-// can be reached, and a pulse outside the tolerance is said. FACENAV_GUI_PICTURES=DIR keeps an image of each.
+// The four tools of Treat (aim, motor, session, check) during guidance, in the usual window sizes: everything
+// can be reached, no figure lies below the fold, and a pulse outside the tolerance is said.
+// FACENAV_GUI_PICTURES=DIR keeps an image of each.
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,11 @@
 #include "main_window.h"
 #include "treat_fixtures.h"
 #include "widgets/elided_label.h"
+#include "widgets/figures_panel.h"
 #include "widgets/motor_panel.h"
 #include "widgets/scroll_column.h"
 #include "widgets/session_panel.h"
+#include "widgets/tip_panel.h"
 #include "workspaces/treat_workspace.h"
 
 namespace facenav::ui {
@@ -72,10 +75,10 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().pulseCounts().outside == 1; }));
   EXPECT_TRUE(fixtures::waitFor([&] { return verdict->property("is_bad").toBool(); }));
   EXPECT_TRUE(treat->findChild<QLabel*>("session")->text().contains("1 outside"));
-  for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
+  for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1480, 860), QSize(1920, 1080)}) {
     window.resize(size);
     for (const auto& [tool, name] : {std::pair(Tool::aim, "aim"), std::pair(Tool::motor, "motor"),
-                                     std::pair(Tool::session, "session")}) {
+                                     std::pair(Tool::session, "session"), std::pair(Tool::check, "check")}) {
       treat->showTool(tool);
       QTest::qWait(400);
       EXPECT_EQ(window.size(), size);
@@ -83,8 +86,39 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
         window.grab().save(QString("%1/treat_%2_%3.png").arg(pictures).arg(size.width()).arg(name));
       if (tool == Tool::motor) expectInReach(*treat->findChild<MotorPanel*>());
       if (tool == Tool::session) expectInReach(*treat->findChild<SessionPanel*>());
+      if (tool == Tool::check) expectInReach(*treat->findChild<TipPanel*>());
+      if (tool != Tool::aim) continue;
+      for (auto* label : treat->findChild<FiguresPanel*>()->findChildren<QLabel*>())
+        EXPECT_EQ(label->visibleRegion().boundingRect(), label->rect())
+            << "below the fold at " << size.width() << ": " << label->text().toStdString();
     }
   }
+}
+
+TEST(FiguresPanel, LongWordsGetSmallerLettersAndMoveNothing) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  QWidget treat;
+  treat.setObjectName("treat");  // as the style sheet knows it
+  FiguresPanel panel(&treat);
+  panel.resize(420, 460);
+  treat.show();
+  ReadOut read_out;
+  read_out.level = Level::lost;
+  read_out.instruction = "FACE LOST: turn to the cameras";
+  panel.set(read_out);
+  QTest::qWait(50);
+  auto* banner = panel.findChild<QLabel*>("banner");
+  auto* figure = panel.findChild<QLabel*>("figure");
+  const QRect usual = figure->geometry();
+  const int height = banner->height();
+  read_out.instruction =
+      "REGISTRATION FAILED: the face is 14.2 mm and 11.5 deg off, align again; the whole face must be seen";
+  panel.set(read_out);
+  QTest::qWait(50);
+  EXPECT_EQ(banner->height(), height);
+  EXPECT_EQ(figure->geometry(), usual);
+  EXPECT_FALSE(banner->text().contains("font-size:30pt"))
+      << "smaller letters: " << banner->text().toStdString();
 }
 
 TEST_F(TreatPages, TheKeysYAndNAnswerOnTheMotorPageOnly) {

@@ -30,6 +30,27 @@ QString whole(double degrees, bool is_signed) {
   return (is_signed && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value) + QChar(0x00b0);
 }
 
+/// The gap by both poses, the field that it costs, and the gap that the cameras see beside the coil.
+void addGap(const guidance::CoilGap& gap, ReadOut& out) {
+  if (!gap.by_poses_mm) return;
+  out.gap = tr("gap %1 mm, field \u2212%2 %")
+                .arg(*gap.by_poses_mm, 0, 'f', 1)
+                .arg(guidance::fieldLost_pct(*gap.by_poses_mm), 0, 'f', 0);
+  out.gap_tip =
+      tr("contact face's centre above the MRI's skin, by the poses of head and coil; the field is lost "
+         "against a coil that touches the skin");
+  if (const auto seen_mm = gap.byStereo_mm()) {
+    out.gap += tr("; seen %1 mm").arg(*seen_mm, 0, 'f', 1);
+    out.gap_tip += tr("; seen: above the surface (skin or hair) that both cameras measure beside the coil");
+  } else if (!gap.unseen.empty()) {
+    out.gap_tip += "; " + QString::fromStdString(gap.unseen);
+  }
+  out.gap_disagrees = gap.disagrees();
+  if (!out.gap_disagrees) return;
+  out.gap = "! " + out.gap;
+  out.gap_tip = QString::fromStdString(disagreementInWords(gap)) + ". " + out.gap_tip;
+}
+
 }  // namespace
 
 ReadOut makeReadOut(const session::NavigationState& state) {
@@ -50,6 +71,7 @@ ReadOut makeReadOut(const session::NavigationState& state) {
   out.face = chip(tr("FACE"), state.head, session::headLossInWords(state));
   out.coil = chip(tr("COIL"), state.coil, session::coilLossInWords(state));
   out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));
+  addGap(state.gap, out);
   const auto& g = state.guidance;
   const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
   if (has_values) {

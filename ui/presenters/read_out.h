@@ -18,6 +18,8 @@ struct Chip {
 struct ReadOut {
   QString across, depth, tilt, twist;  // "2.4", "+1.0", "3\u00b0"; a dash when there is none
   QString predicted;                   // "\u00b10.8 mm at the target", or empty
+  QString gap, gap_tip;                // "gap 4.6 mm, field -17 %; cameras 0.9 mm", or empty
+  bool gap_disagrees = false;          // poses and cameras, by more than their own error
   QString instruction;
   Level level = Level::lost;
   Chip cameras, face, coil;

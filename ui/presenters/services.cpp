@@ -45,6 +45,7 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
     order.stored_pair_stands_in = true;
     return workflow::alignRecording(methods, store, recording, order, monitor).outcome;
   };
+  services.seeAlignment = workflow::seeAlignment;
   services.makeNavigator = [makeMethods](const session::NavigatorSetup& setup) {
     const auto all = makeMethods();
     return std::make_unique<session::Navigator>(setup,

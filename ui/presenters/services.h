@@ -20,7 +20,7 @@
 #include "facenav/dicom/thumbnail.h"
 #include "facenav/pacs/pacs.h"
 #include "facenav/session/session.h"
-#include "facenav/workflow/align_from_capture.h"
+#include "facenav/workflow/alignment_seen.h"
 #include "facenav/workflow/registrations.h"
 
 namespace facenav::ui {
@@ -51,6 +51,9 @@ struct Services {
   std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                            TaskMonitor&)>
       align;
+  /// What a person judges the alignment by. Empty: nothing is shown.
+  std::function<workflow::AlignmentSeen(const casefile::CaseStore&, const workflow::AlignmentOutcome&)>
+      seeAlignment;
   /// Connected cameras. Search::quick is fast; Search::everywhere waits for the network.
   std::function<std::vector<capture::FoundCamera>(capture::Search)> listCameras;
   /// A live pair, by stable names (capture/camera.h). Its destructor releases both cameras.

@@ -11,6 +11,7 @@
 #include "facenav/workflow/session_return.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
+#include "presenters/recording_words.h"
 #include "presenters/session_end.h"
 
 namespace facenav::ui {
@@ -39,7 +40,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
           std::move(draw)) {
   connect(&model_, &CaseModel::opened, this, [this] {
     stop();
-    outcome_.reset();
+    aligned_ = {};
     site_.reset();
     last_session_.clear();
     const auto& targets = model_.current().plan.targets;
@@ -49,7 +50,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
   connect(&cameras_, &CamerasPresenter::opened, this, &TreatPresenter::useCameras);
   connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
     recording_->capture = cameras_.capture();
-    outcome_.reset();
+    aligned_ = {};
     emit changed();
   });
   connect(&cameras_, &CamerasPresenter::refused, this, &TreatPresenter::refused);
@@ -78,7 +79,7 @@ void TreatPresenter::openRecording(const QString& folder) {
       coil_ = film->coil;
       coil_card_ = film->card;
       film_ = *film;
-      outcome_.reset();
+      aligned_ = {};
       emit changed();
       cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
     };
@@ -93,7 +94,7 @@ void TreatPresenter::useCameras() {
   is_live_ = true;
   film_.reset();
   useRememberedCoil();
-  outcome_.reset();
+  aligned_ = {};
   rig_fault_.clear();
   emit changed();
 }
@@ -157,18 +158,21 @@ void TreatPresenter::align(bool then_start) {
       [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
        recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
         workflow::requireSignOff(store, is_overridden);
-        auto outcome =
-            std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
-        return [this, outcome, then_start] {
-          outcome_ = outcome;
+        return [this, aligned = alignHead(services_, store, recording, monitor), then_start] {
+          use(aligned);
           emit changed();
           if (then_start) start();
         };
       });
 }
 
+void TreatPresenter::use(const AlignedHead& aligned) {
+  aligned_ = aligned;
+  shows_skin_ = true;
+}
+
 void TreatPresenter::start() {
-  if (recording_ && outcome_ && !isRunning() && !tasks_.isRunning() && mayTreat()) startWith({});
+  if (recording_ && isAligned() && !isRunning() && !tasks_.isRunning() && mayTreat()) startWith({});
 }
 
 /// The face as it was at the alignment of that session counts, not as it is now.
@@ -181,10 +185,9 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
                 is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
                  workflow::requireSignOff(store, is_overridden);
                  const auto folder = workflow::sessionToGoOnWith(store.folder(), session.name).folder;
-                 auto outcome =
-                     std::make_shared<workflow::AlignmentOutcome>(services_.align(store, recording, monitor));
-                 return [this, outcome, folder, target = QString::fromStdString(session.target)] {
-                   outcome_ = outcome;
+                 return [this, aligned = alignHead(services_, store, recording, monitor), folder,
+                         target = QString::fromStdString(session.target)] {
+                   use(aligned);
                    chooseTarget(target);
                    if (!target.isEmpty() && !this->target())
                      emit refused(tr("%1 is no longer in the plan: choose a target").arg(target));
@@ -194,7 +197,7 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
 }
 
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
-  workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_, outcome_};
+  workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_, aligned_.outcome};
   request.coil_reminder = workflow::calibrationReminder(coil_card_);
   request.goes_on = goes_on;
   if (const auto& given = model_.override())
@@ -277,6 +280,15 @@ void TreatPresenter::checkRegistration() {
   if (isRunning()) treatment_->checkRegistration();
 }
 
+void TreatPresenter::showSkin(bool is_shown) {
+  shows_skin_ = is_shown;
+  emit changed();
+}
+
+void TreatPresenter::judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading) {
+  if (isRunning()) treatment_->judgeTip(verdict, reading);
+}
+
 bool TreatPresenter::note(const QString& event, const QString& detail) {
   if (last_session_.empty()) {
     emit refused(tr("there is no session yet: start guidance first"));
@@ -295,14 +307,6 @@ bool TreatPresenter::note(const QString& event, const QString& detail) {
     emit refused(QString::fromUtf8(error.what()));
     return false;
   }
-}
-
-session::PulseCounts TreatPresenter::pulseCounts() const {
-  return treatment_ ? treatment_->log().counts() : session::PulseCounts();
-}
-
-std::optional<session::JudgedPulse> TreatPresenter::lastPulse() const {
-  return treatment_ ? treatment_->log().lastPulse() : std::nullopt;
 }
 
 void TreatPresenter::guideTo(const std::optional<guidance::Target>& site) {
@@ -337,7 +341,6 @@ void TreatPresenter::stop() {
   emit changed();
 }
 
-/// Nothing of the session is shown from here on.
 void TreatPresenter::endSession() { endBeside(retirement_, std::move(treatment_)); }
 
 void TreatPresenter::chooseTarget(const QString& name) {
@@ -357,7 +360,7 @@ const guidance::Target* TreatPresenter::target() const {
 
 std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
   const auto* t = target();
-  return t ? std::optional(workflow::chosenTarget(*t, outcome_.get())) : std::nullopt;
+  return t ? std::optional(workflow::chosenTarget(*t, aligned_.outcome.get())) : std::nullopt;
 }
 
 QString TreatPresenter::recordingFolder() const {
@@ -367,16 +370,12 @@ QString TreatPresenter::recordingFolder() const {
 QString TreatPresenter::recordingWords() const {
   if (!recording_) return tr("no cameras");
   if (is_live_) return tr("cameras %1 and %2, live").arg(cameras_.left()).arg(cameras_.right());
-  return tr("%1: %2 frames, %3 per s%4")
-      .arg(QString::fromStdString(recording_->folder.filename().string()))
-      .arg(qlonglong(recording_->frame_count))
-      .arg(recording_->frames_per_s, 0, 'f', 0)
-      .arg(recording_->has_timestamps ? QString() : tr(" (assumed)"));
+  return wordsOf(*recording_);
 }
 
 QString TreatPresenter::alignmentWords() const {
-  if (!outcome_) return tr("not aligned in this session");
-  return QString::fromStdString(workflow::alignmentWords(*outcome_, target()));
+  if (!isAligned()) return tr("not aligned in this session");
+  return QString::fromStdString(workflow::alignmentWords(*aligned_.outcome, target()));
 }
 
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
@@ -393,7 +392,10 @@ std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
 void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> state) {
   if (!recording_ || !state->images) return;
   const auto* t = target();
-  overlays_.ask({recording_->rig, std::move(state), t ? std::optional<guidance::Target>(*t) : std::nullopt});
+  pictures::OverlayOrder order{recording_->rig, std::move(state),
+                               t ? std::optional<guidance::Target>(*t) : std::nullopt};
+  if (shows_skin_ && aligned_.seen.skin) order.alignment = {aligned_.seen.skin, coil_.tip};
+  overlays_.ask(std::move(order));
 }
 
 }  // namespace facenav::ui

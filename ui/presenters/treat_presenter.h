@@ -10,6 +10,7 @@
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
 #include "facenav/workflow/treatment.h"
+#include "presenters/aligned_head.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
 #include "presenters/read_out.h"
@@ -79,11 +80,15 @@ class TreatPresenter : public QObject {
   /// An event of the session that runs, or of the last one of this window. False: there is none.
   bool note(const QString& event, const QString& detail);
 
-  session::PulseCounts pulseCounts() const;
+  session::PulseCounts pulseCounts() const {
+    return treatment_ ? treatment_->log().counts() : session::PulseCounts();
+  }
   /// Of the target's dose or the case's protocol; nothing: no goal.
   std::optional<int> plannedPulses() const { return treatment_ ? treatment_->plannedPulses() : std::nullopt; }
   /// The newest pulse with a verdict; nothing without one.
-  std::optional<session::JudgedPulse> lastPulse() const;
+  std::optional<session::JudgedPulse> lastPulse() const {
+    return treatment_ ? treatment_->log().lastPulse() : std::nullopt;
+  }
 
   bool mayTreat() const { return model_.mayBeTreated(); }
   /// Pulses that are kept in the session's file; a pulse gets there within about a tenth of a second.
@@ -102,7 +107,7 @@ class TreatPresenter : public QObject {
   bool canGoOn() const { return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning(); }
   /// The fault of the cameras that the last session found, or a motion that it corrected; empty: none.
   QString rigFault() const { return rig_fault_; }
-  bool isAligned() const { return outcome_ != nullptr; }
+  bool isAligned() const { return aligned_.outcome != nullptr; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
   /// The recording reached its end, or a fault stopped the session.
   bool hasEnded() const { return treatment_ && treatment_->session().hasEnded(); }
@@ -120,10 +125,22 @@ class TreatPresenter : public QObject {
   /// cameras that stand as they were calibrated: the session withholds poses where the coil's marker shows
   /// that they do not.
   std::optional<double> errorBound95_mm(const guidance::Target& target) const {
-    if (!outcome_) return std::nullopt;
-    const auto& result = outcome_->result;
+    if (!isAligned()) return std::nullopt;
+    const auto& result = aligned_.outcome->result;
     return result.uncertainty().errorBound_mm(result.camera_T_mri, target.cortex_point);
   }
+
+  /// The MRI's skin and the check of the coil's tip, of the alignment in use; null members: none.
+  const workflow::AlignmentSeen& alignmentSeen() const { return aligned_.seen; }
+  /// The MRI's skin over the pictures that the alignment was made from; null: none.
+  const std::shared_ptr<const pictures::CameraOverlay>& alignmentPicture() const { return aligned_.picture; }
+  /// The skin is drawn over the live pictures: from an alignment on, until it is switched off.
+  bool showsSkin() const { return shows_skin_; }
+  void showSkin(bool is_shown);
+  /// The point of the coil that is held to the face.
+  const Point<Coil>& tip() const { return coil_.tip; }
+  /// Logs it; a wrong one withholds guidance until a check passes.
+  void judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading);
 
   /// The newest state; everything is lost if nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
@@ -137,6 +154,7 @@ class TreatPresenter : public QObject {
 
  private:
   void startWith(const std::filesystem::path& goes_on);
+  void use(const AlignedHead& aligned);
   void useRememberedCoil();
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
@@ -152,9 +170,10 @@ class TreatPresenter : public QObject {
   bool is_live_ = false;
   mutable QString rig_fault_;
   coil_tracking::CoilModel coil_;
+  AlignedHead aligned_;
+  bool shows_skin_ = true;
   coil_tracking::CoilCard coil_card_;
   std::optional<workflow::TreatmentFilm> film_;  // whose coil may be chosen again
-  std::shared_ptr<const workflow::AlignmentOutcome> outcome_;
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
   std::filesystem::path last_session_;

@@ -17,6 +17,7 @@ CameraRow::CameraRow(QWidget* parent)
 }
 
 void CameraRow::clear() {
+  still_.reset();
   if (is_empty_) return;
   is_empty_ = true;
   shown_.reset();
@@ -27,9 +28,20 @@ void CameraRow::clear() {
 void CameraRow::showPlain(const cameras::StereoFrame& frame) {
   now_.reset();
   shown_.reset();
+  still_.reset();
   is_empty_ = false;
   left_->set(toQImage(frame.left.data, frame.left.cols, frame.left.rows, int(frame.left.step)));
   right_->set(toQImage(frame.right.data, frame.right.cols, frame.right.rows, int(frame.right.step)));
+}
+
+void CameraRow::showStill(std::shared_ptr<const pictures::CameraOverlay> still) {
+  if (still_ == still) return;
+  now_.reset();
+  shown_.reset();
+  is_empty_ = false;
+  still_ = std::move(still);
+  left_->set(toQImage(still_->left));
+  right_->set(toQImage(still_->right));
 }
 
 void CameraRow::follow(std::shared_ptr<const session::NavigationState> now) {
@@ -40,6 +52,7 @@ void CameraRow::follow(std::shared_ptr<const session::NavigationState> now) {
 void CameraRow::showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn) {
   if (!now_ || !pictures::mayBeShown(*drawn, *now_)) return;
   shown_ = std::move(drawn);
+  still_.reset();
   is_empty_ = false;
   const QString failure = QString::fromStdString(shown_->failure);
   left_->set(toQImage(shown_->overlay.left), failure);

@@ -20,6 +20,8 @@ class CameraRow : public QWidget {
 
   /// Shows the images themselves, before tracking starts.
   void showPlain(const cameras::StereoFrame& frame);
+  /// Shows drawn pictures that do not move, such as those of an alignment.
+  void showStill(std::shared_ptr<const pictures::CameraOverlay> still);
   /// From now on shows only images that fit `now` (not null).
   void follow(std::shared_ptr<const session::NavigationState> now);
   /// Shows a drawn image; ignored if it does not fit the newest state.
@@ -34,6 +36,7 @@ class CameraRow : public QWidget {
   std::shared_ptr<const session::NavigationState> now_;
   std::shared_ptr<const pictures::DrawnOverlay> shown_;  // null: plain images, or none
   bool is_empty_ = true;
+  std::shared_ptr<const pictures::CameraOverlay> still_;  // null: none is shown
 };
 
 }  // namespace facenav::ui

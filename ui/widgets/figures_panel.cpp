@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QStyle>
+#include <QTextDocument>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -12,26 +13,48 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kLeastWidth_px = 410;
+constexpr int kBanner_px = 104, kLowBanner_px = 76;  // two lines; longer words get smaller letters
+
+/// Points of the banner's two lines, the largest first.
+struct LetterSizes {
+  double title_pt, advice_pt;
+};
+constexpr LetterSizes kLetters[] = {{30, 19}, {26, 17}, {22, 16}, {19, 15}, {16, 14}, {14, 12}};
 
 /// "FACE NOT SEEN: let .." on two lines: what is wrong, legible from two metres, and below it what to do.
-QString twoLines(const ReadOut& read_out) {
+QString twoLines(const ReadOut& read_out, const LetterSizes& letters) {
   const QString mark = read_out.level == Level::lost ? QStringLiteral("\u2715&nbsp;") : QString();
   const int colon = read_out.instruction.indexOf(": ");
-  const QString head = read_out.instruction.left(colon < 0 ? read_out.instruction.size() : colon);
+  const QString title = read_out.instruction.left(colon < 0 ? read_out.instruction.size() : colon);
   QString text = QStringLiteral("<div style='font-size:%1pt'>%2%3</div>")
-                     .arg(30 * textScale())
-                     .arg(mark, head.toHtmlEscaped());
+                     .arg(letters.title_pt * textScale())
+                     .arg(mark, title.toHtmlEscaped());
   if (colon >= 0)
     text += QStringLiteral("<div style='font-size:%1pt'>%2</div>")
-                .arg(19 * textScale())
+                .arg(letters.advice_pt * textScale())
                 .arg(read_out.instruction.mid(colon + 2).toHtmlEscaped());
+  return text;
+}
+
+/// The largest letters with which the words fit.
+QString fitted(const ReadOut& read_out, const QFont& font, const QSize& room) {
+  QString text;
+  for (const auto& letters : kLetters) {
+    text = twoLines(read_out, letters);
+    QTextDocument document;
+    document.setDocumentMargin(0);
+    document.setDefaultFont(font);
+    document.setHtml(text);
+    document.setTextWidth(room.width());
+    if (document.size().height() <= room.height() && document.idealWidth() <= room.width()) break;
+  }
   return text;
 }
 
 }  // namespace
 
 FiguresPanel::FiguresPanel(QWidget* parent)
-    : QFrame(parent), banner_(new QLabel(this)), predicted_(new QLabel(this)) {
+    : QFrame(parent), banner_(new QLabel(this)), predicted_(new QLabel(this)), gap_(new QLabel(this)) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
   banner_->setObjectName("banner");
@@ -61,7 +84,13 @@ FiguresPanel::FiguresPanel(QWidget* parent)
   predicted_->setObjectName("muted");
   predicted_->setAlignment(Qt::AlignCenter);
   predicted_->setToolTip(tr("predicted error of the alignment at the target (one standard deviation)"));
-  column->addWidget(predicted_);
+  gap_->setObjectName("gap_words");
+  gap_->setAlignment(Qt::AlignCenter);
+  auto* below = new QVBoxLayout;
+  below->setSpacing(0);
+  below->addWidget(gap_);
+  below->addWidget(predicted_);
+  column->addLayout(below);
 }
 
 void FiguresPanel::place() {
@@ -75,13 +104,36 @@ void FiguresPanel::place() {
     grid_->addWidget(value, i / columns * 2, i % columns);
     grid_->addWidget(name, i / columns * 2 + 1, i % columns, Qt::AlignCenter);
   }
-  banner_->setMinimumHeight(sized(is_small_ ? 60 : 90));
+  banner_->setFixedHeight(sized(is_low_ ? kLowBanner_px : kBanner_px));
 }
 
-void FiguresPanel::setSmall(bool is_small) {
-  if (is_small == is_small_) return;
+int FiguresPanel::neededHeight() {
+  if (!is_small_) needed_px_ = minimumSizeHint().height() + sized(is_low_ ? kBanner_px - kLowBanner_px : 0);
+  return needed_px_;
+}
+
+/// The banner keeps its height, whatever it says: the figures never move.
+void FiguresPanel::fitBanner() {
+  constexpr int kAround_px = 2 * 6 + 2 * 5;  // padding and the widest border, as in the style sheet
+  const QSize room = banner_->size() - QSize(kAround_px, kAround_px);
+  const QString key = QString("%1 %2 %3").arg(room.width()).arg(room.height()).arg(read_out_.instruction) +
+                      QString::number(int(read_out_.level));
+  if (key == fitted_) return;
+  fitted_ = key;
+  banner_->setText(fitted(read_out_, banner_->font(), room));
+}
+
+void FiguresPanel::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fitBanner();
+}
+
+void FiguresPanel::setSmall(bool is_small, bool is_low) {
+  if (is_small == is_small_ && is_low == is_low_) return;
   is_small_ = is_small;
+  is_low_ = is_low;
   place();
+  fitBanner();
 }
 
 void FiguresPanel::set(const ReadOut& read_out) {
@@ -94,7 +146,8 @@ void FiguresPanel::set(const ReadOut& read_out) {
     banner_->style()->unpolish(banner_);
     banner_->style()->polish(banner_);
   }
-  banner_->setText(twoLines(read_out));
+  read_out_ = read_out;
+  fitBanner();
   for (QLabel* value : values_)
     value->setEnabled(read_out.level == Level::good || read_out.level == Level::caution);
   values_[0]->setText(read_out.across);
@@ -102,6 +155,16 @@ void FiguresPanel::set(const ReadOut& read_out) {
   values_[2]->setText(read_out.tilt);
   values_[3]->setText(read_out.twist);
   predicted_->setText(read_out.predicted);
+  gap_->setText(read_out.gap);
+  gap_->setToolTip(read_out.gap_tip);
+  setDoubtful(read_out.gap_disagrees);
+}
+
+void FiguresPanel::setDoubtful(bool is_doubtful) {
+  if (gap_->property("is_bad").toBool() == is_doubtful) return;
+  gap_->setProperty("is_bad", is_doubtful);
+  gap_->style()->unpolish(gap_);
+  gap_->style()->polish(gap_);
 }
 
 std::array<QString, 4> FiguresPanel::figures() const {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "appearance.h"
+#include "widgets/screens_row.h"
 
 namespace facenav::ui {
 namespace {
@@ -24,12 +25,14 @@ QHBoxLayout* rowIn(QWidget* widget) {
 
 }  // namespace
 
-SessionPanel::SessionPanel(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent)
+SessionPanel::SessionPanel(TreatPresenter& treat, SessionSounds& sounds, SecondScreens& screens,
+                           ProjectorPresenter& projector, QWidget* parent)
     : QFrame(parent), treat_(treat), sounds_(sounds) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
   for (QWidget* each : {makePause(), makePain(), makeAdverse(), makeSource(), makeSound()})
     column->addWidget(each);
+  column->addWidget(new ScreensRow(screens, projector, this));
   column->addStretch(1);
   connect(&treat_, &TreatPresenter::changed, this, &SessionPanel::showState);
   showState();

@@ -1,11 +1,12 @@
 #pragma once
 // SessionPanel: what belongs to the session and not to the coil: pain before and after, adverse events,
-// pauses with their reason, where pulses come from, and the sounds.
+// pauses with their reason, where pulses come from, the sounds, and the other screens.
 
 #include <QFrame>
 
 #include "presenters/session_sounds.h"
 #include "presenters/treat_presenter.h"
+#include "views/second_screens.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,7 +19,8 @@ class SessionPanel : public QFrame {
   Q_OBJECT
 
  public:
-  SessionPanel(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent = nullptr);
+  SessionPanel(TreatPresenter& treat, SessionSounds& sounds, SecondScreens& screens,
+               ProjectorPresenter& projector, QWidget* parent = nullptr);
 
  private:
   QWidget* makePain();

@@ -4,51 +4,28 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSettings>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QStyle>
-#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "appearance.h"
-#include "views/bulls_eye_view.h"
 #include "views/live_slices.h"
 #include "views/scene_view.h"
 #include "widgets/camera_row.h"
 #include "widgets/cameras_panel.h"
-#include "widgets/check_row.h"
 #include "widgets/elided_label.h"
-#include "widgets/figures_panel.h"
-#include "widgets/motor_panel.h"
 #include "widgets/override_panel.h"
-#include "widgets/pulse_row.h"
 #include "widgets/return_panel.h"
 #include "widgets/scroll_column.h"
-#include "widgets/session_panel.h"
+#include "widgets/treat_side.h"
 #include "widgets/words_of_button.h"
 
 namespace facenav::ui {
 namespace {
 
-constexpr int kRefresh_ms = 33;
+constexpr int kPageRefresh_ms = 33;
 constexpr const char* kSlicesShown = "treat/slices_shown";
 constexpr const char* kSlicesInScene = "treat/slices_in_scene";
-constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
-constexpr int kLow_px = 740;      // below it, no room for the bull's eye above the figures
-
-/// Asks for the width of the page that is shown, not for that of the widest.
-class ShownPage : public QStackedWidget {
- public:
-  explicit ShownPage(QWidget* parent) : QStackedWidget(parent) {
-    connect(this, &QStackedWidget::currentChanged, this, &QWidget::updateGeometry);
-  }
-  QSize minimumSizeHint() const override {
-    const QWidget* page = currentWidget();
-    return page ? page->minimumSizeHint().expandedTo(page->minimumSize()) : QSize();
-  }
-  /// The column round it scrolls only where this does not fit.
-  QSize sizeHint() const override { return minimumSizeHint(); }
-};
 
 }  // namespace
 
@@ -59,6 +36,9 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
       motor_(presenter, model),
       return_(presenter, model),
       check_(presenter),
+      tip_(presenter),
+      projector_(presenter, model),
+      screens_(new SecondScreens(projector_, *this)),
       scene_(new SceneView(this)),
       slices_(new LiveSlices(this)),
       pictures_(new CameraRow(this)) {
@@ -78,10 +58,11 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   column->addWidget(new ReturnPanel(return_, this));
   column->addLayout(row, 1);
   column->addWidget(makeSteps());
-  timer_.setInterval(kRefresh_ms);
+  timer_.setInterval(kPageRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, &TreatWorkspace::refresh);
   connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
   connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
+  connect(&projector_, &ProjectorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
   const auto markOutdated = [this] {
     is_outdated_ = true;
@@ -96,54 +77,14 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
 
 QWidget* TreatWorkspace::makeSide() {
   side_ = new QStackedWidget(this);
-  auto* side = new QWidget(side_);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  tools_ = new ShownPage(side);
-  bulls_eye_ = new BullsEyeView(tools_);
-  tools_->addWidget(bulls_eye_);
-  tools_->addWidget(new ScrollColumn(new MotorPanel(motor_, presenter_, tools_), 0, tools_));
-  tools_->addWidget(new ScrollColumn(new SessionPanel(presenter_, sounds_, tools_), 0, tools_));
-  figures_ = new FiguresPanel(side);
-  bulls_eye_and_figures_ = new QBoxLayout(QBoxLayout::TopToBottom);
-  bulls_eye_and_figures_->addWidget(tools_, 4);
-  bulls_eye_and_figures_->addWidget(figures_, 5);
-  column->addWidget(makeTabs(side));
-  auto* scrolled = new QWidget(side);
-  scrolled->setLayout(bulls_eye_and_figures_);
-  bulls_eye_and_figures_->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(new ScrollColumn(scrolled, sized(kFigures_px), side), 1);
-  pulses_ = new PulseRow(presenter_, sounds_, side);
-  column->addWidget(pulses_);
-  column->addWidget(new CheckRow(check_, presenter_, side));
-  auto* key = new QShortcut(Qt::Key_P, this);
-  key->setAutoRepeat(false);  // a key that is held down is one pulse
-  connect(key, &QShortcut::activated, pulses_, &PulseRow::take);
-  side_->addWidget(side);
-  side_->addWidget(new ScrollColumn(new CamerasPanel(presenter_, side_), sized(kFigures_px), side_));
+  tools_ = new TreatSide(presenter_, motor_, check_, tip_, sounds_, *screens_, projector_, side_);
+  side_->addWidget(tools_);
+  side_->addWidget(
+      new ScrollColumn(new CamerasPanel(presenter_, side_), sized(TreatSide::kFigures_px), side_));
   return side_;
 }
 
-/// Aim, Motor, Session.
-QWidget* TreatWorkspace::makeTabs(QWidget* parent) {
-  auto* tabs = new QTabBar(parent);
-  tabs->setExpanding(false);
-  tabs->setDrawBase(false);
-  tabs->addTab(tr("Aim"));
-  tabs->addTab(tr("Motor"));
-  tabs->addTab(tr("Session"));
-  tabs->setTabToolTip(0, tr("where the coil is against the target"));
-  tabs->setTabToolTip(1, tr("motor hotspot and threshold: the muscle's answers"));
-  tabs->setTabToolTip(2, tr("pause, pain, adverse events, source of the pulses, sound"));
-  connect(tabs, &QTabBar::currentChanged, this, [this](int tool) {
-    tools_->setCurrentIndex(tool);
-    arrange();
-  });
-  connect(this, &TreatWorkspace::toolShown, tabs, &QTabBar::setCurrentIndex);
-  return tabs;
-}
-
-void TreatWorkspace::showTool(Tool tool) { emit toolShown(int(tool)); }
+void TreatWorkspace::showTool(Tool tool) { tools_->showTool(tool); }
 
 QWidget* TreatWorkspace::makeSteps() {
   auto* bar = new QFrame(this);
@@ -281,35 +222,52 @@ void TreatWorkspace::showCase() {
   showSteps();
 }
 
-void TreatWorkspace::refresh() {
-  const auto state = presenter_.state();
-  pulses_->refresh();
-  check_.follow(*state);
-  if (presenter_.isRunning() != shows_running_) showSteps();
-  ReadOut read_out = makeReadOut(*state);
-  const bool was_started = presenter_.isRunning() || state->frame >= 0;
-  if (!was_started) {
-    read_out.instruction = !model_.isOpen()         ? tr("NO CASE OPEN")
-                           : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
-                           : presenter_.isAligned() ? tr("READY: start guidance")
-                                                    : tr("NOT ALIGNED");
-    read_out.level = Level::idle;
-    read_out.timing.clear();
-    read_out.cameras = {
-        presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::idle};
-    read_out.face = {tr("FACE idle"), {}, Level::idle};
-    read_out.coil = {tr("COIL idle"), {}, Level::idle};
-  } else if (presenter_.hasEnded() && state->failure.empty()) {
+/// The newest state in words; before guidance: what is missing for it.
+ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_started) const {
+  ReadOut read_out = makeReadOut(state);
+  if (was_started) {
+    if (!presenter_.hasEnded() || !state.failure.empty()) return read_out;
     read_out.instruction = tr("RECORDING ENDED: start again");
     read_out.level = Level::idle;
+    return read_out;
   }
+  read_out.instruction = !model_.isOpen()         ? tr("NO CASE OPEN")
+                         : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
+                         : presenter_.isAligned() ? tr("READY: start guidance")
+                                                  : tr("NOT ALIGNED");
+  read_out.level = Level::idle;
+  read_out.timing.clear();
+  read_out.cameras = {presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::idle};
+  read_out.face = {tr("FACE idle"), {}, Level::idle};
+  read_out.coil = {tr("COIL idle"), {}, Level::idle};
+  return read_out;
+}
+
+void TreatWorkspace::refresh() {
+  const auto state = presenter_.state();
+  tools_->refreshPulses();
+  check_.follow(*state);
+  tip_.follow(*state);
+  if (presenter_.isRunning() != shows_running_) showSteps();
+  const bool was_started = presenter_.isRunning() || state->frame >= 0;
+  const ReadOut read_out = readOut(*state, was_started);
+  screens_->follow(state, read_out);
+  if (isVisible())
+    draw(state, read_out, was_started);
+  else if (!screens_->areShown())
+    timer_.stop();
+  emit shown(read_out);
+}
+
+void TreatWorkspace::draw(const std::shared_ptr<const session::NavigationState>& state,
+                          const ReadOut& read_out, bool was_started) {
   const bool shows_cameras = side_->currentIndex() == 1;
   if (shows_cameras && !presenter_.isRunning()) {
     showPreview();
     if (previewed_ < 0) pictures_->follow(state);  // no image yet; an old one must not stay
-    emit shown(read_out);
     return;
   }
+  showPictures(state, was_started);
   // Redraws as soon as anything shown has changed: a blanked state must replace the last one at once.
   const QString signature = QStringList{QString::number(state->frame),
                                         read_out.instruction,
@@ -318,50 +276,51 @@ void TreatWorkspace::refresh() {
                                         read_out.tilt,
                                         read_out.twist,
                                         read_out.face.words,
-                                        read_out.coil.words}
+                                        read_out.coil.words,
+                                        presenter_.showsSkin() ? "skin" : ""}
                                 .join('|');
-  const bool is_new = signature != signature_;
+  if (signature == signature_) return;
   signature_ = signature;
-  pictures_->follow(state);
-  if (is_new) {
-    auto& scene = scene_->scene();
-    if (was_started) {
-      scene.setHeadPose(state->camera_T_mri);
-      scene.setCoilPose(state->camera_T_coil);
-    } else {
-      scene.setLive(false);
-    }
-    scene.setOnTarget(read_out.level == Level::good);
-    const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
-    scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
-    was_started ? scene_->refreshMoving() : scene_->refresh();
-    slices_->follow(*state, read_out.instruction,
-                    state->chosen ? presenter_.errorBound95_mm(state->chosen->target) : std::nullopt);
-    presenter_.askOverlay(state);
-    bulls_eye_->set(state->guidance);
-    figures_->set(read_out);
-    presenter_.isRunning() ? sounds_.follow(state->guidance) : sounds_.forget();
+  drawScene(*state, read_out, was_started);
+  slices_->follow(*state, read_out.instruction,
+                  state->chosen ? presenter_.errorBound95_mm(state->chosen->target) : std::nullopt);
+  presenter_.askOverlay(state);
+  tools_->show(state->guidance, read_out);
+  presenter_.isRunning() ? sounds_.follow(state->guidance) : sounds_.forget();
+}
+
+void TreatWorkspace::drawScene(const session::NavigationState& state, const ReadOut& read_out,
+                               bool was_started) {
+  auto& scene = scene_->scene();
+  if (was_started) {
+    scene.setHeadPose(state.camera_T_mri);
+    scene.setCoilPose(state.camera_T_coil);
+  } else {
+    scene.setLive(false);
   }
-  emit shown(read_out);
+  scene.setOnTarget(read_out.level == Level::good);
+  const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
+  scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
+  was_started ? scene_->refreshMoving() : scene_->refresh();
+}
+
+/// Before guidance: the pictures that the head was aligned from, with the MRI's skin over them.
+void TreatWorkspace::showPictures(const std::shared_ptr<const session::NavigationState>& state,
+                                  bool was_started) {
+  const auto& aligned = presenter_.alignmentPicture();
+  if (was_started || !aligned || !presenter_.showsSkin()) return pictures_->follow(state);
+  pictures_->showStill(aligned);
 }
 
 void TreatWorkspace::showEvent(QShowEvent*) {
+  signature_.clear();
   showCase();
   timer_.start();
 }
 
-void TreatWorkspace::resizeEvent(QResizeEvent*) { arrange(); }
-
-/// In a low window the bull's eye moves beside the figures. The other panels are too wide for that: the
-/// figures become small.
-void TreatWorkspace::arrange() {
-  const bool is_low = height() < sized(kLow_px), is_aim = tools_->currentWidget() == bulls_eye_;
-  bulls_eye_and_figures_->setDirection(is_low && is_aim ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  bulls_eye_and_figures_->setStretchFactor(tools_, is_aim ? 4 : 1);
-  bulls_eye_and_figures_->setStretchFactor(figures_, is_aim ? 5 : 0);
-  figures_->setSmall(is_low && !is_aim);
+/// The second screens are followed while another page is shown.
+void TreatWorkspace::hideEvent(QHideEvent*) {
+  if (!screens_->areShown()) timer_.stop();
 }
-
-void TreatWorkspace::hideEvent(QHideEvent*) { timer_.stop(); }
 
 }  // namespace facenav::ui

@@ -33,7 +33,7 @@ class SurfaceBesideCoil {
   SurfaceBesideCoil(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
                     std::vector<Eigen::Vector2d> outline_mm);
 
-  /// Takes some 50 ms. Const, and safe to call beside other threads.
+  /// Takes 0.1 to 0.3 s. Const, and safe to call beside other threads.
   BesideCoilFinding measure(const cameras::StereoFrame& frame,
                             const RigidTransform<Camera, Mri>& camera_T_mri,
                             const RigidTransform<Camera, Coil>& camera_T_coil) const;

@@ -1,0 +1,17 @@
+#include "presenters/aligned_head.h"
+
+namespace facenav::ui {
+
+AlignedHead alignHead(const Services& services, const casefile::CaseStore& store,
+                      const capture::Recording& recording, TaskMonitor& monitor) {
+  AlignedHead aligned;
+  aligned.outcome =
+      std::make_shared<const workflow::AlignmentOutcome>(services.align(store, recording, monitor));
+  if (!services.seeAlignment) return aligned;
+  aligned.seen = services.seeAlignment(store, *aligned.outcome);
+  aligned.picture = std::make_shared<const pictures::CameraOverlay>(
+      workflow::drawAlignment(recording.rig, *aligned.outcome, aligned.seen));
+  return aligned;
+}
+
+}  // namespace facenav::ui

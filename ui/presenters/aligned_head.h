@@ -1,0 +1,21 @@
+#pragma once
+// AlignedHead: an alignment with what a person judges it by: the MRI's skin over the pictures that it was
+// made from, and the check of the coil's tip.
+
+#include "facenav/capture/recording.h"
+#include "facenav/workflow/alignment_seen.h"
+#include "presenters/services.h"
+
+namespace facenav::ui {
+
+struct AlignedHead {
+  std::shared_ptr<const workflow::AlignmentOutcome> outcome;  // null: not aligned
+  workflow::AlignmentSeen seen;                               // null members: nothing to show
+  std::shared_ptr<const pictures::CameraOverlay> picture;     // null: none
+};
+
+/// On a worker thread. Throws Error when the head cannot be aligned.
+AlignedHead alignHead(const Services& services, const casefile::CaseStore& store,
+                      const capture::Recording& recording, TaskMonitor& monitor);
+
+}  // namespace facenav::ui
