@@ -82,13 +82,13 @@ QString CamerasPresenter::deviceWords() const {
   return words.join("\n");
 }
 
-void CamerasPresenter::choose(const QString& left, const QString& right) {
+void CamerasPresenter::choose(QString left, QString right) {
   if (left != left_ || right != right_) forgetRigName();
-  left_ = left;
-  right_ = right;
+  left_ = std::move(left);
+  right_ = std::move(right);
   QSettings settings;
-  settings.setValue(kLeft, left);
-  settings.setValue(kRight, right);
+  settings.setValue(kLeft, left_);
+  settings.setValue(kRight, right_);
   emit changed();
 }
 

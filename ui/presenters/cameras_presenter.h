@@ -33,7 +33,7 @@ class CamerasPresenter : public QObject {
   /// Stable name of the chosen camera (capture/camera.h), empty: none. Remembered.
   QString left() const { return left_; }
   QString right() const { return right_; }
-  void choose(const QString& left, const QString& right);
+  void choose(QString left, QString right);  // by value: swapSides passes the members
   void swapSides() { choose(right_, left_); }
   /// Names of the kept rigs (`facenav rig new`).
   QStringList rigNames() const;
