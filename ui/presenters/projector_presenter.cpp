@@ -81,7 +81,7 @@ void ProjectorPresenter::begin() {
 }
 
 void ProjectorPresenter::ask(std::shared_ptr<const session::NavigationState> state) {
-  if (!worker_) return;
+  if (!worker_ || !state->camera_T_mri) return;  // the screen is black then
   const auto* target = treat_.target();
   worker_->ask({{}, std::move(state), target ? std::optional(*target) : std::nullopt, {}});
 }

@@ -97,13 +97,14 @@ void FiguresPanel::place() {
   const int columns = is_small_ ? 4 : 2;
   for (int i = 0; i < 4; ++i) {
     auto *value = values_[std::size_t(i)], *name = names_[std::size_t(i)];
-    value->setObjectName(is_small_ ? "figure_small" : i == 0 ? "figure_main" : "figure");
+    value->setObjectName(is_small_ ? "figure_small" : i == 0 && !is_low_ ? "figure_main" : "figure");
     value->style()->unpolish(value);
     value->style()->polish(value);
     grid_->setColumnStretch(i, i < columns);
     grid_->addWidget(value, i / columns * 2, i % columns);
     grid_->addWidget(name, i / columns * 2 + 1, i % columns, Qt::AlignCenter);
   }
+  grid_->setVerticalSpacing(is_low_ ? 0 : -1);
   banner_->setFixedHeight(sized(is_low_ ? kLowBanner_px : kBanner_px));
 }
 
