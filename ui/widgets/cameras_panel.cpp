@@ -130,7 +130,7 @@ void CamerasPanel::fillDevices() {
     }
     box->setEnabled(box->count() > 0);
     if (box->count() == 0) box->addItem(tr("no camera found"), QString());
-    box->setCurrentIndex(chosen.isEmpty() ? -1 : box->findData(chosen));
+    box->setCurrentIndex(!box->isEnabled() ? 0 : chosen.isEmpty() ? -1 : box->findData(chosen));
   }
 }
 
