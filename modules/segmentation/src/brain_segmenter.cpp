@@ -95,16 +95,16 @@ Found inCt(const Volume& ct, TaskMonitor& monitor) {
   const Volume working = workingVolume(softTissueWindow(ct), 1.0);
   const auto prior = findBrainPrior(*installed.network, working);
   if (!prior)
-    throw Error("no brain can be modelled: nothing in this CT looks like one (a phantom, another part of the "
-                "body, or a face alone)",
-                {}, "a T1-weighted MR of the whole head is needed");
+    throw Error(
+        "no brain can be modelled: nothing in this CT looks like one (a phantom, another part of the "
+        "body, or a face alone)",
+        {}, "a T1-weighted MR of the whole head is needed");
   monitor.report("fitting the brain's outline", 0.6);
   const PriorUse& use = settingsOf<PriorUse>();
   RefinedPrior refined = refinedPrior(working, *prior, use);
   requireSkullAround(ct, refined.mask);
   const Ball ball = ballLike(refined.mask);
   Found found{withinSkull(ct, refined.mask), std::move(refined.doubts), {ball.centre_mm, ball.radius_mm}, {}};
-  for (auto& doubt : found.doubts) doubt.doubt_mm *= float(use.doubt_other_contrast);
   found.warnings.push_back(
       "this is a CT, in which grey and white matter look alike: the brain's outline is the learned prior's, "
       "within the skull, and sure to some millimetres only; a T1-weighted MR of the whole head is better");
@@ -115,11 +115,12 @@ Found inCt(const Volume& ct, TaskMonitor& monitor) {
 /// The growth's outline, which is good to the voxel, where it agrees with the prior's; else the prior's.
 Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& prior, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
-  RefinedPrior refined = refinedPrior(working, prior, use);
+  const ContrastSeen seen = contrastOf(working, prior);
+  RefinedPrior refined =
+      seen.isLikeT1() ? refinedPrior(working, prior, use) : refinedForOtherContrast(working, prior, use);
   const Ball ball = ballLike(refined.mask);
   const BetSphere sphere{ball.centre_mm, ball.radius_mm};
   requireTissueSpread(halved(working), sphere);
-  const ContrastSeen seen = contrastOf(working, prior);
   const auto named = [&](Found found) {
     found.contrast = seen.inWords();
     return found;

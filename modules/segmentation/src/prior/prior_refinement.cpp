@@ -51,7 +51,8 @@ float logit(float p) { return std::clamp(std::log((p + 1e-6f) / (1 - p + 1e-6f))
 
 }  // namespace
 
-RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
+RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use,
+                          double inwards) {
   const volume::VoxelGrid grid =
       volume::gridAround(prior.mask(), working.grid.spacing_mm().mean(), kMargin_mm);
   const Volume image = volume::smoothed(volume::resample(working, grid));
@@ -67,11 +68,17 @@ RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const 
     Mask next = refined.outline;
     for (std::size_t v = 0; v < next.voxels.size(); ++v)
       if (std::abs(from_outline[v]) < use.band_mm)
-        next.voxels[v] = logit(probability.voxels[v]) + float(use.evidence) * evidence.voxels[v] > 0;
+        next.voxels[v] =
+            logit(probability.voxels[v]) + float(use.evidence) * evidence.voxels[v] > float(inwards);
     refined.mask = whole(next, use);
   }
   refined.doubts = doubtsOf(refined, probability, use);
   return refined;
+}
+
+RefinedPrior refinedForOtherContrast(const Volume& working, const BrainPrior& prior, PriorUse use) {
+  use.rounds = use.other_rounds;
+  return refinedPrior(working, prior, use, use.other_inwards);
 }
 
 }  // namespace facenav::segmentation

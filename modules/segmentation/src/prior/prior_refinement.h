@@ -14,6 +14,10 @@ struct RefinedPrior {
 };
 
 /// On the part of the grid of `working` that holds the brain.
-RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
+/// `inwards`: log odds that a place needs to be brain.
+RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use,
+                          double inwards = 0);
+/// With the settings for scans that are no T1.
+RefinedPrior refinedForOtherContrast(const volume::Volume& working, const BrainPrior& prior, PriorUse use);
 
 }  // namespace facenav::segmentation
