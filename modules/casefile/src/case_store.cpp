@@ -148,17 +148,22 @@ void requireTargetsStay(const fs::path& folder, const volume::Volume& mri) {
                 folder.string(), "make a new case, or remove the targets first");
 }
 
-CaseStore CaseStore::open(const fs::path& folder) {
+CaseStore CaseStore::openToReplace(const fs::path& folder) {
   if (!fs::is_directory(folder))
     throw Error("no such case folder", folder.string(), "prepare the case first");
   if (!isCase(folder))
     throw Error("is no case (no case.json in it)", folder.string(), "prepare the case first");
   removeAbandonedGroups(folder);
+  return CaseStore(cleaned(folder));
+}
+
+CaseStore CaseStore::open(const fs::path& folder) {
+  CaseStore store = openToReplace(folder);
   for (const std::string& file : readCaseJson(folder / "case.json").files)
     if (!fs::is_regular_file(folder / file))
       throw Error("the case is incomplete, a file is missing", (folder / file).string(),
                   "prepare the case again");
-  return CaseStore(cleaned(folder));
+  return store;
 }
 
 CaseStore CaseStore::create(const fs::path& folder, const PreparedCase& prepared,

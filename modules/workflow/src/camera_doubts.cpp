@@ -58,11 +58,13 @@ bool areDotsSparse(const capture::CapturePair& capture) {
   const int tile_px = std::max(8, capture.pattern.left.cols / kTilesAcross);
   if (capture.pattern.left.type() != CV_8U || capture.plain.left.size() != capture.pattern.left.size())
     return false;
-  const cv::Mat dots =
-      brightPoints(capture.pattern.left, tile_px) & ~(255 * brightPoints(capture.plain.left, tile_px));
+  const cv::Mat dots = brightPoints(capture.pattern.left, tile_px),
+                own = brightPoints(capture.plain.left,
+                                   tile_px);  // what the face shows without dots says nothing
   int single = 0, beside = 0;
   for (int row = 0; row < dots.rows; ++row)
     for (int column = 0; column + 1 < dots.cols; ++column) {
+      if (own.at<unsigned char>(row, column) || own.at<unsigned char>(row, column + 1)) continue;
       const int both = dots.at<unsigned char>(row, column) + dots.at<unsigned char>(row, column + 1);
       single += both == 1, beside += both == 2;
     }

@@ -75,11 +75,17 @@ TEST(RunsCsv, ReadsBackTheFiguresThatWereMeasured) {
   run.frames[2].head_motion = made::shifted(0.25);
   const auto rows = parsed(runsCsv({run}));
   const auto figures = figuresOf(run);
-  ASSERT_EQ(rows[1].size(), figures.size() + 7);
+  ASSERT_EQ(rows[1].size(), figures.size() + 10);
   EXPECT_EQ(rows[1][3], "77");
   EXPECT_EQ(rows[0][figures.size() + 5], "from");
   EXPECT_EQ(rows[1][figures.size() + 5], "sparse dots");
   EXPECT_EQ(rows[1][figures.size() + 6], "1");
+  EXPECT_EQ(rows[0][figures.size() + 7], "right_turn_deg");
+  EXPECT_EQ(rows[1][figures.size() + 7], "") << "no turn was estimated";
+  run.alignment->turn_deg = 0.25, run.alignment->turn_sigma_deg = 0.125;
+  const auto turned = parsed(runsCsv({run}));
+  EXPECT_EQ(turned[1][figures.size() + 7], "0.25");
+  EXPECT_EQ(turned[1][figures.size() + 8], "0.125");
   for (std::size_t i = 0; i < figures.size(); ++i) {
     EXPECT_EQ(rows[0][i + 5], figures[i].first);
     if (std::isfinite(figures[i].second))

@@ -41,7 +41,8 @@ TEST(Settings, EveryFittedOneSaysWhatWasHeldOut) {
 TEST(Settings, NamesAndUnitsAgree) {
   const std::map<std::string, std::string> units{{"mm", "mm"}, {"mm2", "mm2"}, {"px", "px"},   {"s", "s"},
                                                  {"ms", "ms"}, {"rad", "rad"}, {"deg", "deg"}, {"min", "min"},
-                                                 {"h", "h"},   {"pct", "%"},   {"uv", "uV"}};
+                                                 {"h", "h"},   {"pct", "%"},   {"uv", "uV"},   {"days", "d"},
+                                                 {"ml", "ml"}};
   for (const SettingEntry& entry : all()) {
     const std::string name = entry.setting.name, last = name.substr(name.rfind('_') + 1);
     EXPECT_EQ(entry.setting.unit, units.count(last) ? units.at(last) : "1") << entry.key();

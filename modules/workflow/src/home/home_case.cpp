@@ -218,9 +218,10 @@ casefile::CaseStore importHome(const fs::path& file, const fs::path& case_folder
   const auto entries = readZip(file);
   const HomeJson manifest = checkedManifest(entries, file);
   const bool exists = fs::exists(case_folder / "case.json");
-  if (exists && casefile::CaseStore::open(case_folder).caseId() != manifest["case_id"].get<std::string>())
+  const auto before = exists ? std::optional(casefile::CaseStore::openToReplace(case_folder)) : std::nullopt;
+  if (before && before->caseId() != manifest["case_id"].get<std::string>())
     throw Error("another case is there already", case_folder.string(), "choose another folder");
-  if (exists && casefile::CaseStore::open(case_folder).hasMri())
+  if (before && before->hasMri())
     throw Error("this is the case with the MRI that the file was made of", case_folder.string(),
                 "choose another folder");
   WholeFolder fresh(case_folder, FileAccess::owner_only, exists ? Existing::replace : Existing::refuse);

@@ -95,6 +95,8 @@ class CaseStore {
  public:
   /// Opens an existing case. Throws Error: no case.json, wrong schema version, missing file.
   static CaseStore open(const std::filesystem::path& folder);
+  /// A case that is to be replaced: its files may be missing or damaged. Throws Error if it is no case.
+  static CaseStore openToReplace(const std::filesystem::path& folder);
   /// Creates the whole case (in a temporary folder, then renamed). Throws Error if `folder` exists and is no
   /// case. An existing case is replaced only with `replace`: its id, label (unless `prepared` has one),
   /// targets (requireTargetsStay) and sessions are kept. Its alignment is dropped, since it belongs to the
