@@ -1,6 +1,7 @@
 #include "presenters/home_presenter.h"
 
 #include <QSettings>
+#include <utility>
 
 #include "facenav/core/error.h"
 #include "facenav/workflow/coil_library.h"
@@ -124,7 +125,8 @@ void HomePresenter::align() {
   set(Stage::starting);
   tasks_.start(tr("Measuring the face"),
                [this, store = home_->store, seen](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto outcome = std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, monitor));
+                 auto outcome =
+                     std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, monitor));
                  return [this, outcome] { startTrackers(outcome); };
                });
 }
@@ -135,7 +137,11 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
     seen = *recording_;
   else
     seen.rig = *cameras_.rig();
-  workflow::TreatmentRequest request{home_->store, seen, !recording_.has_value(), home_->coil, std::move(outcome),
+  workflow::TreatmentRequest request{home_->store,
+                                     seen,
+                                     !recording_.has_value(),
+                                     home_->coil,
+                                     std::move(outcome),
                                      workflow::calibrationReminder(home_->card)};
   tasks_.start(tr("Starting"),
                [this, request, open = recording_ ? nullptr : cameras_.opener(),
@@ -145,8 +151,8 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
                        preview.reset();  // first: a camera can be opened only once
                        return request.is_live ? open() : capture::makeSource(request.recording);
                      }};
-                 auto prepared =
-                     std::make_shared<workflow::PreparedTreatment>(workflow::prepareTreatment(request, devices));
+                 auto prepared = std::make_shared<workflow::PreparedTreatment>(
+                     workflow::prepareTreatment(request, devices));
                  return [this, prepared] { begin(*prepared); };
                });
 }
@@ -177,7 +183,8 @@ workflow::HomeAdvice HomePresenter::advice() {
   if (!treatment_) return {};
   const auto now = state();
   if (treatment_->session().hasEnded() && now->failure.empty())
-    return {workflow::HomeStep::sit, workflow::HomeSign::none, 0, "The recording is over: press FINISH.", false};
+    return {workflow::HomeStep::sit, workflow::HomeSign::none, 0, "The recording is over: press FINISH.",
+            false};
   return workflow::homeAdvice(*now, other_coil_->sees(*now));
 }
 
@@ -185,7 +192,9 @@ void HomePresenter::countPulse() {
   if (treatment_ && stage_ == Stage::guiding) treatment_->pressPulse();
 }
 
-session::PulseCounts HomePresenter::pulseCounts() const { return treatment_ ? treatment_->log().counts() : counts_; }
+session::PulseCounts HomePresenter::pulseCounts() const {
+  return treatment_ ? treatment_->log().counts() : counts_;
+}
 
 std::optional<int> HomePresenter::plannedPulses() const { return planned_; }
 
@@ -194,18 +203,16 @@ QString HomePresenter::reminder() const {
   return QString::fromStdString(workflow::calibrationReminder(home_->card).value_or(""));
 }
 
+/// The window shows nothing of the session from here on: it ends on another thread.
 void HomePresenter::finish() {
+  counts_ = treatment_->log().counts();
+  tasks_.start(tr("Closing"),
+               [this, treatment = std::exchange(treatment_, nullptr)](TaskMonitor&) -> TaskRunner::Delivery {
+                 treatment->end();
+                 treatment->keepReport();
+                 return [this] { set(Stage::ended); };
+               });
   set(Stage::ending);
-  tasks_.start(tr("Closing"), [this, treatment = treatment_](TaskMonitor&) -> TaskRunner::Delivery {
-    const auto counts = treatment->log().counts();
-    treatment->end();
-    treatment->keepReport();
-    return [this, counts] {
-      treatment_.reset();
-      counts_ = counts;
-      set(Stage::ended);
-    };
-  });
 }
 
 QString HomePresenter::sendBackName() const {

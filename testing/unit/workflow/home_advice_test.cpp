@@ -43,7 +43,7 @@ TEST(HomeAdvice, TheArrowPointsWhereTheCoilMustGoSeenFromBehindTheHandle) {
   const auto right = homeAdvice(seen(shifted(8, 0, 0)), false);
   EXPECT_EQ(right.sign, HomeSign::arrow);
   EXPECT_NEAR(right.arrow_rad, M_PI / 2, 1e-6);
-  EXPECT_THAT(right.words, HasSubstr("8 mm"));
+  EXPECT_THAT(right.words, HasSubstr("8\u00a0mm"));
   EXPECT_NEAR(homeAdvice(seen(shifted(-8, 0, 0)), false).arrow_rad, -M_PI / 2, 1e-6);
   EXPECT_NEAR(homeAdvice(seen(shifted(0, -8, 0)), false).arrow_rad, 0, 1e-6) << "too far back: ahead";
   EXPECT_NEAR(std::abs(homeAdvice(seen(shifted(0, 8, 0)), false).arrow_rad), M_PI, 1e-6);
