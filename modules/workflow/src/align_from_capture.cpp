@@ -15,10 +15,6 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr const char* kSparseWords =
-    "the dots lie too far apart to measure the skin between them: the plain pair was measured; project dense "
-    "dots";
-
 /// The face's box, enlarged to include forehead, chin and temples; nothing if no face was found.
 std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
   if (!face.left) return std::nullopt;
@@ -176,8 +172,6 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   outcome.matcher = setup.matcher;
   monitor.report("finding the face", 0.0);
   outcome.landmarks = findFace(rig, capture.plain, setup.detector);
-  const bool is_sparse = from == AlignedFrom::dots && areDotsSparse(capture);
-  if (is_sparse) from = AlignedFrom::plain;
   outcome.from = from;
   const bool has_dots = from == AlignedFrom::dots;
   const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
@@ -194,7 +188,6 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
-  if (is_sparse) outcome.result.cautions.push_back(kSparseWords);
   conclude(setup, capture.plain, outcome);
   return outcome;
 }

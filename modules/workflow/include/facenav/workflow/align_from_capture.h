@@ -47,6 +47,7 @@ bool showsDots(const capture::CapturePair& capture);
 
 /// True if the dots lie so far apart that most skin lies between them, as with the paper's pattern of one dot in
 /// 64 x 64: only plain skin can be matched there, and noise is taken for detail. False where there are none.
+/// Not used to choose what is measured: dense dots in 1024 px are taken for sparse ones.
 bool areDotsSparse(const capture::CapturePair& capture);
 
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
