@@ -124,7 +124,8 @@ void HomePresenter::align() {
   set(Stage::starting);
   tasks_.start(tr("Measuring the face"),
                [this, store = home_->store, seen](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto outcome = std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, monitor));
+                 auto outcome =
+                     std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, monitor));
                  return [this, outcome] { startTrackers(outcome); };
                });
 }
@@ -135,7 +136,11 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
     seen = *recording_;
   else
     seen.rig = *cameras_.rig();
-  workflow::TreatmentRequest request{home_->store, seen, !recording_.has_value(), home_->coil, std::move(outcome),
+  workflow::TreatmentRequest request{home_->store,
+                                     seen,
+                                     !recording_.has_value(),
+                                     home_->coil,
+                                     std::move(outcome),
                                      workflow::calibrationReminder(home_->card)};
   tasks_.start(tr("Starting"),
                [this, request, open = recording_ ? nullptr : cameras_.opener(),
@@ -145,8 +150,8 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
                        preview.reset();  // first: a camera can be opened only once
                        return request.is_live ? open() : capture::makeSource(request.recording);
                      }};
-                 auto prepared =
-                     std::make_shared<workflow::PreparedTreatment>(workflow::prepareTreatment(request, devices));
+                 auto prepared = std::make_shared<workflow::PreparedTreatment>(
+                     workflow::prepareTreatment(request, devices));
                  return [this, prepared] { begin(*prepared); };
                });
 }
@@ -177,7 +182,8 @@ workflow::HomeAdvice HomePresenter::advice() {
   if (!treatment_) return {};
   const auto now = state();
   if (treatment_->session().hasEnded() && now->failure.empty())
-    return {workflow::HomeStep::sit, workflow::HomeSign::none, 0, "The recording is over: press FINISH.", false};
+    return {workflow::HomeStep::sit, workflow::HomeSign::none, 0, "The recording is over: press FINISH.",
+            false};
   return workflow::homeAdvice(*now, other_coil_->sees(*now));
 }
 
@@ -185,7 +191,9 @@ void HomePresenter::countPulse() {
   if (treatment_ && stage_ == Stage::guiding) treatment_->pressPulse();
 }
 
-session::PulseCounts HomePresenter::pulseCounts() const { return treatment_ ? treatment_->log().counts() : counts_; }
+session::PulseCounts HomePresenter::pulseCounts() const {
+  return treatment_ ? treatment_->log().counts() : counts_;
+}
 
 std::optional<int> HomePresenter::plannedPulses() const { return planned_; }
 
