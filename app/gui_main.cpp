@@ -159,8 +159,9 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App cli("FaceNav: the workstation window", "facenav-gui");
   cli.add_option("--case", arguments.case_folder, "case folder to open");
-  cli.add_option("--home", arguments.home,
-                 "case for use near home ('facenav import'): three steps, big buttons, one file to send back");
+  cli.add_option(
+      "--home", arguments.home,
+      "case for use near home ('facenav import'): three steps, big buttons, one file to send back");
   cli.add_option("--cases", arguments.cases_folder, "folder of cases that the worklist shows; remembered");
   cli.add_option("--step", arguments.step, "of prepare: worklist, series, check or sign-off")
       ->check(CLI::IsMember({"worklist", "series", "check", "sign-off"}));

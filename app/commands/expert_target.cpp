@@ -44,7 +44,8 @@ void storeExpertTarget(Context& context, const casefile::CaseStore& store, const
     return void(
         std::printf("%s\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str()));
   }
-  if (!context.is_quiet) std::printf("target '%s': %s\n", target.name.c_str(), workflow::inWords(expert).c_str());
+  if (!context.is_quiet)
+    std::printf("target '%s': %s\n", target.name.c_str(), workflow::inWords(expert).c_str());
 }
 
 }  // namespace facenav::app

@@ -24,7 +24,8 @@ void exportHomeCase(Context& context, const casefile::CaseStore& store, const Ho
   const auto made = workflow::exportHome(*detector, store, order, request.output, context.monitor);
   if (context.is_quiet) return;
   std::printf("%s: %.1f MB, no MRI, no name\n", request.output.c_str(), double(made.bytes) / 1e6);
-  std::printf("expert's pose '%s': %s\n", made.target.name.c_str(), workflow::inWords(*made.target.expert).c_str());
+  std::printf("expert's pose '%s': %s\n", made.target.name.c_str(),
+              workflow::inWords(*made.target.expert).c_str());
   if (made.face) std::printf("%s\n", faceFinding(*made.face).c_str());
 }
 

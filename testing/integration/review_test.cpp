@@ -88,7 +88,7 @@ TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
   EXPECT_EQ(run("pulses " + at_case + " --exclude 3 --exclude 4 --reason 'coil moved' --by AB").status, 0);
   EXPECT_EQ(run("pulses " + at_case + " --include 4").status, 0);
   const auto shown = run("pulses " + at_case);
-  EXPECT_THAT(shown.output, HasSubstr(",1,coil moved\n"));
+  EXPECT_THAT(shown.output, HasSubstr(",1,coil moved,"));
   EXPECT_EQ(std::count(shown.output.begin(), shown.output.end(), '\n'), 16) << "no pulse was deleted";
   EXPECT_THAT(run("pulses " + at_case + " --json").output, HasSubstr("\"note\": \"coil moved\""));
   EXPECT_EQ(run("pulses " + at_case + " --exclude 99 --reason why").status, 1);

@@ -31,7 +31,7 @@ void FittedWords::paintEvent(QPaintEvent*) {
   painter.setPen(colour_);
   QFont shown = font();
   const int how = Qt::AlignCenter | Qt::TextWordWrap;
-  for (double pt = largest_pt_ * textScale(); ; pt *= kShrink) {
+  for (double pt = largest_pt_ * textScale();; pt *= kShrink) {
     shown.setPointSizeF(pt);
     const QRect needed = QFontMetrics(shown).boundingRect(rect(), how, words_);
     if (pt <= kSmallest_pt || (needed.width() <= width() && needed.height() <= height())) break;

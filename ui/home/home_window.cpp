@@ -84,8 +84,8 @@ void HomeWindow::press() {
 
 void HomeWindow::chooseFile() {
   const QString desktop = QStandardPaths::writableLocation(QStandardPaths::DesktopLocation);
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save the file to send"),
-                                                    desktop + "/" + presenter_.sendBackName(), tr("ZIP (*.zip)"));
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the file to send"), desktop + "/" + presenter_.sendBackName(), tr("ZIP (*.zip)"));
   presenter_.save(file);
 }
 
@@ -94,8 +94,12 @@ void HomeWindow::showSteps(int active, bool is_done) {
   const QString names[3] = {tr("1  Sit and look"), tr("2  Hold the coil"), tr("3  Follow the arrow")};
   for (int i = 0; i < 3; ++i) {
     const bool has_passed = i < active || is_done;
-    steps_[i]->set(has_passed ? names[i] + QString("  \u2713") : i == active ? QString("\u25b6 ") + names[i] : names[i],
-                   has_passed ? kDone : i == active ? kNow : kQuietWords);
+    steps_[i]->set(has_passed    ? names[i] + QString("  \u2713")
+                   : i == active ? QString("\u25b6 ") + names[i]
+                                 : names[i],
+                   has_passed    ? kDone
+                   : i == active ? kNow
+                                 : kQuietWords);
   }
 }
 
@@ -110,7 +114,8 @@ void HomeWindow::showPicture() {
   }
   if (frame->number == shown_) return;
   shown_ = frame->number;
-  picture_->set(toQImage(frame->left.data, frame->left.cols, frame->left.rows, int(frame->left.step)).mirrored(true, false));
+  picture_->set(toQImage(frame->left.data, frame->left.cols, frame->left.rows, int(frame->left.step))
+                    .mirrored(true, false));
 }
 
 void HomeWindow::refresh() {

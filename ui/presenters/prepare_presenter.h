@@ -36,8 +36,8 @@ class PreparePresenter : public QObject {
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
-  /// The line to choose first; -1: none is usable, or a person must say which patient, or which reading of the
-  /// same slices, is meant.
+  /// The line to choose first; -1: none is usable, or a person must say which patient, or which reading of
+  /// the same slices, is meant.
   int recommendedLine() const;
   /// Names are hidden until the user asks for them.
   void setPatientsShown(bool are_shown);

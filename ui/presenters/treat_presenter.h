@@ -173,7 +173,7 @@ class TreatPresenter : public QObject {
   AlignedHead aligned_;
   bool shows_skin_ = true;
   coil_tracking::CoilCard coil_card_;
-  std::optional<workflow::TreatmentFilm> film_;  // whose coil may be chosen again
+  std::optional<workflow::TreatmentFilm> film_;     // whose coil may be chosen again
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
   std::filesystem::path last_session_;

@@ -94,8 +94,8 @@ Montage contourMontage(const SliceScene& scene, const volume::Mask& content, con
                        orientations[o], centre};
       plain.has_letters = i == 0;
       pasteTile(montage.picture,
-               plain.picture(tilePlane(scene, orientations[o], centre, side_mm, options.tile_px)), tile.u,
-               tile.v);
+                plain.picture(tilePlane(scene, orientations[o], centre, side_mm, options.tile_px)), tile.u,
+                tile.v);
       montage.tiles.push_back(tile);
     }
   }

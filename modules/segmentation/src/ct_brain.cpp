@@ -21,8 +21,8 @@ using volume::Volume;
 // Physics: air -1000, fat -100, fluid 0 to 15, brain 20 to 45, fresh blood 60 to 90, bone 200 and more.
 constexpr float kLow_hu = -150, kHigh_hu = 250, kBone_hu = 180;
 constexpr double kLeastBrain_hu = 5, kMostBrain_hu = 80;
-constexpr double kSkullReach_mm = 14;       // bone lies this near outside the brain
-constexpr double kLeastSkull = 0.5;         // of the brain's surface has bone outside it; necks have none
+constexpr double kSkullReach_mm = 14;  // bone lies this near outside the brain
+constexpr double kLeastSkull = 0.5;    // of the brain's surface has bone outside it; necks have none
 constexpr double kStep_mm = 1, kSulcus_mm = 2, kSmooth_mm = 1.5;
 
 [[noreturn]] void noBrain(const std::string& reason) {
@@ -76,15 +76,17 @@ void requireSkullAround(const Volume& ct, const Mask& brain) {
   centre /= double(inside.size());
   const float level = upperMedian(std::move(inside));
   if (level < kLeastBrain_hu || level > kMostBrain_hu)
-    noBrain(formatted("what looks like a brain in this CT measures %.0f Hounsfield units (a brain has 20 to 45)",
-                      double(level)));
+    noBrain(
+        formatted("what looks like a brain in this CT measures %.0f Hounsfield units (a brain has 20 to 45)",
+                  double(level)));
   std::size_t with_bone = 0;
   for (const auto& p : places) with_bone += meetsBone(ct, p, (p - centre).normalized());
   const double share = double(with_bone) / double(places.size());
   if (share < kLeastSkull)
-    noBrain(formatted("in this CT no skull lies around what looks like a brain (bone outside %.0f %% of it): a "
-                      "phantom, or another part of the body",
-                      100 * share));
+    noBrain(
+        formatted("in this CT no skull lies around what looks like a brain (bone outside %.0f %% of it): a "
+                  "phantom, or another part of the body",
+                  100 * share));
 }
 
 Mask withinSkull(const Volume& ct, const Mask& brain) {

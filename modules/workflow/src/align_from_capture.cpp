@@ -17,10 +17,6 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr const char* kSparseWords =
-    "the dots lie too far apart to measure the skin between them: the plain pair was measured; project dense "
-    "dots";
-
 /// The right camera, turning across its view of the face and the baseline.
 std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoRig& rig,
                                                           const PointCloud<Camera>& face) {
@@ -170,8 +166,6 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   outcome.matcher = setup.matcher;
   monitor.report("finding the face", 0.0);
   outcome.landmarks = findFace(rig, capture.plain, setup.detector);
-  const bool is_sparse = from == AlignedFrom::dots && areDotsSparse(capture);
-  if (is_sparse) from = AlignedFrom::plain;
   outcome.from = from;
   const bool has_dots = from == AlignedFrom::dots;
   const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
@@ -184,7 +178,6 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   };
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
-  if (is_sparse) outcome.result.cautions.push_back(kSparseWords);
   conclude(setup, capture.plain, outcome);
   return outcome;
 }

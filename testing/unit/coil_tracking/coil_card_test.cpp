@@ -73,7 +73,8 @@ TEST(CoilCard, TwoCoilsShareAMarkerOnlyWhereThePrintIsTheSame) {
 TEST(VisibleMarkers, NamesThePrintsThatAPictureShows) {
   using namespace coil_tracking::testing;
   const auto rig = roomRig();
-  const auto frame = renderMarkers(rig, {{arucoPrint(cv::aruco::DICT_4X4_50, 9), 60, markerPose(600, 20, 30, 10)}});
+  const auto frame =
+      renderMarkers(rig, {{arucoPrint(cv::aruco::DICT_4X4_50, 9), 60, markerPose(600, 20, 30, 10)}});
   EXPECT_EQ(visibleMarkers(frame.left, "4x4_50"), std::set<int>{9});
   EXPECT_EQ(visibleMarkers(frame.right, "4x4_50"), std::set<int>{9});
   EXPECT_TRUE(visibleMarkers(cv::Mat(), "4x4_50").empty());

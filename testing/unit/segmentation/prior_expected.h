@@ -19,4 +19,4 @@ constexpr ExpectedShares kExpectedByTorch[] = {
     {37, 5, 12, {0.000001f, 0.999836f, 0.000163f, 0.000000f}},
 };
 
-} // namespace facenav::segmentation
+}  // namespace facenav::segmentation

@@ -66,7 +66,8 @@ TEST_F(CoilLibrary, StatesWhatIsGivenAndTakesMeshAndPatternAlong) {
   CoilChanges changes;
   changes.make = "Acme";
   changes.focus_mm = Eigen::Vector3d(0, 5, 0);
-  const auto coil = addCoil(library_, write(coilText("round", 3, R"(, "mesh": "body.stl", "mine": 1)")), changes, false);
+  const auto coil =
+      addCoil(library_, write(coilText("round", 3, R"(, "mesh": "body.stl", "mine": 1)")), changes, false);
   EXPECT_EQ(coil.card.make, "Acme");
   EXPECT_EQ(coil.card.focus_mm.y(), 5);
   EXPECT_EQ(*coil.model.mesh, coil.file.parent_path() / "body.stl");

@@ -15,10 +15,12 @@ using ::testing::HasSubstr;
 
 class ExpertPoseTest : public ::testing::Test {
  protected:
-  ExpertPoseTest() : store_(casefile::CaseStore::create(folder_.path() / "case", testing::ballWithBrain(), {}, false)) {
+  ExpertPoseTest()
+      : store_(casefile::CaseStore::create(folder_.path() / "case", testing::ballWithBrain(), {}, false)) {
     // On the ball's crown, its axis to the middle.
     target_.name = "M1";
-    target_.mri_T_target = {Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX())), {0, 0, 94}};
+    target_.mri_T_target = {Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX())),
+                            {0, 0, 94}};
     target_.scalp_point = {0, 0, 90};
     target_.cortex_point = {0, 0, 40};
     store_.setTargets({{target_}});
@@ -44,7 +46,8 @@ TEST_F(ExpertPoseTest, IsTheMedianOfThePulsesOnTarget) {
   const auto session = testing::writeMadeSession(store_.folder(), target_, made);
   const auto target = storeExpertPose(store_, {});
   EXPECT_EQ(target.name, "expert M1");
-  const Eigen::Vector3d off = (target_.mri_T_target.inverse() * Point<Mri>(target.mri_T_target.translation_mm())).mm;
+  const Eigen::Vector3d off =
+      (target_.mri_T_target.inverse() * Point<Mri>(target.mri_T_target.translation_mm())).mm;
   EXPECT_LT((off - made.off_mm).norm(), 0.15) << off.transpose();
   ASSERT_TRUE(target.expert);
   EXPECT_EQ(target.expert->session, session.filename().string());

@@ -52,7 +52,8 @@ TEST(HomeAdvice, TheArrowPointsWhereTheCoilMustGoSeenFromBehindTheHandle) {
 TEST(HomeAdvice, DepthTiltAndTurnHaveTheirOwnSigns) {
   EXPECT_EQ(homeAdvice(seen(shifted(0, 0, 9)), false).sign, HomeSign::lift) << "+z is into the head";
   EXPECT_EQ(homeAdvice(seen(shifted(0, 0, -9)), false).sign, HomeSign::press);
-  const auto turn = homeAdvice(seen(turnedBy({0, 0, 20})), false), back = homeAdvice(seen(turnedBy({0, 0, -20})), false);
+  const auto turn = homeAdvice(seen(turnedBy({0, 0, 20})), false),
+             back = homeAdvice(seen(turnedBy({0, 0, -20})), false);
   // Seen along +z, into the head, a positive turn is clockwise; it is taken back anticlockwise.
   EXPECT_EQ(turn.sign, HomeSign::turn_counterclockwise);
   EXPECT_EQ(back.sign, HomeSign::turn_clockwise);
@@ -78,9 +79,10 @@ TEST(HomeAdvice, WhatIsNotKnownShowsNoArrow) {
   EXPECT_TRUE(advice.is_refused);
   EXPECT_THAT(advice.words, HasSubstr("not the coil"));
   state.camera_T_mri = Lost{LostReason::no_face};
-  for (const auto& [detail, words, is_refused] :
-       {std::tuple(LossDetail::other_face, "not the person", true), {LossDetail::covered, "hidden", false},
-        {LossDetail::too_far, "nearer", false}, {LossDetail::not_found, "not seen", false}}) {
+  for (const auto& [detail, words, is_refused] : {std::tuple(LossDetail::other_face, "not the person", true),
+                                                  {LossDetail::covered, "hidden", false},
+                                                  {LossDetail::too_far, "nearer", false},
+                                                  {LossDetail::not_found, "not seen", false}}) {
     state.head_detail = detail;
     advice = homeAdvice(state, false);
     EXPECT_EQ(advice.sign, HomeSign::none);
@@ -108,9 +110,12 @@ TEST(HomeAdvice, AFaultOfTheCamerasComesFirst) {
 TEST(HomeRefusal, IsOneSentenceForEachCause) {
   EXPECT_THAT(homeRefusal(Error("not aligned: the face does not fit this MRI (40 % of it lies on the skin)")),
               HasSubstr("not the stored one"));
-  EXPECT_THAT(homeRefusal(Error("not aligned: too little of the face was measured")), HasSubstr("Too little"));
-  EXPECT_THAT(homeRefusal(Error("not aligned: the cameras moved against each other")), HasSubstr("cameras were moved"));
-  EXPECT_THAT(homeRefusal(Error("not aligned: the capture's picture for the dots shows none (switch the projector on)")),
+  EXPECT_THAT(homeRefusal(Error("not aligned: too little of the face was measured")),
+              HasSubstr("Too little"));
+  EXPECT_THAT(homeRefusal(Error("not aligned: the cameras moved against each other")),
+              HasSubstr("cameras were moved"));
+  EXPECT_THAT(homeRefusal(Error(
+                  "not aligned: the capture's picture for the dots shows none (switch the projector on)")),
               HasSubstr("projector"));
   EXPECT_EQ(homeRefusal(Error("disk full")), "disk full");
 }

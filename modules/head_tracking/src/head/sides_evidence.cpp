@@ -37,7 +37,8 @@ std::optional<SidesFit> SidesEvidence::solve() const {
   if (parts < kFewestParts) return std::nullopt;
   const Matrix6d xx = information.topLeftCorner<6, 6>(), zx = information.bottomLeftCorner<6, 6>();
   const Matrix6d xx_inverse = inverseOf(xx);
-  const Matrix6d inverse = inverseOf(Matrix6d(information.bottomRightCorner<6, 6>() - zx * xx_inverse * zx.transpose()));
+  const Matrix6d inverse =
+      inverseOf(Matrix6d(information.bottomRightCorner<6, 6>() - zx * xx_inverse * zx.transpose()));
   Eigen::Matrix<double, 6, 12> estimator;  // zeta = estimator * score
   estimator << -inverse * zx * xx_inverse, inverse;
   SidesFit fit;

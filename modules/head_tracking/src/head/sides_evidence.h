@@ -4,8 +4,8 @@
 // stand to each other as they did at the key frame, both poses are the same. The unknowns are xi, the head's
 // motion left over by the fit, and zeta, a further motion that only the right camera sees.
 //
-// Pitch, roll and vertical shift move patches across the epipolar lines. Yaw moves them along the lines, like a
-// nearer head, but the head's size does not change with it. Errors that both images share (shape, light,
+// Pitch, roll and vertical shift move patches across the epipolar lines. Yaw moves them along the lines, like
+// a nearer head, but the head's size does not change with it. Errors that both images share (shape, light,
 // expression) change the size too: the disagreement between the parts of the face tells how much.
 
 #include <optional>

@@ -51,8 +51,8 @@ class Sightlines {
     scene_.commit();
   }
 
-  /// Share of the plate that both cameras see, over small shifts of the whole head and coil, minus the part of
-  /// the face that the plate hides (as a share of the face's diameter). The white border counts as well: a
+  /// Share of the plate that both cameras see, over small shifts of the whole head and coil, minus the part
+  /// of the face that the plate hides (as a share of the face's diameter). The white border counts as well: a
   /// detector finds no square whose border is covered in one place.
   double shown(const RoomCoil& coil) const {
     constexpr double kShift_mm = 20.0;

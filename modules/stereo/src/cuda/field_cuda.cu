@@ -77,16 +77,18 @@ __global__ void searchBlock(BlockImages im, int uniqueness, float* disparity, in
   disparity[row * stride + column] = found;
 }
 
-void search(const block::Images& im, int first, int last, int uniqueness, std::uint8_t*, float* disparity, int stride) {
+void search(const block::Images& im, int first, int last, int uniqueness, std::uint8_t*, float* disparity,
+            int stride) {
   if (first != 0 || last != im.rows) throw std::runtime_error("CUDA: rows are done in one strip");
   const int height = im.rows * block::kBlock, lead = im.columns * block::kBlock - im.width;
   const DeviceArray<std::uint8_t> left(im.left, std::size_t(height) * im.left_stride);
   const DeviceArray<std::uint8_t> right(im.right_mirrored - lead, std::size_t(height) * im.right_stride);
   const DeviceArray<float> found(std::size_t(im.rows) * stride);
-  const BlockImages images{left.get(),  right.get(), im.left_stride, im.right_stride, im.columns,
-                           im.rows,     im.width,    im.disparities, lead};
-  searchBlock<<<dim3(im.columns, im.rows), 128, im.disparities * sizeof(std::uint16_t)>>>(images, uniqueness,
-                                                                                          found.get(), stride);
+  const BlockImages images{left.get(),      right.get(),    im.left_stride,
+                           im.right_stride, im.columns,     im.rows,
+                           im.width,        im.disparities, lead};
+  searchBlock<<<dim3(im.columns, im.rows), 128, im.disparities * sizeof(std::uint16_t)>>>(
+      images, uniqueness, found.get(), stride);
   check(cudaGetLastError());
   found.copyTo(disparity);
 }
@@ -94,7 +96,8 @@ void search(const block::Images& im, int first, int last, int uniqueness, std::u
 // --- Plane step: a thread for each block. The formulas are those of plane_kernel.inl, which says why.
 
 using planes::kBlock;
-constexpr float kLeastNoise = 0.3f, kLeastGain = 0.2f, kMostGain = 5.0f, kLargestChange_px = 1.0f, kSteepest = 2.0f;
+constexpr float kLeastNoise = 0.3f, kLeastGain = 0.2f, kMostGain = 5.0f, kLargestChange_px = 1.0f,
+                kSteepest = 2.0f;
 constexpr float kSlopePrior = 0.25f, kJump_px = 2.5f, kFlat = 0.05f, kNoiseShare = 0.6f;
 enum { kH, kHu, kHuu, kHv, kHuv, kHvv, kY, kYu, kYv, kEe, kM, kR, kL, kRr, kLr, kLl };
 
@@ -111,8 +114,8 @@ __device__ float planeAt(const planes::Field& f, int column, int row, float x, f
 __device__ float slopeAt(const planes::Field& f, int column, int row) { return f.a[row * f.stride + column]; }
 
 // Disparity and slope along x at row y of one column of blocks, blended across rows of blocks.
-__device__ void valueAt(const planes::Field& f, int column, int row, int other, float share, float y, float& value,
-                        float& slope) {
+__device__ void valueAt(const planes::Field& f, int column, int row, int other, float share, float y,
+                        float& value, float& slope) {
   const float middle = float(kBlock * column) + 1.5f;
   const float near = planeAt(f, column, row, middle, y), far = planeAt(f, column, other, middle, y);
   const bool is_one = fabsf(far - near) < kJump_px;
@@ -156,24 +159,28 @@ __global__ void sumBlocks(ImageRows im, planes::Field f, bool is_fit, float* sum
       const float* c = im.right + std::int64_t(y) * im.right_stride + whole;
       const float right = a * w / 6 * c[-1] + (2.0f / 3 - b + 0.5f * b * t) * c[0] +
                           (2.0f / 3 - a + 0.5f * a * w) * c[1] + b * t / 6 * c[2];
-      const float gradient = (1.5f * b - 2 * t) * c[0] + (2 * w - 1.5f * a) * c[1] + 0.5f * (b * c[2] - a * c[-1]);
+      const float gradient =
+          (1.5f * b - 2 * t) * c[0] + (2 * w - 1.5f * a) * c[1] + 0.5f * (b * c[2] - a * c[-1]);
       const float l = im.left[std::int64_t(y) * im.left_stride + x] - kMiddle_grey;
       const float e = l - offset - gain * right, g = gain * gradient, h = g * g, wish = h * d - g * e;
-      const float terms[planes::kSums] = {h,        u * h,    u * u * h, v * h, u * v * h, v * v * h,     wish,     u * wish,
-                                          v * wish, e * e,    1.0f,      right, l,         right * right, l * right, l * l};
+      const float terms[planes::kSums] = {h,    u * h,         u * u * h, v * h, u * v * h, v * v * h,
+                                          wish, u * wish,      v * wish,  e * e, 1.0f,      right,
+                                          l,    right * right, l * right, l * l};
       for (int i = 0; i < planes::kSums; ++i) s[i] += terms[i];
     }
-  for (int i = 0; i < planes::kSums; ++i) sums[(std::int64_t(row) * f.columns + column) * planes::kSums + i] = s[i];
+  for (int i = 0; i < planes::kSums; ++i)
+    sums[(std::int64_t(row) * f.columns + column) * planes::kSums + i] = s[i];
 }
 
 // Sums over the window, moments about this block's middle.
-__device__ void windowSums(const float* sums, const planes::Field& f, const planes::Window& window, int column, int row,
-                           float* s) {
+__device__ void windowSums(const float* sums, const planes::Field& f, const planes::Window& window,
+                           int column, int row, float* s) {
   for (int j = -window.radius; j <= window.radius; ++j)
     for (int i = -window.radius; i <= window.radius; ++i) {
       if (column + i < 0 || column + i >= f.columns || row + j < 0 || row + j >= f.rows) continue;
       const float* o = sums + (std::int64_t(row + j) * f.columns + column + i) * planes::kSums;
-      const float w = window.weights[abs(i)] * window.weights[abs(j)], u = float(kBlock * i), v = float(kBlock * j);
+      const float w = window.weights[abs(i)] * window.weights[abs(j)], u = float(kBlock * i),
+                  v = float(kBlock * j);
       s[kH] += w * o[kH];
       s[kHu] += w * (o[kHu] + u * o[kH]);
       s[kHuu] += w * (o[kHuu] + 2 * u * o[kHu] + u * u * o[kH]);
@@ -195,7 +202,8 @@ __global__ void solve(const float* sums, planes::Field from, planes::Window wind
   windowSums(sums, from, window, column, row, s);
   const int at = row * from.stride + column;
   const float m = s[kM] + 1e-6f, inverse = 1.0f / m, r = s[kR] * inverse, l = s[kL] * inverse;
-  to.gain[at] = between((s[kLr] * inverse - l * r) / (s[kRr] * inverse - r * r + kFlat), kLeastGain, kMostGain);
+  to.gain[at] =
+      between((s[kLr] * inverse - l * r) / (s[kRr] * inverse - r * r + kFlat), kLeastGain, kMostGain);
   to.offset[at] = l - to.gain[at] * r;
   if (!is_fit) return;
   const float ll = s[kLl] * inverse - l * l, residual = s[kEe] * inverse, noise = residual + kLeastNoise;
@@ -223,8 +231,8 @@ class DeviceField {
   explicit DeviceField(const planes::Field& f)
       : size_(std::size_t(f.rows) * f.stride), memory_(kPlanes * size_), view_(f) {
     const float* from[] = {f.d, f.a, f.b, f.a_prior, f.b_prior, f.offset, f.gain, f.sigma, f.correlation};
-    float** to[] = {&view_.d,    &view_.a,     &view_.b,          &view_.a_prior, &view_.b_prior, &view_.offset,
-                    &view_.gain, &view_.sigma, &view_.correlation};
+    float** to[] = {&view_.d,      &view_.a,    &view_.b,     &view_.a_prior,    &view_.b_prior,
+                    &view_.offset, &view_.gain, &view_.sigma, &view_.correlation};
     for (int i = 0; i < kPlanes; ++i) {
       *to[i] = memory_.get() + i * size_;
       check(cudaMemcpy(*to[i], from[i], size_ * sizeof(float), cudaMemcpyHostToDevice));
@@ -232,9 +240,11 @@ class DeviceField {
   }
   const planes::Field& view() const { return view_; }
   void copyTo(const planes::Field& host) const {
-    const float* from[] = {view_.d, view_.a, view_.b, view_.offset, view_.gain, view_.sigma, view_.correlation};
+    const float* from[] = {view_.d,    view_.a,     view_.b,          view_.offset,
+                           view_.gain, view_.sigma, view_.correlation};
     float* to[] = {host.d, host.a, host.b, host.offset, host.gain, host.sigma, host.correlation};
-    for (int i = 0; i < 7; ++i) check(cudaMemcpy(to[i], from[i], size_ * sizeof(float), cudaMemcpyDeviceToHost));
+    for (int i = 0; i < 7; ++i)
+      check(cudaMemcpy(to[i], from[i], size_ * sizeof(float), cudaMemcpyDeviceToHost));
   }
 
  private:
@@ -244,8 +254,8 @@ class DeviceField {
   planes::Field view_;
 };
 
-void step(const ImageRows& im, const planes::Field& from, const planes::Window& window, bool is_fit, int first, int last,
-          float*, const planes::Field& to) {
+void step(const ImageRows& im, const planes::Field& from, const planes::Window& window, bool is_fit,
+          int first, int last, float*, const planes::Field& to) {
   if (first != 0 || last != from.rows) throw std::runtime_error("CUDA: rows are done in one strip");
   const DeviceArray<float> left(im.left, std::size_t(im.height) * im.left_stride),
       right(im.right, std::size_t(im.height) * im.right_stride),

@@ -206,10 +206,10 @@ std::string toString(CheckTopic topic) {
 }
 
 CheckTopic topicFrom(const std::string& words) {
-  for (const CheckTopic topic :
-       {CheckTopic::face, CheckTopic::ears, CheckTopic::vertex, CheckTopic::spacing, CheckTopic::noise,
-        CheckTopic::ghosts, CheckTopic::wrap_around, CheckTopic::left_and_right, CheckTopic::scale})
+  for (int i = 0; i <= int(CheckTopic::scale); ++i) {  // scale is the last one
+    const auto topic = CheckTopic(i);
     if (toString(topic) == words) return topic;
+  }
   throw Error("is no topic of the import check", words);
 }
 

@@ -40,7 +40,8 @@ Place placeAt(const volume::Volume& scan, const Eigen::Vector3d& p_mm, const Eig
   while (at > 0 && values[at] < half) --at;
   place.half_mm = double(at) * kDoubtStep_mm - kInside_mm;
   if (at + 1 < values.size() && values[at] > values[at + 1])
-    place.half_mm += kDoubtStep_mm * std::clamp((values[at] - half) / (values[at] - values[at + 1]), 0.f, 1.f);
+    place.half_mm +=
+        kDoubtStep_mm * std::clamp((values[at] - half) / (values[at] - values[at + 1]), 0.f, 1.f);
   return place;
 }
 

@@ -17,10 +17,11 @@ constexpr double kLookEvery_s = 0.5;
 HomeAdvice refused(HomeStep step, const std::string& words) { return {step, HomeSign::none, 0, words, true}; }
 
 HomeAdvice camerasAdvice(const session::NavigationState& state) {
-  const bool has_moved = state.rig_fault_detail == LossDetail::cameras_moved ||
-                         state.rig_fault_detail == LossDetail::other_rig;
-  return refused(HomeStep::sit, has_moved ? "The cameras were moved: stop, and call the clinic."
-                                          : "The two cameras do not work together: stop, and call the clinic.");
+  const bool has_moved =
+      state.rig_fault_detail == LossDetail::cameras_moved || state.rig_fault_detail == LossDetail::other_rig;
+  return refused(HomeStep::sit, has_moved
+                                    ? "The cameras were moved: stop, and call the clinic."
+                                    : "The two cameras do not work together: stop, and call the clinic.");
 }
 
 HomeAdvice headAdvice(const session::NavigationState& state) {
@@ -37,13 +38,15 @@ HomeAdvice headAdvice(const session::NavigationState& state) {
     case LossDetail::no_picture:
       return refused(HomeStep::sit, "A camera gives no picture: check its cable.");
     default:
-      return {HomeStep::sit, HomeSign::none, 0, "Sit still and look at the cameras: your face is not seen.", false};
+      return {HomeStep::sit, HomeSign::none, 0, "Sit still and look at the cameras: your face is not seen.",
+              false};
   }
 }
 
 HomeSign tiltSign(const guidance::GuidanceValues& values) {
   const Eigen::Vector2d& tilt = values.tilt_in_coil_rad;
-  if (std::abs(tilt.x()) >= std::abs(tilt.y())) return tilt.x() > 0 ? HomeSign::raise_handle : HomeSign::raise_front;
+  if (std::abs(tilt.x()) >= std::abs(tilt.y()))
+    return tilt.x() > 0 ? HomeSign::raise_handle : HomeSign::raise_front;
   return tilt.y() > 0 ? HomeSign::raise_left : HomeSign::raise_right;
 }
 
@@ -77,7 +80,8 @@ HomeAdvice guidedAdvice(const guidance::GuidanceState& guidance) {
       advice.sign = HomeSign::arrow;
       // The coil's +x is on the left of a person behind the handle, its +y ahead.
       advice.arrow_rad = std::atan2(-values.lateral_in_coil_mm.x(), values.lateral_in_coil_mm.y());
-      advice.words = "Slide the coil along the head, as the arrow points: " + millimetres(values.lateral_mm) + ".";
+      advice.words =
+          "Slide the coil along the head, as the arrow points: " + millimetres(values.lateral_mm) + ".";
       return advice;
     case guidance::Action::lift:
       advice.sign = HomeSign::lift;
@@ -89,12 +93,14 @@ HomeAdvice guidedAdvice(const guidance::GuidanceState& guidance) {
       return advice;
     case guidance::Action::tilt:
       advice.sign = tiltSign(values);
-      advice.words = std::string("Tilt the coil: raise ") + sideWords(advice.sign) + ", " + degreesOf(values.tilt_rad) + ".";
+      advice.words = std::string("Tilt the coil: raise ") + sideWords(advice.sign) + ", " +
+                     degreesOf(values.tilt_rad) + ".";
       return advice;
     case guidance::Action::turn:
       advice.sign = values.twist_rad > 0 ? HomeSign::turn_counterclockwise : HomeSign::turn_clockwise;
       advice.words = std::string("Turn the coil like a key, ") +
-                     (values.twist_rad > 0 ? "to the left: " : "to the right: ") + degreesOf(values.twist_rad) + ".";
+                     (values.twist_rad > 0 ? "to the left: " : "to the right: ") +
+                     degreesOf(values.twist_rad) + ".";
       return advice;
     case guidance::Action::none:
       break;
@@ -129,13 +135,15 @@ bool showOtherCoil(const cameras::StereoFrame& frame, const coil_tracking::CoilM
 }  // namespace
 
 HomeAdvice homeAdvice(const session::NavigationState& state, bool sees_other_coil) {
-  if (!state.failure.empty()) return refused(HomeStep::sit, "The program stopped: finish, and call the clinic.");
+  if (!state.failure.empty())
+    return refused(HomeStep::sit, "The program stopped: finish, and call the clinic.");
   if (!state.rig_fault.empty()) return camerasAdvice(state);
   if (!state.camera_T_mri) return headAdvice(state);
   if (!state.camera_T_coil && sees_other_coil)
     return refused(HomeStep::hold, "This is not the coil of the treatment: take the right one.");
   if (!state.camera_T_coil)
-    return {HomeStep::hold, HomeSign::none, 0, "Hold the coil so that its printed marker faces the cameras.", false};
+    return {HomeStep::hold, HomeSign::none, 0, "Hold the coil so that its printed marker faces the cameras.",
+            false};
   if (!state.guidance.values) return {HomeStep::follow, HomeSign::none, 0, "Wait a moment.", false};
   return guidedAdvice(state.guidance);
 }
@@ -158,11 +166,13 @@ OtherCoilWatch::OtherCoilWatch(const coil_tracking::CoilModel& coil) : coil_(coi
 
 bool OtherCoilWatch::sees(const session::NavigationState& state) {
   const Timestamp now = Timestamp::now();
-  if (look_.valid() && look_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) sees_ = look_.get();
+  if (look_.valid() && look_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    sees_ = look_.get();
   if (state.camera_T_coil) sees_ = false;
   if (look_.valid() || state.camera_T_coil || !state.images || now - looked_ < kLookEvery_s) return sees_;
   looked_ = now;
-  look_ = std::async(std::launch::async, [frame = state.images, coil = coil_] { return showOtherCoil(*frame, coil); });
+  look_ = std::async(std::launch::async,
+                     [frame = state.images, coil = coil_] { return showOtherCoil(*frame, coil); });
   return sees_;
 }
 

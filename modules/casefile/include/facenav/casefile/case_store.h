@@ -63,7 +63,7 @@ struct PreparedCase {
   std::vector<std::string> findings;
   std::optional<BrainQuality> brain_quality;
   std::string contrast;  // what the scan looks like ("T1", "CT", ..); empty: not told. Not kept.
-  std::string label;  // as asLabel gives it; empty: none, or that of the replaced case
+  std::string label;     // as asLabel gives it; empty: none, or that of the replaced case
 };
 
 /// What a case without an MRI is made of: the face as cameras measured it, in place of the MRI's skin. The

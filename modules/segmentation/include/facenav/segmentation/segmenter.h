@@ -22,7 +22,7 @@ struct SegmentationResult {
   volume::Mask mask;                  // on the grid of the input volume
   std::vector<std::string> warnings;  // plain words for the radiographer
   std::vector<BoundaryDoubt> doubts =
-      {};  // evenly spread over the mask's surface; empty: the method gives none
+      {};                     // evenly spread over the mask's surface; empty: the method gives none
   std::string contrast = {};  // what the scan looks like, in words: "T1", "CT", ..; empty: not asked
 };
 
@@ -40,8 +40,8 @@ std::unique_ptr<Segmenter> makeHeadSegmenter();
 std::unique_ptr<Segmenter> makeBetSegmenter();
 /// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
 /// the learned prior, where both agree; else, and in any other contrast of MR, the prior's outline fitted to
-/// the scan (a warning says so); in a CT of the head the prior's outline within the skull. Without the prior's
-/// weights: growth from BET's surface alone, and no brain in a CT.
+/// the scan (a warning says so); in a CT of the head the prior's outline within the skull. Without the
+/// prior's weights: growth from BET's surface alone, and no brain in a CT.
 std::unique_ptr<Segmenter> makeBrainSegmenter();
 
 /// "prior": the learned brain prior's outline (Data/brain_prior), fitted to the scan; any contrast of MR.

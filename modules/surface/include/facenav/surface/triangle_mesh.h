@@ -10,7 +10,7 @@ namespace facenav::surface {
 
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices_mm;
-  std::vector<Eigen::Vector3d> normals;       // unit, outward, one per vertex
+  std::vector<Eigen::Vector3d> normals;  // unit, outward, one per vertex
   std::vector<Eigen::Vector3i> triangles;
 };
 

@@ -45,10 +45,6 @@ stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& fac
 /// False if the image with dots shows no more detail than the plain one: the projector was off.
 bool showsDots(const capture::CapturePair& capture);
 
-/// True if the dots lie so far apart that most skin lies between them, as with the paper's pattern of one dot in
-/// 64 x 64: only plain skin can be matched there, and noise is taken for detail. False where there are none.
-bool areDotsSparse(const capture::CapturePair& capture);
-
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 
 struct AlignmentOutcome {

@@ -45,8 +45,8 @@ HomeAdvice homeAdvice(const session::NavigationState& state, bool sees_other_coi
 /// of the face, dots that are off. Other faults: the error's own words.
 std::string homeRefusal(const Error& error);
 
-/// Looks now and then, on a thread of its own, whether the pictures show a print of the coil's dictionary that
-/// is not on the coil, in both cameras, while the coil itself is not seen.
+/// Looks now and then, on a thread of its own, whether the pictures show a print of the coil's dictionary
+/// that is not on the coil, in both cameras, while the coil itself is not seen.
 class OtherCoilWatch {
  public:
   explicit OtherCoilWatch(const coil_tracking::CoilModel& coil);

@@ -40,7 +40,8 @@ struct RigVerification {
   std::vector<MeasuredLength> lengths;
   double row_error_px = 0;                     // median distance of a point from its epipolar line
   double left_lens_px = 0, right_lens_px = 0;  // rms of each camera's own picture of the board; 0: no board
-  double scale_change = 0;  // of one camera's picture against the other's: its focal length is not the calibrated one
+  double scale_change =
+      0;  // of one camera's picture against the other's: its focal length is not the calibrated one
   double turn_deg = 0, shift_mm = 0;  // of the right camera against the calibration; 0 while it holds
   double point_error_mm = 0;          // what it does to a point's position
   /// What was found, with numbers: "board: 159.6 mm measured, 160.0 mm true (+-0.3 mm)", one line each.
