@@ -63,7 +63,9 @@ const char* sideWords(HomeSign sign) {
   }
 }
 
-std::string millimetres(double mm) { return formatted("%ld\u00a0mm", std::max(1L, std::lround(std::abs(mm)))); }
+std::string millimetres(double mm) {
+  return formatted("%ld\u00a0mm", std::max(1L, std::lround(std::abs(mm))));
+}
 std::string degreesOf(double rad) {
   return formatted("%ld\u00b0", std::max(1L, std::lround(std::abs(rad) * kDegPerRad)));
 }
