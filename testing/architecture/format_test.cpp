@@ -1,4 +1,5 @@
-// Every source of the project has the format that .clang-format states. The tool is clang-format of Debian 12.
+// Every source of the project has the format that .clang-format states. The tool is clang-format of
+// Debian 12.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -43,15 +44,16 @@ std::string firstLines(const std::string& command) {
 }
 
 TEST(Format, EverySourceIsFormatted) {
-  if (std::system("clang-format --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "clang-format is not installed";
+  if (std::system("clang-format --version >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "clang-format is not installed";
   const auto list = sources();
   ASSERT_GT(list.size(), 500u);
   const auto names = fs::path(::testing::TempDir()) / ("facenav_sources_" + std::to_string(getpid()));
   std::ofstream file(names);
   for (const auto& source : list) file << source << '\n';
   file.close();
-  const std::string faults =
-      firstLines("xargs clang-format --dry-run <'" + names.string() + "' 2>&1 | grep 'code should be clang-formatted'");
+  const std::string faults = firstLines("xargs clang-format --dry-run <'" + names.string() +
+                                        "' 2>&1 | grep 'code should be clang-formatted'");
   fs::remove(names);
   EXPECT_EQ(faults, "") << "run clang-format -i on the files named above";
 }

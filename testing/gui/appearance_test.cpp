@@ -77,7 +77,7 @@ TEST(Appearance, TreatIsReadFromTwoMetres) {
     figures += is_figure;
     EXPECT_GE(pointSize(*label), is_figure ? 48.0 : 14.0) << label->text().toStdString();
   }
-  EXPECT_EQ(figures, 4);
+  EXPECT_EQ(figures, 6);  // of the coil on the target, and of its tip on the skin
   for (const auto* button : treat->findChildren<QAbstractButton*>()) {
     button->ensurePolished();
     EXPECT_GE(pointSize(*button), 14.0) << button->text().toStdString();
@@ -106,7 +106,7 @@ TEST(Appearance, AFigureIsWholeTheMomentItComes) {
     EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text()))
         << label->text().toStdString();
   }
-  EXPECT_EQ(figures, 4);
+  EXPECT_EQ(figures, 6);  // of the coil on the target, and of its tip on the skin
 }
 
 TEST(Appearance, EveryButtonHasATooltipAndTheKeyboardReachesIt) {

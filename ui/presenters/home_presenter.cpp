@@ -200,7 +200,8 @@ std::optional<int> HomePresenter::plannedPulses() const { return planned_; }
 
 QString HomePresenter::reminder() const {
   if (!home_) return {};
-  return QString::fromStdString(workflow::calibrationReminder(home_->card).value_or(""));
+  if (!workflow::calibrationReminder(home_->card)) return {};
+  return tr("The coil's calibration is old or not recorded: tell the clinic.");
 }
 
 /// The window shows nothing of the session from here on: it ends on another thread.

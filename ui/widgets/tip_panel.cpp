@@ -39,7 +39,7 @@ QWidget* TipPanel::makeFigures() {
   grid->setContentsMargins(0, 0, 0, 0);
   const auto add = [&](int column, const QString& tip, QLabel*& value, QLabel*& words) {
     value = new QLabel(figures);
-    value->setObjectName("figure_small");
+    value->setObjectName("figure");
     value->setAlignment(Qt::AlignCenter);
     value->setToolTip(tip);
     words = new QLabel(figures);
