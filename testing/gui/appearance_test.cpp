@@ -106,7 +106,7 @@ TEST(Appearance, AFigureIsWholeTheMomentItComes) {
     EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text()))
         << label->text().toStdString();
   }
-  EXPECT_EQ(figures, 6);  // of the coil on the target, and of its tip on the skin
+  EXPECT_EQ(figures, 4);
 }
 
 TEST(Appearance, EveryButtonHasATooltipAndTheKeyboardReachesIt) {

@@ -196,6 +196,30 @@ TEST_F(MisledAlignment, IsMeasuredByTheMatcherAskedFor) {
   EXPECT_NE(by_ssd.result.points, by_field.result.points);
 }
 
+/// Grey skin with noise-free bright points at random in blocks of this size, as a projector throws them.
+cv::Mat dotted(int block_px) {
+  cv::Mat image(480, 640, CV_8U, cv::Scalar(90));
+  unsigned random = 7;
+  for (int y = 0; y + block_px <= image.rows; y += block_px)
+    for (int x = 0; x + block_px <= image.cols; x += block_px) {
+      random = random * 1664525u + 1013904223u;
+      const int across = int(random >> 8) % (block_px - 1), down = int(random >> 20) % (block_px - 1);
+      image(cv::Rect(x + across, y + down, 2, 2)) = 160;
+    }
+  return image;
+}
+
+TEST(SparseDots, AreToldFromDenseOnesAndFromNone) {
+  const cv::Mat plain(480, 640, CV_8U, cv::Scalar(120));
+  const auto pair = [&](const cv::Mat& pattern) {
+    return capture::CapturePair{{pattern, pattern}, {plain, plain}};
+  };
+  EXPECT_TRUE(areDotsSparse(pair(dotted(44))));
+  EXPECT_FALSE(areDotsSparse(pair(dotted(5))));
+  EXPECT_FALSE(areDotsSparse(pair(dotted(9))));
+  EXPECT_FALSE(areDotsSparse(pair(plain)));
+}
+
 TEST_F(MisledAlignment, SaysThatTheProjectorWasOff) {
   testing::SceneOptions off;
   off.dots_grey = 0;

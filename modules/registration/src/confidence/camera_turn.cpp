@@ -68,7 +68,7 @@ std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<
     slope = std::clamp((left.rad - fit->posterior.turn->rad) / step_rad, kLeastSlope, 1.0);
     left = *fit->posterior.turn;
   }
-  return CameraTurn{at_rad + left.rad, std::hypot(left.sigma_rad, kScan_rad)};
+  return CameraTurn{at_rad + left.rad, std::hypot(left.sigma_rad, kScan_rad, start.right->sigma_rad)};
 }
 
 }  // namespace facenav::registration

@@ -32,6 +32,9 @@ struct TurnableCamera {
   /// By how much (mm per rad) the measured point `p` lies off if the camera turned about the axis: along the
   /// left camera's ray.
   Eigen::Vector3d displacement(const Eigen::Vector3d& p_camera_mm) const;
+  /// Standard error of the turn by what the cloud's points may be off alike: it changes the face's size, as a
+  /// turn does.
+  double sigma_rad = 0.0;
 };
 
 /// What is known before the fit. All of it is optional: nothing is clicked. Directions and points in Camera.

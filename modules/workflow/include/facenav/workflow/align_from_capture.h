@@ -45,11 +45,17 @@ stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& fac
 /// False if the image with dots shows no more detail than the plain one: the projector was off.
 bool showsDots(const capture::CapturePair& capture);
 
+/// True if the dots lie so far apart that most skin lies between them, as with the paper's pattern of one dot
+/// in 64 x 64. The face's size is measured less exactly there. Dense dots that are taken for sparse ones only
+/// make the stated bound wider. False where there are none.
+bool areDotsSparse(const capture::CapturePair& capture);
+
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 
 struct AlignmentOutcome {
   registration::AlignmentResult result;
-  stereo::FaceCloud face;  // input of the aligner; the lists in `result` have one entry per point of it
+  bool has_dense_dots = false;  // the face was measured with them: its size is known well
+  stereo::FaceCloud face;       // input of the aligner; the lists in `result` have one entry per point of it
   std::vector<registration::RegionFit> regions;  // fit of each part of the face, the worst first
   FaceInSpace landmarks;
   head_tracking::HeadReference
