@@ -1,7 +1,13 @@
 // Included by one translation unit per instruction set. Six rows by sixteen channels are summed in registers.
 
 using Lanes = float __attribute__((vector_size(32)));
-using Memory = float __attribute__((vector_size(32), aligned(4), may_alias));  // eight floats, anywhere
+
+/// Eight floats from any address.
+inline Lanes eightOf(const float* from) {
+  Lanes lanes;
+  __builtin_memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
 
 constexpr int kRows = 6;
 
@@ -13,8 +19,7 @@ void convolveRows(const Task& task, std::ptrdiff_t first, int block) {
   for (int tap = 0; tap < task.taps; ++tap) {
     const float* in = task.in + (first + task.shift[tap]) * task.inputs;
     for (int i = 0; i < task.inputs; ++i, weights += kBlock) {
-      const Lanes a = *reinterpret_cast<const Memory*>(weights);
-      const Lanes b = *reinterpret_cast<const Memory*>(weights + 8);
+      const Lanes a = eightOf(weights), b = eightOf(weights + 8);
       for (int r = 0; r < count; ++r) {
         const float value = in[r * std::ptrdiff_t(task.inputs) + i];
         low[r] += value * a;
@@ -24,8 +29,8 @@ void convolveRows(const Task& task, std::ptrdiff_t first, int block) {
   }
   for (int r = 0; r < count; ++r) {
     float* out = task.out + (first + r) * task.outputs + block * kBlock;
-    *reinterpret_cast<Memory*>(out) = low[r];
-    *reinterpret_cast<Memory*>(out + 8) = high[r];
+    __builtin_memcpy(out, &low[r], sizeof low[r]);
+    __builtin_memcpy(out + 8, &high[r], sizeof high[r]);
   }
 }
 
