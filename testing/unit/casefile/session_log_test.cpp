@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "facenav/casefile/session_track.h"
+#include "facenav/core/csv_table.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "support/test_data.h"
@@ -31,6 +33,88 @@ TEST(SessionLog, TwoSessionsInOneSecondStayApart) {
   const TemporaryFolder folder;
   const SessionLog first(folder.path()), second(folder.path());
   EXPECT_NE(first.folder(), second.folder());
+}
+
+/// Head and coil at rest, the coil on the target.
+void addFrame(SessionLog& log, int frame) {
+  const double t_s = 0.1 * frame;
+  for (const auto object : {PoseObject::head, PoseObject::coil})
+    log.add(PoseRow{frame, t_s, object, Eigen::Isometry3d::Identity(), 0.9, {}});
+  guidance::GuidanceState state;
+  state.state = guidance::State::on_target;
+  state.values.emplace();
+  state.values->distance_mm = 0.5 + frame;
+  state.predicted_error_mm = 0.75;
+  guidance::CoilGap gap;
+  gap.by_poses_mm = 3.25;
+  log.add(guidance::GuidanceRow{frame, t_s, "M1, \"hand\"", state, gap});
+}
+
+/// The first `columns` fields of each line of a table; the target's name holds one comma more.
+void cutColumns(const std::filesystem::path& path, int columns) {
+  std::istringstream old(readWholeFile(path));
+  std::string line, cut;
+  for (bool is_header = true; std::getline(old, line); is_header = false) {
+    std::size_t end = std::string::npos;
+    for (int i = 0; i < 13 - columns; ++i) end = line.rfind(',', end - (i > 0));
+    cut += line.substr(0, end) + "\n";
+  }
+  writeWholeFile(path, cut);
+}
+
+TEST(SessionLog, AnOlderSessionThatGoesOnKeepsItsColumns) {
+  const TemporaryFolder folder;
+  std::filesystem::path session;
+  {
+    SessionLog log(folder.path());
+    session = log.folder();
+    addFrame(log, 1);
+  }
+  cutColumns(session / "guidance.csv", 11);  // as before the gaps were added
+  {
+    auto log = SessionLog::goOn(session);
+    addFrame(log, 2);
+  }
+  const CsvTable table(session / "guidance.csv");  // refuses a line with another number of fields
+  ASSERT_EQ(table.rows(), 2u);
+  EXPECT_FALSE(table.findColumn("gap_mm"));
+  for (std::size_t row = 0; row < 2; ++row) {
+    EXPECT_EQ(table.text(row, table.column("target")), "M1, \"hand\"");
+    EXPECT_EQ(table.number(row, table.column("predicted_error_mm")), 0.75);
+    EXPECT_EQ(table.number(row, table.column("distance_mm")), 1.5 + double(row));
+  }
+  const auto track = readSessionTrack(session / "poses.csv", session / "guidance.csv");
+  EXPECT_TRUE(track.problems.empty());
+  ASSERT_EQ(track.moments.size(), 2u);
+  EXPECT_FLOAT_EQ(track.moments[1].guidance.distance_mm, 2.5f);
+}
+
+TEST(SessionLog, LinesThatOnceGotTwoFieldsMoreThanTheirHeaderAreRead) {
+  const TemporaryFolder folder;
+  SessionLog log(folder.path());
+  addFrame(log, 1);
+  addFrame(log, 2);
+  const auto path = log.folder() / "guidance.csv";
+  std::string text = readWholeFile(path);
+  text.erase(text.find(",gap_mm,gap_stereo_mm"), std::string(",gap_mm,gap_stereo_mm").size());
+  writeWholeFile(path, text);
+  const auto track = readSessionTrack(log.folder() / "poses.csv", path);
+  EXPECT_TRUE(track.problems.empty()) << track.problems.front();
+  EXPECT_FLOAT_EQ(track.moments.at(1).guidance.distance_mm, 2.5f);
+}
+
+TEST(SessionLog, ATableWithoutItsHeaderIsNotGoneOnWith) {
+  const TemporaryFolder folder;
+  std::filesystem::path session;
+  {
+    SessionLog log(folder.path());
+    session = log.folder();
+    addFrame(log, 1);
+  }
+  const std::string before = "1,0.1,M1,lost,,,,,,,,,\n";
+  writeWholeFile(session / "guidance.csv", before);
+  EXPECT_THROW(SessionLog::goOn(session), Error);
+  EXPECT_EQ(readWholeFile(session / "guidance.csv"), before) << "nothing was added";
 }
 
 TEST(SessionLog, NeedsACaseFolder) { EXPECT_THROW(SessionLog("/nonexistent/case"), Error); }

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "facenav/core/csv_table.h"
+
 namespace facenav::casefile {
 namespace {
 
@@ -24,6 +26,11 @@ std::string unquoted(const std::string& field) {
     if (field[i] == '"') ++i;  // "" stands for one
   }
   return text;
+}
+
+std::string withoutEnd(std::string line) {
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
+  return line;
 }
 
 }  // namespace
@@ -66,6 +73,21 @@ std::optional<double> numberOf(const std::string& text) {
 std::optional<double> numberAt(const std::string& line, std::size_t column) {
   const auto field = fieldAt(line, column);
   return field ? numberOf(*field) : std::nullopt;
+}
+
+ColumnOrder::ColumnOrder(const std::string& written_header, const std::string& wanted_header)
+    : is_same_(withoutEnd(written_header) == withoutEnd(wanted_header)) {
+  for (const auto& name : fieldsOf(withoutEnd(wanted_header)))
+    from_.push_back(columnOf(withoutEnd(written_header), name));
+}
+
+std::string ColumnOrder::inOrder(const std::string& line) const {
+  if (is_same_) return line;
+  const auto fields = fieldsOf(withoutEnd(line));
+  std::string ordered;
+  for (const auto& from : from_)
+    ordered += (&from == &from_.front() ? "" : ",") + (from ? csvField(fields.at(*from)) : std::string());
+  return ordered + "\n";
 }
 
 }  // namespace facenav::casefile

@@ -17,4 +17,18 @@ std::optional<std::size_t> columnOf(const std::string& header, const std::string
 std::optional<double> numberOf(const std::string& text);
 std::optional<double> numberAt(const std::string& line, std::size_t column);
 
+/// Puts lines that were written for one header under the columns of another one, by name: a file of an older
+/// version that is gone on with has fewer columns. What the other header does not name is left out; what the
+/// lines do not have stays empty.
+class ColumnOrder {
+ public:
+  ColumnOrder(const std::string& written_header, const std::string& wanted_header);
+  /// Both lines end with a newline.
+  std::string inOrder(const std::string& line) const;
+
+ private:
+  bool is_same_;
+  std::vector<std::optional<std::size_t>> from_;  // of each wanted column, the written one
+};
+
 }  // namespace facenav::casefile

@@ -1,8 +1,10 @@
 #include "facenav/casefile/session_log.h"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "appended_file.h"
+#include "csv_line.h"
 #include "facenav/core/error.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_folder.h"
@@ -24,6 +26,27 @@ fs::path makeSessionFolder(const fs::path& case_folder) {
   return folder;
 }
 
+/// One table of a session. A table that an older version began keeps its own columns.
+class AppendedTable {
+ public:
+  AppendedTable(const fs::path& path, const std::string& header, AppendedFile::Start start)
+      : file_(path, header, start), order_(header, headerOf(path)) {}
+  void append(const std::string& line) { file_.append(order_.inOrder(line)); }
+  void sync() { file_.sync(); }
+
+ private:
+  static std::string headerOf(const fs::path& path) {
+    std::ifstream stream(path);
+    std::string header;
+    if (!std::getline(stream, header) || !columnOf(header, "frame") || !columnOf(header, "t_s"))
+      throw Error("its first line names no columns frame and t_s", path.string(),
+                  "begin a new session, or put the line back");
+    return header;
+  }
+  AppendedFile file_;
+  ColumnOrder order_;
+};
+
 }  // namespace
 
 struct SessionLog::Implementation {
@@ -35,7 +58,8 @@ struct SessionLog::Implementation {
     events.lock();
   }
   fs::path folder;
-  AppendedFile events, poses, guidance;
+  AppendedFile events;
+  AppendedTable poses, guidance;
 };
 
 SessionLog::SessionLog(const fs::path& case_folder)

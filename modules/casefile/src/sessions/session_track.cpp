@@ -38,6 +38,14 @@ class Header {
   fs::path path_;
 };
 
+/// Two columns were once added at the end of guidance.csv. A version of that time went on with older files
+/// and wrote both under no header.
+constexpr std::size_t kBeforeGaps = 11, kWithGaps = 13;
+
+bool fits(std::size_t fields, std::size_t columns) {
+  return fields == columns || (columns == kBeforeGaps && fields == kWithGaps);
+}
+
 /// Reads a file line by line; `take` says whether the fields were good.
 template <class Take>
 int readLines(std::ifstream& stream, const Header& header, Take take) {
@@ -48,7 +56,7 @@ int readLines(std::ifstream& stream, const Header& header, Take take) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty()) continue;
     const auto fields = fieldsOf(line);
-    if (is_torn || fields.size() != header.size() || !take(fields)) ++damaged;
+    if (is_torn || !fits(fields.size(), header.size()) || !take(fields)) ++damaged;
   }
   return damaged;
 }
