@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "facenav/core/error.h"
 #include "facenav/workflow/expert_pose.h"
+#include "facenav/workflow/returned_session.h"
 
 namespace facenav::app {
 
@@ -55,29 +56,60 @@ void addFaceCase(CLI::App& app, Context& context) {
   });
 }
 
+namespace {
+
+struct ImportRequest {
+  std::filesystem::path case_folder, file;
+  bool is_json = false;
+};
+
+void importSession(const Context& context, const ImportRequest& request) {
+  const auto store = casefile::CaseStore::open(request.case_folder);
+  const auto returned = workflow::importReturned(store, request.file);
+  using Outcome = workflow::ReturnedOutcome;
+  if (request.is_json) {
+    const nlohmann::ordered_json json{{"case_id", store.caseId()},
+                                      {"session", returned.folder.filename().string()},
+                                      {"pulses", returned.pulses},
+                                      {"outcome", returned.outcome == Outcome::added       ? "added"
+                                                  : returned.outcome == Outcome::completed ? "completed"
+                                                                                           : "unchanged"}};
+    std::printf("%s\n", json.dump(1).c_str());
+  } else if (!context.is_quiet) {
+    std::printf("%s\n", workflow::inWords(returned).c_str());
+  }
+}
+
+void importCase(const Context& context, const ImportRequest& request) {
+  const auto store = workflow::importHome(request.file, request.case_folder);
+  const auto home = workflow::openHomeCase(store.folder());
+  if (request.is_json) {
+    const nlohmann::ordered_json json{{"case_id", store.caseId()},
+                                      {"target", home.target.name},
+                                      {"coil", home.coil.name},
+                                      {"expert", workflow::inWords(*home.target.expert)}};
+    std::printf("%s\n", json.dump(1).c_str());
+  } else if (!context.is_quiet) {
+    std::printf("case %s: '%s', %s\n", store.caseId().c_str(), home.target.name.c_str(),
+                workflow::inWords(*home.target.expert).c_str());
+  }
+}
+
+}  // namespace
+
 void addImport(CLI::App& app, Context& context) {
-  auto* verb = app.add_subcommand("import", "a file that the clinic gave for use at home -> case folder");
-  struct ImportRequest {
-    std::filesystem::path case_folder, file;
-    bool is_json = false;
-  };
+  auto* verb = app.add_subcommand(
+      "import",
+      "a file that the clinic gave for use at home -> case folder; or a session that came back from home "
+      "-> a session of the case, marked \"at home\"");
   auto request = std::make_shared<ImportRequest>();
-  verb->add_option("CASE", request->case_folder, "case folder to make")->required();
-  verb->add_option("FILE", request->file, "file of 'facenav export --as home'")->required();
+  verb->add_option("CASE", request->case_folder, "case folder to make, or to add the session to")->required();
+  verb->add_option("FILE", request->file, "file of 'facenav export --as home', or the one sent back")
+      ->required();
   verb->add_flag("--json", request->is_json, "JSON");
   verb->callback([&context, request] {
-    const auto store = workflow::importHome(request->file, request->case_folder);
-    const auto home = workflow::openHomeCase(store.folder());
-    if (request->is_json) {
-      const nlohmann::ordered_json json{{"case_id", store.caseId()},
-                                        {"target", home.target.name},
-                                        {"coil", home.coil.name},
-                                        {"expert", workflow::inWords(*home.target.expert)}};
-      std::printf("%s\n", json.dump(1).c_str());
-    } else if (!context.is_quiet) {
-      std::printf("case %s: '%s', %s\n", store.caseId().c_str(), home.target.name.c_str(),
-                  workflow::inWords(*home.target.expert).c_str());
-    }
+    workflow::isReturnedFile(request->file) ? importSession(context, *request)
+                                            : importCase(context, *request);
   });
 }
 

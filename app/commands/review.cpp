@@ -49,6 +49,7 @@ Json toJson(const workflow::SessionSummary& s) {
           {"faults", s.faults},
           {"adverse_events", s.adverse_events},
           {"has_ended", s.has_ended},
+          {"at_home", s.is_at_home},
           {"clock_set_s", known(s.clock_set_s)},
           {"predicted_error_mm", known(s.predicted_error_mm)},
           {"alignment", s.alignment ? Json(*s.alignment) : Json()},
@@ -96,10 +97,10 @@ std::string minutes(const std::optional<double>& seconds) {
 void print(const workflow::SessionSummary& s) {
   const std::string distance =
       s.distance_mm ? formatted("%.1f/%.1f", s.distance_mm->median, s.distance_mm->p95) : "-";
-  std::printf("%-19s %8s %7d %9d %8d %5d %9d %11s %10s %7d %8d%s\n", s.name.c_str(),
+  std::printf("%-19s %8s %7d %9d %8d %5d %9d %11s %10s %7d %8d%s%s\n", s.name.c_str(),
               minutes(s.duration_s).c_str(), s.pulses, s.on_target, s.outside, s.lost, s.excluded,
               distance.c_str(), minutes(s.off_target_s).c_str(), s.face_losses + s.coil_losses,
-              s.adverse_events, s.has_ended ? "" : "  not ended");
+              s.adverse_events, s.has_ended ? "" : "  not ended", s.is_at_home ? "  at home" : "");
 }
 
 void printNotes(const std::vector<std::string>& problems, const Context& context) {

@@ -52,6 +52,12 @@ std::string sha256OfFile(const std::filesystem::path& path) {
   return hash.hex();
 }
 
+std::string sha256OfText(const std::string& text) {
+  Sha256 hash;
+  hash.add(text.data(), text.size());
+  return hash.hex();
+}
+
 std::string sha256OfInput(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path)) return sha256OfFile(path);
   std::vector<std::string> hashes;

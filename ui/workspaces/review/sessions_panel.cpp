@@ -165,7 +165,8 @@ void SessionsPanel::showSessions() {
     const auto& s = sessions[sessions.size() - 1 - std::size_t(row)];  // the newest first
     const int counted = s.pulses - s.excluded;
     const QStringList texts{
-        QString::fromStdString(s.started_utc).replace('T', ' ').left(kToTheMinute),
+        (s.is_at_home ? tr("%1 home") : QString("%1"))
+            .arg(QString::fromStdString(s.started_utc).replace('T', ' ').left(kToTheMinute)),
         s.excluded ? tr("%1 (%2)").arg(s.pulses).arg(s.excluded) : QString::number(s.pulses),
         counted > 0 ? tr("%1 %").arg(100.0 * s.on_target / counted, 0, 'f', 0) : QString::fromUtf8("\u2013"),
         spread(s.distance_mm),
@@ -214,6 +215,7 @@ void SessionsPanel::showState() {
   } else {
     const auto summary = workflow::summarise(session->kept);
     QStringList words{summary.has_ended ? tr("ended normally") : tr("not ended: it runs, or it was cut off")};
+    if (summary.is_at_home) words << tr("at home");
     if (summary.alignment) words << QString::fromStdString(*summary.alignment);
     words << tr("losses: face %1, coil %2").arg(summary.face_losses).arg(summary.coil_losses);
     if (summary.adverse_events) words << tr("adverse events: %1").arg(summary.adverse_events);

@@ -30,6 +30,22 @@ void readEvents(const fs::path& file, std::vector<SessionEvent>& events, std::ve
 constexpr const char* kEvents = "events.jsonl";
 constexpr const char* kNotes = "notes.jsonl";
 
+/// A damaged file costs its times, not the session.
+void readReturned(const fs::path& file, KeptSession& session) {
+  if (!fs::exists(file)) return;
+  try {
+    const JsonReader json = JsonReader::readFile(file);
+    session.returned_utc = json.at("imported_utc").text();
+    if (json.has("duration_s")) session.duration_s = json.at("duration_s").number();
+    if (json.has("on_target_s"))
+      session.guided = GuidedTime{json.at("on_target_s").number(), json.at("adjust_s").number(),
+                                  json.at("lost_s").number()};
+  } catch (const Error& error) {
+    if (!session.returned_utc) session.returned_utc = "";
+    session.pulses.problems.push_back(error.what());
+  }
+}
+
 std::string namesOf(const std::vector<fs::path>& folders) {
   std::string names;
   for (const auto& folder : folders) names += (names.empty() ? "" : ", ") + folder.filename().string();
@@ -91,6 +107,7 @@ KeptSession readSession(const fs::path& session_folder) {
                    [](const SessionEvent& a, const SessionEvent& b) { return a.utc < b.utc; });
   session.duration_s = readDuration_s(session_folder / "poses.csv");
   session.guided = readGuidedTime(session_folder / "guidance.csv");
+  readReturned(session_folder / kReturnedFile, session);
   return session;
 }
 

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/casefile/kept_session.h"
+#include "facenav/casefile/sha256.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/core/zip_file.h"
 #include "facenav/workflow/home_case.h"
@@ -21,15 +22,22 @@ SummaryJson summaryOf(const casefile::CaseStore& store, const casefile::KeptSess
     outside += reviewed.pulse.status == casefile::PulseStatus::outside;
     lost += reviewed.pulse.status == casefile::PulseStatus::lost;
   }
-  return {{"format", "facenav session"},
-          {"version", 1},
-          {"case_id", store.caseId()},
-          {"session", session.name},
-          {"software_version", softwareVersion()},
-          {"pulses_on_target", on_target},
-          {"pulses_outside", outside},
-          {"pulses_lost", lost},
-          {"problems", session.pulses.problems}};
+  SummaryJson json{{"format", "facenav session"},
+                   {"version", 1},
+                   {"case_id", store.caseId()},
+                   {"session", session.name},
+                   {"software_version", softwareVersion()},
+                   {"pulses_on_target", on_target},
+                   {"pulses_outside", outside},
+                   {"pulses_lost", lost},
+                   {"problems", session.pulses.problems}};
+  if (session.duration_s) json["duration_s"] = *session.duration_s;
+  if (session.guided) {
+    json["on_target_s"] = session.guided->on_target_s;
+    json["adjust_s"] = session.guided->adjust_s;
+    json["lost_s"] = session.guided->lost_s;
+  }
+  return json;
 }
 
 }  // namespace
@@ -40,10 +48,11 @@ void writeSendBack(const casefile::CaseStore& store, const std::filesystem::path
   std::map<std::string, std::string> entries;
   entries["report.html"] = sessionReport(store, session);  // neither name nor pictures
   entries["pulses.csv"] = casefile::pulsesCsv(session.pulses.pulses);
-  entries["summary.json"] =
-      summaryOf(store, session).dump(1, ' ', false, SummaryJson::error_handler_t::replace) + "\n";
   for (const char* name : {"events.jsonl", "notes.jsonl", "pulses.jsonl", "protocol.json"})
     if (std::filesystem::exists(session_folder / name)) entries[name] = readWholeFile(session_folder / name);
+  SummaryJson summary = summaryOf(store, session);
+  for (const auto& [name, content] : entries) summary["sha256"][name] = casefile::sha256OfText(content);
+  entries["summary.json"] = summary.dump(1, ' ', false, SummaryJson::error_handler_t::replace) + "\n";
   writeZip(entries, file, FileAccess::owner_only);
 }
 

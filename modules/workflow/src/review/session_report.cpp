@@ -124,6 +124,11 @@ std::string signOffWords(const casefile::CaseStore& store) {
   }
 }
 
+std::string placeWords(const casefile::KeptSession& session, const SessionSummary& summary) {
+  if (!summary.is_at_home) return "here";
+  return session.returned_utc ? "at home; the file came back on " + *session.returned_utc : "at home";
+}
+
 std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSession& session,
                         const SessionSummary& summary) {
   return headingHtml("Session") +
@@ -134,6 +139,7 @@ std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSe
               {"Gone on with", detailsOf(session, "session continued") == kNotRecorded
                                    ? "no"
                                    : detailsOf(session, "session continued")},
+              {"Place", placeWords(session, summary)},
               {"Operator", detailsOf(session, "operator")},
               {"Head model checked by", signOffWords(store)},
               {"Treated without a sign-off",

@@ -68,6 +68,7 @@ void countEvents(const std::vector<casefile::SessionEvent>& events, SessionSumma
   summary.adverse_events = count("adverse event");
   summary.double_triggers = count("double trigger");
   summary.continuations = count("session continued");
+  summary.is_at_home |= count("at home") > 0;
   for (const auto& e : events) {
     if (e.event == "alignment") summary.alignment = e.detail;
     if (e.event == "session ended" || e.event == "session continued")  // the last one counts
@@ -88,6 +89,7 @@ SessionSummary summarise(const casefile::KeptSession& session) {
   summary.name = session.name;
   summary.started_utc = startOf(session.name);
   summary.duration_s = session.duration_s;
+  summary.is_at_home = session.returned_utc.has_value();
   countPulses(session.pulses, summary);
   countEvents(session.events, summary);
   if (session.guided) {

@@ -29,7 +29,12 @@ struct KeptSession {
   SessionPulses pulses;
   std::optional<double> duration_s;  // from the first to the last frame of poses.csv
   std::optional<GuidedTime> guided;  // absent without a target
+  /// When it came back from home as a file (it has no poses.csv then); nothing: it was made here.
+  std::optional<std::string> returned_utc = {};
 };
+
+/// In the folder of a session that came back from home as a file.
+inline constexpr const char* kReturnedFile = "returned.json";
 
 /// The folders in CASE/sessions, oldest first; empty if there are none.
 std::vector<std::filesystem::path> sessionFolders(const std::filesystem::path& case_folder);

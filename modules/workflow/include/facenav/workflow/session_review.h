@@ -28,6 +28,7 @@ struct SessionSummary {
   std::optional<double> guided_s, off_target_s, lost_s;  // off target includes lost
   int face_losses = 0, coil_losses = 0, faults = 0, adverse_events = 0;
   bool has_ended = false;             // false: it still runs, or the program or the machine stopped
+  bool is_at_home = false;            // by the person's own hands, near home
   int continuations = 0;              // it was cut off or ended, and gone on with
   std::optional<double> clock_set_s;  // the largest step of the time of day between two pulses, over 1 s
   std::optional<double> predicted_error_mm;  // at the target, as stated with the pulses; median
