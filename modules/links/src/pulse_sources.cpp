@@ -68,9 +68,8 @@ SerialPort portFrom(const std::vector<std::string>& parts, const std::string& wo
 }  // namespace
 
 std::string pulseSourceWords() {
-  return "udp:PORT, tcp:PORT, serial:DEVICE[:BAUD], serial:DEVICE:cts (or :dsr), lsl[:STREAM]; with "
-         ":dead=SECONDS for "
-         "another dead time";
+  return "udp:PORT, tcp:PORT, serial:DEVICE[:BAUD], serial:DEVICE:cts (or :dsr), lsl[:STREAM], "
+         "sound[:DEVICE or FILE.wav] (the coil's click); with :dead=SECONDS for another dead time";
 }
 
 std::unique_ptr<PulseSource> openPulseSource(const std::string& words) {
@@ -88,6 +87,11 @@ std::unique_ptr<PulseSource> openPulseSource(const std::string& words) {
   }
   if (parts[0] == "lsl" && parts.size() <= 2)
     return makeLslSource(words, parts.size() == 2 ? parts[1] : "", given_s.value_or(dead.lsl_dead_s));
+  if (parts[0] == "sound") {  // ALSA's names hold colons, too
+    std::string input;
+    for (std::size_t i = 1; i < parts.size(); ++i) input += (i > 1 ? ":" : "") + parts[i];
+    return makeSoundSource(words, input.empty() ? "default" : input, given_s.value_or(dead.sound_dead_s));
+  }
   refuse(words);
 }
 

@@ -30,4 +30,8 @@ std::unique_ptr<PulseSource> makeSerialSource(const std::string& name, const Ser
 std::unique_ptr<PulseSource> makeLslSource(const std::string& name, const std::string& stream,
                                            double dead_time_s);
 
+/// `input`: of ALSA, or a sound file. Throws Error where FaceNav was built without what reads it.
+std::unique_ptr<PulseSource> makeSoundSource(const std::string& name, const std::string& input,
+                                             double dead_time_s);
+
 }  // namespace facenav::links

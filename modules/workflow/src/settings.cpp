@@ -11,6 +11,7 @@
 #include "facenav/head_tracking/skin_detail_limits.h"
 #include "facenav/head_tracking/skin_field_model.h"
 #include "facenav/head_tracking/step_limits.h"
+#include "facenav/links/click_rules.h"
 #include "facenav/links/pulse_dead_times.h"
 #include "facenav/monitoring/registration_check.h"
 #include "facenav/registration/fit_limits.h"
@@ -39,9 +40,9 @@ using All =
            registration::FitLimits, registration::MisfitPrior, stereo::SharedError,
            head_tracking::SkinDetailLimits, head_tracking::IdentityModel, head_tracking::SkinFieldModel,
            head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
-           guidance::FieldByGap, stimulation::ThresholdRules, links::PulseDeadTimes, guidance::MepMapOptions,
-           MepImportLimits, casefile::EvidenceRules, monitoring::RegistrationCheckRules, ReturnRules,
-           CoilRules, ExpertRules>;
+           guidance::FieldByGap, stimulation::ThresholdRules, links::PulseDeadTimes, links::ClickRules,
+           guidance::MepMapOptions, MepImportLimits, casefile::EvidenceRules,
+           monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules>;
 
 }  // namespace
 

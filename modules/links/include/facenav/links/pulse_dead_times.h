@@ -12,7 +12,7 @@ struct PulseDeadTimes {
   static constexpr const char* kSubject = "dead times of pulse sources";
 
   double keyboard_dead_s = 0.15, serial_byte_dead_s = 0.003, serial_line_dead_s = 0.005,
-         network_dead_s = 0.002, lsl_dead_s = 0.002;
+         network_dead_s = 0.002, lsl_dead_s = 0.002, sound_dead_s = 0.012;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -21,6 +21,7 @@ struct PulseDeadTimes {
     visitor(kLine("serial_line_dead_s", 0, 1, "s", "of edges on CTS or DSR"), self.serial_line_dead_s);
     visitor(kMessage("network_dead_s", 0, 1, "s", "of network messages"), self.network_dead_s);
     visitor(kMessage("lsl_dead_s", 0, 1, "s", "of LSL samples"), self.lsl_dead_s);
+    visitor(kClick("sound_dead_s", 0, 1, "s", "of clicks in a sound"), self.sound_dead_s);
   }
 
   static constexpr Evidence kHand{
@@ -36,6 +37,8 @@ struct PulseDeadTimes {
       Origin::physics,
       "a small relay bounces for 1 to 3 ms, an optocoupler not at all; a quarter of the "
       "20 ms between pulses at 50 Hz"};
+  static constexpr Evidence kClick{
+      Origin::physics, "a click lasts 3 ms and its first echoes 10; pulses of a theta burst are 20 ms apart"};
   static constexpr Evidence kMessage{
       Origin::physics,
       "a network does not bounce; a message that is sent twice arrives within a "

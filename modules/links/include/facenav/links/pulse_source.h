@@ -49,6 +49,8 @@ class KeyboardSource : public PulseSource {
 ///   serial:DEVICE:cts, serial:DEVICE:dsr      each rising edge of that line
 ///   lsl[:STREAM]                              each sample of an LSL marker stream (by its name; default:
 ///   any)
+///   sound[:DEVICE]                            each click of the coil on a sound input (ALSA's name of it, as
+///   sound:hw:1,0; default: "default"); sound:FILE.wav plays a recorded sound as if it were heard now
 /// with ":dead=SECONDS" behind it for another dead time (a pedal on a serial line: 0.15). Without an address
 /// a network source listens on all of the machine's. Throws Error for other words.
 std::unique_ptr<PulseSource> openPulseSource(const std::string& words);
