@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/session_track.h"
 #include "facenav/core/csv_table.h"
 #include "facenav/core/error.h"
@@ -115,6 +116,23 @@ TEST(SessionLog, ATableWithoutItsHeaderIsNotGoneOnWith) {
   writeWholeFile(session / "guidance.csv", before);
   EXPECT_THROW(SessionLog::goOn(session), Error);
   EXPECT_EQ(readWholeFile(session / "guidance.csv"), before) << "nothing was added";
+}
+
+/// The clock was set back by an hour between the pulses and the end; a person noted something afterwards.
+TEST(SessionLog, EventsKeepTheirOrderWhereTheClockWasSetBack) {
+  const TemporaryFolder folder;
+  writeWholeFile(folder.path() / "events.jsonl",
+                 R"({"utc":"20261124T140000Z","event":"session started","detail":""}
+{"utc":"20261124T141000Z","event":"session continued","detail":""}
+{"utc":"20261124T131500Z","event":"session ended","detail":""}
+)");
+  writeWholeFile(folder.path() / "notes.jsonl",
+                 R"({"utc":"20261124T140500Z","event":"pain after","detail":"2"}
+)");
+  std::vector<std::string> names;
+  for (const auto& event : readSession(folder.path()).events)
+    if (event.event.rfind("session", 0) == 0) names.push_back(event.event);
+  EXPECT_EQ(names, (std::vector<std::string>{"session started", "session continued", "session ended"}));
 }
 
 TEST(SessionLog, NeedsACaseFolder) { EXPECT_THROW(SessionLog("/nonexistent/case"), Error); }

@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "facenav/core/error.h"
+#include "facenav/core/whole_folder.h"
 
 namespace facenav::casefile {
 namespace {
@@ -63,6 +66,7 @@ void AppendedFile::sync() {
 void AppendedFile::lock() {
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
     throw Error("another program writes this session", path_.parent_path().string(), "end it there first");
+  is_locked_ = true;
 }
 
 bool AppendedFile::isRemoved() const {
@@ -70,16 +74,36 @@ bool AppendedFile::isRemoved() const {
   return ::fstat(descriptor_, &status) == 0 && status.st_nlink == 0;
 }
 
-std::string AppendedFile::content() const {
-  std::string text(std::size_t(size_), '\0');
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t got = ::pread(descriptor_, text.data() + done, text.size() - done, off_t(done));
+/// A new file under the name, with the content of the removed one. The file is durable.
+int AppendedFile::copied() const {
+  const auto temporary = path_.string() + ".again";
+  const int copy = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+  if (copy < 0) refuse(std::strerror(errno));
+  int fault = 0;
+  std::string block(1 << 20, '\0');
+  for (long long done = 0; done < size_ && fault == 0;) {
+    const auto wanted = std::size_t(std::min<long long>(size_ - done, (long long)block.size()));
+    const ssize_t got = ::pread(descriptor_, block.data(), wanted, off_t(done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse(std::strerror(errno));
-    if (got == 0) text.resize(done);
-    done += std::size_t(got);
+    fault = got < 0 ? errno : got == 0 ? EIO : writeAll(copy, block.substr(0, std::size_t(got)));
+    done += got;
   }
-  return text;
+  if (fault == 0 && ::fsync(copy) != 0) fault = errno;
+  if (fault == 0 && ::link(temporary.c_str(), path_.c_str()) != 0) fault = errno;  // never over another file
+  ::unlink(temporary.c_str());
+  if (fault == 0) return copy;
+  ::close(copy);
+  refuse(std::strerror(fault));
+}
+
+void AppendedFile::putBack() {
+  if (!isRemoved()) return;
+  const auto folder = path_.parent_path();
+  for (const auto& missing : {folder.parent_path(), folder})
+    if (!std::filesystem::exists(missing)) makePrivateFolder(missing);
+  const int copy = copied();
+  ::close(std::exchange(descriptor_, copy));
+  if (is_locked_) lock();
 }
 
 void AppendedFile::undoLast() {

@@ -26,15 +26,18 @@ class AppendedFile {
   void lock();
   /// True if the file was removed: what is written can no longer be found by name.
   bool isRemoved() const;
-  /// Everything in it, also after it was removed. Throws Error.
-  std::string content() const;
+  /// Where it was removed: makes it again under its name with all that it held, and the two folders above it
+  /// if need be. Throws Error; nothing has then changed.
+  void putBack();
   /// Cuts it back to what it held before the last append, for a line that was written but not synced.
   void undoLast();
 
  private:
   [[noreturn]] void refuse(const std::string& why) const;
+  int copied() const;
   std::filesystem::path path_;
   int descriptor_ = -1;
+  bool is_locked_ = false;
   long long size_ = 0, size_before_ = 0;  // bytes of whole lines
 };
 

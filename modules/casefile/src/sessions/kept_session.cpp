@@ -101,10 +101,12 @@ KeptSession readSession(const fs::path& session_folder) {
   session.folder = session_folder;
   session.name = session_folder.filename().string();
   session.pulses = readSessionPulses(session_folder);
-  readEvents(session_folder / kEvents, session.events, session.pulses.problems);
-  readEvents(session_folder / kNotes, session.events, session.pulses.problems);
-  std::stable_sort(session.events.begin(), session.events.end(),
-                   [](const SessionEvent& a, const SessionEvent& b) { return a.utc < b.utc; });
+  std::vector<SessionEvent> events, notes;
+  readEvents(session_folder / kEvents, events, session.pulses.problems);
+  readEvents(session_folder / kNotes, notes, session.pulses.problems);
+  // Each file is in the order in which things happened, also where the clock was set back meanwhile.
+  std::merge(events.begin(), events.end(), notes.begin(), notes.end(), std::back_inserter(session.events),
+             [](const SessionEvent& a, const SessionEvent& b) { return a.utc < b.utc; });
   session.duration_s = readDuration_s(session_folder / "poses.csv");
   session.guided = readGuidedTime(session_folder / "guidance.csv");
   readReturned(session_folder / kReturnedFile, session);

@@ -29,12 +29,7 @@ struct PulseFile::Implementation {
   }
   /// In a new file under the old name, everything that the removed one held.
   void makeAgain() {
-    const std::string content = file->content();
-    for (const fs::path& missing : {folder.parent_path(), folder})
-      if (!fs::exists(missing)) makePrivateFolder(missing);
-    auto again = std::make_unique<AppendedFile>(folder / kName, content);
-    again->sync();
-    file = std::move(again);
+    file->putBack();
     syncNames(folder);
   }
 };

@@ -33,6 +33,7 @@ class AppendedTable {
       : file_(path, header, start), order_(header, headerOf(path)) {}
   void append(const std::string& line) { file_.append(order_.inOrder(line)); }
   void sync() { file_.sync(); }
+  AppendedFile& file() { return file_; }
 
  private:
   static std::string headerOf(const fs::path& path) {
@@ -83,6 +84,16 @@ SessionLog& SessionLog::operator=(SessionLog&&) noexcept = default;
 const fs::path& SessionLog::folder() const { return implementation_->folder; }
 void SessionLog::add(const PoseRow& row) { implementation_->poses.append(toCsvLine(row)); }
 void SessionLog::add(const guidance::GuidanceRow& row) { implementation_->guidance.append(toCsvLine(row)); }
+
+bool SessionLog::putBack() {
+  auto& i = *implementation_;
+  bool was_removed = false;
+  for (AppendedFile* file : {&i.events, &i.poses.file(), &i.guidance.file()}) {
+    was_removed |= file->isRemoved();
+    file->putBack();
+  }
+  return was_removed;
+}
 
 void SessionLog::addEvent(const std::string& event, const std::string& detail) {
   const nlohmann::ordered_json line{{"utc", utcNow()}, {"event", event}, {"detail", detail}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <deque>
 #include <mutex>
@@ -35,6 +36,7 @@ struct FollowOn {
 };
 
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
+constexpr double kClockStep_s = 1.0;
 constexpr double kLogRetry_s = 1.0;    // after a fault of the disk
 constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
 
@@ -61,6 +63,7 @@ struct TreatmentLog::Implementation {
         so_far(soFar(options.goes_on)),
         log(so_far ? casefile::SessionLog::goOn(options.goes_on) : casefile::SessionLog(case_folder)),
         folder(log.folder()),
+        clock(options.clock),
         evidence(options.evidence_rig ? std::make_unique<EvidenceKeeper>(folder, *options.evidence_rig)
                                       : nullptr),
         pulses(folder, std::move(scalp), so_far.has_value(), [this](const casefile::Pulse& pulse) {
@@ -71,6 +74,7 @@ struct TreatmentLog::Implementation {
   const std::optional<casefile::SessionSoFar> so_far;  // of a session that is gone on with
   casefile::SessionLog log;                            // used only by the thread once it runs
   const std::filesystem::path folder;
+  const std::function<std::chrono::system_clock::time_point()> clock;
   std::atomic<bool> is_stopping{false};
   const std::unique_ptr<EvidenceKeeper> evidence;  // null: none is kept
   PulseKeeper pulses;
@@ -86,6 +90,7 @@ struct TreatmentLog::Implementation {
   std::string evidence_fault;
   std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
   std::optional<Timestamp> broken;    // since when nothing can be written
+  std::optional<double> ahead_s;      // the time of day against the steady clock
   Timestamp retry;
 
   void run();
@@ -94,6 +99,7 @@ struct TreatmentLog::Implementation {
   bool answer(std::variant<double, bool> said);
   void noteEnd();
   void noteEvidence();
+  void noteClock();
   void noteCoil(const NavigationState& state);
   std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
   void write(const NavigationState& state);
@@ -163,6 +169,16 @@ void TreatmentLog::Implementation::noteEvidence() {
   evidence_fault = fault;
 }
 
+/// The times of frames and pulses are those of the steady clock, which nobody sets.
+void TreatmentLog::Implementation::noteClock() {
+  const double now_s = std::chrono::duration<double>(clock().time_since_epoch()).count() - Timestamp::now().s;
+  if (ahead_s && std::abs(now_s - *ahead_s) > kClockStep_s)
+    log.addEvent("clock set", formatted("the computer's clock was set %s by %.1f s; the order of pulses and "
+                                        "the time between them are right",
+                                        now_s < *ahead_s ? "back" : "forward", std::abs(now_s - *ahead_s)));
+  ahead_s = now_s;
+}
+
 /// One is taken from the list only once it is written.
 void TreatmentLog::Implementation::writeEvents() {
   for (;;) {
@@ -216,7 +232,9 @@ void TreatmentLog::Implementation::tried(Work work) {
   if (broken && !is_stopping && retry - Timestamp::now() > 0) return;
   try {
     if (broken) {
-      log.addEvent("log resumed", formatted("nothing was logged for %.1f s", Timestamp::now() - *broken));
+      const char* why = log.putBack() ? "; the session's folder had been removed and is made again" : "";
+      log.addEvent("log resumed",
+                   formatted("nothing was logged for %.1f s", Timestamp::now() - *broken) + why);
       broken.reset();
       setFailure("");
     }
@@ -268,6 +286,7 @@ void TreatmentLog::Implementation::run() {
       writeEvents();
       writeAnswers();
       noteEvidence();
+      noteClock();
       if (!state && session->hasEnded()) noteEnd();
     });
     if (!state && session->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(20));

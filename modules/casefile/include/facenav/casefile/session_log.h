@@ -29,6 +29,9 @@ class SessionLog {
   void add(const guidance::GuidanceRow& row);
   /// One line {"utc": .., "event": .., "detail": ..}. Must not contain a patient's name.
   void addEvent(const std::string& event, const std::string& detail = {});
+  /// Where the session's folder was removed: makes its files again with all that they held. False: they were
+  /// there. Throws Error.
+  bool putBack();
   /// Syncs everything to the disk; may take milliseconds.
   void sync();
 

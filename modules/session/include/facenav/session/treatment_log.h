@@ -3,9 +3,11 @@
 // guidance.csv, events.jsonl, pulses.jsonl). It has its own threads, so that neither tracking nor the window
 // waits for the disk. It notes losses, finds, faults and the recording's end by itself; the caller adds
 // pulses, chosen targets and overrides. A disk that is full ends nothing: it is said, and what follows is
-// logged as soon as it can be.
+// logged as soon as it can be. So is a clock that was set, and a folder that was removed.
 
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,6 +23,10 @@ struct TreatmentLogOptions {
   /// The folder of an earlier session of the case that is gone on with; empty: a new one. Its pulses are
   /// counted on, and frames and times follow those of its files.
   std::filesystem::path goes_on = {};
+  /// The time of day; a test replaces it.
+  std::function<std::chrono::system_clock::time_point()> clock = [] {
+    return std::chrono::system_clock::now();
+  };
 };
 
 class TreatmentLog {
