@@ -28,6 +28,7 @@ struct EvaluateRequest {
   std::optional<fs::path> case_folder;
   std::string target;
   Methods methods;
+  bool is_right_only = false;  // plain_align: nothing that must be refused, no turned cameras
   fs::path output = "facenav_evaluation";
 };
 
@@ -54,7 +55,8 @@ void playHead(Context& context, const EvaluateRequest& request, const Evaluation
     };
     report(0.0);
     if (run.scenario == room::kPlainAlign) {
-      for (auto& one : runPlainAlign(context, planned[i].options, head, other, request.methods, run))
+      const auto tries = request.is_right_only ? AlignTries::right : AlignTries::all;
+      for (auto& one : runPlainAlign(context, planned[i].options, head, other, request.methods, run, tries))
         runs.push_back(std::move(one));
       continue;
     }
@@ -186,6 +188,8 @@ void addEvaluate(CLI::App& app, Context& context) {
   verb->add_option("--frames", room.frames, "of each scenario (0: its own length)")
       ->check(CLI::Range(0, 100000));
   verb->add_flag("--quick", room.is_quick, "one seed, few frames, five captures");
+  verb->add_flag("--right-only", request->is_right_only,
+                 "plain_align: only what must be aligned, no turned cameras and nothing to be refused");
   room::ScenarioOptions::visit(room.room, SharedFlags{*verb});
   verb->add_option("--recording", request->recordings,
                    "recordings with truth/ instead of the virtual room (with one --case)");

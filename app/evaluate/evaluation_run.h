@@ -35,6 +35,8 @@ struct EvaluationSequence {
   std::optional<Point<Mri>> face_middle;
 };
 
+/// The room's coil as the trackers know it.
+coil_tracking::CoilModel coilOf(const room::RoomCoil& coil);
 /// A scenario of the virtual room, rendered on demand.
 EvaluationSequence roomSequence(const room::ScenarioOptions& options, const EvaluationHead& head);
 /// A recording with truth/ from another program (FORMATS.md). Its scenario.json, if there is one, marks

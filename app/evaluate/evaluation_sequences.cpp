@@ -9,18 +9,6 @@ namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-coil_tracking::CoilModel coilOf(const room::RoomCoil& coil) {
-  coil_tracking::CoilModel model;
-  model.name = coil.name;
-  coil_tracking::MarkerModel marker;
-  marker.dictionary = coil.dictionary;
-  marker.id = coil.marker_id;
-  marker.size_mm = coil.marker_size_mm;
-  marker.coil_T_marker = coil.marker_T_coil.inverse();
-  model.markers.push_back(marker);
-  return model;
-}
-
 evaluation::FrameTruth truthOf(const room::GroundTruth& truth) {
   evaluation::FrameTruth frame;
   frame.label = truth.label;
@@ -46,6 +34,18 @@ std::map<std::int64_t, evaluation::FrameTruth> labelsOf(const nlohmann::json& sc
 }
 
 }  // namespace
+
+coil_tracking::CoilModel coilOf(const room::RoomCoil& coil) {
+  coil_tracking::CoilModel model;
+  model.name = coil.name;
+  coil_tracking::MarkerModel marker;
+  marker.dictionary = coil.dictionary;
+  marker.id = coil.marker_id;
+  marker.size_mm = coil.marker_size_mm;
+  marker.coil_T_marker = coil.marker_T_coil.inverse();
+  model.markers.push_back(marker);
+  return model;
+}
 
 EvaluationSequence roomSequence(const room::ScenarioOptions& options, const EvaluationHead& head) {
   const auto room = std::make_shared<room::SyntheticSource>(options, head.patient, head.target.mri_T_target);

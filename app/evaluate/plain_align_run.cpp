@@ -4,6 +4,7 @@
 #include <random>
 
 #include "facenav/core/processor_time.h"
+#include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/room/synthetic_source.h"
 
@@ -13,6 +14,10 @@ namespace {
 using workflow::AlignedFrom;
 
 constexpr double kMoved_deg = 0.3;  // of the right camera on its mount
+/// Dense dots; the plain picture beside them shows the coil's marker too.
+constexpr const char* kWithMarker = "dots and marker";
+
+AlignedFrom fromOf(const std::string& way) { return way == "plain" ? AlignedFrom::plain : AlignedFrom::dots; }
 
 /// What is common to all alignments of one patient.
 struct Sitting {
@@ -25,15 +30,59 @@ struct Sitting {
   evaluation::RunRecord names;
   evaluation::ExactDepth depth;
   cv::Mat visible;
+  cameras::StereoFrame with_coil;  // at the same moment, on the target
+  coil_tracking::CoilModel coil;
+  std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;
 
-  workflow::AlignmentSetup setup(const surface::ScalpSurface& scalp) const {
-    return {scalp, *aligner, *detector, targets};
+  workflow::AlignmentSetup setup(const surface::ScalpSurface& scalp, bool is_marker_used = false) const {
+    workflow::AlignmentSetup all{scalp, *aligner, *detector, targets};
+    all.coil = coil;
+    if (is_marker_used) all.coil_tracker = coil_tracker.get();
+    return all;
   }
 };
 
 using Align = std::function<workflow::AlignmentOutcome()>;
 
-evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, const Align& align) {
+/// camera_T_marker as the tracker shows it with these cameras; where it withholds the pose, as it measured it
+/// (second: true).
+std::optional<std::pair<Eigen::Isometry3d, bool>> measuredCoil(const Sitting& sitting,
+                                                               const cameras::StereoRig& rig) {
+  sitting.coil_tracker->start(rig, sitting.coil);
+  cameras::StereoFrame frame = sitting.with_coil;
+  sitting.coil_tracker->track(frame, {});
+  frame.captured.s += 0.1;  // a still pair counts as two frames
+  const auto coil = sitting.coil_tracker->track(frame, {});
+  if (coil) return std::pair{coil->camera_T_marker.isometry(), false};
+  if (!coil.observation) return std::nullopt;
+  const double half_mm = 0.5 * coil.observation->size_mm;
+  const std::vector<Eigen::Vector3d> print_mm{
+      {-half_mm, -half_mm, 0}, {half_mm, -half_mm, 0}, {half_mm, half_mm, 0}, {-half_mm, half_mm, 0}};
+  std::vector<Eigen::Vector3d> seen_mm;
+  for (std::size_t i = 0; i < 4; ++i)
+    seen_mm.push_back(
+        cameras::triangulate(rig, coil.observation->left_px[i], coil.observation->right_px[i]).mm);
+  return std::pair{fitRigidPoints(print_mm, seen_mm).to_T_from, true};
+}
+
+/// Where the target is under the coil, as shown and in truth: their distance.
+void noteCoil(const Sitting& sitting, const cameras::StereoRig& rig,
+              const registration::AlignmentResult& result, evaluation::AlignmentRecord& record) {
+  const auto measured = measuredCoil(sitting, rig);
+  if (!measured) return;
+  const auto& target = sitting.targets.front();
+  const Eigen::Isometry3d mri_T_marker =
+      target.mri_T_target.isometry() * sitting.coil.markers.front().coil_T_marker.isometry();
+  const Eigen::Vector3d shown_mm = result.camera_T_mri.isometry().inverse() * measured->first *
+                                   mri_T_marker.inverse() * target.cortex_point.mm;
+  record.coil_mm = (shown_mm - target.cortex_point.mm).norm();
+  record.is_coil_withheld = measured->second;
+  record.coil_bound95_mm =
+      result.coilErrorBound_mm(target.cortex_point, workflow::markerAt(target, sitting.coil));
+}
+
+evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, const cameras::StereoRig& rig,
+                               const Align& align) {
   evaluation::RunRecord run = sitting.names;
   run.from = from;
   const auto& target = sitting.targets.front();
@@ -50,6 +99,7 @@ evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, 
     record.predicted_mm = outcome.result.predictedError_mm(target.cortex_point);
     record.bound95_mm = outcome.result.errorBound_mm(target.cortex_point);
     record.rms_mm = outcome.result.rms_mm;
+    noteCoil(sitting, rig, outcome.result, record);
     if (outcome.result.right_turn) {
       record.turn_deg = kDegPerRad * outcome.result.right_turn->rad;
       record.turn_sigma_deg = kDegPerRad * outcome.result.right_turn->sigma_rad;
@@ -98,12 +148,13 @@ void addTurned(const Sitting& sitting, const std::vector<std::pair<std::string, 
   const double sign = sitting.names.seed % 2 ? 1.0 : -1.0;
   for (const double turn_deg : {0.05, 0.1, 0.2, 0.3})
     for (const auto& [way, pair] : ways) {
-      const auto from = way == "plain" ? AlignedFrom::plain : AlignedFrom::dots;
+      const auto rig = beforeATurn(sitting.room->rig(), sign * turn_deg);
       char name[64];
       std::snprintf(name, sizeof name, "%s: turned sideways by %.2f deg", way.c_str(), sign * turn_deg);
-      runs.push_back(recordOf(sitting, name, [&, pair = pair] {
-        return workflow::alignFromCapture(beforeATurn(sitting.room->rig(), sign * turn_deg), pair, from,
-                                          sitting.setup(sitting.head.scalp), sitting.context.monitor);
+      runs.push_back(recordOf(sitting, name, rig, [&, way = way, pair = pair] {
+        return workflow::alignFromCapture(rig, pair, fromOf(way),
+                                          sitting.setup(sitting.head.scalp, way == kWithMarker),
+                                          sitting.context.monitor);
       }));
     }
 }
@@ -112,7 +163,7 @@ void addRefusals(const Sitting& sitting, const capture::CapturePair& pair, const
                  std::vector<evaluation::RunRecord>& runs) {
   const auto attempt = [&](AlignedFrom from, const std::string& what, const cameras::StereoRig& rig,
                            const surface::ScalpSurface& scalp) {
-    runs.push_back(recordOf(sitting, std::string(nameOf(from)) + ": " + what, [&] {
+    runs.push_back(recordOf(sitting, std::string(nameOf(from)) + ": " + what, rig, [&] {
       return workflow::alignFromCapture(rig, pair, from, sitting.setup(scalp), sitting.context.monitor);
     }));
     runs.back().must_be_refused = true;
@@ -129,7 +180,7 @@ void addRefusals(const Sitting& sitting, const capture::CapturePair& pair, const
 std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::ScenarioOptions& options,
                                                  const EvaluationHead& head,
                                                  const surface::ScalpSurface* other, const Methods& methods,
-                                                 const evaluation::RunRecord& names) {
+                                                 const evaluation::RunRecord& names, AlignTries tries) {
   Sitting sitting{context,
                   head,
                   context.registrations.aligners.create(methods.aligner),
@@ -138,29 +189,40 @@ std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::S
                   std::make_shared<room::SyntheticSource>(options, head.patient, head.target.mri_T_target),
                   names,
                   {},
-                  {}};
+                  {},
+                  {},
+                  {},
+                  context.registrations.coil_trackers.create(methods.coil_tracker)};
   room::SyntheticSource& room = *sitting.room;
-  capture::CapturePair dense = room.capturePair();
+  const capture::CapturePair dense = room.capturePair();
   capture::CapturePair sparse{room.captureWith(stereo::DotPattern::sparse), dense.plain},
       plain{dense.plain, dense.plain};
+  sitting.with_coil = room.captureWithCoil();
+  sitting.coil = coilOf(room.coil());
+  const capture::CapturePair marked{dense.pattern, sitting.with_coil};
+  room.captureWith(std::nullopt);  // the room's depth is that of the last picture
   const room::DepthMaps depth = room.depth();
   sitting.depth = {depth.left_mm, depth.right_mm, depth.left_object == 1};
   sitting.visible =
       evaluation::visibleFace(room.rig(), sitting.depth, room.captureTruth() * head.patient->face_middle);
   std::vector<evaluation::RunRecord> runs;
-  for (const auto& [from, pair] : {std::pair{"dots", &dense}, {"sparse dots", &sparse}, {"plain", &plain}})
-    runs.push_back(recordOf(sitting, from, [&, pair = pair] {
-      const AlignedFrom kind = pair == &plain ? AlignedFrom::plain : AlignedFrom::dots;
-      return workflow::alignFromCapture(room.rig(), *pair, kind, sitting.setup(head.scalp), context.monitor);
+  const std::vector<std::pair<std::string, capture::CapturePair>> ways{
+      {"dots", dense}, {kWithMarker, marked}, {"sparse dots", sparse}, {"plain", plain}};
+  for (const auto& [way, pair] : ways)
+    runs.push_back(recordOf(sitting, way, room.rig(), [&, way = way, pair = pair] {
+      return workflow::alignFromCapture(room.rig(), pair, fromOf(way),
+                                        sitting.setup(head.scalp, way == kWithMarker), context.monitor);
     }));
   if (room.frameCount().value_or(0) > 1)
-    runs.push_back(recordOf(sitting, "film", [&] {
+    runs.push_back(recordOf(sitting, "film", room.rig(), [&] {
       const auto tracker = context.registrations.head_trackers.create(methods.head_tracker);
       return workflow::alignFromFilm(room, 0, *room.frameCount() - 1, *tracker, sitting.setup(head.scalp),
                                      context.monitor);
     }));
-  addTurned(sitting, {{"dots", dense}, {"sparse dots", sparse}, {"plain", plain}}, runs);
-  addRefusals(sitting, dense, other, runs);
+  if (tries != AlignTries::right) {
+    addTurned(sitting, ways, runs);
+    addRefusals(sitting, dense, other, runs);
+  }
   return runs;
 }
 

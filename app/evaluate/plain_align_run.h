@@ -15,11 +15,15 @@
 
 namespace facenav::app {
 
+/// What is tried: everything, or only what must succeed.
+enum class AlignTries { all, right };
+
 /// `names`: scenario, head, rig and seed, copied into each record. `other`: a scan of another person, if
 /// there is one. Refusals are recorded; only Cancelled is thrown.
 std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::ScenarioOptions& options,
                                                  const EvaluationHead& head,
                                                  const surface::ScalpSurface* other, const Methods& methods,
-                                                 const evaluation::RunRecord& names);
+                                                 const evaluation::RunRecord& names,
+                                                 AlignTries tries = AlignTries::all);
 
 }  // namespace facenav::app

@@ -126,7 +126,8 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
   csv.precision(6);
   csv << "scenario,head,rig,seed,failure";
   for (const auto& [name, ignored] : figuresOf(RunRecord{})) csv << ',' << name;
-  csv << ",from,must_be_refused,right_turn_deg,right_turn_sigma_deg,camera_noticed_deg\n";
+  csv << ",from,must_be_refused,right_turn_deg,right_turn_sigma_deg,camera_noticed_deg,coil_on_target_mm,"
+         "coil_on_target_bound95_mm,coil_withheld\n";
   for (const RunRecord& run : runs) {
     const std::string failure = run.failure.empty() && run.alignment ? run.alignment->refusal : run.failure;
     csv << quotedIfNeeded(run.scenario) << ',' << quoted(run.head) << ',' << quoted(run.rig) << ','
@@ -142,6 +143,12 @@ std::string runsCsv(const std::vector<RunRecord>& runs) {
       csv << ',';
     csv << ',';
     if (const auto noticed = cameraNoticedAt(run)) csv << run.frames[*noticed].truth.camera_turn_deg;
+    csv << ',';
+    if (run.alignment && run.alignment->coil_mm)
+      csv << *run.alignment->coil_mm << ',' << run.alignment->coil_bound95_mm << ','
+          << (run.alignment->is_coil_withheld ? "1" : "");
+    else
+      csv << ",,";
     csv << '\n';
   }
   return csv.str();

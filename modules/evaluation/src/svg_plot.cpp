@@ -43,7 +43,7 @@ Axis niceAxis(Range range) {
   return {std::floor(range.low / step + 1e-9) * step, std::ceil(range.high / step - 1e-9) * step, step};
 }
 
-std::string escaped(const std::string& text) {
+std::string svgEscaped(const std::string& text) {
   std::string out;
   for (char c : text) {
     if (c == '&')
@@ -114,7 +114,7 @@ double drawLegend(std::ostream& svg, const std::vector<Curve>& curves,
     if (x > kLeft + 10 && x + width > kWidth - kRight) x = kLeft + 10, y += kRow;
     svg << "<line x1='" << x << "' x2='" << x + 22 << "' y1='" << y << "' y2='" << y << "' stroke='"
         << colours[i] << "' stroke-width='3'" << (curves[i].is_reference ? " stroke-dasharray='6 5'" : "")
-        << "/><text x='" << x + 27 << "' y='" << y + 4 << "'>" << escaped(curves[i].name) << "</text>";
+        << "/><text x='" << x + 27 << "' y='" << y + 4 << "'>" << svgEscaped(curves[i].name) << "</text>";
     x += width;
   }
   return y + kTop - kFirst;
@@ -136,14 +136,14 @@ std::string svgPlot(const PlotText& text, const std::vector<Curve>& curves) {
   svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kWidth << ' ' << kHeight
       << "' font-family='sans-serif' font-size='12' fill='#222'><rect width='100%' height='100%' "
          "fill='white'/>";
-  svg << "<text x='" << kWidth / 2 << "' y='18' text-anchor='middle' font-size='15'>" << escaped(text.title)
-      << "</text>";
+  svg << "<text x='" << kWidth / 2 << "' y='18' text-anchor='middle' font-size='15'>"
+      << svgEscaped(text.title) << "</text>";
   canvas.drawGrid(svg);
   for (std::size_t i = 0; i < curves.size(); ++i) canvas.drawCurve(svg, curves[i], colours[i]);
   svg << legend.str();
   svg << "<text x='" << kWidth / 2 << "' y='" << kHeight - 12 << "' text-anchor='middle'>"
-      << escaped(text.x_label) << "</text><text transform='translate(18 " << kHeight / 2
-      << ") rotate(-90)' text-anchor='middle'>" << escaped(text.y_label) << "</text></svg>\n";
+      << svgEscaped(text.x_label) << "</text><text transform='translate(18 " << kHeight / 2
+      << ") rotate(-90)' text-anchor='middle'>" << svgEscaped(text.y_label) << "</text></svg>\n";
   return svg.str();
 }
 

@@ -21,7 +21,7 @@ constexpr double kLeastWave_mm = 70, kMostWave_mm = 160;  // of the bending
 constexpr double kMostValue = 255, kMostAir = 15;         // of any contrast
 constexpr double kLeastSpread = 3, kMostSpread = 25;
 // Stand in for labels without statistics: cortex inside the skull, soft tissue outside.
-constexpr int kLikeInside = 3, kLikeOutside = 509, kOutsideSkull = 500;
+constexpr int kLikeInside = 3, kLikeOutside = 509, kOutsideOfSkull = 500;
 
 double between(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -109,7 +109,7 @@ std::vector<Paint> drawPaints(const std::map<int, LabelStatistics>& statistics, 
   for (int label = 0; label < int(paints.size()); ++label) {
     auto known = statistics.find(label);
     if (known == statistics.end())
-      known = statistics.find(label < kOutsideSkull ? kLikeInside : kLikeOutside);
+      known = statistics.find(label < kOutsideOfSkull ? kLikeInside : kLikeOutside);
     if (known == statistics.end()) known = air;
     paints[label] = by_class[known->second.tissue_class];
   }

@@ -142,6 +142,14 @@ cameras::StereoFrame SyntheticSource::captureWith(std::optional<stereo::DotPatte
   return all.stage.photograph(0, 0.0, seed + (dots ? 0 : 1));
 }
 
+cameras::StereoFrame SyntheticSource::captureWithCoil() {
+  auto& all = *implementation_;
+  Cast cast = all.script->capture();
+  cast.room_T_coil = cast.room_T_mri * all.target.reframe<Mri, Coil>();
+  all.stage.set(cast);
+  return all.stage.photograph(0, 0.0, all.options.seed * kFramesPerSeed + 900003);
+}
+
 cameras::StereoFrame SyntheticSource::captureShowing(const cv::Mat& picture) {
   auto& all = *implementation_;
   Cast cast = all.script->capture();

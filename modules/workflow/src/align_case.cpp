@@ -86,6 +86,14 @@ std::optional<capture::CapturePair> storedPair(const casefile::CaseStore& store,
   return readStoredCapture(store.folder(), recording.rig);
 }
 
+/// The coil that the recording, else the case, names; else the one of the default marker.
+coil_tracking::CoilModel coilFor(const casefile::CaseStore& store, const capture::Recording& recording) {
+  for (const auto& folder : {recording.folder, store.folder()})
+    if (!folder.empty() && std::filesystem::exists(folder / "coil.json"))
+      return coil_tracking::readCoil(folder / "coil.json");
+  return coil_tracking::defaultCoil();
+}
+
 double worstBound_mm(const AlignmentOutcome& outcome) {
   double worst = 0;
   for (const auto& [ignored, bound_mm] : outcome.predicted_tre_p95_mm) worst = std::max(worst, bound_mm);
@@ -147,7 +155,17 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   const auto aligner = methods.aligners.create(order.aligner);
   const auto scalp = store.scalp();
   const auto targets = store.targets().targets;
-  const AlignmentSetup setup{scalp, *aligner, *detector, targets, store.scalpField(), order.matcher};
+  std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;  // a program may have none
+  if (!methods.coil_trackers.entries().empty())
+    coil_tracker = methods.coil_trackers.create(methods.coil_trackers.defaultName());
+  const AlignmentSetup setup{scalp,
+                             *aligner,
+                             *detector,
+                             targets,
+                             store.scalpField(),
+                             order.matcher,
+                             coilFor(store, recording),
+                             coil_tracker.get()};
   if (order.from) requirePictures(recording, *order.from);
   const auto ways = order.from ? std::vector{*order.from} : waysOf(recording, order.may_lack_dots);
   std::optional<Aligned> best;

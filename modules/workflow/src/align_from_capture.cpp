@@ -12,6 +12,7 @@
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
+#include "known_lengths.h"
 #include "plain_skin.h"
 
 namespace facenav::workflow {
@@ -46,12 +47,14 @@ std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoR
 }
 
 /// What is known of the face before it is fitted.
-registration::AlignmentStart startOf(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
+registration::AlignmentStart startOf(const cameras::StereoRig& rig, const std::optional<LengthSeen>& marker,
+                                     const AlignmentOutcome& outcome) {
   registration::AlignmentStart start = outcome.landmarks.start;
   const FaceError error = faceErrorOf(rig, outcome.face);
   start.shared_depth_sigma_mm = error.whole_mm;
   start.sight = error.sight;
   start.right = turnableRight(rig, outcome.face, outcome.has_dense_dots);
+  if (marker && start.right) start.known_turn = turnBy(*marker, *start.right);
   return start;
 }
 
@@ -101,7 +104,11 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
          AlignmentOutcome& outcome) {
   requireUnmovedCameras(rig, measured, plain, outcome.face);
   outcome.scalp = field.get();
-  outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, outcome), monitor);
+  std::optional<LengthSeen> marker;
+  if (setup.coil_tracker) marker = markerLength(rig, plain, setup.coil, *setup.coil_tracker);
+  outcome.is_marker_seen = marker.has_value();
+  outcome.result =
+      setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, marker, outcome), monitor);
 }
 
 /// What follows from a fit that stands.
@@ -116,7 +123,8 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
     const double skin_mm = surface::skinDoubtUnder_mm(setup.scalp, target.scalp_point);
     outcome.predicted_tre_mm[target.name] = outcome.predictedError_mm(target);
     outcome.predicted_tre_p95_mm[target.name] =
-        std::hypot(outcome.result.errorBound_mm(target.cortex_point), kBound * skin_mm);
+        std::hypot(outcome.result.coilErrorBound_mm(target.cortex_point, markerAt(target, setup.coil)),
+                   kBound * skin_mm);
     if (skin_mm > kUnsure_mm)
       outcome.result.cautions.push_back(formatted(
           "the skin at %s is unsure by %.1f mm (pads or haze in the scan): check the coil's gap there",
@@ -134,6 +142,17 @@ std::optional<AlignedFrom> alignedFrom(const std::string& name) {
   for (const AlignedFrom from : {AlignedFrom::dots, AlignedFrom::plain, AlignedFrom::film})
     if (name == nameOf(from)) return from;
   return std::nullopt;
+}
+
+std::vector<Point<Mri>> markerAt(const guidance::Target& target, const coil_tracking::CoilModel& coil) {
+  const auto& marker = coil.markers.front();
+  const double half_mm = 0.5 * marker.size_mm;
+  std::vector<Point<Mri>> corners;
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    const Point<Coil> at = marker.coil_T_marker * Point<Marker>(x * half_mm, y * half_mm, 0.0);
+    corners.emplace_back(target.mri_T_target * Point<frames::Target>(at.mm));
+  }
+  return corners;
 }
 
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp) {

@@ -192,10 +192,20 @@ TEST(GoalLimits, EachWayToAlignIsJudgedByItself) {
   EXPECT_EQ(verdict(runs, "alignment at the cortical target, from dots"), Verdict::met);
   EXPECT_EQ(verdict(runs, "alignment at the cortical target, from plain"), Verdict::missed);
   EXPECT_EQ(verdict(runs, "alignment at the cortical target, development"), Verdict::not_measured);
-  EXPECT_EQ(verdict(runs, "alignment from dots: true error"), Verdict::met);
-  EXPECT_EQ(verdict(runs, "alignment from plain: true error"), Verdict::missed);
-  EXPECT_EQ(verdict(runs, "alignment from film: true error"), Verdict::missed);
-  EXPECT_EQ(verdict(runs, "alignment from sparse dots: true error"), Verdict::not_measured);
+  EXPECT_EQ(verdict(runs, "coil on the target, alignment from dots"), Verdict::met);
+  EXPECT_EQ(verdict(runs, "coil on the target, alignment from plain"), Verdict::missed);
+  EXPECT_EQ(verdict(runs, "coil on the target, alignment from film"), Verdict::missed);
+  EXPECT_EQ(verdict(runs, "coil on the target, alignment from sparse dots"), Verdict::not_measured);
+}
+
+TEST(GoalLimits, TheCoilOnTheTargetIsJudgedByItsOwnErrorAndBound) {
+  RunRecord run = aligned(6.0);  // a camera that turned moved head and coil alike
+  run.scenario = "plain_align", run.from = "dots: turned sideways by 0.10 deg";
+  run.alignment->bound95_mm = 5.0;
+  run.alignment->coil_mm = 0.9, run.alignment->coil_bound95_mm = 1.0;
+  EXPECT_EQ(verdict({run}, "coil on the target, a camera turned sideways"), Verdict::met);
+  run.alignment->coil_mm = 1.1;
+  EXPECT_EQ(verdict({run}, "coil on the target, a camera turned sideways"), Verdict::missed);
 }
 
 TEST(GoalLimits, WhatMustBeRefusedIsNoErrorWhenRefusedAndOneWhenAccepted) {

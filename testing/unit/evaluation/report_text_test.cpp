@@ -75,7 +75,7 @@ TEST(RunsCsv, ReadsBackTheFiguresThatWereMeasured) {
   run.frames[2].head_motion = made::shifted(0.25);
   const auto rows = parsed(runsCsv({run}));
   const auto figures = figuresOf(run);
-  ASSERT_EQ(rows[1].size(), figures.size() + 10);
+  ASSERT_EQ(rows[1].size(), figures.size() + 13);
   EXPECT_EQ(rows[1][3], "77");
   EXPECT_EQ(rows[0][figures.size() + 5], "from");
   EXPECT_EQ(rows[1][figures.size() + 5], "sparse dots");

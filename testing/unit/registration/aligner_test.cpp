@@ -3,6 +3,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
+#include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "support/model_head.h"
 
@@ -202,6 +203,54 @@ TEST(SurfaceAligner, FindsHowFarTheRightCameraTurnedAndRefusesIt) {
                   ThrowsMessage<Error>(HasSubstr("turned sideways")))
           << deg;
   }
+}
+
+/// The square of a coil on kTarget, as a right camera that turned by `deg` measures it, against the head as
+/// it is shown: how far the target under the coil is off.
+double coilOff_mm(const AlignmentResult& shown, const RigidTransform<Camera, Mri>& truth,
+                  const std::vector<Point<Mri>>& marker, double deg) {
+  PointCloud<Camera> corners;
+  std::vector<Eigen::Vector3d> print_mm;
+  for (const auto& corner : marker)
+    print_mm.push_back(corner.mm), corners.points_mm.push_back((truth * corner).mm);
+  const Eigen::Isometry3d seen = fitRigidPoints(print_mm, turned(corners, deg).points_mm).to_T_from;
+  return (shown.camera_T_mri.isometry().inverse() * seen * kTarget.mm - kTarget.mm).norm();
+}
+
+TEST(SurfaceAligner, ACameraThatTurnedBeforeMovesHeadAndCoilAlike) {
+  AlignmentStart start;
+  start.right = kRight;
+  const auto truth = facing(8, 4, 0);
+  const std::vector<Point<Mri>> marker{{-80, 30, 110}, {-80, 30, 170}, {-20, 30, 170}, {-20, 30, 110}};
+  const auto cloud = measure(ModelHead(), truth, {.seed = 1});
+  const double sigma_deg = kDegPerRad * align(patientsField(), cloud, start).right_turn->sigma_rad;
+  for (const double deg : {-1.5 * sigma_deg, 0.0, 1.5 * sigma_deg}) {
+    const auto shown = align(patientsField(), turned(cloud, deg), start);
+    const double coil_mm = coilOff_mm(shown, truth, marker, deg),
+                 bound_mm = shown.coilErrorBound_mm(kTarget, marker);
+    EXPECT_LT(coil_mm, bound_mm) << deg;
+    EXPECT_LT(bound_mm, 0.5 * shown.errorBound_mm(kTarget)) << "no use if it says too much";
+    if (deg == 0.0) continue;
+    const double place_mm = ((shown.camera_T_mri * kTarget).mm - (truth * kTarget).mm).norm();
+    EXPECT_LT(coil_mm, 0.4 * place_mm) << deg;
+    EXPECT_LT(place_mm, shown.errorBound_mm(kTarget)) << deg;
+  }
+}
+
+TEST(SurfaceAligner, ATurnKnownOtherwiseNarrowsTheBoundOrContradictsTheFace) {
+  AlignmentStart start;
+  start.right = kRight;
+  const auto truth = facing(8, 4, 0);
+  const auto cloud = measure(ModelHead(), truth, {.seed = 1});
+  const auto alone = align(patientsField(), cloud, start);
+  start.known_turn = CameraTurn{0.0, 0.3 * alone.right_turn->sigma_rad};
+  const auto both = align(patientsField(), cloud, start);
+  EXPECT_LT(both.right_turn->sigma_rad, start.known_turn->sigma_rad);
+  EXPECT_LT(both.errorBound_mm(kTarget), 0.5 * alone.errorBound_mm(kTarget));
+  EXPECT_LT(((both.camera_T_mri * kTarget).mm - (truth * kTarget).mm).norm(), both.errorBound_mm(kTarget));
+  start.known_turn->rad = 0.2 * kRadPerDeg;
+  EXPECT_THAT([&] { align(patientsField(), cloud, start); },
+              ThrowsMessage<Error>(HasSubstr("turned sideways")));
 }
 
 TEST(SurfaceAligner, DepthThatAllPointsShareWidensTheBoundAlongTheView) {

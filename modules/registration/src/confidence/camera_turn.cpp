@@ -19,6 +19,12 @@ constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate per true tur
 constexpr double kScan_rad = 0.03 * kRadPerDeg;
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 
+/// The mean of two measurements, each with its weight.
+CameraTurn fused(const CameraTurn& a, const CameraTurn& b) {
+  const double of_a = 1.0 / (a.sigma_rad * a.sigma_rad), of_b = 1.0 / (b.sigma_rad * b.sigma_rad);
+  return {(of_a * a.rad + of_b * b.rad) / (of_a + of_b), 1.0 / std::sqrt(of_a + of_b)};
+}
+
 /// The fit of the turned cloud, from a pose near it.
 std::optional<FinalFit> fitTurned(const ScalpField& scalp, const PointCloud<Camera>& face,
                                   const AlignmentStart& start, const Eigen::Isometry3d& near) {
@@ -68,7 +74,8 @@ std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<
     slope = std::clamp((left.rad - fit->posterior.turn->rad) / step_rad, kLeastSlope, 1.0);
     left = *fit->posterior.turn;
   }
-  return CameraTurn{at_rad + left.rad, std::hypot(left.sigma_rad, kScan_rad, start.right->sigma_rad)};
+  const CameraTurn by_face{at_rad + left.rad, std::hypot(left.sigma_rad, kScan_rad, start.right->sigma_rad)};
+  return start.known_turn ? fused(by_face, *start.known_turn) : by_face;
 }
 
 }  // namespace facenav::registration

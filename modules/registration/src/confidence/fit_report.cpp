@@ -34,12 +34,17 @@ std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter
 
 /// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at the
 /// image of Mri's origin. There the rotation changes sign, and the shift is that of the origin.
-Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_mm,
-                  const Eigen::Matrix3d& camera_R_mri) {
+Matrix6d intoCamera(const Eigen::Vector3d& pivot_mri_mm, const Eigen::Matrix3d& camera_R_mri) {
   Matrix6d carry = Matrix6d::Zero();
   carry.topLeftCorner<3, 3>() = -camera_R_mri;
   carry.bottomLeftCorner<3, 3>() = -camera_R_mri * skew(pivot_mri_mm);
   carry.bottomRightCorner<3, 3>() = -camera_R_mri;
+  return carry;
+}
+
+Matrix6d inCamera(const Matrix6d& covariance, const Eigen::Vector3d& pivot_mri_mm,
+                  const Eigen::Matrix3d& camera_R_mri) {
+  const Matrix6d carry = intoCamera(pivot_mri_mm, camera_R_mri);
   return carry * covariance * carry.transpose();
 }
 
@@ -73,25 +78,34 @@ Matrix6d bySize(const PosePosterior& posterior, const Eigen::Vector3d& face_mri_
 /// within the 95 % bound.
 constexpr double kDistancePerSize = 1.3;
 
-Eigen::Vector3d byTurnedCamera_mm(const PosePosterior& posterior, const std::optional<TurnableCamera>& right,
-                                  const Eigen::Vector3d& face_camera_mm) {
-  if (!posterior.turn || !right) return kDistancePerSize * posterior.scale * face_camera_mm;
-  return std::hypot(posterior.turn->rad, posterior.turn->sigma_rad) * right->displacement(face_camera_mm);
+Vector6d headByTurn(const PosePosterior& posterior, const RigidTransform<Camera, Mri>& camera_T_mri,
+                    const Eigen::Vector3d& pivot_mri_mm, const Eigen::Vector3d& face_camera_mm) {
+  Vector6d motion = Vector6d::Zero();
+  if (!posterior.turn) {
+    motion.tail<3>() = kDistancePerSize * posterior.scale * face_camera_mm;
+    return motion;
+  }
+  // The pose is corrected by -error. At the image of Mri's origin; then about Camera's.
+  motion = -std::hypot(posterior.turn->rad, posterior.turn->sigma_rad) *
+           (intoCamera(pivot_mri_mm, camera_T_mri.rotation()) * posterior.error_by_turn);
+  motion.tail<3>() -= motion.head<3>().cross(camera_T_mri.translation_mm());
+  return motion;
 }
 
 /// Nothing where chance explains the turn, or where little depends on it.
-std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior,
-                                               const Eigen::Vector3d& off_mm) {
+std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior, const Vector6d& head_by_turn,
+                                               const Eigen::Vector3d& face_camera_mm) {
   constexpr double kSaid_mm = 2.0;
-  const double up_to_mm = 2.0 * off_mm.norm();
+  const double up_to_mm =
+      2.0 * (head_by_turn.head<3>().cross(face_camera_mm) + head_by_turn.tail<3>()).norm();
   const bool is_chance = posterior.turn ? std::abs(posterior.turn->rad) < 2.0 * posterior.turn->sigma_rad
                                         : std::abs(posterior.scale) < 2.0 * posterior.scale_sigma;
   if (is_chance || up_to_mm < kSaid_mm) return std::nullopt;
-  return "if a camera turned sideways since the calibration, the head lies up to " + fixed(up_to_mm, 0) +
-         " mm nearer or farther than shown (the cameras measure the face at " +
-         fixed(100.0 * (1.0 + posterior.scale), 1) +
-         " % of the MRI's size): hold the coil's tip to nose and ears and check that the screen shows it "
-         "there";
+  return "a camera may have turned sideways since the calibration (the cameras measure the face at " +
+         fixed(100.0 * (1.0 + posterior.scale), 1) + " % of the MRI's size): then head and coil lie up to " +
+         fixed(up_to_mm, 0) +
+         " mm nearer or farther than shown; check the cameras with the board or the coil's marker "
+         "('facenav rig check')";
 }
 
 }  // namespace
@@ -174,8 +188,9 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   face_mri_mm /= std::max(1, result.points);
   result.covariance += bySize(fit.posterior, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
   const Eigen::Vector3d face_camera_mm = (result.camera_T_mri * Point<Mri>(face_mri_mm)).mm;
-  result.turned_camera_mm = byTurnedCamera_mm(fit.posterior, right, face_camera_mm);
-  if (const auto words = turnedCameraCaution(fit.posterior, result.turned_camera_mm))
+  result.right = right;
+  result.head_by_turn = headByTurn(fit.posterior, result.camera_T_mri, scalp.middle_mm(), face_camera_mm);
+  if (const auto words = turnedCameraCaution(fit.posterior, result.head_by_turn, face_camera_mm))
     result.cautions.push_back(*words);
   result.rms_mm = result.points ? std::sqrt(squares / result.points) : 0.0;
   result.inlier_fraction = offered ? double(result.points) / double(offered) : 0.0;

@@ -335,6 +335,8 @@ PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::
       shapes.front().modes.front());
   posterior.scale = scale, posterior.scale_sigma = std::sqrt(tails * variance);
   if (seen.turn_mm) posterior.turn = turnUnder(shapes, model, tails);
+  posterior.error_by_turn =
+      units().asDiagonal() * (estimator * model.columns.col(LinearModel::kTurn) / kTurn_rad);
   posterior.error = units().asDiagonal() * posterior.error;
   posterior.covariance = units().asDiagonal() * posterior.covariance * units().asDiagonal();
   return posterior;

@@ -34,6 +34,7 @@ struct PosePosterior {
   double scale = 0.0, scale_sigma = 0.0;
   // Turn of the right camera (SeenFrom::turn_mm), in the same way, under the prior on the scan's scale.
   std::optional<CameraTurn> turn;
+  Vector6d error_by_turn = Vector6d::Zero();  // `error` by a turn of the right camera, per rad
 };
 
 /// The camera that the cloud is seen from, and what the cloud is off along its lines of sight.

@@ -61,10 +61,57 @@ Eigen::Vector3d TurnableCamera::displacement(const Eigen::Vector3d& p_camera_mm)
   return ray * (swept.squaredNorm() / swept.dot(ray));
 }
 
+Vector6d motionByTurn(const TurnableCamera& right, const std::vector<Eigen::Vector3d>& points_mm) {
+  if (points_mm.empty()) return Vector6d::Zero();
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const auto& p : points_mm) middle_mm += p / double(points_mm.size());
+  Matrix6d matrix = Matrix6d::Zero();
+  Vector6d by = Vector6d::Zero();
+  for (const auto& p : points_mm) {
+    Eigen::Matrix<double, 3, 6> moves;
+    moves << -skew(p - middle_mm), Eigen::Matrix3d::Identity();
+    matrix += moves.transpose() * moves;
+    by += moves.transpose() * right.displacement(p);
+  }
+  Vector6d motion = solveSymmetric(matrix, by);
+  motion.tail<3>() -= motion.head<3>().cross(middle_mm);  // about Camera's origin
+  return motion;
+}
+
+namespace {
+
+/// Where a motion (left increment) takes the point.
+Eigen::Vector3d shiftOf(const Vector6d& motion, const Eigen::Vector3d& p_mm) {
+  return motion.head<3>().cross(p_mm) + motion.tail<3>();
+}
+
+double boundWith_mm(const AlignmentResult& result, const Eigen::Vector3d& shift_mm, const Point<Mri>& target,
+                    double probability) {
+  PoseUncertainty all = result.uncertainty();
+  all.covariance.bottomRightCorner<3, 3>() += shift_mm * shift_mm.transpose();
+  return all.errorBound_mm(result.camera_T_mri, target, probability);
+}
+
+}  // namespace
+
 double AlignmentResult::errorBound_mm(const Point<Mri>& target, double probability) const {
-  PoseUncertainty all = uncertainty();
-  all.covariance.bottomRightCorner<3, 3>() += turned_camera_mm * turned_camera_mm.transpose();
-  return all.errorBound_mm(camera_T_mri, target, probability);
+  return boundWith_mm(*this, shiftOf(head_by_turn, (camera_T_mri * target).mm), target, probability);
+}
+
+Eigen::Vector3d AlignmentResult::coilByTurn_mm(const Point<Mri>& target,
+                                               const std::vector<Point<Mri>>& marker) const {
+  Vector6d apart = -head_by_turn;
+  if (right && right_turn) {
+    std::vector<Eigen::Vector3d> corners_mm;
+    for (const auto& corner : marker) corners_mm.push_back((camera_T_mri * corner).mm);
+    apart += std::hypot(right_turn->rad, right_turn->sigma_rad) * motionByTurn(*right, corners_mm);
+  }
+  return shiftOf(apart, (camera_T_mri * target).mm);
+}
+
+double AlignmentResult::coilErrorBound_mm(const Point<Mri>& target, const std::vector<Point<Mri>>& marker,
+                                          double probability) const {
+  return boundWith_mm(*this, coilByTurn_mm(target, marker), target, probability);
 }
 
 }  // namespace facenav::registration

@@ -42,6 +42,11 @@ struct AlignmentRecord {
   double rms_mm = 0.0;             // surface residual
   std::optional<double> turn_deg;  // of the right camera, as estimated from the face's size
   double turn_sigma_deg = 0.0;     // its standard error
+  /// A coil held on the target, measured with the same cameras: how far it lies from where it is shown
+  /// against the head, and what is stated of that. Nothing: not tried.
+  std::optional<double> coil_mm;
+  double coil_bound95_mm = 0.0;
+  bool is_coil_withheld = false;  // no pose of it is shown: its marker does not have its size
   double fit_ms = 0.0,
          measure_ms = 0.0;  // processor time of the fit, and of measuring the face before it
 };

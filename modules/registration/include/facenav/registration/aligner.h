@@ -37,6 +37,15 @@ struct TurnableCamera {
   double sigma_rad = 0.0;
 };
 
+/// Turn of the right camera about TurnableCamera::axis since the calibration, rad.
+struct CameraTurn {
+  double rad = 0.0, sigma_rad = 0.0;
+};
+
+/// How a rigid body that holds these points (Camera, mm) seems to move where the right camera turned: left
+/// increment in Camera (rotation, mm about Camera's origin), per rad.
+Vector6d motionByTurn(const TurnableCamera& right, const std::vector<Eigen::Vector3d>& points_mm);
+
 /// What is known before the fit. All of it is optional: nothing is clicked. Directions and points in Camera.
 struct AlignmentStart {
   std::optional<Direction<Camera>> patient_right;     // e.g. from left-eye to right-eye landmarks
@@ -48,6 +57,9 @@ struct AlignmentStart {
   double shared_depth_sigma_mm = 0.0;
   SightError sight;                     // the bound holds it too
   std::optional<TurnableCamera> right;  // empty: how far the right camera turned is not estimated
+  /// The turn as measured without the face (a marker or a board of known size); the fit's own is fused with
+  /// it.
+  std::optional<CameraTurn> known_turn;
 };
 
 /// Size of the live face divided by that of the scan, with its standard error. The standard error says how
@@ -55,12 +67,6 @@ struct AlignmentStart {
 /// it.
 struct FaceScale {
   double value = 1.0, sigma = 0.0;
-};
-
-/// Turn of the right camera about TurnableCamera::axis since the calibration at which the face fits the MRI
-/// best, rad. Its standard error includes errors of the scan's scale and of the skin's shape.
-struct CameraTurn {
-  double rad = 0.0, sigma_rad = 0.0;
 };
 
 struct AlignmentResult {
@@ -74,12 +80,14 @@ struct AlignmentResult {
                                            // the image of Mri's origin
   double freedom = 30.0;   // degrees of freedom of the t distribution that the pose's error has
   double misfit_mm = 0.0;  // size of the smooth misfit of live skin and MRI, estimated from the residuals
-  std::optional<FaceScale> face_scale;   // empty: not estimated
-  std::optional<CameraTurn> right_turn;  // empty: not estimated
-  /// One standard error (mm, Camera) by which the whole head may lie nearer or farther if a camera turned
-  /// sideways since the calibration. The face alone cannot exclude such a turn, but its size limits it; the
-  /// coil's marker excludes it in a session. It is not part of `covariance`.
-  Eigen::Vector3d turned_camera_mm = Eigen::Vector3d::Zero();
+  std::optional<FaceScale> face_scale;  // empty: not estimated
+  /// At which the face fits the MRI best, fused with what is known otherwise. Its standard error includes
+  /// errors of the scan's scale and of the skin's shape. Empty: not estimated.
+  std::optional<CameraTurn> right_turn;
+  std::optional<TurnableCamera> right;  // as given
+  /// How the head seems to move by one standard error of that turn: left increment in Camera (rotation rad
+  /// about Camera's origin, mm). It is not part of `covariance`.
+  Vector6d head_by_turn = Vector6d::Zero();
   std::vector<std::string> cautions;  // plain words: what a clinician must check before trusting the fit
 
   /// Of cameras that stand as they were calibrated.
@@ -88,8 +96,15 @@ struct AlignmentResult {
   /// stand as they were calibrated.
   double predictedError_mm(const Point<Mri>& target) const;
   /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm, also where a
-  /// camera turned sideways.
+  /// camera turned sideways. It is that of the place in Camera.
   double errorBound_mm(const Point<Mri>& target, double probability = 0.95) const;
+  /// The same of a coil that is held at the target and measured with the same cameras: how far it lies from
+  /// where it is shown against the head. A camera that turned before moves head and coil alike; what counts
+  /// is the difference between face and `marker` (the corners of the coil's square, Mri).
+  double coilErrorBound_mm(const Point<Mri>& target, const std::vector<Point<Mri>>& marker,
+                           double probability = 0.95) const;
+  /// Shift (mm, Camera) of that coil against the head at the target, by one standard error of the turn.
+  Eigen::Vector3d coilByTurn_mm(const Point<Mri>& target, const std::vector<Point<Mri>>& marker) const;
 };
 
 class Aligner {

@@ -12,6 +12,7 @@
 
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/error.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/face/face_landmarks.h"
@@ -59,8 +60,10 @@ struct AlignmentOutcome {
   std::vector<registration::RegionFit> regions;  // fit of each part of the face, the worst first
   FaceInSpace landmarks;
   head_tracking::HeadReference
-      reference;  // for the head tracker: plain frame, inlier points with their pixels
-  // Per target: standard error, and the 95th percentile of the error.
+      reference;                // for the head tracker: plain frame, inlier points with their pixels
+  bool is_marker_seen = false;  // the turn of a camera was measured by it too
+  // Per target: standard error, and the 95th percentile of the error, of the coil held there against the
+  // head. A camera that turned before the capture moves both alike.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
 
   AlignedFrom from = AlignedFrom::dots;
@@ -86,7 +89,8 @@ class NotMeasured : public Error {
 
 /// What every alignment needs beside the pictures. `field_file`: where the scalp's distance field is kept
 /// (casefile::CaseStore::scalpField()); it is made there if missing. `matcher`: one of
-/// stereo::denseMatcherNames(), for pictures with dots.
+/// stereo::denseMatcherNames(), for pictures with dots. `coil`: the one that is going to be held at the
+/// targets. `coil_tracker`: looks for its marker in the pictures; empty: nobody looks.
 struct AlignmentSetup {
   const surface::ScalpSurface& scalp;
   const registration::Aligner& aligner;
@@ -94,7 +98,12 @@ struct AlignmentSetup {
   const std::vector<guidance::Target>& targets;
   std::filesystem::path field_file = {};
   std::string matcher = stereo::kDefaultMatcher;
+  coil_tracking::CoilModel coil = coil_tracking::defaultCoil();
+  coil_tracking::CoilTracker* coil_tracker = nullptr;
 };
+
+/// The corners of the coil's first marker while it is held at the target.
+std::vector<Point<Mri>> markerAt(const guidance::Target& target, const coil_tracking::CoilModel& coil);
 
 /// From the capture's pair with dots, or from its plain one. Throws Error: an unknown matcher, a scan without
 /// a face, NotMeasured, or the aligner's own refusal ("not aligned: ..."), unchanged.

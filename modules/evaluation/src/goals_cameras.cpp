@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/number_text.h"
+#include "facenav/evaluation/error_statistics.h"
+#include "goal_parts.h"
+
+namespace facenav::evaluation {
+namespace {
+
+/// Time (s) from a turn of 0.05 deg to the frame that says so; 0: it was said before. Nothing: it was not
+/// said, or the camera did not turn so far.
+std::optional<double> lateBy_s(const RunRecord& run) {
+  constexpr double kSeen_deg = 0.05;
+  const auto noticed = cameraNoticedAt(run);
+  if (!noticed) return std::nullopt;
+  for (const auto& frame : run.frames)
+    if (frame.truth.camera_turn_deg >= kSeen_deg) return std::max(0.0, run.frames[*noticed].t_s - frame.t_s);
+  return std::nullopt;
+}
+
+/// A camera that turns or shifts on its mount during the session.
+GoalRow driftGoal(const std::vector<Measured>& all) {
+  int runs = 0, unnoticed = 0;
+  std::size_t wrong = 0, frames = 0;
+  double late_s = 0.0, turn_deg = 0.0, loss_s = 0.0;
+  for (const auto& one : all) {
+    if (one.run->scenario.rfind("drift", 0) != 0 || one.run->frames.empty()) continue;
+    ++runs, frames += one.run->frames.size();
+    for (const auto& frame : one.frames) wrong += frame.is_head_wrong || frame.is_coil_wrong;
+    loss_s = std::max(loss_s, longestLoss_s(*one.run));
+    late_s = std::max(late_s, lateBy_s(*one.run).value_or(0.0));
+    if (const auto noticed = cameraNoticedAt(*one.run))
+      turn_deg = std::max(turn_deg, one.run->frames[*noticed].truth.camera_turn_deg);
+    else
+      ++unnoticed;
+  }
+  return {
+      "a camera moves on its mount: wrong poses, when noticed",
+      "0 wrong; 0.05 deg noticed within 1 s; no loss > 0.2 s",
+      formatted("%zu wrong; noticed at %.3f deg or before, at most %.2f s after 0.05 deg, not in %d runs; "
+                "longest loss %.2f s",
+                wrong, turn_deg, late_s, unnoticed, loss_s),
+      verdictOf(wrong == 0 && unnoticed == 0 && late_s <= 1.0 && loss_s <= 0.2, runs > 0),
+      basis(runs, frames)};
+}
+
+}  // namespace
+
+void addCameraGoals(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
+  rows.push_back(driftGoal(all));
+}
+
+}  // namespace facenav::evaluation

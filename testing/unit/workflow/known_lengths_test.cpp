@@ -1,0 +1,53 @@
+// What the coil's printed marker, in the capture's still pair, says about a right camera that turned.
+
+#include "known_lengths.h"
+
+#include <gmock/gmock.h>
+
+#include "facenav/geometry/rotation.h"
+#include "support/board_scene.h"
+#include "unit/coil_tracking/tracked_once.h"
+
+namespace facenav::workflow {
+namespace {
+
+namespace scene = coil_tracking::testing;
+
+registration::TurnableCamera rightOf(const cameras::StereoRig& rig, const Eigen::Vector3d& at_mm) {
+  const Eigen::Vector3d centre_mm = rig.right_T_left.isometry().inverse().translation();
+  return {Point<Camera>(centre_mm), Direction<Camera>(at_mm.cross(centre_mm).normalized())};
+}
+
+TEST(KnownLengths, TheMarkerShowsHowFarTheRightCameraTurned) {
+  const cameras::StereoRig calibrated = scene::roomRig();
+  const auto pose = scene::markerPose(600, 20, 30, 10);
+  for (const double deg : {-0.2, 0.0, 0.1}) {
+    const auto real = testing::turnedRight(calibrated, {0, deg * kRadPerDeg, 0});
+    const auto frame = scene::renderMarkers(real, {{scene::id7(), 60, pose}}, {});
+    const auto tracker = coil_tracking::makeMarkerCoilTracker();
+    const auto length = markerLength(calibrated, frame, coil_tracking::defaultCoil(), *tracker);
+    ASSERT_TRUE(length) << deg;
+    const auto turn = turnBy(*length, rightOf(calibrated, length->at.mm));
+    EXPECT_LT(kDegPerRad * turn.sigma_rad, 0.05);
+    EXPECT_NEAR(kDegPerRad * turn.rad, deg, 2.0 * kDegPerRad * turn.sigma_rad) << deg;
+  }
+}
+
+TEST(KnownLengths, NoMarkerSaysNothing) {
+  const cameras::StereoRig rig = scene::roomRig();
+  const auto frame = scene::renderMarkers(rig, {}, {});
+  const auto tracker = coil_tracking::makeMarkerCoilTracker();
+  EXPECT_FALSE(markerLength(rig, frame, coil_tracking::defaultCoil(), *tracker));
+}
+
+TEST(KnownLengths, ATurnOfTheWholeRayChangesTheLengthAsItChangesTheDistance) {
+  const Eigen::Vector3d at_mm(20, -10, 600);
+  const cameras::StereoRig rig = scene::roomRig();
+  const auto right = rightOf(rig, at_mm);
+  const double rad = 0.001, nearer = 1.0 + rad * right.displacement(at_mm).dot(at_mm) / at_mm.squaredNorm();
+  const auto turn = turnBy({Point<Camera>(at_mm), nearer, 0.001}, right);
+  EXPECT_NEAR(turn.rad, rad, 1e-9);
+}
+
+}  // namespace
+}  // namespace facenav::workflow
