@@ -143,11 +143,22 @@ struct SharedFlags {
   CLI::App& verb;
   template <class Value>
   void operator()(const Field& field, Value& value) {
-    static const std::set<std::string> shared{
-        "noise_grey",      "gamma",         "blur_px",   "exposure",   "frames_per_s", "head_distance_mm",
-        "jpeg_quality",    "gloss",         "haze_grey", "right_gain", "right_gamma",  "blinks",
-        "hair_sway_mm",    "skin_contrast", "bayer",     "grey_red",   "grey_blue",    "right_grey_red",
-        "right_grey_blue", "rig",           "drift_deg", "drift_mm",   "drift_about"};
+    static const std::set<std::string> shared{"noise_grey",      "gamma",
+                                              "blur_px",         "exposure",
+                                              "frames_per_s",    "head_distance_mm",
+                                              "jpeg_quality",    "gloss",
+                                              "haze_grey",       "right_gain",
+                                              "right_gamma",     "blinks",
+                                              "hair_sway_mm",    "skin_contrast",
+                                              "bayer",           "grey_red",
+                                              "grey_blue",       "right_grey_red",
+                                              "right_grey_blue", "rig",
+                                              "drift_deg",       "drift_mm",
+                                              "drift_about",     "rolling_ms",
+                                              "exposure_ms",     "exposure_step",
+                                              "refocus_px",      "clock_ppm",
+                                              "dropped",         "doubled",
+                                              "right_late_ms",   "right_time_stamps"};
     if (shared.count(field.name)) FlagVisitor{verb}(field, value);
   }
 };

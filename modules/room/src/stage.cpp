@@ -7,6 +7,7 @@
 #include "optics/shapes.h"
 #include "patient/face_mask.h"
 #include "patient/face_shape.h"
+#include "patient/glasses.h"
 #include "patient/head_look.h"
 #include "patient/loose_hair.h"
 #include "patient/skin_mesh.h"
@@ -53,9 +54,9 @@ bool Cast::operator==(const Cast& other) const {
          isSame(room_T_hand, other.room_T_hand) && lamp_scale == other.lamp_scale &&
          ambient_scale == other.ambient_scale && lamp_shift_mm == other.lamp_shift_mm && dots == other.dots &&
          shown.data == other.shown.data && wetness == other.wetness && gloss == other.gloss &&
-         has_mask == other.has_mask && stranger == other.stranger && jaw_mm == other.jaw_mm &&
-         lids == other.lids && expression == other.expression && hair == other.hair &&
-         right_moved.matrix() == other.right_moved.matrix();
+         has_mask == other.has_mask && has_glasses == other.has_glasses && stranger == other.stranger &&
+         jaw_mm == other.jaw_mm && lids == other.lids && expression == other.expression &&
+         hair == other.hair && right_moved.matrix() == other.right_moved.matrix();
 }
 
 struct Stage::Implementation {
@@ -68,7 +69,8 @@ struct Stage::Implementation {
   std::array<FilmOptions, 2> films;  // left, right
   RayScene scene;
   std::vector<std::shared_ptr<const Look>> looks;
-  int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1;
+  int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1, glasses = -1;
+  double light_taken = 1.0, defocus_px = 0.0;
   struct Locks {
     std::unique_ptr<LooseHair> hair;  // created when hair is loose for the first time
     int object = -1;                  // -1: no locks
@@ -114,6 +116,23 @@ struct Stage::Implementation {
 
   Eigen::Vector3d inCamera(const Eigen::Vector3d& p_room_mm) const {
     return camera_T_room.isometry() * p_room_mm;
+  }
+
+  void placeGlasses(const Cast& cast) {
+    if (cast.has_glasses && glasses < 0) {
+      const auto frame = glassesFrame(*patient);
+      if (!frame.triangles.empty()) glasses = add(frame, makePlainLook(0.06f, 0.02f));
+    }
+    if (glasses < 0) return;
+    scene.setShown(glasses, cast.has_glasses && cast.stranger == 0);
+    scene.setPose(glasses, (camera_T_room * cast.room_T_mri).isometry());
+  }
+
+  FilmOptions filmOf(std::size_t camera) const {
+    FilmOptions film = films[camera];
+    film.exposure *= light_taken;
+    film.blur_px = std::hypot(film.blur_px, defocus_px);
+    return film;
   }
 
   void placeMask(const Cast& cast) {
@@ -212,6 +231,7 @@ void Stage::set(const Cast& cast) {
     all.scene.setVertices(all.head, all.face.vertices_mm(), all.face.normals());
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
   all.placeMask(cast);
+  all.placeGlasses(cast);
   all.placeStranger(cast);
   all.placeLocks(*all.patient, 0, cast.stranger == 0, cast, all.locks);
   all.scene.setShown(all.coil_body, cast.room_T_coil.has_value());
@@ -238,10 +258,36 @@ const View& Stage::view(std::size_t camera) const {
 
 cv::Mat Stage::picture(std::size_t camera, std::uint64_t noise_seed, bool is_open) const {
   const auto& all = *implementation_;
-  const FilmOptions& film = all.films[camera];
+  const FilmOptions film = all.filmOf(camera);
   if (is_open) return develop(view(camera).radiance, film, 2 * noise_seed + camera, view(camera).red);
   const cv::Mat dark = cv::Mat::zeros(all.rig.height_px, all.rig.width_px, CV_32F);
   return develop(dark, film, 2 * noise_seed + camera, all.lighting.has_colour ? dark : cv::Mat());
+}
+
+void Stage::adjust(double light, double defocus_px) {
+  implementation_->light_taken = light, implementation_->defocus_px = defocus_px;
+}
+
+cv::Mat Stage::sweptPicture(std::size_t camera, std::uint64_t noise_seed, const Shutter& shutter,
+                            const std::function<Cast(double later_s)>& at) {
+  // At 100 mm/s and 20 ms of sweep a band moves by 0.2 mm against the next one, in 10 ms of exposure a
+  // sample by 0.3 mm.
+  constexpr int kBands = 10, kSamples = 3;
+  auto& all = *implementation_;
+  const int bands = shutter.rolling_s == 0.0 ? 1 : kBands, samples = shutter.exposure_s == 0.0 ? 1 : kSamples;
+  cv::Mat radiance = cv::Mat::zeros(all.rig.height_px, all.rig.width_px, CV_32F), red;
+  if (all.lighting.has_colour) red = radiance.clone();
+  for (int band = 0; band < bands; ++band) {
+    const cv::Range rows(band * all.rig.height_px / bands, (band + 1) * all.rig.height_px / bands);
+    const double swept_s = ((band + 0.5) / bands - 0.5) * shutter.rolling_s;
+    for (int sample = 0; sample < samples; ++sample) {
+      set(at(swept_s + ((sample + 0.5) / samples - 0.5) * shutter.exposure_s));
+      const View view = all.renderers[camera].render(all.scene, all.looks, all.lighting, rows);
+      radiance.rowRange(rows) += view.radiance.rowRange(rows) / samples;
+      if (!red.empty()) red.rowRange(rows) += view.red.rowRange(rows) / samples;
+    }
+  }
+  return develop(radiance, all.filmOf(camera), 2 * noise_seed + camera, red);
 }
 
 cameras::StereoFrame Stage::photograph(std::int64_t number, double time_s, std::uint64_t noise_seed) const {

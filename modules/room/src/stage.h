@@ -3,6 +3,7 @@
 // with its truth.
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -20,6 +21,13 @@
 
 namespace facenav::room {
 
+/// How a camera without a global shutter takes a picture: row by row, each over its exposure.
+struct Shutter {
+  double rolling_s = 0.0;   // from the first row to the last
+  double exposure_s = 0.0;  // of each row
+  bool isInstant() const { return rolling_s == 0.0 && exposure_s == 0.0; }
+};
+
 /// One moment in the room.
 struct Cast {
   RigidTransform<Room, Mri> room_T_mri;
@@ -33,6 +41,7 @@ struct Cast {
   double wetness = 0.0;             // of the skin: 1: small hard highlights
   double gloss = 0.0;               // sheen of the skin, different in each camera: 1: shiny
   bool has_mask = false;            // surgical mask over nose and mouth
+  bool has_glasses = false;         // a dark frame before the eyes, without glint
   std::uint64_t stranger = 0;       // number of another person who replaces the patient; 0: the patient
   double jaw_mm = 0.0, lids = 0.0;  // how far the chin is lowered; 0 eyes open .. 1 closed
   Expression expression;            // of the person present
@@ -56,6 +65,12 @@ class Stage {
   const View& view(std::size_t camera) const;
   /// The image of one camera. A closed shutter gives black with noise.
   cv::Mat picture(std::size_t camera, std::uint64_t noise_seed, bool is_open = true) const;
+  /// The same with this shutter. `at`: the cast so many seconds after the picture's middle row is half
+  /// exposed. The last cast stays set.
+  cv::Mat sweptPicture(std::size_t camera, std::uint64_t noise_seed, const Shutter& shutter,
+                       const std::function<Cast(double later_s)>& at);
+  /// Of both films from now on: light that they take, and blur (px) beside the lens's own.
+  void adjust(double light, double defocus_px);
   cameras::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed) const;
   /// Share of the face's skin that both cameras see, 0..1.
   double faceVisibleFraction() const;

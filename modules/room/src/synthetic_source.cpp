@@ -5,6 +5,7 @@
 
 #include "props/coil_mount.h"
 #include "script/script.h"
+#include "sensor_faults.h"
 #include "stage.h"
 
 namespace facenav::room {
@@ -70,18 +71,37 @@ struct SyntheticSource::Implementation {
     const std::uint64_t seed = options.seed * kFramesPerSeed + std::uint64_t(number);
     const bool is_black = fault == CameraFault::black_both;
     cameras::StereoFrame frame;
-    frame.left = stage.picture(0, seed, !is_black && fault != CameraFault::black_left);
-    if (isRightApart(moment)) {
-      const double late = 1e-3 * options.right_late_ms * options.frames_per_s - moment.right_behind;
-      stage.set(script->at(double(number) + late).cast);
-    }
-    frame.right = stage.picture(1, seed, !is_black);
+    stage.adjust(lightTaken(options, double(number)),
+                 defocus_px(options, double(number), script->frameCount()));
+    const double late = rightLate_s(options, double(number)) * options.frames_per_s - moment.right_behind;
+    frame.left = picture(0, seed, 0.0, !is_black && fault != CameraFault::black_left);
+    frame.right = picture(1, seed, late, !is_black);
+    stage.set(moment.cast);  // depth() belongs to the left camera's moment
+    if (options.right_time_stamps) frame.right_late_s = rightLate_s(options, double(number));
     if (fault == CameraFault::swapped) std::swap(frame.left, frame.right);
     return frame;
   }
 
-  bool isRightApart(const Moment& moment) const {
-    return options.right_late_ms != 0.0 || moment.right_behind != 0.0;
+  /// `late`: frames after the left camera's moment.
+  cv::Mat picture(std::size_t camera, std::uint64_t seed, double late, bool is_open) {
+    const Shutter shutter{1e-3 * options.rolling_ms, 1e-3 * options.exposure_ms};
+    const double when = double(number) + late;
+    if (is_open && !shutter.isInstant())
+      return stage.sweptPicture(camera, seed, shutter, [&](double later_s) {
+        return script->at(std::max(0.0, when + later_s * options.frames_per_s)).cast;
+      });
+    if (late != 0.0) stage.set(script->at(when).cast);
+    return stage.picture(camera, seed, is_open);
+  }
+
+  /// The last pair once more, as if it were new; the truth is still that of its pictures.
+  std::shared_ptr<const cameras::StereoFrame> lastAgain() {
+    auto frame = std::make_shared<cameras::StereoFrame>(last);
+    frame->left = last.left.clone(), frame->right = last.right.clone();
+    frame->number = truth.frame = number;
+    frame->captured = Timestamp{double(number) / options.frames_per_s};
+    ++number;
+    return frame;
   }
 
   GroundTruth truthOf(const Moment& moment) const {
@@ -116,15 +136,16 @@ const cameras::StereoRig& SyntheticSource::rig() const { return implementation_-
 
 std::shared_ptr<const cameras::StereoFrame> SyntheticSource::next() {
   auto& all = *implementation_;
+  while (all.number + 1 < all.script->frameCount() && isDropped(all.options, all.number)) ++all.number;
   if (all.number >= all.script->frameCount()) return nullptr;
+  if (isDoubled(all.options, all.number)) return all.lastAgain();
   const Moment moment = all.script->at(int(all.number));
   all.stage.set(moment.cast);
   all.truth = all.truthOf(moment);
   auto frame = all.photograph(moment);
-  if (all.isRightApart(moment)) all.stage.set(moment.cast);  // depth() belongs to the left camera's moment
   frame.number = all.number;
   frame.captured = Timestamp{double(all.number) / all.options.frames_per_s + moment.later_s};
-  all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured};
+  all.last = {frame.left.clone(), frame.right.clone(), frame.number, frame.captured, frame.right_late_s};
   ++all.number;
   return std::make_shared<const cameras::StereoFrame>(std::move(frame));
 }

@@ -111,9 +111,27 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
       setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, marker, outcome), monitor);
 }
 
+/// Where nothing excludes a camera that turned: what it could cost, and what to do.
+std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const AlignmentOutcome& outcome) {
+  constexpr double kSaid_mm = 2.0, kBound = 1.96;
+  double most_mm = 0;
+  for (const auto& target : setup.targets)
+    most_mm = std::max(
+        most_mm,
+        kBound * outcome.result.coilByTurn_mm(target.cortex_point, markerAt(target, setup.coil)).norm());
+  if (outcome.is_marker_seen || !outcome.result.right_turn || most_mm < kSaid_mm) return std::nullopt;
+  return formatted(
+      "nothing excludes that a camera turned sideways since the calibration: then the coil lies up to %.1f "
+      "mm "
+      "from where it is shown. Hold the coil still beside the face, its marker to both cameras, while the "
+      "picture without dots is taken, and align again",
+      most_mm);
+}
+
 /// What follows from a fit that stands.
 void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, AlignmentOutcome& outcome) {
   if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
+  if (const auto words = unmeasuredTurn(setup, outcome)) outcome.result.cautions.push_back(*words);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(plain, outcome.face, outcome.result);
   outcome.skin = std::make_shared<const surface::ScalpSurface>(setup.scalp);

@@ -101,5 +101,33 @@ TEST(OffsetFilter, AnOffsetThatJumpsIsFoundAgain) {
   EXPECT_NEAR(1e3 * filter.late_s(), -12.0, 1.5);
 }
 
+TEST(OffsetFilter, ADelayThatTheDriversStateIsBelievedFromTheFirstFrame) {
+  OffsetFilter filter;
+  EXPECT_EQ(filter.late_s(), 0.0);
+  filter.state(0.009);
+  EXPECT_NEAR(1e3 * filter.late_s(), 9.0, 0.5);
+  EXPECT_LT(1e3 * filter.sigma_s(), 3.0);
+  OffsetFilter in_step;
+  in_step.state(0.001);
+  EXPECT_EQ(in_step.late_s(), 0.0) << "within the error of the stamps nothing is corrected";
+}
+
+TEST(OffsetFilter, FollowsClocksThatDriftAndNotTheJitterOfTheirStamps) {
+  OffsetFilter filter;
+  for (int i = 0; i < 600; ++i) filter.state(0.009 + 1e-5 * i + (i % 2 ? 1e-3 : -1e-3));
+  EXPECT_NEAR(1e3 * filter.late_s(), 15.0, 0.5);
+}
+
+TEST(OffsetFilter, DriversThatTheMovingHeadContradictsAreNoLongerBelieved) {
+  MovingFace face;
+  OffsetFilter filter;
+  for (int i = 0; i < 240; ++i) {
+    filter.state(0.016);
+    const Vector6d velocity = nodding(i), allowed = filter.late_s() * velocity;
+    filter.add(face.level(), face.fit(velocity, -0.004, allowed), velocity, allowed, kFrame_s);
+  }
+  EXPECT_NEAR(1e3 * filter.late_s(), -4.0, 1.0);
+}
+
 }  // namespace
 }  // namespace facenav::head_tracking

@@ -180,5 +180,93 @@ TEST(RightCamera, ExposedLateSeesTheHeadLaterAndTheTruthIsTheLefts) {
   }
 }
 
+ScenarioOptions quiet(const char* name, int frames) {
+  ScenarioOptions options = testing::smallScenario(name, frames);
+  options.noise_grey = 0.0, options.jpeg_quality = 0, options.gloss = 0.0;
+  return options;
+}
+
+TEST(RollingShutter, LaterRowsSeeLaterMomentsAndTheMiddleRowSeesTheTruth) {
+  ScenarioOptions options = quiet("free_motion", 12);
+  options.frames_per_s = 10.0;
+  const auto global = testing::playedToEnd(options);
+  options.rolling_ms = 90.0;
+  const auto rolling = testing::playedToEnd(options);
+  ASSERT_EQ(rolling.frames.size(), global.frames.size());
+  double top_by_earlier = 0, bottom_by_later = 0, middle_by_now = 0;
+  for (std::size_t i = 4; i < 11; ++i) {
+    const auto off = [&](std::size_t frame, const cv::Range& rows) {
+      return cv::norm(rolling.frames[i].left.rowRange(rows), global.frames[frame].left.rowRange(rows),
+                      cv::NORM_L1);
+    };
+    const cv::Range top(40, 46), middle(57, 63), bottom(94, 100);  // all of them show the head
+    top_by_earlier += off(i + 1, top) - off(i - 1, top);
+    bottom_by_later += off(i - 1, bottom) - off(i + 1, bottom);
+    middle_by_now += std::min(off(i - 1, middle), off(i + 1, middle)) - off(i, middle);
+  }
+  EXPECT_GT(top_by_earlier, 0.0) << "rows above see what was";
+  EXPECT_GT(bottom_by_later, 0.0) << "rows below see what comes";
+  EXPECT_GT(middle_by_now, 0.0);
+}
+
+TEST(ExposureBlur, AStillSceneIsNotBlurred) {
+  ScenarioOptions options = quiet("still", 1);
+  const auto sharp = testing::playedToEnd(options);
+  options.exposure_ms = 30.0, options.rolling_ms = 20.0;
+  const auto swept = testing::playedToEnd(options);
+  EXPECT_LE(cv::norm(sharp.frames[0].left, swept.frames[0].left, cv::NORM_INF), 1.0);
+  EXPECT_LE(cv::norm(sharp.frames[0].right, swept.frames[0].right, cv::NORM_INF), 1.0);
+}
+
+TEST(AutomaticExposure, GoesUpAndDownByItsStep) {
+  ScenarioOptions options = quiet("still", 60);
+  options.frames_per_s = 30.0, options.exposure_step = 0.3, options.exposure = 0.8;
+  const auto played = testing::playedToEnd(options);
+  const double first = mean(played.frames[0].left), up = mean(played.frames[30].left),
+               down = mean(played.frames[55].left);
+  EXPECT_NEAR(up / first, 1.3, 0.03);
+  EXPECT_NEAR(down / first, 1.0, 0.01);
+}
+
+TEST(LostFocus, BlursTheMiddleOfTheRecordingOnly) {
+  ScenarioOptions options = quiet("still", 13);
+  options.refocus_px = 1.5;
+  const auto detail = [](const cv::Mat& image) {
+    cv::Mat edges;
+    cv::Laplacian(image, edges, CV_32F);
+    return cv::norm(edges, cv::NORM_L2);
+  };
+  const auto played = testing::playedToEnd(options);
+  EXPECT_LT(detail(played.frames[6].left), 0.6 * detail(played.frames[0].left));
+  EXPECT_NEAR(detail(played.frames[12].left), detail(played.frames[0].left), 1e-3);
+}
+
+TEST(LostPairs, AreMissingAndDoubledOnesRepeatTheLastWithItsTruth) {
+  ScenarioOptions options = quiet("free_motion", 60);
+  options.dropped = 0.2, options.doubled = 0.2;
+  const auto played = testing::playedToEnd(options);
+  EXPECT_LT(played.frames.size(), 58u);
+  EXPECT_GT(played.frames.size(), 36u);
+  int doubled = 0;
+  for (std::size_t i = 1; i < played.frames.size(); ++i) {
+    EXPECT_GT(played.frames[i].number, played.frames[i - 1].number);
+    EXPECT_EQ(played.truths[i].frame, played.frames[i].number);
+    if (cv::norm(played.frames[i].left, played.frames[i - 1].left, cv::NORM_INF) > 0) continue;
+    ++doubled;
+    EXPECT_EQ(played.truths[i].camera_T_mri.matrix(), played.truths[i - 1].camera_T_mri.matrix());
+  }
+  EXPECT_GT(doubled, 3);
+}
+
+TEST(DriftingClock, TheDelayGrowsAndTheDriverStatesIt) {
+  ScenarioOptions options = quiet("still", 31);
+  options.frames_per_s = 30.0, options.right_late_ms = 9.0, options.clock_ppm = 1000.0;
+  EXPECT_FALSE(testing::playedToEnd(options).frames[0].right_late_s);
+  options.right_time_stamps = 1;
+  const auto played = testing::playedToEnd(options);
+  EXPECT_NEAR(played.frames.front().right_late_s.value(), 0.009, 1e-9);
+  EXPECT_NEAR(played.frames.back().right_late_s.value(), 0.010, 1e-9);
+}
+
 }  // namespace
 }  // namespace facenav::room

@@ -22,6 +22,8 @@ class LateCamera {
   void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) {
     rig_.right_T_left = right_T_left;
   }
+  /// The delay of this frame by the drivers' time stamps, s.
+  void state(double late_s) { offset_.state(late_s); }
   /// The rig for a head at rest.
   const cameras::StereoRig& rig() const { return rig_; }
   /// The rig for the next fit, set by allowFor().

@@ -58,6 +58,7 @@ class ModelHeadTracker : public HeadTracker {
     FACENAV_EXPECT(lost_face_ != nullptr, "track() before start()");
     if (context.is_learnt_in_doubt) forgetLearnt();
     if (context.right_T_left) patches_.moveRight(*context.right_T_left);
+    if (frame.right_late_s) patches_.stateDelay(*frame.right_late_s);
     left_out_ = context.reserved.comparisons;
     HeadResult result = poseIn(frame);
     if (result)

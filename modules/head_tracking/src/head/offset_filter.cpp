@@ -70,16 +70,31 @@ double OffsetFilter::late_s() const {
   return offset_s_ * offset_s_ > limit_s2 ? offset_s_ * (1.0 - share * share) : 0.0;
 }
 
+void OffsetFilter::state(double late_s) {
+  constexpr double kSmooth = 0.05;  // of a frame: stamps jitter by a millisecond, clocks drift by far less
+  if (is_statement_wrong_) return;
+  if (!stated_s_) {
+    stated_s_ = offset_s_ = late_s;
+    variance_s2_ = kStated_s * kStated_s;
+    return;
+  }
+  const double step_s = kSmooth * (late_s - *stated_s_);
+  *stated_s_ += step_s, offset_s_ += step_s;
+}
+
 void OffsetFilter::add(const PatchLevel& level, const PoseFit& fit, const Vector6d& velocity,
                        const Vector6d& allowed, double since_s) {
-  variance_s2_ = std::min(kPrior_s * kPrior_s, variance_s2_ + kDrift_s2_per_s * since_s);
+  variance_s2_ = std::min(prior_s() * prior_s(), variance_s2_ + kDrift_s2_per_s * since_s);
   const auto measured = measure(level, fit, velocity, allowed);
   by_offset_ = measured ? measured->by_offset : Vector6d(Vector6d::Zero());
   if (!measured) return;
   const double variance = measured->variance_s2 * std::max(1.0, kSharedFor_s / std::max(1e-3, since_s));
   const double innovation = measured->offset_s - offset_s_, expected = variance_s2_ + variance;
   if (innovation * innovation > kContradiction * kContradiction * expected) {
-    if (++contradicted_ >= kBelieved) reset();
+    if (++contradicted_ < kBelieved) return;
+    const bool was_stated = stated_s_.has_value();
+    reset();
+    is_statement_wrong_ = was_stated;
     return;
   }
   contradicted_ = 0;

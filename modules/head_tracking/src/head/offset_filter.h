@@ -6,6 +6,9 @@
 // pose free. A displacement that a change of pose also explains carries no information; vertical motion, and
 // depth against size, carry most.
 //
+// Where the cameras' drivers state the delay by their time stamps, the filter starts there, and moves with
+// what they state. Where the moving head contradicts them for long, they are no longer believed.
+//
 // A scalar Kalman filter. The variance of a frame's measurement has its noise and an error of the patches'
 // disparities, common to all patches and to the frames of a tenth of a second. So slow motion, where that
 // error looks like delay, has almost no weight. While the offset is uncertain it is drawn to zero
@@ -21,6 +24,8 @@ namespace facenav::head_tracking {
 class OffsetFilter {
  public:
   void reset() { *this = {}; }
+  /// The delay of this frame by the drivers' time stamps, s. Call before add().
+  void state(double late_s);
   /// The offset to correct for, s; 0 unless it is known to differ from 0.
   double late_s() const;
   double sigma_s() const;
@@ -37,7 +42,11 @@ class OffsetFilter {
   double offset_s_ = 0.0, variance_s2_ = kPrior_s * kPrior_s;
   Vector6d by_offset_ = Vector6d::Zero();  // d(pose) / d(offset), per s
   int contradicted_ = 0;                   // frames in a row
-  static constexpr double kPrior_s = 0.008;
+  std::optional<double> stated_s_;         // smoothed; nothing: not stated
+  bool is_statement_wrong_ = false;
+  double prior_s() const { return stated_s_ ? kStated_s : kPrior_s; }
+  // Free cameras: a quarter of a frame's time. Stated: start of exposure and arrival differ between makes.
+  static constexpr double kPrior_s = 0.008, kStated_s = 0.002;
 };
 
 }  // namespace facenav::head_tracking

@@ -57,6 +57,8 @@ class PatchTrack {
   Tracked<HeadPose> lost(LostReason reason, LossDetail detail);
 
   void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) { camera_.moveRight(right_T_left); }
+  /// The right camera's delay in this frame by the drivers' time stamps, s.
+  void stateDelay(double late_s) { camera_.state(late_s); }
   const LateCamera& camera() const { return camera_; }
   const PatchModel& model() const { return model_; }
   const DetailAgreement& bothCameras() const { return both_cameras_; }

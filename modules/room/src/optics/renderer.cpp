@@ -168,8 +168,9 @@ cv::Rect windowOf(const RayScene& scene, int objects, const CameraRays& rays) {
 Renderer::Renderer(const CameraRays& rays, cv::Mat backdrop) : rays_(rays), backdrop_(std::move(backdrop)) {}
 
 View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
-                      const Lighting& lighting) const {
+                      const Lighting& lighting, const cv::Range& asked) const {
   const int width = rays_.width_px(), height = rays_.height_px();
+  const cv::Range rows = asked == cv::Range::all() ? cv::Range(0, height) : asked;
   const LightMeter meter(lighting, scene);
   const Shot shot{rays_,
                   scene,
@@ -180,7 +181,9 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
                   lighting.gloss > 0.0,
                   lighting.has_colour,
                   float(lighting.backdrop)};
-  const cv::Rect window = windowOf(scene, int(looks.size()), rays_);
+  // One row more on both sides: a silhouette is found by its neighbours.
+  const cv::Rect window =
+      windowOf(scene, int(looks.size()), rays_) & cv::Rect(0, rows.start - 1, width, rows.size() + 2);
   const Sights sights(scene, rays_, window);
   View view{backdrop_ * lighting.backdrop,
             {},
@@ -191,7 +194,7 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
     view.radiance.at<float>(y, x) = light.grey;
     if (!view.red.empty()) view.red.at<float>(y, x) = light.red;
   };
-  parallelRanges(window.y, window.br().y, [&](int begin, int end) {
+  parallelRanges(std::max(window.y, rows.start), std::min(window.br().y, rows.end), [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = window.x; x < window.br().x; ++x) {
         const Sight& sight = sights.at(x, y);

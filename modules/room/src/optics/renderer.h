@@ -27,8 +27,9 @@ class Renderer {
   /// `backdrop`: radiance of pixels without an object (float, H x W, at full light), one image per camera.
   Renderer(const CameraRays& rays, cv::Mat backdrop);
   void setBackdrop(cv::Mat backdrop) { backdrop_ = std::move(backdrop); }
+  /// `rows`: only these; elsewhere there is the wall.
   View render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
-              const Lighting& lighting) const;
+              const Lighting& lighting, const cv::Range& rows = cv::Range::all()) const;
 
  private:
   const CameraRays& rays_;

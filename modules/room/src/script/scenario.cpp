@@ -16,6 +16,12 @@ constexpr int kRealJpeg = 35;
 constexpr double kRealGloss = 0.8;
 // Of "plain_align": two seconds at webcams' pace; skin between a rendered face's and that of "moments".
 constexpr int kTurnFrames = 40, kWebcamJpeg = 75;
+// Of webcams: typical of USB cameras of 30 frames a second, chosen before anything was measured with them.
+constexpr int kWebcamFrames = 120;
+constexpr double kFocalPerWidth = 0.83;  // 62 deg across
+constexpr double kWebcamFrames_per_s = 30.0, kRolling_ms = 20.0, kExposure_ms = 10.0, kRightGain = 0.85,
+                 kRightGamma = 0.85, kRightLate_ms = 9.0, kClock_ppm = 200.0, kDropped = 0.03,
+                 kDoubled = 0.02, kExposureStep = 0.3, kRefocus_px = 1.5;
 constexpr double kTurnFrames_per_s = 20.0, kFaintSkin = 0.3, kDullGloss = 0.3;
 
 const char* const kDriftsAbout[] = {"yaw", "pitch", "roll", "shift"};
@@ -46,6 +52,39 @@ void makeFaint(ScenarioOptions& options) {
   const OwnWhereUsual own;
   own(options.skin_contrast, usual.skin_contrast, kFaintSkin);
   own(options.frames_per_s, usual.frames_per_s, kTurnFrames_per_s);
+}
+
+bool isOfWebcams(const std::string& scenario) {
+  static const char* const kNames[] = {"webcam",  "unsynced",  "autoexposure",
+                                       "refocus", "fast_coil", "glasses"};
+  return std::find(std::begin(kNames), std::end(kNames), scenario) != std::end(kNames);
+}
+
+/// Two USB cameras without a trigger, as people have them.
+void makeWebcams(ScenarioOptions& options) {
+  const ScenarioOptions usual;
+  const OwnWhereUsual own;
+  own(options.frames_per_s, usual.frames_per_s, kWebcamFrames_per_s);
+  own(options.rolling_ms, usual.rolling_ms, kRolling_ms);
+  own(options.exposure_ms, usual.exposure_ms, kExposure_ms);
+  own(options.right_gain, usual.right_gain, kRightGain);
+  own(options.right_gamma, usual.right_gamma, kRightGamma);
+  if (options.name == "autoexposure") own(options.exposure_step, usual.exposure_step, kExposureStep);
+  if (options.name == "refocus") own(options.refocus_px, usual.refocus_px, kRefocus_px);
+  if (options.name != "unsynced") return;
+  own(options.right_late_ms, usual.right_late_ms, kRightLate_ms);
+  own(options.clock_ppm, usual.clock_ppm, kClock_ppm);
+  own(options.dropped, usual.dropped, kDropped);
+  own(options.doubled, usual.doubled, kDoubled);
+}
+
+/// Cameras with more pixels at the room's place and baseline.
+void makeSize(ScenarioOptions& options, int width_px, int height_px) {
+  const ScenarioOptions usual;
+  const OwnWhereUsual own;
+  own(options.rig.width_px, usual.rig.width_px, width_px);
+  own(options.rig.height_px, usual.rig.height_px, height_px);
+  own(options.rig.focal_px, usual.rig.focal_px, kFocalPerWidth * width_px);
 }
 
 /// Low skin contrast, glare, moving hair, slightly different colour sensors.
@@ -108,6 +147,20 @@ const std::vector<ScenarioKind>& scenarios() {
        kMomentsFrames, kRealJpeg, kRealGloss, true, true},
       {"moments_other", "the same, and another person sits there at the third and the fourth moment",
        kMomentsFrames, kRealJpeg, kRealGloss, true, true},
+      {"webcam",
+       "treatment before two webcams: rolling shutter (20 ms), exposure (10 ms), JPEG 75, unequal tone "
+       "curves",
+       kWebcamFrames, kWebcamJpeg, kDullGloss},
+      {"unsynced", "the same; the right camera is 9 ms late, its clock drifts, pairs are lost and come twice",
+       kWebcamFrames, kWebcamJpeg, kDullGloss},
+      {"autoexposure", "the same webcams in step; their exposure steps by 30 % every second", kWebcamFrames,
+       kWebcamJpeg, kDullGloss},
+      {"refocus", "the same webcams in step; both lose focus by 1.5 px for a while", kWebcamFrames,
+       kWebcamJpeg, kDullGloss},
+      {"fast_coil", "before the same webcams the coil swings at up to 300 mm/s beside the face",
+       kWebcamFrames, kWebcamJpeg, kDullGloss},
+      {"glasses", "before the same webcams the patient puts glasses on", kWebcamFrames, kWebcamJpeg,
+       kDullGloss},
       {kPlainAlign,
        "to align without a projector: faint skin, JPEG; in two seconds the head turns slowly by 15 deg to "
        "both sides",
@@ -123,6 +176,7 @@ ScenarioOptions resolved(ScenarioOptions options) {
   if (options.blinks < 0) options.blinks = kind.blinks;
   if (kind.is_real) makeReal(options);
   if (kind.name == kPlainAlign) makeFaint(options);
+  if (isOfWebcams(kind.name)) makeWebcams(options);
   const bool drifts = kind.name.rfind("drift", 0) == 0;
   if (drifts && options.drift_about.empty()) options.drift_about = kDriftsAbout[(options.seed + 3) % 4];
   if (drifts && std::find(std::begin(kDriftsAbout), std::end(kDriftsAbout), options.drift_about) ==
@@ -134,8 +188,12 @@ ScenarioOptions resolved(ScenarioOptions options) {
   if (options.rig_name.empty()) options.rig_name = "room";
   if (options.rig_name == "close")
     moveClose(options);
+  else if (options.rig_name == "720p")
+    makeSize(options, 1280, 720);
+  else if (options.rig_name == "1080p")
+    makeSize(options, 1920, 1080);
   else if (options.rig_name != "room")
-    throw Error("no rig of this name", options.rig_name, "one of: room, close");
+    throw Error("no rig of this name", options.rig_name, "one of: room, close, 720p, 1080p");
   return options;
 }
 

@@ -60,6 +60,9 @@ MomentOf protractorScript(const Setting& setting);
 MomentOf freeMotionScript(const Setting& setting);
 MomentOf treatmentScript(Setting setting);
 MomentOf turningScript(const Setting& setting);
+// script_sensors.cpp: what ordinary cameras must show.
+MomentOf fastCoilScript(const Setting& setting);
+MomentOf glassesScript(const Setting& setting);
 /// script_drift.cpp: the right camera moves on its mount.
 MomentOf driftScript(const Setting& setting);
 // script_disturbances.cpp: disturbances of a treatment room.

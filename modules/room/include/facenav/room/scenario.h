@@ -27,8 +27,14 @@ struct ScenarioOptions {
   double motion = 1.0;                              // scales the scenario's head motion
   double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // limits of the seat's random error
   double right_late_ms = 0.0;  // delay of the right camera's exposure; the truth is that of the left
-  int jpeg_quality = -1;       // 1..100; 0: not compressed; -1: the scenario's value
-  double gloss = -1.0;         // of the skin; -1: the scenario's value
+  double rolling_ms = 0.0, exposure_ms = 0.0;  // rolling shutter: readout of a picture; exposure of a row
+  double exposure_step = 0.0;                  // of automatic exposure: share of the light
+  double refocus_px = 0.0;                     // blur while both cameras focus anew
+  double clock_ppm = 0.0;                      // by how much the right camera's clock runs late
+  double dropped = 0.0, doubled = 0.0;         // share of the pairs
+  int right_time_stamps = 0;                   // 1: the drivers state the right camera's delay
+  int jpeg_quality = -1;                       // 1..100; 0: not compressed; -1: the scenario's value
+  double gloss = -1.0;                         // of the skin; -1: the scenario's value
   double haze_grey = 0.0;
   double right_gain = 1.0, right_gamma = 1.0;          // of the right camera, relative to the left one
   int blinks = -1;                                     // 1: blinks; 0: none; -1: the scenario's value
@@ -40,7 +46,7 @@ struct ScenarioOptions {
   double right_grey_red = 1.0 / 3.0, right_grey_blue = 1.0 / 3.0;
   double drift_deg = 0.3, drift_mm = 1.0;  // motion of the right camera over "drift"
   std::string drift_about;                 // "yaw", "pitch", "roll", "shift"; empty: in turn with the seed
-  std::string rig_name;                    // "room", "close"; empty: the scenario's rig
+  std::string rig_name;                    // "room", "close", "720p", "1080p"; empty: the scenario's rig
   RigOptions rig;                          // changes to the named rig: options that differ from their default
 
   template <class Self, class Visitor>
@@ -62,6 +68,7 @@ struct ScenarioOptions {
         Field{"right_late_ms",
               "by how much the right camera exposes after the left one (free-running cameras)", -100, 100},
         self.right_late_ms);
+    visitSensor(self, visitor);
     visitor(Field{"jpeg_quality",
                   "images are JPEG of this quality (0: not compressed, -1: the scenario's own)", -1, 100},
             self.jpeg_quality);
@@ -105,11 +112,37 @@ struct ScenarioOptions {
                   "drift: yaw (the camera's vertical axis), pitch, roll or shift; empty: in turn with the "
                   "seed, from yaw at 1"},
             self.drift_about);
-    visitor(Field{"rig",
-                  "cameras: room (the default ones), close (near the face: 1024 x 1024, f 1550 px, 114 mm "
-                  "and 20 deg apart, head at 560 mm); empty: as the scenario says"},
-            self.rig_name);
+    visitor(
+        Field{
+            "rig",
+            "cameras: room (the default ones), close (near the face: 1024 x 1024, f 1550 px, 114 mm "
+            "and 20 deg apart, head at 560 mm), 720p, 1080p (webcams of this size, 62 deg across); empty: as "
+            "the scenario says"},
+        self.rig_name);
     RigOptions::visit(self.rig, visitor);
+  }
+
+ private:
+  template <class Self, class Visitor>
+  static void visitSensor(Self& self, Visitor&& visitor) {
+    visitor(Field{"rolling_ms", "rolling shutter: time from the first row to the last", 0, 100},
+            self.rolling_ms);
+    visitor(Field{"exposure_ms", "exposure of a row: what moves is blurred", 0, 100}, self.exposure_ms);
+    visitor(Field{"exposure_step",
+                  "automatic exposure: every second the light that both cameras take goes up or down by this "
+                  "share, within five frames",
+                  0, 1},
+            self.exposure_step);
+    visitor(Field{"refocus_px", "in the middle third both cameras lose focus by this blur and find it again",
+                  0, 10},
+            self.refocus_px);
+    visitor(Field{"clock_ppm", "by how much the right camera's clock runs late, millionths", -5000, 5000},
+            self.clock_ppm);
+    visitor(Field{"dropped", "share of the pairs that do not arrive", 0, 0.5}, self.dropped);
+    visitor(Field{"doubled", "share of the pairs in whose place the last one arrives again", 0, 0.5},
+            self.doubled);
+    visitor(Field{"right_time_stamps", "1: the cameras' drivers state the right camera's delay", 0, 1},
+            self.right_time_stamps);
   }
 };
 
