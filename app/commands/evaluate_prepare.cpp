@@ -58,6 +58,9 @@ void run(Context& context, EvaluatePrepareRequest request) {
   if (!tables.reliability.empty())
     markdown +=
         "\nStated doubt against real error:\n\n" + evaluation::reliabilityMarkdown(tables.reliability);
+  const auto pooled = evaluation::pooledReliability(tables.reliability);
+  if (!pooled.empty())
+    markdown += "\nAll scans together, by band:\n\n" + evaluation::doubtBandsMarkdown(pooled);
   if (request.output) write(tables, markdown, *request.output);
   if (!context.is_quiet) std::printf("%s", markdown.c_str());
 }

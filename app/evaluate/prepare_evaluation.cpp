@@ -5,6 +5,7 @@
 
 #include "evaluate/measured_child.h"
 #include "evaluate/scratch_folder.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/evaluation/volume_perturbation.h"
 #include "facenav/segmentation/segmenter.h"
@@ -92,15 +93,19 @@ MaskRow segmenterAlone(Context& context, const PrepareTrial& trial, const std::s
                        const Volume& volume, const std::optional<Mask>& truth,
                        std::optional<segmentation::SegmentationResult>& found) {
   const ScratchFolder scratch;
-  const fs::path file = scratch.path() / "mask.nii.gz", doubts = scratch.path() / "doubts";
+  const fs::path file = scratch.path() / "mask.nii.gz", doubts = scratch.path() / "doubts",
+                 contrast = scratch.path() / "contrast";
   const auto segmenter = context.registrations.brain_segmenters.create(method);
   auto row = rowOf(trial, method, measureInChild([&] {
                      const auto result = segmenter->segment(volume, context.monitor);
                      volume::writeMask(result.mask, file);
                      writeDoubts(result.doubts, doubts);
+                     writeWholeFile(contrast, result.contrast);
                    }));
   judge(file, truth, row);
-  if (row.failure.empty()) found = {volume::readMask(file), {}, readDoubts(doubts)};
+  if (!row.failure.empty()) return row;
+  row.contrast = readWholeFile(contrast);
+  found = {volume::readMask(file), {}, readDoubts(doubts), row.contrast};
   return row;
 }
 
@@ -110,6 +115,7 @@ struct Judged {
   const std::optional<Mask>& truth;
   const std::string& method;
   const Mask& unmoved;
+  std::string contrast;
 };
 
 /// Places where a method stated its uncertainty, with their real errors. The error is the distance to the
@@ -131,8 +137,9 @@ class Doubts {
   }
   void addRows(std::vector<evaluation::ReliabilityRow>& rows) const {
     const auto add = [&](const char* against, const auto& places) {
-      if (!places.empty())
-        rows.push_back(evaluation::reliabilityRow(nameOf(of_.trial), of_.method, against, places));
+      if (places.empty()) return;
+      rows.push_back(evaluation::reliabilityRow(nameOf(of_.trial), of_.method, against, places));
+      rows.back().contrast = of_.contrast;
     };
     add("true surface", against_truth_);
     add("unperturbed mask", against_unmoved_);
@@ -195,7 +202,7 @@ PrepareTables evaluatePrepare(Context& context, const PrepareEvaluation& request
       std::optional<segmentation::SegmentationResult> found;
       tables.masks.push_back(segmenterAlone(context, trial, method, volume, truths[t], found));
       if (!found) continue;
-      const Judged judged{trial, volume, truths[t], method, found->mask};
+      const Judged judged{trial, volume, truths[t], method, found->mask, found->contrast};
       Doubts doubts(judged);
       doubts.add(found->doubts, nullptr);
       addPerturbations(context, request, judged, doubts, tables.perturbations);

@@ -52,7 +52,7 @@ std::vector<Row> cells(const std::vector<MaskRow>& rows) {
     Row row{r.volume, r.truth, r.method};
     addAgreement(r.agreement, row);
     row.insert(row.end(), {r.failure.empty() ? fixed(r.brain_ml, 0) : "", fixed(r.wall_s, 2),
-                           fixed(r.processor_s, 2), fixed(r.peak_mib, 0), r.failure});
+                           fixed(r.processor_s, 2), fixed(r.peak_mib, 0), r.failure, r.contrast});
     all.push_back(row);
   }
   return all;
@@ -78,13 +78,13 @@ std::vector<Row> cells(const std::vector<PerturbationRow>& rows) {
 
 std::string maskMarkdown(const std::vector<MaskRow>& rows) {
   return markdown({"volume", "truth", "method", "Dice", "95 % Hausdorff (mm)", "mean (mm)", "inside (%)",
-                   "brain (ml)", "time (s)", "processor (s)", "peak (MiB)", "failure"},
+                   "brain (ml)", "time (s)", "processor (s)", "peak (MiB)", "failure", "seen as"},
                   cells(rows));
 }
 
 std::string maskCsv(const std::vector<MaskRow>& rows) {
   return csv({"volume", "truth", "method", "dice", "hausdorff95_mm", "mean_distance_mm", "inside_percent",
-              "brain_ml", "wall_s", "processor_s", "peak_mib", "failure"},
+              "brain_ml", "wall_s", "processor_s", "peak_mib", "failure", "seen_as"},
              cells(rows));
 }
 

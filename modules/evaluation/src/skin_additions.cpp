@@ -99,6 +99,14 @@ bool isInEarphone(const HeadExtent& head, const Vector3d& p) {
   return beside > -25 && beside < 26 && (is_rim || is_plate);
 }
 
+/// A strip across the forehead, 25 mm high.
+bool isInTape(const HeadExtent& head, const Vector3d& p, double away_mm) {
+  constexpr double kThick_mm = 1, kHalfLength_mm = 40;
+  const Vector3d q = p - head.middle();
+  return away_mm > 0 && away_mm < kThick_mm && q.y() > 0 && std::abs(q.x()) < kHalfLength_mm &&
+         p.z() < head.top_mm - 45 && p.z() > head.top_mm - 70;
+}
+
 float skinSignal(const Volume& volume, const std::vector<float>& away_mm) {
   std::vector<float> values;
   for (std::size_t v = 0; v < away_mm.size(); ++v)
@@ -157,7 +165,7 @@ void brighten(Volume& scan, const Vector3d& nose_mm, double by) {
 }  // namespace
 
 std::vector<SkinAddition> skinAdditions() {
-  std::vector<SkinAddition> all(8);
+  std::vector<SkinAddition> all(9);
   all[0].name = "shading 40 %", all[0].shading = 0.4;
   all[1].name = "nose twice as bright", all[1].bright_nose = 1;
   all[2].name = "halo 12 %", all[2].halo = 0.12;
@@ -165,7 +173,8 @@ std::vector<SkinAddition> skinAdditions() {
   all[4].name = "pad behind", all[4].pad_behind = 0.45;
   all[5].name = "pads beside", all[5].pads_beside = 0.3;
   all[6].name = "earphones", all[6].earphones = 0.5;
-  all[7] = {"all of them", 0.4, 0.5, 0.12, 0.6, 0.4, 0.4};
+  all[7].name = "tape", all[7].tape = 0.5;
+  all[8] = {"all of them", 0.4, 0.5, 0.12, 0.6, 0.4, 0.4, 0.5};
   return all;
 }
 
@@ -187,8 +196,9 @@ AddedScan CleanScan::with(const SkinAddition& addition, unsigned seed) const {
     if (!isAirErased())
       out.scan.voxels[v] +=
           float(addition.halo * haloAt(extent, p, away) * skin_ * airShare(away) * (1 + 0.2 * texture(p)));
-    const double level = padAt(extent, addition, p);
-    if (level <= 0 || away < std::max(0.3, 0.8 + 0.8 * gaps(p))) return;
+    const bool is_tape = addition.tape > 0 && isInTape(extent, p, away);
+    const double level = is_tape ? addition.tape : padAt(extent, addition, p);
+    if (level <= 0 || (!is_tape && away < std::max(0.3, 0.8 + 0.8 * gaps(p)))) return;
     pads.voxels[v] = float(level * skin_ * (1 + 0.15 * texture(p)));
     out.pads.voxels[v] = 1;
   });

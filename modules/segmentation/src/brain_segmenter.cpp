@@ -58,15 +58,35 @@ double agreement(const Mask& grown, const RefinedPrior& refined) {
   return volume::overlap(grown, volume::resample(refined.mask, grown.grid)).dice;
 }
 
+/// Voxels of `mask` that lie far from `other`, on one grid.
+std::size_t countFar(const Mask& mask, const Mask& other, double far_mm) {
+  const std::vector<float> away_mm = volume::distanceTo(other);
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < away_mm.size(); ++v) count += mask.voxels[v] && away_mm[v] > float(far_mm);
+  return count;
+}
+
+/// Leaks and gaps, as a share of the prior's volume. Growth closes wide fissures that the prior leaves open,
+/// and its outline may lie a little further out everywhere: neither is a leak, but both lower the Dice.
+double leaksAndGaps(const Mask& grown, const RefinedPrior& refined, double far_mm) {
+  const Mask other = volume::resample(grown, refined.mask.grid);
+  const auto whole = std::count(refined.mask.voxels.begin(), refined.mask.voxels.end(), std::uint8_t{1});
+  if (whole == 0) return 1;
+  return double(countFar(other, refined.mask, far_mm) + countFar(refined.mask, other, far_mm)) /
+         double(whole);
+}
+
 /// Grown from one start or the other, to where the refined prior has its outline too; else nothing.
 template <class MakeStart>
-std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refined, const Volume& scan,
-                                TaskMonitor& monitor) {
+std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refined, double least_agreement,
+                                const Volume& scan, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   try {
     const GrowthStart start = makeStart();
     GrownBrain grown = growBrain(start, scan.grid, monitor);
-    if (agreement(grown.mask, refined) < use.least_agreement) return std::nullopt;
+    if (agreement(grown.mask, refined) < least_agreement ||
+        leaksAndGaps(grown.mask, refined, use.far_mm) > use.most_far)
+      return std::nullopt;
     raiseDoubts(grown.doubts, refined.mask);
     return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), start.sphere, {}};
   } catch (const Cancelled&) {
@@ -127,9 +147,11 @@ Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& pri
   };
   if (seen.isLikeT1()) {
     const auto by_head = [&] { return startFromHead(working, monitor); };
-    if (auto found = grownAlike(by_head, refined, scan, monitor)) return named(std::move(*found));
+    // Growth from the head's shape knows nothing of the prior: that no leak and no gap is found is enough.
+    if (auto found = grownAlike(by_head, refined, 0, scan, monitor)) return named(std::move(*found));
     const auto by_prior = [&] { return startFromOutline(working, refined.mask, use.search_mm); };
-    if (auto found = grownAlike(by_prior, refined, scan, monitor)) return named(std::move(*found));
+    if (auto found = grownAlike(by_prior, refined, use.least_agreement, scan, monitor))
+      return named(std::move(*found));
   }
   return named(byPrior(std::move(refined), sphere, seen));
 }

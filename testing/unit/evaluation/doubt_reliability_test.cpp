@@ -28,6 +28,29 @@ TEST(DoubtReliability, BinsPlacesByTheirDoubtAndStatesTheirErrors) {
   EXPECT_NE(text.find("60.0 % stated within 2 mm, 70.0 % are"), std::string::npos) << text;
 }
 
+TEST(DoubtReliability, PutsScansTogetherByTheContrastThatWasSeen) {
+  std::vector<DoubtedPlace> sure(30, {0.5, 0.5}), unsure(10, {4, 1.5});
+  std::vector<ReliabilityRow> rows{reliabilityRow("a", "brain", "true surface", sure),
+                                   reliabilityRow("b", "brain", "true surface", unsure),
+                                   reliabilityRow("b", "brain", "unperturbed mask", unsure)};
+  rows[0].contrast = "T1", rows[1].contrast = rows[2].contrast = "T2";
+  const auto pooled = pooledReliability(rows);
+  ASSERT_EQ(pooled.size(), 3u) << "all, T1, T2";
+  EXPECT_EQ(pooled[0].volume, "2 scans");
+  EXPECT_NEAR(pooled[0].bins[0].share, 0.75, 1e-12);
+  EXPECT_NEAR(pooled[0].bins[3].share, 0.25, 1e-12);
+  EXPECT_NEAR(pooled[0].bins[0].really, 0.75, 1e-12);
+  EXPECT_NEAR(pooled[0].bins[1].really, 0.25, 1e-12);
+  EXPECT_NEAR(pooled[0].stated_certain, 0.75, 1e-12);
+  EXPECT_NEAR(pooled[0].really_certain, 1, 1e-12);
+  EXPECT_EQ(pooled[2].contrast, "T2");
+  EXPECT_NEAR(pooled[2].bins[1].really, 1, 1e-12);
+  const auto text = doubtBandsMarkdown(pooled);
+  EXPECT_NE(text.find("| 2 scans | brain | all | 1-2 | 0.0 | 25.0 | 0.0 |"), std::string::npos) << text;
+  rows.pop_back(), rows.pop_back();
+  EXPECT_EQ(pooledReliability(rows).size(), 1u) << "one contrast is all of them";
+}
+
 TEST(DoubtReliability, OfNothingHasEmptyBins) {
   for (const auto& bin : reliabilityOf({})) EXPECT_EQ(bin.places, 0u);
 }

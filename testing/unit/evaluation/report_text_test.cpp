@@ -108,6 +108,7 @@ TEST(MaskCsv, ReadsBackWhatWasWritten) {
   row.volume = "a,b", row.truth = "with \"fluid\"", row.method = "two\nlines";
   row.agreement = MaskAgreement{0.9, 0.95, 1.5, 0.3, 1400, 1390};
   row.brain_ml = 1400;
+  row.contrast = "T2 (fluid, bright)";
   const auto rows = parsed(maskCsv({row, MaskRow{}}));
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_THAT(rows, Each(SizeIs(rows[0].size())));
@@ -116,6 +117,7 @@ TEST(MaskCsv, ReadsBackWhatWasWritten) {
   EXPECT_EQ(rows[1][2], "two\nlines");
   EXPECT_EQ(rows[1][3], "0.9000");
   EXPECT_EQ(rows[1][6], "95.00") << "inside, in percent";
+  EXPECT_EQ(rows[1].back(), "T2 (fluid, bright)");
 }
 
 TEST(PerturbationCsv, AHardHeadNeedNotHold) {

@@ -80,6 +80,18 @@ TEST(SkinAdditions, APadBehindTheHeadIsLeftOutSaidAndDoubted) {
   EXPECT_GT(under(found), 2 * under(clean));
 }
 
+TEST(SkinAdditions, ATapeLiesOnTheForeheadAlone) {
+  FACENAV_NEEDS(facenav::testing::colin27());
+  const auto scan = volume::readNifti(facenav::testing::colin27()).volume;
+  const Skin clean = skinOf(scan);
+  const auto added = CleanScan(scan, clean.head.mask, clean.scalp.mesh).with(named("tape"), 7);
+  EXPECT_GT(added.pads.volume_ml(), 1);
+  EXPECT_LT(added.pads.volume_ml(), 5);
+  const Moved by = moved(clean, skinOf(added.scan), added.pads);
+  EXPECT_LT(by.beyond.p95_mm, 0.1) << "a tape moves no skin elsewhere";
+  EXPECT_LT(std::abs(by.contact.median_mm), 0.6) << "less than the tape is thick";
+}
+
 TEST(SkinAdditions, ABrightNoseMovesNoSkin) {
   FACENAV_NEEDS(facenav::testing::colin27());
   const auto scan = volume::readNifti(facenav::testing::colin27()).volume;

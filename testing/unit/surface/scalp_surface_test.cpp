@@ -136,6 +136,26 @@ TEST(ScalpSurface, IsDoubtedBeneathAPadAndNowhereElse) {
   EXPECT_EQ(skinDoubtUnder_mm(scalp, Point<Mri>(0, 0, 900)), 0);
 }
 
+TEST(ScalpSurface, IsNotDoubtedWhereFatBelowTheSkinIsBrighter) {
+  // As in Colin27: fat near below the skin on one side, none on the other; air set to zero.
+  SkinPhantom lean, fat;
+  lean.dermis_mm = 7, lean.dermis_level = 60;
+  fat.dermis_mm = 2.5, fat.dermis_level = 60, fat.fat_level = 160;
+  TaskMonitor monitor;
+  auto scan = blurred(lean.scan({1, 1, 1}, kFrontLow, kFrontHigh), 2);
+  const auto other = blurred(fat.scan({1, 1, 1}, kFrontLow, kFrontHigh), 2);
+  for (int k = 0; k < scan.grid.size[2]; ++k)
+    for (int j = 0; j < scan.grid.size[1]; ++j)
+      for (int i = 0; i < scan.grid.size[0]; ++i) {
+        const std::size_t v = scan.grid.index(i, j, k);
+        if (scan.grid.toMri({double(i), double(j), double(k)}).mm.x() < 0) scan.voxels[v] = other.voxels[v];
+        if (scan.voxels[v] < 6) scan.voxels[v] = 0;
+      }
+  const auto scalp = extractScalp(scan, maskOf(lean, scan.grid), monitor);
+  for (const double x : {-45, 45})
+    EXPECT_LT(skinDoubtUnder_mm(scalp, Point<Mri>(x, 76, -10)), 0.3) << "at " << x << " mm";
+}
+
 TEST(ScalpSurface, NormalsPointOutwardsAndTrianglesAgree) {
   for (const bool is_flipped : {false, true}) {
     SkinPhantom phantom;

@@ -114,12 +114,12 @@ CheckFinding checkSkin(const ScalpSurface& scalp) {
   const double unsure_mm2 = unsureArea_mm2(scalp);
   if (unsure_mm2 < kMuch_mm2)
     return {CheckTopic::skin, Verdict::fine, "it ends in dark air where coils go", ""};
-  return {
-      CheckTopic::skin, Verdict::caution,
-      formatted("pads, earphones or haze lie against %.0f cm2 of the upper head: the skin is unsure there by "
-                "more than 0.5 mm, and so is the coil's gap",
-                unsure_mm2 / 100),
-      "a scan with nothing but air at forehead and crown, or pads without signal"};
+  return {CheckTopic::skin, Verdict::caution,
+          formatted(
+              "over %.0f cm2 of the upper head the skin is unsure by more than 0.5 mm, and so is the coil's "
+              "gap: pads, earphones or haze lie against it, or its edge is drawn out",
+              unsure_mm2 / 100),
+          "a scan with nothing but air at forehead and crown, or pads without signal"};
 }
 
 CheckFinding checkWrapping(const ScanQuality& scan) {

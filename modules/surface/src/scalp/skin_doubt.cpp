@@ -10,6 +10,9 @@ namespace facenav::surface {
 namespace {
 
 constexpr double kInside_mm = 3, kOutside_mm = 5, kDoubtStep_mm = 0.5, kFromSkin_mm = 2;
+// The edge's half is between the surroundings and what lies this near below the skin: fat further in is
+// brighter, and would draw the half inwards although the skin is clear.
+constexpr double kJustBelow_mm = 1.5;
 constexpr int kDoubtSmoothings = 2;
 
 // Fitted on the virtual patient, Colin27 and painted heads 03 06 09 with made halos, pads and earphones
@@ -35,7 +38,10 @@ Place placeAt(const volume::Volume& scan, const Eigen::Vector3d& p_mm, const Eig
   const std::size_t skin = std::size_t(kInside_mm / kDoubtStep_mm);
   place.tissue = *std::max_element(values.begin(), values.begin() + std::ptrdiff_t(skin) + 1);
   place.around = upperMedian(std::move(outside));
-  const float half = 0.5f * (place.tissue + place.around);
+  const std::ptrdiff_t just_below = std::ptrdiff_t((kInside_mm - kJustBelow_mm) / kDoubtStep_mm);
+  const float level =
+      *std::max_element(values.begin() + just_below, values.begin() + std::ptrdiff_t(skin) + 1);
+  const float half = 0.5f * (level + place.around);
   std::size_t at = skin + 4;  // seen from outside, 2 mm beyond the skin
   while (at > 0 && values[at] < half) --at;
   place.half_mm = double(at) * kDoubtStep_mm - kInside_mm;

@@ -31,6 +31,7 @@ struct ReliabilityBin {
   double from_mm = 0, to_mm = 0;  // of doubt: from < doubt <= to; the last one is open
   std::size_t places = 0;
   double share = 0;                            // of all points
+  double really = 0;                           // share of all points whose error lies in this bin's range
   double mean_error_mm = 0, p90_error_mm = 0;  // 0 without points
   double wrong = 0;                            // share with an error above kCertain_mm
 };
@@ -44,9 +45,16 @@ struct ReliabilityRow {
   std::string volume, method, against;  // "true surface", "unperturbed mask"
   std::vector<ReliabilityBin> bins;
   double stated_certain = 0, really_certain = 0;  // shares of points with doubt / error <= kCertain_mm
+  std::string contrast = {};                      // that the method saw, in words
 };
 ReliabilityRow reliabilityRow(std::string volume, std::string method, std::string against,
                               const std::vector<DoubtedPlace>& places);
 std::string reliabilityMarkdown(const std::vector<ReliabilityRow>& rows);
+
+/// All points against the true surface together: one row per method and contrast seen, and one per method
+/// where it saw several. `volume` tells how many scans. The 90 % errors cannot be put together: 0.
+std::vector<ReliabilityRow> pooledReliability(const std::vector<ReliabilityRow>& rows);
+/// One line per row and bin: how many points are stated there, and how many errors lie there.
+std::string doubtBandsMarkdown(const std::vector<ReliabilityRow>& rows);
 
 }  // namespace facenav::evaluation

@@ -16,7 +16,8 @@ struct MaskRow {
   std::optional<MaskAgreement> agreement;
   double brain_ml = 0;
   double wall_s = 0, processor_s = 0, peak_mib = 0;
-  std::string failure;  // one line, if no mask was found
+  std::string failure;        // one line, if no mask was found
+  std::string contrast = {};  // that the method saw, in words
 };
 
 struct PerturbationRow {

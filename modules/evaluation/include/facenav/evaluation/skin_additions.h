@@ -1,7 +1,7 @@
 #pragma once
-// What a scanner may add to a head: shading, a bright nose, a faint halo around the skin, and pads or
-// earphones that touch it. Each is added to a real or painted scan, so that the skin found with it can be
-// compared with the skin found without (`facenav evaluate skin`). Frame Mri, RAS; lengths in mm.
+// What a scanner may add to a head: shading, a bright nose, a faint halo around the skin, and pads,
+// earphones or tape that touch it. Each is added to a real or painted scan, so that the skin found with it
+// can be compared with the skin found without (`facenav evaluate skin`). Frame Mri, RAS; lengths in mm.
 
 #include <string>
 #include <vector>
@@ -18,14 +18,15 @@ struct SkinAddition {
   double halo = 0;         // signal up to 6 mm outside the skin, as a share of the skin's own
   // Signal of pads, as a share of the skin's own; 0: none. Thin gaps part them from the skin here and there.
   double pad_behind = 0, pads_beside = 0, earphones = 0;
+  double tape = 0;  // signal of a strip that sticks to the forehead without a gap
 };
 
-/// Those of the published table: shading, bright nose, two halos, pads, earphones, and all at once.
+/// Those of the published table: shading, bright nose, two halos, pads, earphones, tape, and all at once.
 std::vector<SkinAddition> skinAdditions();
 
 struct AddedScan {
   volume::Volume scan;
-  volume::Mask pads;  // voxels that pads or earphones fill
+  volume::Mask pads;  // voxels that pads, earphones or tape fill
 };
 
 /// A scan and its own skin, to which things are added.
