@@ -47,14 +47,14 @@ void drawPlannedCoil(SkinCanvas& canvas, const guidance::Target& target, const g
                      const DrawnTarget& drawn) {
   drawDot(canvas, target.scalp_point.mm, drawn.is_named ? target.name : std::string(), kTarget);
   if (!drawn.is_whole) return;
-  constexpr double kHandle_mm = 110;
+  constexpr double kDrawnHandle_mm = 110;
   const auto at = [&](double x, double y) {
     return canvas.at((target.mri_T_target * Point<frames::Target>(x, y, 0)).mm);
   };
   std::vector<cv::Point> outline;
   for (const auto& corner : plate.outline_mm) outline.push_back(at(corner.x(), corner.y()));
   cv::polylines(canvas.image, outline, true, kTarget, 1, cv::LINE_AA);
-  cv::line(canvas.image, at(0, 0), at(0, -kHandle_mm), kTarget, 2, cv::LINE_AA);
+  cv::line(canvas.image, at(0, 0), at(0, -kDrawnHandle_mm), kTarget, 2, cv::LINE_AA);
 }
 
 }  // namespace

@@ -117,8 +117,8 @@ void refine(std::vector<Candidate>& candidates, const FieldFitter& fitter,
 }
 
 std::vector<int> sparsePoints(const PointCloud<Camera>& face) {
-  constexpr std::size_t kLooked = 8000;
-  return thinOut(face, someOf(finitePoints(face), kLooked), 5.0, 4000);
+  constexpr std::size_t kMostLooked = 8000;
+  return thinOut(face, someOf(finitePoints(face), kMostLooked), 5.0, 4000);
 }
 
 /// Does most of the cloud lie on the skin, by a coarse measure?

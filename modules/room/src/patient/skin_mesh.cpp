@@ -215,14 +215,14 @@ void faceOutwards(surface::TriangleMesh& mesh) {
 /// a steep fall of intensity. The steepest position is not used: where the dermis is dark, the edge of the
 /// fat 2-4 mm below it is steeper than the skin's edge, and a surface that jumps to it has dents.
 double edgeOffset(const volume::Volume& field, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
-  constexpr double kReach_mm = 2.0, kStep_mm = 0.125;
-  constexpr int kSteps = int(2 * kReach_mm / kStep_mm);
+  constexpr double kReach_mm = 2.0, kApart_mm = 0.125;
+  constexpr int kSteps = int(2 * kReach_mm / kApart_mm);
   double values[kSteps + 1];
   for (int i = 0; i <= kSteps; ++i)
     values[i] = volume::sampleLinear(
-        field, field.grid.toVoxel(Point<Mri>(p_mm + (i * kStep_mm - kReach_mm) * normal)));
+        field, field.grid.toVoxel(Point<Mri>(p_mm + (i * kApart_mm - kReach_mm) * normal)));
   double falls[kSteps + 1] = {}, steepest = 0.0;
-  const auto offsetAt = [](double i) { return i * kStep_mm - kReach_mm; };
+  const auto offsetAt = [](double i) { return i * kApart_mm - kReach_mm; };
   for (int i = 4; i + 4 <= kSteps; ++i) {
     falls[i] = (values[i - 4] - values[i + 4]) * std::exp(-0.125 * offsetAt(i) * offsetAt(i));
     steepest = std::max(steepest, falls[i]);

@@ -43,17 +43,17 @@ class ScanMeter {
 
   /// Profile from air to skin along the normals: height of the step and its steepest millimetre.
   void measureSkin() {
-    constexpr double kOutside_mm = 5, kInside_mm = 5, kStep_mm = 0.5;
+    constexpr double kOutside_mm = 5, kInside_mm = 5, kEvery_mm = 0.5;
     constexpr std::size_t kSamples = 3000;
     std::vector<double> steps, slopes;
     const std::size_t stride = std::max<std::size_t>(1, scalp_.vertices_mm.size() / kSamples);
     for (std::size_t v = 0; v < scalp_.vertices_mm.size(); v += stride) {
       double outside = 0, highest = 0, before = 0, slope = 0;
-      for (double t = kOutside_mm; t >= -kInside_mm; t -= kStep_mm) {
+      for (double t = kOutside_mm; t >= -kInside_mm; t -= kEvery_mm) {
         const double value = volume::sampleLinear(
             mri_, grid_.toVoxel(Point<Mri>(scalp_.vertices_mm[v] + t * scalp_.normals[v])));
         if (t == kOutside_mm) outside = before = value;
-        slope = std::max(slope, (value - before) / kStep_mm);
+        slope = std::max(slope, (value - before) / kEvery_mm);
         highest = std::max(highest, value);
         before = value;
       }

@@ -15,7 +15,7 @@ constexpr std::size_t kTrkHeader = 1000;
 template <class T>
 T atOffset(const std::string& bytes, std::size_t offset) {
   T value;
-  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  std::memcpy(static_cast<void*>(&value), bytes.data() + offset, sizeof value);
   return value;
 }
 

@@ -39,9 +39,9 @@ constexpr double kByHand_mm = 2.0;
 constexpr double kFurthestFromSkin_mm = 20.0;
 
 bool isOnEdge(const surface::ScalpSurface& scalp, const Point<Mri>& p) {
-  constexpr double kNear_mm = 2.0;
+  constexpr double kAtEdge_mm = 2.0;
   for (const auto& [on_plane, outwards] : scalp.field_of_view)
-    if (outwards.v.dot(p.mm - on_plane.mm) > -kNear_mm) return true;
+    if (outwards.v.dot(p.mm - on_plane.mm) > -kAtEdge_mm) return true;
   return false;
 }
 
