@@ -143,18 +143,12 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
                                      home_->coil,
                                      std::move(outcome),
                                      workflow::calibrationReminder(home_->card)};
-  tasks_.start(tr("Starting"),
-               [this, request, open = recording_ ? nullptr : cameras_.opener(),
-                preview = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 const workflow::TreatmentDevices devices{
-                     services_.makeNavigator, [&] {
-                       preview.reset();  // first: a camera can be opened only once
-                       return request.is_live ? open() : capture::makeSource(request.recording);
-                     }};
-                 auto prepared = std::make_shared<workflow::PreparedTreatment>(
-                     workflow::prepareTreatment(request, devices));
-                 return [this, prepared] { begin(*prepared); };
-               });
+  request.focus_caution = workflow::focusCaution(home_->card);
+  workflow::CameraTurnover cameras{recording_ ? nullptr : cameras_.opener(), cameras_.release()};
+  tasks_.start(tr("Starting"), [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
+    const auto prepared = workflow::prepareTreatment(request, services_.makeNavigator, cameras);
+    return [this, prepared] { begin(*prepared); };
+  });
 }
 
 void HomePresenter::begin(workflow::PreparedTreatment& prepared) {
@@ -166,11 +160,7 @@ void HomePresenter::begin(workflow::PreparedTreatment& prepared) {
   other_coil_.emplace(home_->coil);
   saved_as_.clear();
   const auto source = QSettings().value("treat/pulses").toString().toStdString();
-  try {
-    if (!source.empty()) treatment_->listen(links::openPulseSource(source));
-  } catch (const Error& error) {
-    treatment_->log().addEvent(workflow::session_events::kSource, error.what());
-  }
+  if (!source.empty()) treatment_->tryToListen(source);
   set(Stage::guiding);
 }
 

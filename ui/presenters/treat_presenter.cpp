@@ -6,8 +6,6 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/coil_library.h"
-#include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/session_return.h"
 #include "facenav/workflow/sign_off_gate.h"
 #include "facenav/workflow/software_version.h"
@@ -18,7 +16,6 @@ namespace facenav::ui {
 namespace {
 
 const char* const kPulseSource = "treat/pulses";
-const char* const kCoil = "treat/coil";
 
 }  // namespace
 
@@ -29,8 +26,6 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
       model_(model),
       tasks_(tasks),
       cameras_(services, tasks),
-      coil_(coil_tracking::defaultCoil()),
-      coil_card_{coil_.name, {}, {}, {}, Eigen::Vector3d::Zero(), false, std::nullopt},
       pulse_source_(QSettings().value(kPulseSource).toString()),
       overlays_(
           [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
@@ -76,9 +71,7 @@ void TreatPresenter::openRecording(const QString& folder) {
       recording_ = film->recording;
       is_live_ = false;
       rig_fault_.clear();
-      coil_ = film->coil;
-      coil_card_ = film->card;
-      film_ = *film;
+      coil_.useFilm(*film);
       aligned_ = {};
       emit changed();
       cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
@@ -92,56 +85,21 @@ void TreatPresenter::useCameras() {
   recording_ = capture::Recording{};
   recording_->rig = *cameras_.rig();
   is_live_ = true;
-  film_.reset();
-  useRememberedCoil();
+  coil_.useRemembered();
   aligned_ = {};
   rig_fault_.clear();
   emit changed();
 }
 
-/// With live cameras nothing else says which coil is held.
-void TreatPresenter::useRememberedCoil() {
-  const auto name = QSettings().value(kCoil).toString().toStdString();
-  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary())) {
-    if (coil.name != name || !coil.problem.empty()) continue;
-    coil_ = coil.model;
-    coil_card_ = coil.card;
-  }
-}
-
-QStringList TreatPresenter::coils() const {
-  QStringList names{film_ ? QString::fromStdString(film_->coil.name) : coilName()};
-  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary()))
-    if (coil.problem.empty()) names << QString::fromStdString(coil.name);
-  names.removeDuplicates();
-  return names;
-}
-
 void TreatPresenter::chooseCoil(const QString& name) {
   try {
-    auto coil = coil_;
-    auto card = coil_card_;
-    if (film_ && QString::fromStdString(film_->coil.name) == name) {
-      coil = film_->coil, card = film_->card;
-    } else if (name != coilName()) {
-      const auto found = workflow::findCoil(workflow::coilLibrary(), name.toStdString());
-      coil = found.model, card = found.card;
-      QSettings().setValue(kCoil, name);
-    }
-    if (isRunning()) treatment_->chooseCoil(coil);
-    coil_ = coil;
-    coil_card_ = card;
+    coil_.choose(name, [this](const coil_tracking::CoilModel& coil) {
+      if (isRunning()) treatment_->chooseCoil(coil);
+    });
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
   }
   emit changed();
-}
-
-QString TreatPresenter::coilReminder() const {
-  if (const auto* aim = target())
-    if (const auto caution = workflow::otherCoilCaution(*aim, coil_.name))
-      return QString::fromStdString(*caution);
-  return QString::fromStdString(workflow::calibrationReminder(coil_card_).value_or(""));
 }
 
 bool TreatPresenter::canAlign() const {
@@ -197,21 +155,16 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
 }
 
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
-  workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_, aligned_.outcome};
-  request.coil_reminder = workflow::calibrationReminder(coil_card_);
+  workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
+                                     aligned_.outcome};
+  coil_.noteIn(request);
   request.goes_on = goes_on;
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
+  workflow::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};
   tasks_.start(tr("Starting the trackers"),
-               [this, request, opens = is_live_ ? cameras_.opener() : nullptr,
-                seen = cameras_.release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 const workflow::TreatmentDevices devices{
-                     services_.makeNavigator, [&] {
-                       seen.reset();  // first: a camera can be opened only once
-                       return request.is_live ? opens() : capture::makeSource(request.recording);
-                     }};
-                 auto prepared = std::make_shared<workflow::PreparedTreatment>(
-                     workflow::prepareTreatment(request, devices));
+               [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
+                 const auto prepared = workflow::prepareTreatment(request, services_.makeNavigator, cameras);
                  return [this, prepared] { begin(*prepared); };
                });
 }
@@ -226,15 +179,10 @@ void TreatPresenter::begin(workflow::PreparedTreatment& prepared) {
   listen();
 }
 
-/// A session goes on without a source that cannot be opened; that is said.
 void TreatPresenter::listen() {
   if (pulse_source_.isEmpty() || !isRunning()) return;
-  try {
-    treatment_->listen(links::openPulseSource(pulse_source_.toStdString()));
-  } catch (const Error& error) {
-    treatment_->log().addEvent(workflow::session_events::kSource, error.what());
-    emit refused(tr("no pulses from outside: %1").arg(QString::fromUtf8(error.what())));
-  }
+  if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
+    emit refused(tr("no pulses from outside: %1").arg(QString::fromStdString(*fault)));
 }
 
 bool TreatPresenter::setPulseSource(const QString& words) {
@@ -394,7 +342,7 @@ void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> 
   const auto* t = target();
   pictures::OverlayOrder order{recording_->rig, std::move(state),
                                t ? std::optional<guidance::Target>(*t) : std::nullopt};
-  if (shows_skin_ && aligned_.seen.skin) order.alignment = {aligned_.seen.skin, coil_.tip};
+  if (shows_skin_ && aligned_.seen.skin) order.alignment = {aligned_.seen.skin, coil_.model().tip};
   overlays_.ask(std::move(order));
 }
 

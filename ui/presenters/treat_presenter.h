@@ -13,6 +13,7 @@
 #include "presenters/aligned_head.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
+#include "presenters/followed_coil.h"
 #include "presenters/read_out.h"
 #include "presenters/retirement.h"
 #include "presenters/services.h"
@@ -43,13 +44,13 @@ class TreatPresenter : public QObject {
   void stop();
   void chooseTarget(const QString& name);
   /// Names of the coils to choose from: the recording's own one, then those of the library.
-  QStringList coils() const;
-  QString coilName() const { return QString::fromStdString(coil_.name); }
+  QStringList coils() const { return coil_.names(); }
+  QString coilName() const { return coil_.name(); }
   /// Follows this coil from now on, also while guidance runs. Remembered where it is of the library.
   void chooseCoil(const QString& name);
   /// That the target was found with another coil, or that the coil's calibration is old or not recorded;
   /// empty: nothing to say.
-  QString coilReminder() const;
+  QString coilReminder() const { return coil_.reminder(target()); }
   /// Recorded in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
   /// Guides to a place that is not in the plan (a site of a hunting grid); nothing: to the chosen target
@@ -138,7 +139,7 @@ class TreatPresenter : public QObject {
   bool showsSkin() const { return shows_skin_; }
   void showSkin(bool is_shown);
   /// The point of the coil that is held to the face.
-  const Point<Coil>& tip() const { return coil_.tip; }
+  const Point<Coil>& tip() const { return coil_.model().tip; }
   /// Logs it; a wrong one withholds guidance until a check passes.
   void judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading);
 
@@ -155,7 +156,6 @@ class TreatPresenter : public QObject {
  private:
   void startWith(const std::filesystem::path& goes_on);
   void use(const AlignedHead& aligned);
-  void useRememberedCoil();
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
   void listen();
@@ -169,11 +169,9 @@ class TreatPresenter : public QObject {
   std::optional<capture::Recording> recording_;  // with live cameras: the rig and the images taken
   bool is_live_ = false;
   mutable QString rig_fault_;
-  coil_tracking::CoilModel coil_;
+  FollowedCoil coil_;
   AlignedHead aligned_;
   bool shows_skin_ = true;
-  coil_tracking::CoilCard coil_card_;
-  std::optional<workflow::TreatmentFilm> film_;     // whose coil may be chosen again
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
   std::filesystem::path last_session_;

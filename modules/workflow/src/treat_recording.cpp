@@ -38,12 +38,15 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
   }
   const auto reminder = calibrationReminder(film.card);
   if (reminder) logWarning(*reminder);
+  const auto focus = focusCaution(film.card);
+  if (focus) logWarning(*focus);
   AlignOrder order{request.aligner};
   order.stored_pair_stands_in = true;
   const auto alignment = std::make_shared<AlignmentOutcome>(
       alignRecording(methods, store, film.recording, order, monitor).outcome);
   TreatmentRequest treatment{store, film.recording, false, film.coil, alignment, reminder};
   treatment.override = request.override;
+  treatment.focus_caution = focus;
   treatment.goes_on = goes_on;
   treatment.speed = request.speed;
   return treatment;

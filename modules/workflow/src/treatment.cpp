@@ -53,6 +53,7 @@ void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const
   log.addEvent("target", target ? target->name : "");
   log.addEvent("coil", request.coil.name);
   if (request.coil_reminder) log.addEvent("coil calibration", *request.coil_reminder);
+  if (request.focus_caution) log.addEvent("coil focus", *request.focus_caution);
   log.addEvent("alignment", alignmentWords(*request.alignment, target));
 }
 
@@ -83,6 +84,18 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
   PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
   prepared.source = devices.openSource();
   return prepared;
+}
+
+std::shared_ptr<PreparedTreatment> prepareTreatment(
+    const TreatmentRequest& request,
+    const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
+    CameraTurnover& cameras) {
+  const TreatmentDevices devices{makeNavigator, [&] {
+                                   cameras.preview.reset();  // first: a camera can be opened only once
+                                   return request.is_live ? cameras.open()
+                                                          : capture::makeSource(request.recording);
+                                 }};
+  return std::make_shared<PreparedTreatment>(prepareTreatment(request, devices));
 }
 
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
@@ -138,6 +151,16 @@ void Treatment::listen(std::unique_ptr<links::PulseSource> source) {
   source->start(listenerFor(source->name()));
   log_->addEvent(session_events::kSource, source->name() + ": listening");
   sources_.push_back(std::move(source));
+}
+
+std::optional<std::string> Treatment::tryToListen(const std::string& source) {
+  try {
+    listen(links::openPulseSource(source));
+    return std::nullopt;
+  } catch (const Error& error) {
+    log_->addEvent(session_events::kSource, error.what());
+    return error.what();
+  }
 }
 
 /// The target's own dose wins.

@@ -70,6 +70,10 @@ TEST_F(CoilLibrary, StatesWhatIsGivenAndTakesMeshAndPatternAlong) {
       addCoil(library_, write(coilText("round", 3, R"(, "mesh": "body.stl", "mine": 1)")), changes, false);
   EXPECT_EQ(coil.card.make, "Acme");
   EXPECT_EQ(coil.card.focus_mm.y(), 5);
+  EXPECT_NE(focusCaution(coil.card).value_or("").find("5 mm beside its centre"), std::string::npos);
+  auto centred = coil.card;
+  centred.focus_mm = {0, 0.4, 20};  // deeper is no other place on the head
+  EXPECT_FALSE(focusCaution(centred));
   EXPECT_EQ(*coil.model.mesh, coil.file.parent_path() / "body.stl");
   EXPECT_TRUE(fs::exists(*coil.model.mesh));
   EXPECT_THAT(readWholeFile(coil.file), HasSubstr("\"mine\""));

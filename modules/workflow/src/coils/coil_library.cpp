@@ -210,6 +210,13 @@ std::optional<std::string> calibrationReminder(const coil_tracking::CoilCard& ca
          what_to_do;
 }
 
+std::optional<std::string> focusCaution(const coil_tracking::CoilCard& card) {
+  if (card.isFocusCentred()) return std::nullopt;
+  return "the field of " + (card.name.empty() ? "this coil" : card.name) +
+         formatted(" is strongest %.0f mm beside its centre: guidance brings the centre to the target",
+                   card.focus_mm.head<2>().norm());
+}
+
 std::string inWords(const LibraryCoil& coil) {
   if (!coil.problem.empty()) return coil.name + ": cannot be used, " + coil.problem;
   std::string words = coil.name, maker;

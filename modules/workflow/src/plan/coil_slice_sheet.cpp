@@ -33,7 +33,7 @@ RgbImage coilSliceSheet(const scene::SliceScene& scene, const guidance::Target& 
   };
   const auto passing = scene::beamPassing(coil.mri_T_coil, target.cortex_point);
   const std::string bound =
-      bound95_mm && *bound95_mm > 0 ? formatted("; ring: error below %.1f mm (95 %%)", *bound95_mm) : "";
+      bound95_mm && *bound95_mm > 0 ? formatted("; ring: 95 %% within %.1f mm", *bound95_mm) : "";
   return pictures::titledRow(
       {{target.name + formatted(": along the handle (on the left), cortex %.0f mm deep", passing.depth_mm),
         slice(scene::CoilCut::along_handle)},

@@ -67,6 +67,9 @@ void removeCoil(const std::filesystem::path& library, const std::string& name);
 /// where none is recorded. Nothing: it is recent. `now_s`: seconds since 1970; default: now.
 std::optional<std::string> calibrationReminder(const coil_tracking::CoilCard& card,
                                                std::optional<double> now_s = {});
+/// "the field of C100 is strongest 12 mm beside its centre: guidance brings the centre to the target";
+/// nothing where it is strongest under the centre.
+std::optional<std::string> focusCaution(const coil_tracking::CoilCard& card);
 /// "figure-8 70 mm (Magstim D70, 12 345); marker 4x4_50 id 7; calibrated 2026-05-04, 0.21 mm".
 std::string inWords(const LibraryCoil& coil);
 

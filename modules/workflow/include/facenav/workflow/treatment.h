@@ -47,7 +47,8 @@ struct TreatmentRequest {
   /// The folder of an earlier session of the case that is gone on with (session_return.h); empty: a new one.
   /// The alignment is then the case's own, and guidance is withheld until it is checked.
   std::filesystem::path goes_on = {};
-  double speed = 1.0;  // of a recording, relative to real time
+  double speed = 1.0;                             // of a recording, relative to real time
+  std::optional<std::string> focus_caution = {};  // coil_library.h; logged
 };
 
 /// How trackers and frames are opened; a test replaces them.
@@ -64,6 +65,17 @@ struct PreparedTreatment {
 };
 /// Slow; for a worker thread. Throws Error: not signed off and no override, no face, a camera that is busy.
 PreparedTreatment prepareTreatment(const TreatmentRequest& request, const TreatmentDevices& devices);
+
+/// A window's cameras, from their preview to the treatment. Both are null where a recording is played.
+struct CameraTurnover {
+  std::function<std::unique_ptr<capture::FrameSource>()> open;
+  std::shared_ptr<const void> preview;  // holds the cameras until they are opened
+};
+/// The same for a window: with its navigator, and its cameras or the request's recording.
+std::shared_ptr<PreparedTreatment> prepareTreatment(
+    const TreatmentRequest& request,
+    const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
+    CameraTurnover& cameras);
 
 /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", for log, window and command line. `target` may be
 /// null.
@@ -101,6 +113,9 @@ class Treatment {
   /// The pulses of a source, from now on; beside it the keyboard is always there. What keeps a source from
   /// working is an event. Throws Error when it cannot be opened; none is added then.
   void listen(std::unique_ptr<links::PulseSource> source);
+  /// The same by the source's words. A session goes on without a source that cannot be opened: that is
+  /// logged, and returned in words.
+  std::optional<std::string> tryToListen(const std::string& source);
   /// No more pulses from these sources.
   void stopListening();
   /// A pulse by the window's key or button.
