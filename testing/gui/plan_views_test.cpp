@@ -62,7 +62,7 @@ TEST_F(PlanViews, LiveSlicesShowNothingOfALostPose) {
     EXPECT_EQ(view->boundWords(), "") << "the bound is not known";
   }
   slices.follow(seen, "hold", 1.62);
-  EXPECT_EQ(slices.views()[1]->boundWords(), "ring: error below 1.6 mm (95 %)");
+  EXPECT_EQ(slices.views()[1]->boundWords(), "ring: 95 % within 1.6 mm");
   const QImage live = slices.views()[0]->grab().toImage();
   session::NavigationState coil_lost = seen;
   coil_lost.camera_T_coil = Lost{LostReason::no_marker};

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "appearance.h"
 #include "views/image_view.h"
 #include "views/window_drag.h"
 
@@ -61,7 +62,7 @@ QString CoilSliceView::caption() const {
 
 QString CoilSliceView::boundWords() const {
   if (!showsSlice() || !coil_->bound95_mm || *coil_->bound95_mm <= 0) return {};
-  return tr("ring: error below %1 mm (95 %)").arg(*coil_->bound95_mm, 0, 'f', 1);
+  return tr("ring: 95 % within %1 mm").arg(*coil_->bound95_mm, 0, 'f', 1);
 }
 
 void CoilSliceView::paintEvent(QPaintEvent*) {
@@ -76,9 +77,16 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
   }
   is_outdated_ = false;
   const QFontMetrics metrics = painter.fontMetrics();
-  painter.drawText(8, 4 + metrics.ascent(), metrics.elidedText(caption(), Qt::ElideRight, width() - 16));
-  painter.drawText(8, height() - 4 - metrics.descent(),
-                   metrics.elidedText(boundWords(), Qt::ElideRight, width() - 16));
+  const auto write = [&](const QString& words, int top) {
+    if (words.isEmpty()) return;
+    const QString shown = metrics.elidedText(words, Qt::ElideRight, width() - 16);
+    if (showsSlice())  // grey words on grey tissue cannot be read
+      painter.fillRect(4, top, metrics.horizontalAdvance(shown) + 8, metrics.height(), QColor(0, 0, 0, 170));
+    painter.drawText(8, top + metrics.ascent(), shown);
+  };
+  const int letters = sized(24);  // the side's letters stand below
+  write(caption(), 4);
+  write(boundWords(), height() - letters - metrics.height());
 }
 
 void CoilSliceView::mousePressEvent(QMouseEvent* event) {

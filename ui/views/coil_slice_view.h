@@ -29,7 +29,7 @@ class CoilSliceView : public QWidget {
   bool showsSlice() const { return coil_ && scene_ && scene_->mri; }
   /// "along: cortex 21 mm deep", "across: beam 0.4 mm off"; "along the handle" without a target.
   QString caption() const;
-  /// "ring: error below 1.6 mm (95 %)"; empty where it is not known.
+  /// "ring: 95 % within 1.6 mm"; empty where it is not known.
   QString boundWords() const;
   /// What stands in place of the slice.
   QString words() const { return words_; }

@@ -104,11 +104,11 @@ QWidget* TreatWorkspace::makeSteps() {
   guide_->setObjectName("primary");
   target_ = new QComboBox(bar);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  target_->setMinimumContentsLength(14);
+  target_->setMinimumContentsLength(12);
   target_->setToolTip(tr("the target to guide to"));
   coil_ = new QComboBox(bar);
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  coil_->setMinimumContentsLength(10);
+  coil_->setMinimumContentsLength(15);
   coil_->setAccessibleName(tr("coil"));
   show_slices_ = new QPushButton(tr("Slices"), bar);
   show_slices_->setObjectName("tool");

@@ -1,0 +1,115 @@
+// Treat and the home window with a real face: real trackers, a recording of the virtual room played as if
+// live, images for people to look at. FACENAV_GUI_CASES=DIR is a folder whose first case is treated (use a
+// copy), FACENAV_GUI_RECORDING=DIR its recording, FACENAV_GUI_HOME=DIR a home case of the same person (may be
+// missing), FACENAV_GUI_PICTURES=DIR the output. Skipped without them.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <cstdlib>
+
+#include "appearance.h"
+#include "facenav/casefile/sign_off.h"
+#include "facenav/scene/display.h"
+#include "gui_fixtures.h"
+#include "home/home_window.h"
+#include "main_window.h"
+#include "registrations.h"
+#include "views/guidance_screen.h"
+#include "views/projector_screen.h"
+#include "views/second_screens.h"
+#include "workspaces/treat_workspace.h"
+
+namespace facenav::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using Tool = TreatWorkspace::Tool;
+
+const char* fromEnvironment(const char* name) { return std::getenv(name); }
+
+class TreatPictures : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!recording_ || !pictures_) GTEST_SKIP() << "FACENAV_GUI_RECORDING and _PICTURES are not set";
+    if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  }
+  void TearDown() override { applyAppearance(*qApp); }
+  void take(QWidget& widget, const QString& name) const {
+    fixtures::waitFor([] { return false; }, 700);  // time to draw
+    EXPECT_TRUE(widget.grab().save(QString("%1/%2.png").arg(pictures_, name)));
+  }
+  const char *recording_ = fromEnvironment("FACENAV_GUI_RECORDING"),
+             *pictures_ = fromEnvironment("FACENAV_GUI_PICTURES");
+  const std::vector<std::tuple<QString, QSize, double>> sizes_{
+      {"1366", QSize(1366, 768), 1.0}, {"1920", QSize(1920, 1080), 1.0}, {"doubled", QSize(1920, 1080), 2.0}};
+};
+
+template <class Screen>
+Screen* shownScreen() {
+  for (auto* widget : QApplication::topLevelWidgets())
+    if (auto* screen = widget->findChild<Screen*>(); screen && screen->isVisible()) return screen;
+  for (auto* widget : QApplication::topLevelWidgets())
+    if (auto* screen = dynamic_cast<Screen*>(widget); screen && screen->isVisible()) return screen;
+  return nullptr;
+}
+
+TEST_F(TreatPictures, OfTheToolsAndTheOtherScreens) {
+  const char* cases = fromEnvironment("FACENAV_GUI_CASES");
+  if (!cases) GTEST_SKIP() << "FACENAV_GUI_CASES is not set";
+  const fs::path case_folder = casefile::listCases(cases).front().folder;
+  for (const auto& [name, size, scale] : sizes_) {
+    applyAppearance(*qApp, scale);
+    MainWindow window(servicesWith(app::makeRegistrations));
+    window.resize(size);
+    window.show();
+    window.openCase(QString::fromStdString(case_folder.string()));
+    ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 90000));
+    window.setWorkspace(Workspace::treat);
+    window.play(recording_);
+    ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 240000));
+    fixtures::waitFor([&] { return bool(window.treat().state()->camera_T_coil); }, 60000);
+    auto* treat = window.findChild<TreatWorkspace*>();
+    for (const auto& [tool, words] : {std::pair(Tool::aim, "aim"), {Tool::check, "check"}}) {
+      treat->showTool(tool);
+      take(window, QString("treat_%1_%2").arg(words, name));
+    }
+    treat->screens().showGuidance(true);
+    treat->screens().showProjector(true);
+    fixtures::waitFor([] { return false; }, 500);
+    if (auto* screen = shownScreen<GuidanceScreen>()) take(*screen, "second_" + name);
+    if (auto* screen = shownScreen<ProjectorScreen>()) take(*screen, "projector_" + name);
+    treat->screens().showGuidance(false);
+    treat->screens().showProjector(false);
+    EXPECT_EQ(window.size(), size) << "no words widen the window";
+  }
+}
+
+TEST_F(TreatPictures, OfTheHomeWindow) {
+  const char* home_case = fromEnvironment("FACENAV_GUI_HOME");
+  if (!home_case) GTEST_SKIP() << "FACENAV_GUI_HOME is not set";
+  for (const auto& [name, size, scale] : sizes_) {
+    applyAppearance(*qApp, scale);
+    HomeWindow window(servicesWith(app::makeRegistrations));
+    window.resize(size);
+    window.show();
+    auto& home = window.presenter();
+    home.open(home_case);
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() != HomePresenter::Stage::opening; }, 60000));
+    home.play(recording_);
+    take(window, "home_sit_" + name);
+    home.act();
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == HomePresenter::Stage::guiding; }, 240000))
+        << home.words().toStdString();
+    fixtures::waitFor([&] { return home.advice().step == workflow::HomeStep::follow; }, 60000);
+    home.countPulse();
+    take(window, "home_follow_" + name);
+    home.act();
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == HomePresenter::Stage::ended; }, 60000));
+    take(window, "home_ended_" + name);
+    EXPECT_EQ(window.size(), size) << "no words widen the window";
+  }
+}
+
+}  // namespace
+}  // namespace facenav::ui
