@@ -45,9 +45,37 @@ GoalRow driftGoal(const std::vector<Measured>& all) {
       basis(runs, frames)};
 }
 
+/// Two ordinary USB cameras: what a seated patient and a coil must be followed with.
+GoalRow webcamGoal(const std::vector<Measured>& all, const std::string& scenario) {
+  const Pool motion = pool(all, {scenario}, &FrameErrors::motion),
+             head = pool(all, {scenario}, &FrameErrors::head),
+             coil = pool(all, {scenario}, &FrameErrors::coil);
+  std::size_t wrong = 0, frames = 0;
+  double loss_s = 0.0;
+  std::vector<double> ms;
+  for (const auto& one : all) {
+    if (one.run->scenario != scenario) continue;
+    frames += one.run->frames.size();
+    loss_s = std::max(loss_s, longestLoss_s(*one.run));
+    for (const auto& frame : one.frames) wrong += frame.is_head_wrong || frame.is_coil_wrong;
+    for (const auto& frame : one.run->frames) ms.push_back(frame.head_ms + frame.coil_ms);
+  }
+  const double moved_mm = summarise(motion.mm).p95, head_mm = summarise(head.mm).p95,
+               coil_mm = summarise(coil.mm).p95;
+  return {scenario + ": head since the alignment, with it, coil; wrong poses",
+          "p95 <= 0.6, <= 1.0, <= 0.5 mm; 0 wrong; no loss > 0.2 s",
+          formatted("p95 %.2f, %.2f, %.2f mm; %zu wrong; longest loss %.2f s; median %.2f ms a frame",
+                    moved_mm, head_mm, coil_mm, wrong, loss_s, quantile(ms, 0.5)),
+          verdictOf(wrong == 0 && moved_mm <= 0.6 && head_mm <= 1.0 && coil_mm <= 0.5 && loss_s <= 0.2,
+                    frames > 0),
+          basis(motion.runs, frames)};
+}
+
 }  // namespace
 
 void addCameraGoals(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
+  for (const char* scenario : {"webcam", "unsynced", "autoexposure", "refocus", "fast_coil", "glasses"})
+    rows.push_back(webcamGoal(all, scenario));
   rows.push_back(driftGoal(all));
 }
 

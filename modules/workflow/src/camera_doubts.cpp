@@ -68,7 +68,6 @@ bool areDotsSparse(const capture::CapturePair& capture) {
       const int both = dots.at<unsigned char>(row, column) + dots.at<unsigned char>(row, column + 1);
       single += both == 1, beside += both == 2;
     }
-  if (std::getenv("DOTS_OUT")) std::fprintf(stderr, "dots single %d beside %d\n", single, beside);
   return single + beside > kFewestDots && beside < kDense * (single + beside);
 }
 

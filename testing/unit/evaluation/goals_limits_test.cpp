@@ -51,6 +51,23 @@ TEST(GoalLimits, HeadMotion) {
   EXPECT_EQ(verdict({tail}, std::string(kMotion) + "protractor"), Verdict::missed);
 }
 
+TEST(GoalLimits, WebcamsAreJudgedByHeadCoilLossesAndWrongPoses) {
+  for (const char* scenario : {"webcam", "unsynced", "autoexposure", "refocus", "fast_coil", "glasses"}) {
+    const std::string row = std::string(scenario) + ": head since the alignment";
+    EXPECT_EQ(verdict({perfectRun("still", 20)}, row), Verdict::not_measured);
+    EXPECT_EQ(verdict({withMotion(scenario, shifted(0.59))}, row), Verdict::met);
+    EXPECT_EQ(verdict({withMotion(scenario, shifted(0.61))}, row), Verdict::missed);
+    RunRecord run = perfectRun(scenario, 20);
+    made::addCoil(run, shifted(50, 0, 500));
+    EXPECT_EQ(verdict({run}, row), Verdict::met);
+    for (auto& frame : run.frames) frame.marker = shifted(50.51, 0, 500);
+    EXPECT_EQ(verdict({run}, row), Verdict::missed);
+    run = perfectRun(scenario, 100);
+    run.frames[3].head_motion = shifted(3.1);  // one wrong pose of a hundred
+    EXPECT_EQ(verdict({run}, row), Verdict::missed);
+  }
+}
+
 TEST(GoalLimits, StaticJitter) {
   const auto still = [](double half_mm) {
     RunRecord run = perfectRun("still", 200);

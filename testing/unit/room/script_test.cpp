@@ -71,6 +71,36 @@ TEST(Scenario, DriftMovesTheRightCameraSlowlyInTheAxisAskedFor) {
   EXPECT_THROW(played(wrong), Error);
 }
 
+TEST(Scenario, WebcamsHaveTheirOwnShutterAndClocksUnlessOptionsSayOtherwise) {
+  EXPECT_EQ(resolved(named("treatment")).rolling_ms, 0.0);
+  EXPECT_EQ(resolved(named("webcam")).rolling_ms, 20.0);
+  EXPECT_EQ(resolved(named("webcam")).right_late_ms, 0.0);
+  EXPECT_EQ(resolved(named("unsynced")).right_late_ms, 9.0);
+  EXPECT_GT(resolved(named("autoexposure")).exposure_step, 0.0);
+  EXPECT_EQ(resolved(named("refocus")).refocus_px, 1.5);
+  auto slow = named("webcam");
+  slow.rolling_ms = 33.0, slow.rig_name = "1080p";
+  EXPECT_EQ(resolved(slow).rolling_ms, 33.0);
+  EXPECT_EQ(resolved(slow).rig.width_px, 1920);
+  EXPECT_NEAR(resolved(slow).rig.focal_px, 0.83 * 1920, 1e-9);
+}
+
+TEST(Scenario, TheFastCoilIsFastAndTheGlassesAreNotWornAtFirst) {
+  const Played played;
+  const auto coil = played(named("fast_coil", 120));
+  double most_mm_s = 0;
+  for (int frame = 1; frame < 120; ++frame)
+    most_mm_s = std::max(most_mm_s, 30.0 * (coil->at(frame).cast.room_T_coil->translation_mm() -
+                                            coil->at(frame - 1).cast.room_T_coil->translation_mm())
+                                               .norm());
+  EXPECT_GT(most_mm_s, 200.0);
+  EXPECT_LT(most_mm_s, 400.0);
+  const auto glasses = played(named("glasses", 30));
+  EXPECT_FALSE(glasses->capture().has_glasses);
+  EXPECT_FALSE(glasses->at(0).cast.has_glasses);
+  EXPECT_TRUE(glasses->at(29).cast.has_glasses);
+}
+
 TEST(Scenario, UnknownNameIsAnErrorThatListsTheOthers) {
   try {
     Played()(named("treatmnt"));
