@@ -59,7 +59,7 @@ EvaluationSequence roomSequence(const room::ScenarioOptions& options, const Eval
   sequence.source = room;
   sequence.truth = [room](std::int64_t) { return truthOf(room->truth()); };
   sequence.coil = coilOf(room->coil());
-  sequence.frames_per_s = options.frames_per_s;
+  sequence.frames_per_s = room::resolved(options).frames_per_s;
   return sequence;
 }
 
