@@ -82,6 +82,7 @@ int runCommandLine(int argc, char** argv) {
   app::addCameras(cli, context);
   app::addCalibrate(cli, context);
   app::addRig(cli, context);
+  app::addRecord(cli, context);
   app::addCalibrateCoil(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);

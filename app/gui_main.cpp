@@ -24,6 +24,7 @@
 #include "registrations.h"
 #include "report_pdf.h"
 #include "settings_flags.h"
+#include "setup/setup_window.h"
 #include "workspaces/prepare/prepare_workspace.h"
 
 namespace {
@@ -35,8 +36,8 @@ constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
 struct Arguments {
   workflow::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
-  std::string report_pdf, session, home;
-  bool has_name = false, has_no_pictures = false;
+  std::string report_pdf, session, home, rig;
+  bool has_name = false, has_no_pictures = false, is_set_up = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
 
@@ -119,6 +120,20 @@ int runHome(QApplication& application, const Arguments& arguments) {
   return application.exec();
 }
 
+/// The set-up of a camera pair alone.
+int runSetUp(QApplication& application, const Arguments& arguments) {
+  ui::SetupWindow window(ui::servicesWith(app::makeRegistrations));
+  const QSize room = QApplication::primaryScreen()->availableSize();
+  window.resize(std::min(1366, room.width()), std::min(768, room.height()));
+  window.show();
+  if (!arguments.rig.empty()) window.openKept(QString::fromStdString(arguments.rig));
+  if (!arguments.screenshot.empty())
+    QTimer::singleShot(int(arguments.after_s * 1000), &window, [&window, arguments] {
+      QApplication::exit(window.grab().save(QString::fromStdString(arguments.screenshot)) ? 0 : 1);
+    });
+  return application.exec();
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!scene::hasDisplay()) {
     std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
@@ -133,6 +148,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   // Start the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
   if (!arguments.home.empty()) return runHome(application, arguments);
+  if (arguments.is_set_up) return runSetUp(application, arguments);
   ui::MainWindow window(ui::servicesWith(app::makeRegistrations));
   if (!changedSettings().empty()) window.setWindowTitle(QObject::tr("FaceNav (changed settings)"));
   if (arguments.case_folder.empty() && arguments.recording.empty() && arguments.screenshot.empty())
@@ -162,6 +178,10 @@ int main(int argc, char** argv) {
   cli.add_option(
       "--home", arguments.home,
       "case for use near home ('facenav import'): three steps, big buttons, one file to send back");
+  auto* set_up = cli.add_flag("--set-up", arguments.is_set_up,
+                              "places, calibrates and checks two cameras and the coil in four steps");
+  cli.add_option("--rig", arguments.rig, "with --set-up: a pair that is kept, to check or repair it")
+      ->needs(set_up);
   cli.add_option("--cases", arguments.cases_folder, "folder of cases that the worklist shows; remembered");
   cli.add_option("--step", arguments.step, "of prepare: worklist, series, check or sign-off")
       ->check(CLI::IsMember({"worklist", "series", "check", "sign-off"}));

@@ -5,10 +5,8 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -137,6 +135,7 @@ void MainWindow::connectSteps(TreatWorkspace& treat_workspace) {
     if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
     to_override_.reset();
   });
+  connect(&treat_.cameras(), &CamerasPresenter::setUpWanted, this, &MainWindow::setUpCameras);
   connect(&treat_workspace, &TreatWorkspace::shown, this, &MainWindow::showLive);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnPlaying);
   connect(&tasks_, &TaskRunner::succeeded, this, &MainWindow::goOnRestoring);
@@ -171,30 +170,6 @@ QWidget* MainWindow::makeNavigation() {
   column->addStretch(1);
   connect(navigation_, &QButtonGroup::idClicked, this, [this](int id) { setWorkspace(Workspace(id)); });
   return bar;
-}
-
-void MainWindow::addMenus() {
-  auto* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(
-      tr("&Open case\u2026"), this,
-      [this] {
-        const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a case"));
-        if (!folder.isEmpty()) openCase(folder);
-      },
-      QKeySequence::Open);
-  file->addAction(
-      tr("&Read DICOM folder\u2026"), this,
-      [this] {
-        setWorkspace(Workspace::prepare);
-        prepare_workspace_->chooseInput();
-      },
-      Qt::CTRL + Qt::Key_I);
-  file->addSeparator();
-  file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
-  auto* view = menuBar()->addMenu(tr("&View"));
-  auto* full = view->addAction(tr("&Full screen"), this,
-                               [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-  full->setShortcut(Qt::Key_F11);
 }
 
 void MainWindow::setWorkspace(Workspace workspace) {

@@ -43,6 +43,8 @@ class MainWindow : public QMainWindow {
   PrepareStep prepareStep() const;
   const CortexPresenter& cortex() const { return cortex_; }
   const TreatPresenter& treat() const { return treat_; }
+  /// Opens the window that sets up a camera pair; `rig`: a kept one is checked. Live pictures stop meanwhile.
+  void setUpCameras(const QString& rig = {});
   /// The folder that the worklist shows and that new cases go to.
   void setCasesFolder(const QString& folder);
   /// Allows treatment without a sign-off; recorded in the case when it opens.

@@ -6,10 +6,12 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "commands/commands.h"
+#include "commands/live_option.h"
 #include "facenav/pictures/titled_row.h"
 #include "facenav/scene/png.h"
 #include "facenav/workflow/align_case.h"
 #include "facenav/workflow/alignment_seen.h"
+#include "facenav/workflow/record_live.h"
 
 namespace facenav::app {
 namespace {
@@ -19,6 +21,7 @@ struct AlignRequest {
   std::optional<std::filesystem::path> recording, rig, output, picture;
   std::vector<std::filesystem::path> left, right;  // with dots, without
   std::string aligner, matcher = stereo::kDefaultMatcher, from;
+  LiveChoice live;  // its rig alone
 };
 
 cv::Mat readGrey(const std::filesystem::path& path) {
@@ -51,6 +54,28 @@ capture::Recording fromFiles(const AlignRequest& request) {
   return recording;
 }
 
+/// Pictures of now: with the projector on and off, or a single pair where no dots are asked for.
+capture::Recording fromCameras(const AlignRequest& request, const Context& context) {
+  if (request.from == "film")
+    throw Error("a film is not aligned from live cameras", "--using film",
+                "record it first: facenav record --rig NAME");
+  const auto source = openLive(request.live, context);
+  capture::Recording recording;
+  recording.rig = source->rig();
+  capture::CapturePair pair;
+  if (request.from == "plain")
+    pair.pattern = pair.plain = workflow::takeStill(*source);
+  else
+    pair = askForCapture(*source);
+  recording.capture = pair;
+  return recording;
+}
+
+capture::Recording openWhatIsAligned(const AlignRequest& request, const Context& context) {
+  if (!request.live.rig.empty()) return fromCameras(request, context);
+  return request.recording ? capture::openCapture(*request.recording) : fromFiles(request);
+}
+
 /// Prints the parts of the face that fit worse than expected of a good skin model and a still face.
 void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
   constexpr double kNoted_mm = 0.5;
@@ -71,7 +96,7 @@ void writePicture(const std::filesystem::path& path, const casefile::CaseStore& 
 
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
-  const auto recording = request.recording ? capture::openCapture(*request.recording) : fromFiles(request);
+  const auto recording = openWhatIsAligned(request, context);
   workflow::AlignOrder order{request.aligner};
   order.matcher = request.matcher;
   order.from = workflow::alignedFrom(request.from);
@@ -104,6 +129,10 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("RECORDING", request->recording,
                    "recording folder with stereo.yml and capture/ or a film");
   verb->add_option("--rig", request->rig, "stereo.yml, instead of RECORDING");
+  verb->add_option(
+      "--live", request->live.rig,
+      "a rig by its name, instead of RECORDING: takes the pictures now, and asks for the projector");
+  verb->add_option("--rigs", request->live.rigs, "with --live: folder of the rigs");
   verb->add_option("--left", request->left, "left image with dots, then the one without");
   verb->add_option("--right", request->right, "right image with dots, then the one without");
   verb->add_option("-o,--output", request->output, "also write alignment.json here");

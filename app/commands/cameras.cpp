@@ -7,6 +7,7 @@
 
 #include "commands/camera_print.h"
 #include "commands/commands.h"
+#include "commands/picture_size.h"
 #include "facenav/capture/camera_backend.h"
 #include "facenav/capture/camera_pair_source.h"
 
@@ -47,14 +48,6 @@ void printList(const std::vector<capture::FoundCamera>& found, bool is_json) {
   for (const auto& camera : found)
     std::printf("%-40s %s\n", capture::stableName(camera.identity).c_str(), capture::inWords(camera).c_str());
   for (const auto& words : advice) std::printf("%s\n", words.c_str());
-}
-
-cameras::StereoRig sizeOnly(const std::string& size) {
-  cameras::StereoRig rig;
-  if (std::sscanf(size.c_str(), "%dx%d", &rig.width_px, &rig.height_px) != 2 || rig.width_px < 1 ||
-      rig.height_px < 1)
-    throw Error("this is no picture size", size, "give width and height, as in --size 1280x720");
-  return rig;
 }
 
 void tryPair(const capture::CameraBackends& backends, const std::vector<capture::FoundCamera>& found,

@@ -14,6 +14,7 @@ void addPrepare(CLI::App& app, Context& context);
 void addCalibrate(CLI::App& app, Context& context);
 void addCameras(CLI::App& app, Context& context);
 void addRig(CLI::App& app, Context& context);
+void addRecord(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);

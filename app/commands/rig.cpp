@@ -47,6 +47,15 @@ void addNew(CLI::App& rig, const std::shared_ptr<RigRequest>& request, Context& 
   verb->add_option("--rigs", request->rigs, "folder of the rigs (default: the user's configuration)");
   verb->add_option("--calibration", request->calibration, "stereo.yml; or calibrate here, from pictures:");
   addBoardOptions(*verb, *request);
+  verb->add_flag("--choose", request->is_choosing,
+                 "of many pictures, take those that are sharp, well lit and show something new");
+  verb->add_option("--size", request->size,
+                   "with --board and two cameras, without pictures: calibrates live, in this size; views are "
+                   "taken when the board stands still")
+      ->capture_default_str();
+  verb->add_option("--within", request->within_s, "s: ends the search for views")
+      ->capture_default_str()
+      ->check(CLI::Range(5.0, 3600.0));
   verb->add_option("--left-camera", request->left_camera, "name or address, see 'facenav cameras'");
   verb->add_option("--right-camera", request->right_camera, "likewise");
   verb->add_option("--rate", request->settings.frames_per_s, "pictures a second")

@@ -2,73 +2,64 @@
 
 #include <cstdio>
 
+#include "commands/picture_size.h"
 #include "commands/rig_steps.h"
 #include "facenav/cameras/calibrate.h"
 #include "facenav/capture/calibration_images.h"
 #include "facenav/core/log.h"
+#include "facenav/workflow/settle_camera.h"
 
 namespace facenav::app {
 namespace {
 
-constexpr double kSettle_s = 1.5;  // a camera's automatic exposure has settled by then
 constexpr double kTrial_s = 1.0;   // of the pair, for what must be said about it
 
-cameras::StereoRig calibrated(const RigRequest& request, Context& context) {
+/// By the files given; nothing: a live board is wanted.
+std::optional<cameras::StereoRig> fromFilesOf(const RigRequest& request, Context& context) {
   if (!request.calibration.empty()) return cameras::readRig(request.calibration);
   const auto board = boardOf(request);
-  if (!board || request.left.empty() || request.right.empty())
+  const bool has_pictures = !request.left.empty() && !request.right.empty();
+  if (board && !has_pictures && !request.left_camera.empty()) return std::nullopt;
+  if (!board || !has_pictures)
     throw Error("the calibration is missing", "",
-                "give --calibration stereo.yml, or --board, --square, --left and --right pictures");
-  const auto result = cameras::calibrate(capture::readCalibrationImages(request.left, request.right), *board,
-                                         context.monitor);
+                "give --calibration stereo.yml, or --board and --square with --left and --right pictures, or "
+                "with --left-camera and --right-camera");
+  const auto result = request.is_choosing
+                          ? calibrateChosen(request, context)
+                          : cameras::calibrate(capture::readCalibrationImages(request.left, request.right),
+                                               *board, context.monitor);
   for (const auto& warning : result.warnings) logWarning(warning);
   return result.rig;
 }
 
-std::optional<capture::RigUncertainty_mm> uncertaintyAt(const cameras::StereoRig& rig, double distance_mm) {
-  if (rig.covariance.empty()) return std::nullopt;
-  return capture::RigUncertainty_mm{distance_mm, cameras::effectAtHead(rig, {0, 0, distance_mm}).point_mm};
-}
-
-/// The values that the cameras have now: kept, so that they are the same at each start.
-void keepLocked(const capture::CameraState& state, capture::CameraSettings& settings) {
-  const auto keep = [&](const char* name, std::optional<double>& value) {
-    for (const auto& control : state.controls)
-      if (control.name == name && control.lock == capture::ControlState::Lock::locked) value = control.actual;
-  };
-  keep("exposure", settings.exposure_ms);
-  keep("gain", settings.gain);
-  keep("focus", settings.focus);
-  keep("white balance", settings.white_balance_k);
-  if (state.format != "stream") settings.format = state.format;
-}
-
-/// The camera adjusts itself to the light for a while; then it is locked at what it found.
-capture::RigCamera settled(const capture::CameraBackends& backends, const capture::CameraIdentity& identity,
-                           capture::CameraSettings settings) {
-  const auto camera = capture::openCamera(backends, identity);
-  capture::CameraSettings adjusting = settings;
-  adjusting.is_adjusting = true;
-  camera->configure(adjusting);
-  camera->start();
-  for (const double until_s = Timestamp::now().s + kSettle_s; Timestamp::now().s < until_s;)
-    camera->next(0.1);
-  keepLocked(camera->configure(settings), settings);
-  return {identity, settings};
-}
-
-void addCamerasTo(capture::NamedRig& rig, const RigRequest& request, const Context& context) {
+/// Both cameras, locked at what suits this light, in the size of `size`.
+void addCamerasTo(capture::NamedRig& rig, const cameras::StereoRig& size, const RigRequest& request,
+                  const Context& context) {
   const auto& backends = context.registrations.cameras;
   const auto found = capture::listCameras(backends);
   capture::CameraSettings settings = request.settings;
-  settings.width_px = rig.rig.width_px;
-  settings.height_px = rig.rig.height_px;
-  rig.left = settled(backends, capture::findCamera(found, request.left_camera), settings);
-  rig.right = settled(backends, capture::findCamera(found, request.right_camera), settings);
-  const auto source = capture::openRig(backends, rig);
+  settings.width_px = size.width_px;
+  settings.height_px = size.height_px;
+  rig.left = workflow::settledCamera(backends, capture::findCamera(found, request.left_camera), settings);
+  rig.right = workflow::settledCamera(backends, capture::findCamera(found, request.right_camera), settings);
+}
+
+/// What must be said of the pair.
+void tryOut(const capture::NamedRig& rig, const Context& context) {
+  const auto source = capture::openRig(context.registrations.cameras, rig);
   for (const double until_s = Timestamp::now().s + kTrial_s; Timestamp::now().s < until_s;)
     if (!source->next()) break;
   for (const auto& words : source->cautions()) logWarning(words);
+}
+
+void calibrateBefore(capture::NamedRig& rig, const RigRequest& request, Context& context) {
+  rig.rig = sizeOnly(request.size);
+  addCamerasTo(rig, rig.rig, request, context);
+  const auto source = capture::openRig(context.registrations.cameras, rig);
+  const auto result = calibrateLive(*source, request, context);
+  for (const auto& warning : result.warnings) logWarning(warning);
+  for (const auto& words : source->cautions()) logWarning(words);
+  rig.rig = result.rig;
 }
 
 }  // namespace
@@ -83,9 +74,16 @@ void makeRig(const RigRequest& request, Context& context) {
   capture::NamedRig rig;
   rig.name = request.name;
   rig.created_utc = rigUtcNow();
-  rig.rig = calibrated(request, context);
-  rig.uncertainty = uncertaintyAt(rig.rig, request.distance_mm);
-  if (!request.left_camera.empty()) addCamerasTo(rig, request, context);
+  if (const auto known = fromFilesOf(request, context)) {
+    rig.rig = *known;
+    if (!request.left_camera.empty()) {
+      addCamerasTo(rig, *known, request, context);
+      tryOut(rig, context);
+    }
+  } else {
+    calibrateBefore(rig, request, context);
+  }
+  rig.uncertainty = workflow::uncertaintyAt(rig.rig, request.distance_mm);
   store.write(rig, request.is_replacing ? Existing::replace : Existing::refuse);
   std::printf("%s: %d x %d px, %.1f mm apart, %s: %s\n", rig.name.c_str(), rig.rig.width_px,
               rig.rig.height_px, rig.rig.baseline_mm(), uncertaintyInWords(rig).c_str(),

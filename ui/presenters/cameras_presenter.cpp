@@ -164,8 +164,19 @@ void CamerasPresenter::readRig() {
   }
 }
 
+/// A check of an earlier day says nothing of a bar that was bumped since.
+QString CamerasPresenter::checkWords(const capture::NamedRig& rig) const {
+  if (!rig.last_check) return tr("never checked since it was made: check it (Set up)");
+  const QString words = tr("last check: %1").arg(QString::fromStdString(rig.last_check->words));
+  const auto checked = QDateTime::fromString(QString::fromStdString(rig.last_check->utc), Qt::ISODate);
+  if (!checked.isValid() || checked.date() == QDateTime::currentDateTimeUtc().date()) return words;
+  return words + tr(" (%1); check it again today (Set up)")
+                     .arg(QLocale().toString(checked.date(), QLocale::ShortFormat));
+}
+
 QString CamerasPresenter::rigWords() const {
-  if (rig_file_.isEmpty()) return tr("no calibration chosen: choose the stereo.yml of these two cameras");
+  if (rig_file_.isEmpty())
+    return tr("no calibration yet: set up the cameras, or choose the stereo.yml of these two cameras");
   if (!rig_) return rig_problem_;
   QString words = tr("%1 x %2 px, %3 mm apart")
                       .arg(rig_->width_px)
@@ -174,10 +185,7 @@ QString CamerasPresenter::rigWords() const {
   if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
   words +=
       tr(", of %1").arg(QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
-  if (const auto named = namedRig())
-    words +=
-        "\n" + (named->last_check ? tr("last check: %1").arg(QString::fromStdString(named->last_check->words))
-                                  : tr("never checked since it was made"));
+  if (const auto named = namedRig()) words += "\n" + checkWords(*named);
   return words;
 }
 

@@ -56,6 +56,8 @@ class CamerasPresenter : public QObject {
   void open();
   /// Plays a recording as a preview.
   void show(const capture::Recording& recording);
+  /// The window for setting up a camera pair is wanted (setup/setup_window.h); `rig`: to check this one.
+  void askForSetUp() { emit setUpWanted(rig_name_); }
   /// Stops showing images and returns what must be released, or null. Release it off the GUI thread: a camera
   /// that gives no image blocks the thread that releases it.
   std::shared_ptr<capture::LivePreview> release();
@@ -81,10 +83,12 @@ class CamerasPresenter : public QObject {
   /// Both cameras deliver images through openCameras.
   void opened();
   void captureTaken();
+  void setUpWanted(const QString& rig);
   void refused(const QString& words);
 
  private:
   void use(std::vector<capture::FoundCamera> devices, bool has_network);
+  QString checkWords(const capture::NamedRig& rig) const;
   const capture::FoundCamera* device(const QString& name) const;
   QString notReadyWords() const;
   void retire(std::shared_ptr<capture::LivePreview> preview);

@@ -4,6 +4,7 @@
 #include "facenav/dicom/patient.h"
 #include "facenav/workflow/align_case.h"
 #include "facenav/workflow/prepare_case.h"
+#include "facenav/workflow/settle_camera.h"
 
 namespace facenav::ui {
 
@@ -66,6 +67,23 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   services.listRigs = [] { return capture::RigStore().list(); };
   services.openRig = [makeMethods](const capture::NamedRig& rig) -> std::unique_ptr<capture::FrameSource> {
     return capture::openRig(makeMethods().cameras, rig);
+  };
+  services.openNewCameras = [makeMethods](const std::string& left, const std::string& right, int width_px,
+                                          int height_px) {
+    capture::CameraSettings settings;
+    settings.width_px = width_px;
+    settings.height_px = height_px;
+    auto pair = workflow::openNewPair(makeMethods().cameras, left, right, settings);
+    return NewCameras{std::move(pair.source), pair.left, pair.right};
+  };
+  services.keepRig = [](const capture::NamedRig& rig, Existing existing) {
+    capture::RigStore().write(rig, existing);
+  };
+  services.makeSetupMethods = [makeMethods] {
+    const auto methods = std::make_shared<workflow::Registrations>(makeMethods());
+    return workflow::SetupMethods{
+        methods->face_detector(),
+        [methods] { return methods->coil_trackers.create(methods->coil_trackers.defaultName()); }};
   };
   return services;
 }

@@ -22,6 +22,7 @@
 #include "facenav/session/session.h"
 #include "facenav/workflow/alignment_seen.h"
 #include "facenav/workflow/registrations.h"
+#include "facenav/workflow/rig_setup.h"
 
 namespace facenav::ui {
 
@@ -29,6 +30,12 @@ struct PrepareOrder {
   std::filesystem::path input, case_folder;
   std::optional<std::string> series_uid;
   bool is_labelled_by_patient = false;
+};
+
+/// Two cameras that are used for the first time, locked at what suits the light.
+struct NewCameras {
+  std::unique_ptr<capture::FrameSource> source;
+  capture::RigCamera left, right;
 };
 
 struct Services {
@@ -64,6 +71,12 @@ struct Services {
   std::function<std::vector<capture::RigEntry>()> listRigs;
   /// The cameras of such a rig, with their locked settings.
   std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&)> openRig;
+  /// Two cameras by stable names, without a calibration, in this size. Takes some seconds.
+  std::function<NewCameras(const std::string& left, const std::string& right, int width_px, int height_px)>
+      openNewCameras;
+  std::function<void(const capture::NamedRig&, Existing)> keepRig;
+  /// What the set-up of a camera pair judges pictures with.
+  std::function<workflow::SetupMethods()> makeSetupMethods;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;

@@ -96,6 +96,10 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   column.addWidget(open_);
+  set_up_ = button(tr("Set up the cameras\u2026"), tr("place, calibrate and check a pair in four steps"),
+                   Qt::CTRL + Qt::SHIFT + Qt::Key_U);
+  column.addWidget(set_up_);
+  connect(set_up_, &QPushButton::clicked, &cameras_, &CamerasPresenter::askForSetUp);
   connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);
   connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
   connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
@@ -160,6 +164,10 @@ void CamerasPanel::showState() {
   }
   state_->setText(fault.isEmpty() ? cameras_.words() : fault);
   open_->setEnabled(cameras_.canOpen() && !presenter_.isRunning());
+  set_up_->setEnabled(!presenter_.isRunning());
+  setWords(*set_up_, !fault.isEmpty()               ? tr("Check and repair the cameras\u2026")
+                     : cameras_.rigName().isEmpty() ? tr("Set up the cameras\u2026")
+                                                    : tr("Check the cameras\u2026"));
   setWords(*open_, cameras_.isLive() ? tr("Open the cameras again") : tr("Open the cameras"));
   const bool is_live = cameras_.isLive() && !presenter_.isRunning();
   dots_->setEnabled(is_live);

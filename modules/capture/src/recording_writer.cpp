@@ -98,6 +98,7 @@ void RecordingWriter::setCapture(const CapturePair& pair) {
   const fs::path capture = self.path() / "capture";
   fs::create_directories(capture);
   for (const auto& [name, frame] : {std::pair("pattern", &pair.pattern), std::pair("plain", &pair.plain)}) {
+    if (frame == &pair.pattern && frame->left.empty()) continue;  // no projector
     requireRigSize(self.rig, frame->left, frame->right, self.place_name);
     writeImage(frame->left, capture / (std::string(name) + "_left.png"));
     writeImage(frame->right, capture / (std::string(name) + "_right.png"));

@@ -21,6 +21,8 @@
 #include "facenav/segmentation/prior_use.h"
 #include "facenav/stereo/shared_error.h"
 #include "facenav/stimulation/threshold_rules.h"
+#include "facenav/workflow/board_collector.h"
+#include "facenav/workflow/camera_placement.h"
 #include "facenav/workflow/coil_library.h"
 #include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/mep_import.h"
@@ -42,7 +44,8 @@ using All =
            head_tracking::StepLimits, FrameBudget, head_tracking::SearchBudget, guidance::PlateRest,
            guidance::FieldByGap, stimulation::ThresholdRules, links::PulseDeadTimes, links::ClickRules,
            guidance::MepMapOptions, MepImportLimits, casefile::EvidenceRules,
-           monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules>;
+           monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules, BoardRules,
+           PlacementRules>;
 
 }  // namespace
 

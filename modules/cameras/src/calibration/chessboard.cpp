@@ -22,11 +22,14 @@ constexpr float kWindowBySpacing = 0.3f;
 // Larger images are searched at half their size first. Measured on 1024 x 1024: four times as fast.
 constexpr int kLarge_px = 900;
 
-Corners detect(const cv::Mat& image, const Board& board) {
+// Longer side of the copy that a live picture is searched in.
+constexpr int kLive_px = 720;
+
+constexpr int kThorough = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE;
+
+Corners detect(const cv::Mat& image, const Board& board, int how = kThorough) {
   Corners corners;
-  const bool is_found =
-      cv::findChessboardCorners(image, {board.columns, board.rows}, corners,
-                                cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
+  const bool is_found = cv::findChessboardCorners(image, {board.columns, board.rows}, corners, how);
   return is_found && int(corners.size()) == board.corners() ? corners : Corners();
 }
 
@@ -118,9 +121,21 @@ Board boardFromText(const std::string& whole, double square_mm, std::optional<do
   return board;
 }
 
-std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
-  FACENAV_EXPECT(image.type() == CV_8U, "8-bit grey expected");
-  Corners corners = detectQuickly(image, board);
+namespace {
+
+/// In a small copy of the picture, and only where it looks like a board at all.
+Corners detectAtOnce(const cv::Mat& image, const Board& board) {
+  const double scale = std::min(1.0, double(kLive_px) / std::max(image.cols, image.rows));
+  cv::Mat small = image;
+  if (scale < 1) cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
+  Corners corners = detect(small, board, kThorough | cv::CALIB_CB_FAST_CHECK);
+  const auto offset = float(0.5 / scale - 0.5);
+  for (auto& corner : corners) corner = corner * float(1 / scale) + cv::Point2f(offset, offset);
+  return corners;
+}
+
+/// Corners to a pixel or two -> in the order of the board, sub-pixel.
+Corners finished(const cv::Mat& image, const Board& board, Corners corners) {
   if (corners.empty()) return {};
   makeRightHanded(board, corners);
   refine(image, board, corners);
@@ -128,6 +143,25 @@ std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
   if (is_order_visible && !isFirstSquareBlack(image, corners, board))
     std::reverse(corners.begin(), corners.end());
   return corners;
+}
+
+SeenCorners withAllNumbers(Corners corners) {
+  SeenCorners seen{std::move(corners), {}};
+  for (int id = 0; id < int(seen.px.size()); ++id) seen.ids.push_back(id);
+  return seen;
+}
+
+}  // namespace
+
+std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
+  FACENAV_EXPECT(image.type() == CV_8U, "8-bit grey expected");
+  return finished(image, board, detectQuickly(image, board));
+}
+
+SeenCorners findBoardAtOnce(const cv::Mat& image, const Board& board) {
+  FACENAV_EXPECT(image.type() == CV_8U, "8-bit grey expected");
+  if (board.isCharuco()) return findCharuco(image, board);
+  return withAllNumbers(finished(image, board, detectAtOnce(image, board)));
 }
 
 std::vector<cv::Point3f> boardPoints(const Board& board) {
@@ -148,9 +182,7 @@ std::vector<cv::Point3f> boardPoints(const Board& board, const std::vector<int>&
 
 SeenCorners findBoard(const cv::Mat& image, const Board& board) {
   if (board.isCharuco()) return findCharuco(image, board);
-  SeenCorners seen{findCorners(image, board), {}};
-  for (int id = 0; id < int(seen.px.size()); ++id) seen.ids.push_back(id);
-  return seen;
+  return withAllNumbers(findCorners(image, board));
 }
 
 }  // namespace facenav::cameras

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "facenav/capture/recording.h"
-#include "facenav/core/log.h"
 
 namespace facenav::session {
 
@@ -44,7 +43,6 @@ void Recorder::Implementation::run() {
     }
     if (!is_abandoned) writer->close();
   } catch (const std::exception& error) {
-    logWarning(std::string("recording stopped: ") + error.what());
     std::lock_guard lock(mutex);
     failure = error.what();
   }
@@ -62,9 +60,10 @@ void Recorder::Implementation::join(bool keep) {
 }
 
 Recorder::Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig,
-                   std::size_t queue_limit)
+                   std::size_t queue_limit, FileAccess access, const capture::CapturePair* capture)
     : implementation_(std::make_unique<Implementation>()) {
-  implementation_->writer = std::make_unique<capture::RecordingWriter>(folder, rig);
+  implementation_->writer = std::make_unique<capture::RecordingWriter>(folder, rig, access);
+  if (capture) implementation_->writer->setCapture(*capture);
   implementation_->limit = queue_limit;
   implementation_->thread = std::thread([this] { implementation_->run(); });
 }

@@ -33,6 +33,9 @@ struct SeenCorners {
 /// A chessboard is found whole or not at all. Of a ChArUco board at least 8 corners that are not all in one
 /// row are found, or none. `image`: 8-bit grey.
 SeenCorners findBoard(const cv::Mat& image, const Board& board);
+/// The same for live pictures: some 10 ms where there is no board (findBoard: up to a second), and it misses
+/// boards that are small or strongly tilted.
+SeenCorners findBoardAtOnce(const cv::Mat& image, const Board& board);
 
 /// The inner corners row by row, sub-pixel; empty when the whole board is not visible. The order is the same
 /// in all images where the colours define it (an odd and an even side: the square inside the first four

@@ -49,6 +49,7 @@ class RecordingWriter {
                   FileAccess access = FileAccess::by_umask, Existing existing = Existing::refuse);
   ~RecordingWriter();
   void add(const cameras::StereoFrame& frame);
+  /// An empty `pattern`: there is no projector; only the plain pair is written.
   void setCapture(const CapturePair& pair);
   void addTruth(std::int64_t frame, const std::optional<Eigen::Isometry3d>& camera_T_mri,
                 const std::optional<Eigen::Isometry3d>& camera_T_marker);

@@ -9,12 +9,19 @@
 
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
+#include "facenav/core/file_access.h"
+
+namespace facenav::capture {
+struct CapturePair;
+}
 
 namespace facenav::session {
 
 class Recorder {
  public:
-  Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig, std::size_t queue_limit = 120);
+  /// `capture`: still pair that goes with the recording; null: none.
+  Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig, std::size_t queue_limit = 120,
+           FileAccess access = FileAccess::by_umask, const capture::CapturePair* capture = nullptr);
   /// Without close(), nothing is left on the disk.
   ~Recorder();
   Recorder(const Recorder&) = delete;

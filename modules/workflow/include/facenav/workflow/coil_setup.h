@@ -1,0 +1,67 @@
+#pragma once
+// CoilSetup: step 4 of the set-up. Is the coil's marker recognised, and where is the coil on it? The coil is
+// calibrated by pivoting: its centre, then a point of the handle, then a point of the side stands on a fixed
+// tip while the coil is turned about it (coil_tracking/coil_calibration.h). Or with a jig that holds a second
+// marker. Poses are collected by themselves.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <functional>
+
+#include "facenav/coil_tracking/coil_calibration.h"
+#include "facenav/coil_tracking/coil_tracker.h"
+
+namespace facenav::workflow {
+
+class CoilSetup {
+ public:
+  enum class Stage { look, centre, handle, side, jig, done };
+  using MakeTracker = std::function<std::unique_ptr<coil_tracking::CoilTracker>()>;
+
+  CoilSetup(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil, MakeTracker make_tracker);
+  ~CoilSetup();
+
+  /// One frame; follows the marker and collects poses in the stages that need them.
+  void add(const cameras::StereoFrame& frame);
+  /// Starts with the coil's centre on the tip.
+  void startPivots();
+  /// The jig's marker and its place on the coil, as coil.json. Throws Error as readCoil does.
+  void startJig(const coil_tracking::CoilModel& jig);
+  void stop();
+
+  Stage stage() const { return stage_; }
+  bool isSeen() const { return is_seen_; }
+  /// Corners of the marker in the last frame, for drawing; empty: not seen.
+  const std::vector<cv::Point2f>& leftCorners() const { return left_px_; }
+  const std::vector<cv::Point2f>& rightCorners() const { return right_px_; }
+  /// Of the running stage, 0..1.
+  double progress() const;
+  /// What to do, one sentence.
+  std::string words() const;
+  /// Set at the end.
+  const std::optional<coil_tracking::CoilCalibration>& result() const { return result_; }
+
+ private:
+  void take(const RigidTransform<Camera, Marker>& pose);
+  void tryPivot();
+  void tryJig();
+
+  const cameras::StereoRig rig_;
+  const coil_tracking::CoilModel coil_;
+  MakeTracker make_tracker_;
+  std::unique_ptr<coil_tracking::CoilTracker> tracker_, jig_tracker_;
+  Stage stage_ = Stage::look;
+  bool is_seen_ = false;
+  std::vector<cv::Point2f> left_px_, right_px_;
+  std::vector<RigidTransform<Camera, Marker>> poses_;
+  std::vector<coil_tracking::Pivot> pivots_;
+  std::optional<coil_tracking::CoilModel> jig_;
+  std::vector<coil_tracking::JigObservation> observations_;
+  std::string trouble_;
+  std::optional<coil_tracking::CoilCalibration> result_;
+};
+
+}  // namespace facenav::workflow

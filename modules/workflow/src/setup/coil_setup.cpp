@@ -1,0 +1,147 @@
+#include "facenav/workflow/coil_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/coil_tracking/coil_card.h"
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::workflow {
+namespace {
+
+constexpr double kNewPose_rad = 2.0 * kRadPerDeg;  // poses nearer than this to the last say the same
+constexpr std::size_t kFewestPoses = 24, kMostPoses = 150, kFewestJigs = 20;
+constexpr double kGoodPivot_mm = 0.4;  // one standard deviation of the tip in the marker's frame
+
+double sigma_mm(const coil_tracking::Pivot& pivot) { return std::sqrt(pivot.covariance.trace() / 3.0); }
+
+std::vector<cv::Point2f> asPoints(const std::array<Eigen::Vector2d, 4>& corners) {
+  std::vector<cv::Point2f> points;
+  for (const auto& corner : corners) points.emplace_back(float(corner.x()), float(corner.y()));
+  return points;
+}
+
+}  // namespace
+
+CoilSetup::CoilSetup(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil,
+                     MakeTracker make_tracker)
+    : rig_(rig), coil_(coil), make_tracker_(std::move(make_tracker)), tracker_(make_tracker_()) {
+  tracker_->start(rig_, coil_);
+}
+
+CoilSetup::~CoilSetup() = default;
+
+void CoilSetup::startPivots() {
+  stop();
+  stage_ = Stage::centre;
+}
+
+void CoilSetup::startJig(const coil_tracking::CoilModel& jig) {
+  stop();
+  jig_ = jig;
+  jig_tracker_ = make_tracker_();
+  jig_tracker_->start(rig_, jig);
+  stage_ = Stage::jig;
+}
+
+void CoilSetup::stop() {
+  poses_.clear();
+  pivots_.clear();
+  observations_.clear();
+  jig_.reset();
+  jig_tracker_.reset();
+  trouble_.clear();
+  result_.reset();
+  stage_ = Stage::look;
+}
+
+void CoilSetup::add(const cameras::StereoFrame& frame) {
+  const auto seen = tracker_->track(frame);
+  is_seen_ = bool(seen);
+  left_px_.clear();
+  right_px_.clear();
+  if (!seen) return;
+  left_px_ = asPoints(seen->left_corners_px);
+  right_px_ = asPoints(seen->right_corners_px);
+  if (stage_ == Stage::jig) {
+    if (const auto jig = jig_tracker_->track(frame))
+      observations_.push_back({seen->camera_T_marker, jig->camera_T_marker});
+    if (observations_.size() >= kFewestJigs) tryJig();
+  } else if (stage_ != Stage::look && stage_ != Stage::done) {
+    take(seen->camera_T_marker);
+  }
+}
+
+void CoilSetup::take(const RigidTransform<Camera, Marker>& pose) {
+  if (!poses_.empty() && rotationAngle(poses_.back().rotation().transpose() * pose.rotation()) < kNewPose_rad)
+    return;
+  poses_.push_back(pose);
+  if (poses_.size() >= kFewestPoses && poses_.size() % 4 == 0) tryPivot();
+}
+
+void CoilSetup::tryPivot() {
+  try {
+    const auto pivot = coil_tracking::fitPivot(poses_);
+    if (sigma_mm(pivot) > kGoodPivot_mm) {
+      trouble_ = "turn the coil farther, the tip in its place";
+    } else {
+      pivots_.push_back(pivot);
+      poses_.clear();
+      trouble_.clear();
+      stage_ = stage_ == Stage::centre ? Stage::handle : stage_ == Stage::handle ? Stage::side : Stage::done;
+      if (stage_ == Stage::done) result_ = calibrateWithPivots(pivots_[0], pivots_[1], pivots_[2]);
+    }
+  } catch (const Error& error) {
+    trouble_ = error.what();
+    if (stage_ == Stage::done) {  // the three points do not fit together
+      const std::string reason = trouble_;
+      startPivots();
+      trouble_ = reason;
+    }
+  }
+  if (poses_.size() > kMostPoses) poses_.erase(poses_.begin(), poses_.begin() + kMostPoses / 2);
+}
+
+void CoilSetup::tryJig() {
+  try {
+    result_ = calibrateWithJig(observations_, jig_->markers.front().coil_T_marker);
+    stage_ = Stage::done;
+  } catch (const Error& error) {
+    trouble_ = error.what();
+    observations_.clear();
+  }
+}
+
+double CoilSetup::progress() const {
+  if (stage_ == Stage::done) return 1.0;
+  if (stage_ == Stage::jig) return std::min(1.0, double(observations_.size()) / kFewestJigs);
+  return std::min(1.0, double(poses_.size()) / kFewestPoses);
+}
+
+std::string CoilSetup::words() const {
+  if (!is_seen_ && stage_ != Stage::done)
+    return "hold the coil so that both cameras see its marker (" +
+           coil_tracking::markerWords(coil_.markers.front()) + ")";
+  if (!trouble_.empty()) return trouble_;
+  switch (stage_) {
+    case Stage::look:
+      return "the marker is recognised";
+    case Stage::centre:
+      return "stand the middle of the coil's face on a fixed tip, and turn the coil about it in all "
+             "directions";
+    case Stage::handle:
+      return "now a point in the middle of the handle on the tip, and turn the coil";
+    case Stage::side:
+      return "now a point at the left of the face, seen from the handle, on the tip, and turn the coil";
+    case Stage::jig:
+      return "put the jig on the coil and let both cameras see both markers";
+    case Stage::done:
+      return formatted("the coil is calibrated: +-%.2f mm, +-%.2f deg", result_->sigma_mm,
+                       result_->sigma_deg);
+  }
+  return {};
+}
+
+}  // namespace facenav::workflow

@@ -1,0 +1,104 @@
+#pragma once
+// What two cameras see while a person sets them up: an empty room, a held board that goes from place to
+// place, a board in a new place, the coil's marker. The test chooses. The program must compile
+// unit/coil_tracking/coil_scene.cpp.
+
+#include <atomic>
+#include <map>
+#include <thread>
+
+#include "facenav/face/face_landmarks.h"
+#include "facenav/workflow/rig_setup.h"
+#include "support/board_film.h"
+
+namespace facenav::testing {
+
+enum class RoomShows { nothing, held_board, new_place, marker };
+
+/// Shared by the test and the source.
+struct SetupRoom {
+  std::atomic<RoomShows> shows{RoomShows::nothing};
+  std::atomic<double> turned_deg{0};  // of the right camera on its mount, sideways
+  std::atomic<bool> is_unplugged{false};
+};
+
+class SetupRoomSource : public capture::FrameSource {
+ public:
+  SetupRoomSource(std::shared_ptr<SetupRoom> room, const cameras::StereoRig& rig)
+      : room_(std::move(room)), rig_(rig), places_(boardRound()) {}
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (room_->is_unplugged) throw Error("the camera was unplugged", "Webcam", "plug it in");
+    auto frame = std::make_shared<cameras::StereoFrame>(picture());
+    frame->number = number_;
+    frame->captured = {0.15 * double(number_++)};
+    return frame;
+  }
+
+ private:
+  cameras::StereoFrame picture() {
+    const RoomShows shows = room_->shows;
+    const int place = shows == RoomShows::held_board ? int(held_++ / 5) % int(places_.size()) : 0;
+    const auto key = std::tuple(shows, place, room_->turned_deg.load());
+    auto known = pictures_.find(key);
+    if (known == pictures_.end()) known = pictures_.emplace(key, rendered(shows, place)).first;
+    return known->second;
+  }
+  cameras::StereoFrame rendered(RoomShows shows, int place) const {
+    const auto real = turnedRight(rig_, {0, room_->turned_deg * kRadPerDeg, 0});
+    if (shows == RoomShows::held_board) return heldBoardFrame(real, places_[std::size_t(place)], place, 0);
+    if (shows == RoomShows::new_place) return heldBoardFrame(real, {640, 18, 70, 12, {25, -15}}, 77, 0);
+    coil_tracking::testing::SceneOptions options;
+    std::vector<coil_tracking::testing::PlacedPrint> prints;
+    if (shows == RoomShows::marker)
+      prints.push_back({coil_tracking::testing::arucoPrint(0, 7), 60.0,
+                        coil_tracking::testing::markerPose(580, 20, 40, 10)});
+    return coil_tracking::testing::renderMarkers(real, prints, options);
+  }
+
+  std::shared_ptr<SetupRoom> room_;
+  cameras::StereoRig rig_;
+  std::vector<HeldBoard> places_;
+  std::map<std::tuple<RoomShows, int, double>, cameras::StereoFrame> pictures_;
+  std::int64_t number_ = 0, held_ = 0;
+};
+
+/// Sees a face of `face` in every picture.
+class FixedFace : public face::FaceDetector {
+ public:
+  explicit FixedFace(std::optional<cv::Rect> face) : face_(face) {}
+  std::optional<face::FaceLandmarks> detect(const cv::Mat&) const override { return found(); }
+  std::optional<face::FaceLandmarks> detectNear(const cv::Mat&, const face::FaceLandmarks&) const override {
+    return found();
+  }
+  std::optional<face::FaceLandmarks> detectAtRoll(const cv::Mat&, double) const override { return found(); }
+
+ private:
+  std::optional<face::FaceLandmarks> found() const {
+    if (!face_) return std::nullopt;
+    face::FaceLandmarks landmarks;
+    landmarks.face = *face_;
+    return landmarks;
+  }
+  std::optional<cv::Rect> face_;
+};
+
+inline workflow::SetupMethods setupMethods() {
+  return {std::make_shared<FixedFace>(cv::Rect(220, 130, 200, 200)),
+          [] { return coil_tracking::makeMarkerCoilTracker(); }};
+}
+
+/// Until `condition` holds for the newest view; false: it did not within the limit.
+inline bool waitForView(const workflow::RigSetup& setup,
+                        const std::function<bool(const workflow::SetupView&)>& condition,
+                        double limit_s = 60) {
+  const double until_s = Timestamp::now().s + limit_s;
+  while (Timestamp::now().s < until_s) {
+    if (condition(*setup.latest())) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+}  // namespace facenav::testing

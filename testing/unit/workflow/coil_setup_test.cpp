@@ -1,0 +1,83 @@
+// The coil's step: poses of the marker are collected by themselves, and the coil is calibrated by pivoting.
+
+#include "facenav/workflow/coil_setup.h"
+
+#include <gmock/gmock.h>
+
+#include "unit/coil_tracking/coil_scene.h"
+#include "unit/session/session_fakes.h"
+
+namespace facenav::workflow {
+namespace {
+
+using Stage = CoilSetup::Stage;
+using ::testing::HasSubstr;
+
+/// Gives the poses that the test puts there.
+struct ShownPose {
+  std::optional<RigidTransform<Camera, Marker>> pose;
+};
+
+class ShownCoil : public coil_tracking::CoilTracker {
+ public:
+  explicit ShownCoil(std::shared_ptr<ShownPose> shown) : shown_(std::move(shown)) {}
+  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
+  coil_tracking::CoilResult track(const cameras::StereoFrame&, const coil_tracking::CoilContext&) override {
+    if (!shown_->pose) return Lost{LostReason::no_marker};
+    coil_tracking::CoilPose coil;
+    coil.camera_T_marker = *shown_->pose;
+    return Tracked<coil_tracking::CoilPose>(coil, 0.9);
+  }
+
+ private:
+  std::shared_ptr<ShownPose> shown_;
+};
+
+class CoilSetupTest : public ::testing::Test {
+ protected:
+  CoilSetupTest()
+      : setup_(coil_tracking::testing::roomRig(), coil_tracking::defaultCoil(),
+               [shown = shown_] { return std::make_unique<ShownCoil>(shown); }) {}
+  /// The coil turns about a fixed tip that touches `tip_mm` of the marker's frame; until the stage ends.
+  void pivotAbout(const Eigen::Vector3d& tip_mm, double most_turned_rad = 0.5) {
+    const Stage stage = setup_.stage();
+    const Eigen::Vector3d tip_in_camera_mm(10, 20, 550);
+    for (int i = 0; i < 400 && setup_.stage() == stage; ++i) {
+      const Eigen::Matrix3d r = expRotation({most_turned_rad * std::sin(0.41 * i),
+                                             most_turned_rad * std::cos(0.29 * i), 0.3 * std::sin(0.13 * i)});
+      shown_->pose = RigidTransform<Camera, Marker>(Eigen::Quaterniond(r), tip_in_camera_mm - r * tip_mm);
+      setup_.add(*session::fakes::frame(i, 0.03 * i));
+    }
+  }
+
+  std::shared_ptr<ShownPose> shown_ = std::make_shared<ShownPose>();
+  CoilSetup setup_;
+};
+
+TEST_F(CoilSetupTest, ThreePivotsGiveTheCoil) {
+  setup_.add(*session::fakes::frame(0, 0));
+  EXPECT_FALSE(setup_.isSeen());
+  EXPECT_THAT(setup_.words(), HasSubstr("4x4_50 id 7"));
+  setup_.startPivots();
+  const Eigen::Vector3d centre(0, 80, 30);
+  pivotAbout(centre);
+  ASSERT_EQ(setup_.stage(), Stage::handle) << setup_.words();
+  pivotAbout(centre + Eigen::Vector3d(0, -90, 0));
+  ASSERT_EQ(setup_.stage(), Stage::side) << setup_.words();
+  pivotAbout(centre + Eigen::Vector3d(60, 0, 0));
+  ASSERT_EQ(setup_.stage(), Stage::done) << setup_.words();
+  ASSERT_TRUE(setup_.result());
+  EXPECT_LT((setup_.result()->marker_T_coil.translation_mm() - centre).norm(), 1e-3);
+  EXPECT_EQ(setup_.result()->method, "pivot");
+  EXPECT_THAT(setup_.words(), HasSubstr("the coil is calibrated"));
+}
+
+TEST_F(CoilSetupTest, ACoilThatIsHardlyTurnedIsNotCalibrated) {
+  setup_.startPivots();
+  pivotAbout({0, 80, 30}, 0.06);
+  EXPECT_EQ(setup_.stage(), Stage::centre);
+  EXPECT_FALSE(setup_.result());
+}
+
+}  // namespace
+}  // namespace facenav::workflow

@@ -1,0 +1,53 @@
+#include "setup/marked_picture.h"
+
+#include <QPainter>
+
+#include "views/image_view.h"
+
+namespace facenav::ui {
+namespace {
+
+const QColor kGood(82, 200, 120), kMark(255, 196, 60);
+constexpr int kCells = 3;
+
+/// Covered parts get a tick and a thin frame, so that state is not in colour alone.
+void drawCoverage(QPainter& painter, const QSize& size, const std::vector<bool>& cells) {
+  const int w = size.width() / kCells, h = size.height() / kCells;
+  for (int i = 0; i < kCells * kCells; ++i) {
+    const QRect cell((i % kCells) * w, (i / kCells) * h, w, h);
+    painter.setPen(QPen(QColor(255, 255, 255, 70), 1));
+    painter.drawRect(cell);
+    if (!cells[std::size_t(i)]) continue;
+    painter.fillRect(cell, QColor(82, 200, 120, 45));
+    painter.setPen(kGood);
+    painter.drawText(cell.adjusted(6, 4, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::fromUtf8("\u2713"));
+  }
+}
+
+}  // namespace
+
+QImage markedPicture(const workflow::SetupView& view, bool is_left) {
+  if (!view.frame) return {};
+  const cv::Mat& grey = is_left ? view.frame->left : view.frame->right;
+  QImage image =
+      toQImage(grey.data, grey.cols, grey.rows, int(grey.step)).convertToFormat(QImage::Format_RGB32);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double line = std::max(2.0, image.width() / 320.0);
+  QFont font = painter.font();
+  font.setPixelSize(image.height() / 16);
+  painter.setFont(font);
+  if (view.step == workflow::SetupStep::calibrate && view.coverage && !view.is_done)
+    drawCoverage(painter, image.size(), is_left ? view.coverage->left_cells : view.coverage->right_cells);
+  painter.setPen(QPen(view.is_done ? kGood : kMark, line));
+  if (const auto& box = is_left ? view.left_box : view.right_box)
+    painter.drawRect(QRect(box->x, box->y, box->width, box->height));
+  const auto& marks = is_left ? view.left_marks : view.right_marks;
+  for (const auto& mark : marks) painter.drawEllipse(QPointF(mark.x, mark.y), 2 * line, 2 * line);
+  if (marks.size() == 4)  // the coil's marker
+    for (std::size_t i = 0; i < 4; ++i)
+      painter.drawLine(QPointF(marks[i].x, marks[i].y), QPointF(marks[(i + 1) % 4].x, marks[(i + 1) % 4].y));
+  return image;
+}
+
+}  // namespace facenav::ui
