@@ -83,6 +83,7 @@ int runCommandLine(int argc, char** argv) {
   app::addCalibrate(cli, context);
   app::addRig(cli, context);
   app::addRecord(cli, context);
+  app::addProjector(cli, context);
   app::addCalibrateCoil(cli, context);
   app::addAlign(cli, context);
   app::addTrack(cli, context);

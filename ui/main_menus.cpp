@@ -1,9 +1,14 @@
 // The menus of the main window, and the window for setting up a camera pair.
 
+#include <QApplication>
 #include <QFileDialog>
 #include <QMenuBar>
+#include <QScreen>
 
+#include "facenav/cameras/projector_model.h"
+#include "facenav/core/error.h"
 #include "main_window.h"
+#include "setup/projector_code_screen.h"
 #include "setup/setup_window.h"
 #include "widgets/task_bar.h"
 #include "workspaces/prepare/prepare_workspace.h"
@@ -23,6 +28,32 @@ void MainWindow::setUpCameras(const QString& rig) {
   if (!rig.isEmpty()) window->openKept(rig);
 }
 
+void MainWindow::calibrateProjector() {
+  auto& live = treat_.cameras();
+  if (!live.isLive() || !live.rig())
+    return task_bar_->showMessage(tr("open the calibrated cameras first (Treat, Cameras)"), true);
+  const QScreen* screen = QApplication::screens().last();
+  auto* window = new ProjectorCodeScreen(
+      *cameras.rig(), screen->size() * screen->devicePixelRatio(),
+      [this] { return treat_.cameras().picture(); }, this);
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  connect(window, &QObject::destroyed, this, [this] { activateWindow(); });
+  connect(window, &ProjectorCodeScreen::sceneTaken, this, [this, window] {
+    if (!window->run().result()) return;
+    const QString file = QFileDialog::getSaveFileName(this, tr("Keep the projector's calibration"),
+                                                      "projector.yml", tr("Calibration (*.yml)"));
+    if (file.isEmpty()) return;
+    try {
+      cameras::writeProjector(window->run().result()->projector, file.toStdString());
+      task_bar_->showMessage(QString::fromStdString(window->run().words()), false);
+    } catch (const Error& error) {
+      task_bar_->showMessage(QString::fromUtf8(error.what()), true);
+    }
+  });
+  window->setGeometry(screen->geometry());
+  window->showFullScreen();
+}
+
 void MainWindow::addMenus() {
   auto* file = menuBar()->addMenu(tr("&File"));
   file->addAction(
@@ -40,6 +71,7 @@ void MainWindow::addMenus() {
       },
       Qt::CTRL + Qt::Key_I);
   file->addAction(tr("&Set up the cameras\u2026"), this, [this] { setUpCameras(); });
+  file->addAction(tr("Calibrate the &projector\u2026"), this, &MainWindow::calibrateProjector);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
   auto* view = menuBar()->addMenu(tr("&View"));

@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
   void connectSteps(TreatWorkspace& treat_workspace);
   QWidget* makeNavigation();
   void addMenus();
+  void calibrateProjector();
   void showCaseWords();
   void showLive(const ReadOut& read_out);
   void goOnPlaying();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "commands/camera_latency.h"
 #include "commands/camera_print.h"
 #include "commands/commands.h"
 #include "commands/picture_size.h"
@@ -19,7 +20,7 @@ using Json = nlohmann::ordered_json;
 struct CamerasRequest {
   std::string left, right, size = "640x480";
   double try_s = 0.0, frames_per_s = 30.0;
-  bool is_json = false, is_quick = false;
+  bool is_json = false, is_quick = false, has_latency = false;
 };
 
 Json toJson(const capture::FoundCamera& camera) {
@@ -89,6 +90,8 @@ void addCameras(CLI::App& app, Context& context) {
           "--try", request->try_s,
           "s: open --left and --right for so long; show rate, delay between them, locked adjustments")
       ->check(CLI::Range(0.1, 3600.0));
+  verb->add_flag("--latency", request->has_latency,
+                 "the terminal flashes and the camera --left films it: time from the camera to the screen");
   verb->add_option("--left", request->left,
                    "camera: name or address from this list, or the address of a stream");
   verb->add_option("--right", request->right, "likewise");
@@ -100,6 +103,15 @@ void addCameras(CLI::App& app, Context& context) {
     const auto& backends = context.registrations.cameras;
     const auto found = capture::listCameras(
         backends, request->is_quick ? capture::Search::quick : capture::Search::everywhere);
+    if (request->has_latency) {
+      if (request->left.empty()) throw Error("--latency needs a camera", "", "give it with --left");
+      const auto size = sizeOnly(request->size);
+      capture::CameraSettings settings;
+      settings.width_px = size.width_px;
+      settings.height_px = size.height_px;
+      settings.frames_per_s = request->frames_per_s;
+      return measureLatency(backends, capture::findCamera(found, request->left), settings, request->is_json);
+    }
     if (request->try_s > 0) return tryPair(backends, found, *request);
     printList(found, request->is_json);
   });

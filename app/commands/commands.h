@@ -15,6 +15,7 @@ void addCalibrate(CLI::App& app, Context& context);
 void addCameras(CLI::App& app, Context& context);
 void addRig(CLI::App& app, Context& context);
 void addRecord(CLI::App& app, Context& context);
+void addProjector(CLI::App& app, Context& context);
 void addCalibrateCoil(CLI::App& app, Context& context);
 void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);

@@ -37,7 +37,7 @@ void prompt(Prompter& prompter, const workflow::BoardCollector& collector,
 
 void reportRefusals(const workflow::BoardCollector& collector) {
   for (const auto& [reason, count] : collector.refusals())
-    logWarning(std::to_string(count) + " pairs were left out: " + reason);
+    logWarning("left out, " + std::to_string(count) + " of the pairs: " + reason);
 }
 
 }  // namespace

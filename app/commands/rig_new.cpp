@@ -12,7 +12,7 @@
 namespace facenav::app {
 namespace {
 
-constexpr double kTrial_s = 1.0;   // of the pair, for what must be said about it
+constexpr double kTrial_s = 1.0;  // of the pair, for what must be said about it
 
 /// By the files given; nothing: a live board is wanted.
 std::optional<cameras::StereoRig> fromFilesOf(const RigRequest& request, Context& context) {

@@ -21,7 +21,7 @@ inline std::vector<HeldBoard> boardRound() {
     for (const int pass : {0, 1}) {
       HeldBoard held;
       held.distance_mm = pass == 0 ? 560 : 760;
-      held.side_mm = {(pass == 0 ? 85.0 : 150.0) * x, (pass == 0 ? 65.0 : 115.0) * y};
+      held.side_mm = {(pass == 0 ? 60.0 : 100.0) * x, (pass == 0 ? 42.0 : 75.0) * y};
       held.axis_deg = 45.0 * double(all.size()) + 10;
       held.tilt_deg = 28;
       all.push_back(held);
@@ -57,7 +57,7 @@ inline cameras::StereoFrame heldBoardFrame(const cameras::StereoRig& rig, const 
 /// Between two places the board moves; at each it stands for `still_frames`.
 class BoardFilm : public capture::FrameSource {
  public:
-  BoardFilm(const cameras::StereoRig& rig, std::vector<HeldBoard> places, int still_frames = 5,
+  BoardFilm(const cameras::StereoRig& rig, std::vector<HeldBoard> places, int still_frames = 4,
             double interval_s = 0.15)
       : rig_(rig), places_(std::move(places)), still_frames_(still_frames), interval_s_(interval_s) {}
   const cameras::StereoRig& rig() const override { return rig_; }

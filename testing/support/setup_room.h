@@ -39,7 +39,7 @@ class SetupRoomSource : public capture::FrameSource {
  private:
   cameras::StereoFrame picture() {
     const RoomShows shows = room_->shows;
-    const int place = shows == RoomShows::held_board ? int(held_++ / 5) % int(places_.size()) : 0;
+    const int place = shows == RoomShows::held_board ? int(held_++ / 4) % int(places_.size()) : 0;
     const auto key = std::tuple(shows, place, room_->turned_deg.load());
     auto known = pictures_.find(key);
     if (known == pictures_.end()) known = pictures_.emplace(key, rendered(shows, place)).first;
@@ -92,7 +92,7 @@ inline workflow::SetupMethods setupMethods() {
 /// Until `condition` holds for the newest view; false: it did not within the limit.
 inline bool waitForView(const workflow::RigSetup& setup,
                         const std::function<bool(const workflow::SetupView&)>& condition,
-                        double limit_s = 60) {
+                        double limit_s = 120) {
   const double until_s = Timestamp::now().s + limit_s;
   while (Timestamp::now().s < until_s) {
     if (condition(*setup.latest())) return true;

@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "appearance.h"
+#include "setup/latency_screen.h"
 #include "widgets/words_of_button.h"
 
 namespace facenav::ui {
@@ -99,6 +101,16 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   set_up_ = button(tr("Set up the cameras\u2026"), tr("place, calibrate and check a pair in four steps"),
                    Qt::CTRL + Qt::SHIFT + Qt::Key_U);
   column.addWidget(set_up_);
+  latency_ = button(tr("Measure the delay\u2026"),
+                    tr("from the left camera to the screen: it films a flashing field"),
+                    Qt::CTRL + Qt::SHIFT + Qt::Key_L);
+  column.addWidget(latency_);
+  connect(latency_, &QPushButton::clicked, this, [this] {
+    auto* screen = new LatencyScreen([this] { return cameras_.picture(); }, window());
+    screen->setAttribute(Qt::WA_DeleteOnClose);
+    screen->resize(sized(900), sized(600));
+    screen->show();
+  });
   connect(set_up_, &QPushButton::clicked, &cameras_, &CamerasPresenter::askForSetUp);
   connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);
   connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
@@ -165,6 +177,7 @@ void CamerasPanel::showState() {
   state_->setText(fault.isEmpty() ? cameras_.words() : fault);
   open_->setEnabled(cameras_.canOpen() && !presenter_.isRunning());
   set_up_->setEnabled(!presenter_.isRunning());
+  latency_->setEnabled(cameras_.isLive() && !presenter_.isRunning());
   setWords(*set_up_, !fault.isEmpty()               ? tr("Check and repair the cameras\u2026")
                      : cameras_.rigName().isEmpty() ? tr("Set up the cameras\u2026")
                                                     : tr("Check the cameras\u2026"));

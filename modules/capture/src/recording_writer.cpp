@@ -1,3 +1,4 @@
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
 #include "facenav/capture/recording.h"
@@ -14,12 +15,12 @@ namespace {
 std::string numbered(std::int64_t number) { return formatted("%06lld.png", static_cast<long long>(number)); }
 
 void writeImage(const cv::Mat& image, const fs::path& path) {
-  bool is_written = false;
-  try {
-    is_written = cv::imwrite(path.string(), image, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  } catch (const cv::Exception&) {
-  }
-  if (!is_written) throw Error("image cannot be written", path.string(), "check free disk space");
+  // Not by cv::imwrite: on a full disk libpng would write a line of its own.
+  std::vector<unsigned char> png;
+  cv::imencode(".png", image, png, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
+  if (!file.flush()) throw Error("image cannot be written", path.string(), "check free disk space");
 }
 
 std::string poseLine(std::int64_t frame, const Eigen::Isometry3d& pose) {

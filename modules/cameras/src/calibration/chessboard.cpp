@@ -23,7 +23,7 @@ constexpr float kWindowBySpacing = 0.3f;
 constexpr int kLarge_px = 900;
 
 // Longer side of the copy that a live picture is searched in.
-constexpr int kLive_px = 720;
+constexpr int kLive_px = 480;
 
 constexpr int kThorough = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE;
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kAssumedFocal = 1.2;  // of the picture's width; tilts need no better
 constexpr int kCells = 3;
 constexpr int kFewestHeld = 3;
+constexpr double kDark_grey = 40;     // mean of a picture in which no board may be found
 constexpr double kTremble = 6.0;      // times the motion of a board that stands
 constexpr double kTilt = 0.2;         // sine of a tilt that counts
 constexpr double kSpread = 1.25;      // nearest against farthest board
@@ -75,18 +76,21 @@ void BoardCollector::clear() {
   refusals_.clear();
 }
 
-BoardSight BoardCollector::seen(const cv::Mat& left, const cv::Mat& right) const {
+BoardSight BoardCollector::seen(const cv::Mat& left, const cv::Mat& right, bool is_live) const {
   if (left.size() != picture_ || right.size() != picture_)
     throw Error(formatted("the pictures are %d x %d px in place of %d x %d", left.cols, left.rows,
                           picture_.width, picture_.height),
                 "", "use pictures of one camera pair at one resolution");
   BoardSight sight;
-  sight.left = cameras::findBoardAtOnce(left, board_);
-  sight.right = cameras::findBoardAtOnce(right, board_);
+  const auto find = is_live ? cameras::findBoardAtOnce : cameras::findBoard;
+  sight.left = find(left, board_);
+  sight.right = find(right, board_);
   const bool is_left = !sight.left.px.empty(), is_right = !sight.right.px.empty();
   if (!is_left && !is_right) {
     sight.state = BoardSight::State::none;
-    sight.reason = "no board is seen";
+    sight.reason = cv::mean(left)[0] < kDark_grey || cv::mean(right)[0] < kDark_grey
+                       ? "no board is seen: the picture is dark, more light"
+                       : "no board is seen";
   } else if (is_left != is_right) {
     sight.state = BoardSight::State::one_side;
     sight.reason = is_left ? "the right camera does not see the whole board"
@@ -181,7 +185,7 @@ BoardSight BoardCollector::counted(BoardSight sight) {
 }
 
 BoardSight BoardCollector::add(const cameras::StereoFrame& frame) {
-  BoardSight sight = seen(frame.left, frame.right);
+  BoardSight sight = seen(frame.left, frame.right, true);
   if (sight.state != BoardSight::State::moving) {
     held_.clear();
     return counted(std::move(sight));
@@ -203,7 +207,7 @@ BoardSight BoardCollector::add(const cameras::StereoFrame& frame) {
 }
 
 BoardSight BoardCollector::addStill(const cameras::CalibrationPair& pair) {
-  BoardSight sight = seen(pair.left, pair.right);
+  BoardSight sight = seen(pair.left, pair.right, false);
   if (sight.state == BoardSight::State::moving) judge(pair.left, pair.right, pair.name, sight);
   return counted(std::move(sight));
 }

@@ -116,7 +116,7 @@ class BoardCollector {
     cameras::SeenCorners left, right;
   };
 
-  BoardSight seen(const cv::Mat& left, const cv::Mat& right) const;
+  BoardSight seen(const cv::Mat& left, const cv::Mat& right, bool is_live) const;
   std::string fault(const cv::Mat& image, const cameras::SeenCorners& corners) const;
   Shape shapeOf(const cameras::SeenCorners& corners) const;
   bool isNew(const Shape& shape) const;

@@ -1,0 +1,36 @@
+#pragma once
+// Calibration of a projector by the calibrated cameras: they measure in space what it lights (a face, a wall,
+// a board), its code tells which of its pixels lights each place, and a lens and a pose are fitted to that.
+// The scene must have depth, or be shown at several distances.
+
+#include <string>
+#include <vector>
+
+#include "facenav/cameras/projector_model.h"
+#include "facenav/stereo/projector_code.h"
+
+namespace facenav::stereo {
+
+/// A place that both cameras and the projector see.
+struct LitPlace {
+  Eigen::Vector2d left_px, right_px, projector_px;
+  Point<Camera> point;
+  double epipolar_px = 0;  // how far the two pixels miss each other's epipolar line
+};
+
+/// Places of equal code in both pictures, every `step_px` pixels of the left one; those farther than 1 px
+/// from the epipolar line are left out.
+std::vector<LitPlace> matchCodes(const cameras::StereoRig& rig, const DecodedCode& left,
+                                 const DecodedCode& right, int step_px = 1);
+
+struct ProjectorCalibration {
+  cameras::ProjectorModel projector;
+  double rms_px = 0, held_out_px = 0;  // projector px: rms of the fit; median of places left out
+  int places = 0, left_out = 0;        // used; outliers
+  double nearest_mm = 0, farthest_mm = 0;
+};
+
+/// Throws Error: too few places, or they lie in one plane.
+ProjectorCalibration calibrateProjector(const std::vector<LitPlace>& places, const ProjectorCode& code);
+
+}  // namespace facenav::stereo

@@ -1,0 +1,59 @@
+#include "facenav/workflow/projector_run.h"
+
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+
+namespace facenav::workflow {
+namespace {
+
+// Screens and projectors show a picture up to 100 ms late, and a camera's exposure must lie wholly after it.
+constexpr double kProjectorSettle_s = 0.2;
+
+}  // namespace
+
+ProjectorRun::ProjectorRun(const cameras::StereoRig& rig, const stereo::ProjectorCode& code)
+    : rig_(rig), code_(code), pictures_(codePictures(code)), next_(pictures_.size()) {
+  words_ = "point the projector at a face, or at a wall with something before it, and hold still";
+}
+
+void ProjectorRun::startScene() {
+  left_.clear();
+  right_.clear();
+  shown_s_.reset();
+  next_ = 0;
+  words_ = "nothing may move now";
+}
+
+void ProjectorRun::shown(double at_s) {
+  if (!shown_s_) shown_s_ = at_s;
+}
+
+void ProjectorRun::add(const cameras::StereoFrame& frame) {
+  if (!isShowing() || !shown_s_ || frame.captured.s < *shown_s_ + kProjectorSettle_s) return;
+  left_.push_back(frame.left.clone());
+  right_.push_back(frame.right.clone());
+  shown_s_.reset();
+  if (++next_ == pictures_.size()) finishScene();
+}
+
+double ProjectorRun::progress() const { return double(next_) / double(pictures_.size()); }
+
+void ProjectorRun::finishScene() {
+  const auto left = stereo::decode(left_, code_), right = stereo::decode(right_, code_);
+  for (const auto* seen : {&left, &right})
+    if (const auto advice = seen->advice(); !advice.empty()) {
+      words_ = advice.front();
+      return;
+    }
+  const auto found = stereo::matchCodes(rig_, left, right);
+  places_.insert(places_.end(), found.begin(), found.end());
+  try {
+    result_ = stereo::calibrateProjector(places_, code_);
+    words_ = formatted("calibrated: %.2f px, from %.0f to %.0f mm; another scene makes it better",
+                       result_->rms_px, result_->nearest_mm, result_->farthest_mm);
+  } catch (const Error& error) {
+    words_ = error.what();
+  }
+}
+
+}  // namespace facenav::workflow
