@@ -45,6 +45,7 @@ workflow::Registrations makeRegistrations() {
   addExporters(all.exporters);
   all.cameras.add("v4l2", "USB and other Video4Linux cameras", [] { return capture::makeV4l2Backend(); });
   all.cameras.add("genicam", "GigE Vision and USB3 Vision cameras", capture::makeGenicamBackend);
+  all.cameras.add("dc1394", "IEEE 1394 (FireWire) cameras", [] { return capture::makeDc1394Backend(); });
   all.cameras.add("stream", "network streams and videos", capture::makeStreamBackend);
   return all;
 }

@@ -17,10 +17,11 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d objde
 find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters)
 find_package(dlib REQUIRED)
 find_package(embree 3 REQUIRED)
-# Optional: GenICam cameras (without it they are not listed), and pulses by the sound of the coil's click.
+# Optional: GenICam and IEEE 1394 cameras (without them they are not listed), and pulses by the sound of the coil's click.
 find_package(PkgConfig)
 if(PKG_CONFIG_FOUND)
   pkg_check_modules(ARAVIS IMPORTED_TARGET aravis-0.8)
+  pkg_check_modules(DC1394 IMPORTED_TARGET libdc1394-2)
   pkg_check_modules(ALSA IMPORTED_TARGET alsa)
   pkg_check_modules(SNDFILE IMPORTED_TARGET sndfile)
 endif()

@@ -15,7 +15,7 @@
 namespace facenav::capture {
 
 struct CameraIdentity {
-  std::string backend;  // "v4l2", "genicam", "stream"
+  std::string backend;  // "v4l2", "genicam", "dc1394", "stream"
   std::string address;  // opens it now: "/dev/video2", "Aravis-Fake-GV01", "http://host/video"
   std::string model;    // "HD Pro Webcam C920"
   std::string serial;   // empty: it has none

@@ -43,6 +43,8 @@ std::unique_ptr<CameraBackend> makeV4l2Backend();
 /// GigE Vision and USB3 Vision cameras, through Aravis. Without Aravis in this build: lists none; open() says
 /// so.
 std::unique_ptr<CameraBackend> makeGenicamBackend();
+/// IEEE 1394 (FireWire) cameras, through libdc1394. Without it in this build: lists none; open() says so.
+std::unique_ptr<CameraBackend> makeDc1394Backend();
 /// Videos and network streams (RTSP, HTTP, ..) through FFmpeg. list() is empty: an address opens them.
 std::unique_ptr<CameraBackend> makeStreamBackend();
 
