@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 
@@ -81,6 +82,24 @@ TEST_F(RealBoards, ChosenViewsGiveARigNearTheSharedOne) {
     EXPECT_LT(shape_mm, 0.5);
     EXPECT_LT(apart_mm, 3 * effect.point_mm) << "within what it states";
   }
+}
+
+TEST_F(RealBoards, RealBoardsPassTheRulesOfBlurAndLight) {
+  std::vector<double> edges_px;
+  const BoardRules rules;
+  for (const auto& file : picturesOf("boards_2", "m")) {
+    const cv::Mat image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+    const auto seen = cameras::findBoardAtOnce(image, kRealBoard);
+    if (seen.px.empty()) continue;
+    const auto quality = cameras::boardQuality(image, seen, kRealBoard);
+    edges_px.push_back(quality.edge_px);
+    EXPECT_GT(quality.white_grey - quality.black_grey, rules.least_contrast) << file;
+    EXPECT_LT(quality.white_grey, rules.most_white) << file;
+  }
+  ASSERT_GE(edges_px.size(), 15u) << "boards found at once, of 20";
+  std::sort(edges_px.begin(), edges_px.end());
+  std::printf("%zu boards, edges of %.2f to %.2f px\n", edges_px.size(), edges_px.front(), edges_px.back());
+  EXPECT_LT(edges_px.back(), rules.most_edge_px);
 }
 
 TEST_F(RealBoards, ACameraThatLagsIsNamed) {

@@ -45,11 +45,11 @@ struct PlacementRules {
   }
 
   static constexpr Evidence kPlace{Origin::chosen,
-                                   "by judgement: the accuracy goals are met with faces of 180 to 420 px"};
+                                   "by judgement: faces of the virtual room are 200 to 420 px wide"};
   static constexpr Evidence kLight{Origin::chosen, "by judgement: skin keeps its texture in this range"};
-  static constexpr Evidence kFocus{Origin::chosen,
-                                   "between the sharp and the blurred face of the test; no real webcam was "
-                                   "measured"};
+  static constexpr Evidence kFocus{
+      Origin::chosen,
+      "by judgement, between the sharp and the blurred texture of its test; no webcam was measured"};
 };
 
 /// One thing that is judged.
