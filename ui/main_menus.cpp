@@ -18,7 +18,7 @@ namespace facenav::ui {
 void MainWindow::setUpCameras(const QString& rig) {
   if (treat_.isRunning())
     return task_bar_->showMessage(tr("end the guidance first: the cameras are in use"), true);
-  if (auto preview = treat_.cameras().release()) preview.reset();  // a camera can be opened only once
+  treat_.cameras().closeCameras();  // a camera can be opened only once
   auto* window = new SetupWindow(services_, this);
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->setWindowModality(Qt::WindowModal);

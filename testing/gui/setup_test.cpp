@@ -46,6 +46,9 @@ class SetupTest : public ::testing::Test {
       if (!rigs_.empty() && existing == Existing::refuse) throw Error("there is a rig of this name");
       rigs_ = {{rig.name, "/rigs/" + rig.name, rig, ""}};
     };
+    services_.noteRig = [this](const std::string& name, const capture::RigCheckNote& note) {
+      noted_ = QString::fromStdString(name + ": " + note.state);
+    };
     services_.makeSetupMethods = [] { return testing::setupMethods(); };
   }
   std::unique_ptr<capture::FrameSource> source() {
@@ -73,7 +76,7 @@ class SetupTest : public ::testing::Test {
   std::shared_ptr<testing::SetupRoom> room_ = std::make_shared<testing::SetupRoom>();
   cameras::StereoRig rig_ = boards::roomRig();
   std::vector<capture::RigEntry> rigs_;
-  QString opened_;
+  QString opened_, noted_;
   Services services_;
 };
 
@@ -107,6 +110,9 @@ TEST_F(SetupTest, EndsWithARigUnderAName) {
   setup.openKept("room 4");
   ASSERT_TRUE(fixtures::waitFor([&] { return setup.view()->needs_repair; }, 120000));
   EXPECT_TRUE(setup.sentence().contains("calibrate again")) << setup.sentence().toStdString();
+  setup.noteCheckOfKept();
+  EXPECT_EQ(noted_, "room 4: moved");
+  EXPECT_FALSE(setup.isKept());
   room_->shows = RoomShows::held_board;
   setup.repeatViews();
   ASSERT_TRUE(done(setup, Step::calibrate)) << setup.sentence().toStdString();

@@ -213,6 +213,12 @@ void CamerasPresenter::retire(std::shared_ptr<capture::LivePreview> preview) {
     retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(0));
 }
 
+void CamerasPresenter::closeCameras() {
+  if (auto preview = release())
+    retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(500));
+  emit changed();
+}
+
 void CamerasPresenter::show(const capture::Recording& recording) {
   retire(release());
   if (recording.frame_count > 0)

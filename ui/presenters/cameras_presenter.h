@@ -61,6 +61,8 @@ class CamerasPresenter : public QObject {
   /// Stops showing images and returns what must be released, or null. Release it off the GUI thread: a camera
   /// that gives no image blocks the thread that releases it.
   std::shared_ptr<capture::LivePreview> release();
+  /// Stops the live images for something else that uses the cameras; waits at most half a second.
+  void closeCameras();
   bool isLive() const { return is_live_ && preview_; }
   bool hasPictures() const { return preview_ != nullptr; }
   /// The newest pair, or null.

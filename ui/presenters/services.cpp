@@ -79,6 +79,9 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   services.keepRig = [](const capture::NamedRig& rig, Existing existing) {
     capture::RigStore().write(rig, existing);
   };
+  services.noteRig = [](const std::string& name, const capture::RigCheckNote& note) {
+    capture::RigStore().note(name, note);
+  };
   services.makeSetupMethods = [makeMethods] {
     const auto methods = std::make_shared<workflow::Registrations>(makeMethods());
     return workflow::SetupMethods{

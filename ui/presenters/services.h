@@ -75,6 +75,8 @@ struct Services {
   std::function<NewCameras(const std::string& left, const std::string& right, int width_px, int height_px)>
       openNewCameras;
   std::function<void(const capture::NamedRig&, Existing)> keepRig;
+  /// The result of a kept rig's check, into the store.
+  std::function<void(const std::string& name, const capture::RigCheckNote&)> noteRig;
   /// What the set-up of a camera pair judges pictures with.
   std::function<workflow::SetupMethods()> makeSetupMethods;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;

@@ -137,6 +137,7 @@ void SetupPresenter::openKept(const QString& name) {
           left_camera_ = rig.left;
           right_camera_ = rig.right;
           name_ = opened_rig_ = QString::fromStdString(rig.name);
+          noted_.clear();
           begin(std::move(*source), rig.rig);
           go(Step::check);
         };
@@ -205,6 +206,7 @@ void SetupPresenter::repeatViews() {
   if (!setup_) return;
   setup_->repeatViews();
   is_kept_ = false;
+  opened_rig_.clear();
   go(Step::calibrate);
 }
 
@@ -223,6 +225,21 @@ bool SetupPresenter::printBoard(const QString& file) {
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
     return false;
+  }
+}
+
+void SetupPresenter::noteCheckOfKept() {
+  const auto check = setup_ && !opened_rig_.isEmpty() && !is_kept_ ? setup_->verification() : std::nullopt;
+  if (!check || check->state == workflow::RigState::unclear || !services_.noteRig) return;
+  const std::string name = opened_rig_.toStdString();
+  if (check->state == workflow::RigState::holds) is_kept_ = true;
+  if (noted_ == check->words()) return;
+  noted_ = check->words();
+  try {
+    services_.noteRig(name, {utcNow(), workflow::toString(check->state), check->words()});
+    emit kept(opened_rig_);
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
   }
 }
 

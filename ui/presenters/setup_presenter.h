@@ -68,6 +68,8 @@ class SetupPresenter : public QObject {
   /// Only a calibration whose check holds is kept. `replaces`: a rig of this name is replaced.
   bool keep(bool replaces);
   bool isKept() const { return is_kept_; }
+  /// Stores the check of a kept rig that was opened, once it is there. Call it now and then.
+  void noteCheckOfKept();
   bool isNameTaken() const;
 
   // Coil.
@@ -101,7 +103,8 @@ class SetupPresenter : public QObject {
   std::vector<workflow::LibraryCoil> coils_;
   std::shared_ptr<workflow::RigSetup> setup_;
   workflow::SetupStep step_ = workflow::SetupStep::place;
-  QString opened_rig_;  // a kept one
+  QString opened_rig_;  // a kept one, as it was kept; empty: none, or it is being repaired
+  std::string noted_;   // words of the check that was stored
   bool is_kept_ = false;
   Retirement retirement_;
 };

@@ -157,6 +157,7 @@ void SetupWindow::showLines(const workflow::SetupView& view) {
 void SetupWindow::refresh() {
   if (!to_open_.isEmpty() && !tasks_.isRunning())
     return presenter_.openKept(std::exchange(to_open_, {}));  // refresh() follows
+  presenter_.noteCheckOfKept();
   showSteps();
   const auto view = presenter_.view();
   const bool is_of_step = view->step == presenter_.step();
