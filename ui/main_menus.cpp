@@ -34,8 +34,8 @@ void MainWindow::calibrateProjector() {
     return task_bar_->showMessage(tr("open the calibrated cameras first (Treat, Cameras)"), true);
   const QScreen* screen = QApplication::screens().last();
   auto* window = new ProjectorCodeScreen(
-      *cameras.rig(), screen->size() * screen->devicePixelRatio(),
-      [this] { return treat_.cameras().picture(); }, this);
+      *live.rig(), screen->size() * screen->devicePixelRatio(), [this] { return treat_.cameras().picture(); },
+      this);
   window->setAttribute(Qt::WA_DeleteOnClose);
   connect(window, &QObject::destroyed, this, [this] { activateWindow(); });
   connect(window, &ProjectorCodeScreen::sceneTaken, this, [this, window] {
