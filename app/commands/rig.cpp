@@ -1,11 +1,13 @@
 // facenav rig new|check|list: camera pairs kept under a name, with locked settings and calibration, and
 // checked again.
 
+#include <cstdio>
 #include <ctime>
 #include <memory>
 
 #include "commands/commands.h"
 #include "commands/rig_steps.h"
+#include "facenav/cameras/board_page.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 
@@ -90,14 +92,29 @@ void addCheckOf(CLI::App& rig, const std::shared_ptr<RigRequest>& request, Conte
   verb->callback([request, &context] { checkRig(*request, context); });
 }
 
+void addPage(CLI::App& rig, const std::shared_ptr<RigRequest>& request, const Context& context) {
+  auto* verb = rig.add_subcommand("board", "a page with the chessboard at true size, to print (SVG, A4)");
+  verb->add_option("--board", request->board, "inner corners: 9x6")->default_str("9x6");
+  verb->add_option("--square", request->square_mm, "side of one square, mm")->default_str("25");
+  verb->add_option("-o,--output", request->page, "SVG to write")->required();
+  verb->callback([request, &context] {
+    const std::string corners = request->board.empty() ? "9x6" : request->board;
+    const double square_mm = request->square_mm > 0 ? request->square_mm : 25.0;
+    cameras::writeBoardPage(cameras::boardFromText(corners, square_mm), request->page);
+    if (!context.is_quiet)
+      std::printf("%s: print at 100 %%, then measure the 100 mm line\n", request->page.c_str());
+  });
+}
+
 }  // namespace
 
 void addRig(CLI::App& app, Context& context) {
-  auto* rig = app.add_subcommand("rig", "camera pairs kept under a name: new, check, list");
+  auto* rig = app.add_subcommand("rig", "camera pairs kept under a name: new, check, list; a board to print");
   rig->require_subcommand(1);
   const auto request = std::make_shared<RigRequest>();
   addNew(*rig, request, context);
   addCheckOf(*rig, request, context);
+  addPage(*rig, request, context);
   auto* list = rig->add_subcommand("list", "the rigs: cameras, size, date, uncertainty, last check");
   list->add_option("--rigs", request->rigs, "folder of the rigs (default: the user's configuration)");
   list->add_flag("--json", request->is_json, "as JSON");

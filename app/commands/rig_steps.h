@@ -15,7 +15,7 @@ namespace facenav::app {
 /// Options of all three.
 struct RigRequest {
   std::string name, board, left_camera, right_camera;
-  std::filesystem::path rigs, calibration, recording, coil;
+  std::filesystem::path rigs, calibration, recording, coil, page;
   double square_mm = 0, distance_mm = 600, live_s = 0, within_s = 300;
   std::string size = "1280x720";  // of live pictures of the board
   bool is_choosing = false;

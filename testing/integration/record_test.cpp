@@ -99,6 +99,16 @@ TEST_F(RecordVerb, SaysInOneLineWhyItCannotRecord) {
              "cannot be written");
 }
 
+TEST_F(RecordVerb, TheBoardIsDrawnAtTrueSize) {
+  const auto drawn = runFacenav("rig board --board 9x6 --square 20 -o " + at("board.svg"));
+  ASSERT_EQ(drawn.status, 0) << drawn.errors;
+  const std::string page = readText(folder_.path() / "board.svg");
+  EXPECT_THAT(page, HasSubstr("width=\"297mm\""));
+  EXPECT_THAT(page, HasSubstr("width=\"20.0000\" height=\"20.0000\""));
+  EXPECT_EQ(runFacenav("rig board --square 60 -o " + at("large.svg")).status, 1);
+  EXPECT_FALSE(fs::exists(folder_.path() / "large.svg"));
+}
+
 TEST_F(RecordVerb, ALiveBoardMakesARigFromViewsThatAreTakenByThemselves) {
   std::vector<cameras::StereoFrame> frames;
   const auto places = boardRound();

@@ -93,7 +93,9 @@ TEST(BoardCollector, TellsTheTiltsApart) {
     // Of what is far, the squares are smaller.
     const auto& corners = collector.views().front().left;
     const double first = cv::norm(corners[1] - corners[0]), last = cv::norm(corners[53] - corners[52]);
-    if (vertical == 1 && corners[0].y < corners[53].y) EXPECT_EQ(all.is_top_far, first < last);
+    if (vertical == 1 && corners[0].y < corners[53].y) {
+      EXPECT_EQ(all.is_top_far, first < last);
+    }
   }
 }
 
