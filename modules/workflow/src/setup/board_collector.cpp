@@ -149,6 +149,8 @@ bool BoardCollector::isStill(double now_s) {
       held_.erase(held_.begin(), held_.begin() + std::ptrdiff_t(i) + 1);
       break;
     }
+  while (int(held_.size()) > kFewestHeld && now_s - held_[1].t_s >= rules_.still_s)
+    held_.erase(held_.begin());
   return int(held_.size()) >= kFewestHeld && now_s - held_.front().t_s >= rules_.still_s;
 }
 
