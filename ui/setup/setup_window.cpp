@@ -21,7 +21,7 @@ namespace {
 
 using Step = workflow::SetupStep;
 
-constexpr int kRefresh_ms = 60, kToolsWidth_px = 270;
+constexpr int kSetupRefresh_ms = 60, kToolsWidth_px = 270;
 const QColor kPlainWords(237, 241, 245), kDoneWords(82, 200, 120), kTroubleWords(255, 140, 130);
 
 }  // namespace
@@ -49,7 +49,7 @@ SetupWindow::SetupWindow(const Services& services, QWidget* parent)
   });
   connect(&presenter_, &SetupPresenter::changed, this, &SetupWindow::refresh);
   connect(&timer_, &QTimer::timeout, this, &SetupWindow::refresh);
-  timer_.start(kRefresh_ms);
+  timer_.start(kSetupRefresh_ms);
   presenter_.chooseCoil({});
   presenter_.lookForCameras();
   refresh();

@@ -103,8 +103,8 @@ PlacementFinding faceMissing(bool is_left, bool is_right) {
                   : "turn the left camera to the face: it does not see it"};
 }
 
-std::optional<face::FaceLandmarks> follow(const face::FaceDetector& detector, const cv::Mat& grey,
-                                          const std::optional<face::FaceLandmarks>& last) {
+std::optional<face::FaceLandmarks> followFace(const face::FaceDetector& detector, const cv::Mat& grey,
+                                              const std::optional<face::FaceLandmarks>& last) {
   if (last)
     if (auto near = detector.detectNear(grey, *last)) return near;
   return detector.detectAtRoll(grey, 0.0);
@@ -135,8 +135,8 @@ PlacementJudge::PlacementJudge(std::shared_ptr<const face::FaceDetector> detecto
     : detector_(std::move(detector)) {}
 
 Placement PlacementJudge::judge(const cameras::StereoFrame& frame) {
-  left_ = follow(*detector_, frame.left, left_);
-  right_ = follow(*detector_, frame.right, right_);
+  left_ = followFace(*detector_, frame.left, left_);
+  right_ = followFace(*detector_, frame.right, right_);
   Placement placement;
   if (left_) placement.left_face = left_->face;
   if (right_) placement.right_face = right_->face;
