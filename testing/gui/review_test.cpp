@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -14,6 +15,7 @@
 #include "facenav/core/csv_table.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/scene/display.h"
+#include "facenav/workflow/home_case.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
 #include "pdf_text.h"
@@ -132,6 +134,36 @@ TEST_F(ReviewTest, MepsAreImportedByTimeAndTheOffsetIsSaid) {
       fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[0].pulse.mep_uv.has_value(); }));
   EXPECT_EQ(review.session()->kept.pulses.pulses[0].pulse.mep_uv, 120.0);
   EXPECT_THAT(said.toStdString(), HasSubstr("clock offset -3.000 s (given: 2 of 2 rows fit)"));
+}
+
+TEST_F(ReviewTest, AFileThatCameBackFromHomeIsAddedShownAndMarked) {
+  const auto home = casefile::CaseStore::createFromFace(
+      folder_.path() / "home", {fixtures::ballWithBrain().scalp, {}, "", model_.current().store.caseId()}, {},
+      false);
+  testing::MadeSession made;
+  made.pulses = 17;
+  const auto session = testing::writeMadeSession(home.folder(), someTarget(fixtures::ballWithBrain()), made);
+  const auto file = folder_.path() / "back.zip";
+  workflow::writeSendBack(home, session, file);
+  ReviewPresenter review(model_);
+  QString said, refused;
+  QObject::connect(&review, &ReviewPresenter::said, [&](const QString& words) { said = words; });
+  QObject::connect(&review, &ReviewPresenter::refused, [&](const QString& words) { refused = words; });
+  review.refresh();
+  waitForSession(review);
+  review.addReturned(QString::fromStdString(file.string()));
+  EXPECT_THAT(said.toStdString(), HasSubstr("17 pulses: added to the case"));
+  ASSERT_TRUE(fixtures::waitFor(
+      [&] { return review.sessions().size() == 3 && review.session() && !review.isReading(); }));
+  EXPECT_EQ(review.session()->kept.pulses.pulses.size(), 17u);
+  EXPECT_TRUE(review.session()->kept.returned_utc);
+  EXPECT_EQ(std::count_if(review.sessions().begin(), review.sessions().end(),
+                          [](const auto& s) { return s.is_at_home; }),
+            1);
+  std::ofstream(file, std::ios::app) << "damaged";
+  std::filesystem::resize_file(file, 500);
+  review.addReturned(QString::fromStdString(file.string()));
+  EXPECT_THAT(refused.toStdString(), HasSubstr("back.zip"));
 }
 
 TEST_F(ReviewTest, ReplayShowsTheFilesNumbersAndALossAsLost) {

@@ -68,12 +68,14 @@ TEST_F(TreatPictures, OfTheToolsAndTheOtherScreens) {
     window.setWorkspace(Workspace::treat);
     window.play(recording_);
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 240000));
-    fixtures::waitFor([&] { return bool(window.treat().state()->camera_T_coil); }, 60000);
+    fixtures::waitFor([&] { return window.treat().state()->guidance.state == guidance::State::on_target; },
+                      10000);
     auto* treat = window.findChild<TreatWorkspace*>();
     for (const auto& [tool, words] : {std::pair(Tool::aim, "aim"), {Tool::check, "check"}}) {
       treat->showTool(tool);
       take(window, QString("treat_%1_%2").arg(words, name));
     }
+    treat->projector().open(QString("%1/projector.yml").arg(recording_));
     treat->screens().showGuidance(true);
     treat->screens().showProjector(true);
     fixtures::waitFor([] { return false; }, 500);

@@ -8,6 +8,7 @@
 #include "facenav/workflow/mep_import.h"
 #include "facenav/workflow/pulse_map.h"
 #include "facenav/workflow/pulse_pictures.h"
+#include "facenav/workflow/returned_session.h"
 #include "facenav/workflow/session_report.h"
 #include "report_pdf.h"
 
@@ -182,6 +183,18 @@ void ReviewPresenter::importMeps(const QString& csv, std::optional<double> offse
     if (!match.left_out.empty()) words += ": " + QString::fromStdString(match.left_out.front());
     emit said(words);
   });
+}
+
+void ReviewPresenter::addReturned(const QString& file) {
+  if (!model_.isOpen()) return;
+  try {
+    const auto returned = workflow::importReturned(model_.current().store, file.toStdString());
+    emit said(QString::fromStdString(inWords(returned)));
+    choose(QString::fromStdString(returned.folder.filename().string()));
+    refresh();
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
 }
 
 void ReviewPresenter::undo() {

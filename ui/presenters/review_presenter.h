@@ -58,6 +58,9 @@ class ReviewPresenter : public QObject {
   void typeMep(int number, const QString& typed);
   /// `offset_s`: of the clocks; nothing: it is sought. said() tells what was found.
   void importMeps(const QString& csv, std::optional<double> offset_s);
+  /// A file that a session at home sent back becomes a session of the case, and is chosen. said() tells what
+  /// was added.
+  void addReturned(const QString& file);
   void undo();
   void redo();
   const workflow::ReviewEditor& editor() const { return editor_; }

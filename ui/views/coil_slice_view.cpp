@@ -77,16 +77,20 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
   }
   is_outdated_ = false;
   const QFontMetrics metrics = painter.fontMetrics();
-  const auto write = [&](const QString& words, int top) {
+  const auto write = [&](const QString& words, const QString& shorter, int top) {
     if (words.isEmpty()) return;
-    const QString shown = metrics.elidedText(words, Qt::ElideRight, width() - 16);
+    const int room = width() - 16;  // the figure must not be cut off where text is large
+    const QString shown =
+        metrics.elidedText(metrics.horizontalAdvance(words) > room ? shorter : words, Qt::ElideRight, room);
     if (showsSlice())  // grey words on grey tissue cannot be read
       painter.fillRect(4, top, metrics.horizontalAdvance(shown) + 8, metrics.height(), QColor(0, 0, 0, 170));
     painter.drawText(8, top + metrics.ascent(), shown);
   };
   const int letters = sized(24);  // the side's letters stand below
-  write(caption(), 4);
-  write(boundWords(), height() - letters - metrics.height());
+  write(caption(), caption().section(": ", -1), 4);
+  write(boundWords(),
+        boundWords().isEmpty() ? "" : tr("\u00b1%1 mm (95 %)").arg(*coil_->bound95_mm, 0, 'f', 1),
+        height() - letters - metrics.height());
 }
 
 void CoilSliceView::mousePressEvent(QMouseEvent* event) {

@@ -20,13 +20,13 @@ TipPanel::TipPanel(TipPresenter& tip, TreatPresenter& treat, QWidget* parent)
          "(O)"));
   skin_->setShortcut(Qt::Key_O);
   connect(skin_, &QCheckBox::toggled, &treat_, &TreatPresenter::showSkin);
-  column->addWidget(skin_);
   column->addWidget(makeFigures());
   words_ = new QLabel(this);
   words_->setObjectName("tip_words");
   makeNarrow(*words_);
   column->addWidget(words_);
   column->addWidget(makeJudgement());
+  column->addWidget(skin_);  // last: in a low window what is judged is in sight
   column->addStretch(1);
   connect(&tip_, &TipPresenter::changed, this, &TipPanel::showState);
   connect(&treat_, &TreatPresenter::changed, this, &TipPanel::showState);

@@ -110,6 +110,7 @@ QWidget* TreatWorkspace::makeSteps() {
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   coil_->setMinimumContentsLength(15);
   coil_->setAccessibleName(tr("coil"));
+  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // where text is large
   show_slices_ = new QPushButton(tr("Slices"), bar);
   show_slices_->setObjectName("tool");
   show_slices_->setCheckable(true);

@@ -69,16 +69,23 @@ QWidget* ReviewWorkspace::makeHead() {
   meps_ = new QPushButton(tr("MEPs\u2026"), bar);
   meps_->setToolTip(
       tr("import from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
+  from_home_ = new QPushButton(tr("From home\u2026"), bar);
+  from_home_->setToolTip(tr("add the file that a session at home sent back"));
   with_name_ = new QCheckBox(tr("with label"), bar);
   with_name_->setToolTip(tr("adds the case's label, which may be the patient's name, to the report"));
   report_ = new QPushButton(tr("Report"), bar);
   report_->setObjectName("primary");
   report_->setToolTip(tr("writes report.pdf, report.html and pulses.csv into the session's folder"));
-  for (QWidget* widget :
-       {static_cast<QWidget*>(meps_), static_cast<QWidget*>(with_name_), static_cast<QWidget*>(report_)})
+  for (QWidget* widget : {static_cast<QWidget*>(from_home_), static_cast<QWidget*>(meps_),
+                          static_cast<QWidget*>(with_name_), static_cast<QWidget*>(report_)})
     row->addWidget(widget);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int id) { setPage(ReviewPage(id)); });
   connect(meps_, &QPushButton::clicked, this, &ReviewWorkspace::chooseMeps);
+  connect(from_home_, &QPushButton::clicked, this, [this] {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("The file that came back from home"), {}, tr("ZIP (*.zip)"));
+    if (!file.isEmpty()) presenter_.addReturned(file);
+  });
   connect(report_, &QPushButton::clicked, this, [this] { presenter_.makeReport(with_name_->isChecked()); });
   return bar;
 }
@@ -106,6 +113,7 @@ void ReviewWorkspace::showState() {
   const bool has_session = presenter_.session() != nullptr;
   meps_->setEnabled(has_session);
   report_->setEnabled(has_session);
+  from_home_->setEnabled(model_.isOpen());
   const bool has_label = model_.isOpen() && !model_.current().label.isEmpty();
   with_name_->setVisible(has_label);
   if (!has_label) with_name_->setChecked(false);

@@ -36,7 +36,7 @@ class ReviewWorkspace : public QWidget {
   CaseModel& model_;
   QStackedWidget* pages_;
   QButtonGroup* tabs_;
-  QPushButton *meps_, *report_;
+  QPushButton *from_home_, *meps_, *report_;
   QCheckBox* with_name_;
 };
 
