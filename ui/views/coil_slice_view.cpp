@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "appearance.h"
@@ -9,6 +10,19 @@
 #include "views/window_drag.h"
 
 namespace facenav::ui {
+namespace {
+
+/// "along: cortex 27 mm deep", "cortex 27 mm deep" or "27 mm": the longest that fits. A figure that is cut
+/// off would be another one.
+QString longestFitting(const QString& words, const QFontMetrics& metrics, int room_px) {
+  static const QRegularExpression kFigure("[0-9.]+ mm");
+  for (const QString& shorter : {words, words.section(": ", -1)})
+    if (metrics.horizontalAdvance(shorter) <= room_px) return shorter;
+  const auto figure = kFigure.match(words);
+  return figure.hasMatch() ? figure.captured() : metrics.elidedText(words, Qt::ElideRight, room_px);
+}
+
+}  // namespace
 
 CoilSliceView::CoilSliceView(scene::CoilCut cut, QWidget* parent) : QWidget(parent), cut_(cut) {
   setMinimumSize(150, 120);
@@ -77,20 +91,16 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
   }
   is_outdated_ = false;
   const QFontMetrics metrics = painter.fontMetrics();
-  const auto write = [&](const QString& words, const QString& shorter, int top) {
+  const auto write = [&](const QString& words, int top) {
     if (words.isEmpty()) return;
-    const int room = width() - 16;  // the figure must not be cut off where text is large
-    const QString shown =
-        metrics.elidedText(metrics.horizontalAdvance(words) > room ? shorter : words, Qt::ElideRight, room);
+    const QString shown = longestFitting(words, metrics, width() - 16);
     if (showsSlice())  // grey words on grey tissue cannot be read
       painter.fillRect(4, top, metrics.horizontalAdvance(shown) + 8, metrics.height(), QColor(0, 0, 0, 170));
     painter.drawText(8, top + metrics.ascent(), shown);
   };
   const int letters = sized(24);  // the side's letters stand below
-  write(caption(), caption().section(": ", -1), 4);
-  write(boundWords(),
-        boundWords().isEmpty() ? "" : tr("\u00b1%1 mm (95 %)").arg(*coil_->bound95_mm, 0, 'f', 1),
-        height() - letters - metrics.height());
+  write(caption(), 4);
+  write(boundWords(), height() - letters - metrics.height());
 }
 
 void CoilSliceView::mousePressEvent(QMouseEvent* event) {

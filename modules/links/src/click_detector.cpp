@@ -78,7 +78,7 @@ double ClickDetector::usualPeak() const {
 
 /// The search may have begun at a sound of the voice shortly before it.
 std::int64_t ClickDetector::beginOf(std::int64_t step, double peak) const {
-  constexpr double kBegins = 0.1;
+  constexpr double kBegins = 0.25;  // an echo of the click before has at most an eighth
   while (steps_[std::size_t(step - first_step_)].power < kBegins * peak) ++step;
   return step;
 }

@@ -54,7 +54,7 @@ struct ClickRules {
       "a click's power grows with the square of the output: 30 % of the largest one "
       "is 10 dB weaker, and 17 dB are allowed"};
   static constexpr Evidence kFitted{
-      Origin::fitted, "made sound (testing/support/made_clicks.h), seeds 1 to 4: speech, hum, 30 to 10 dB"};
+      Origin::fitted, "made sound (testing/support/made_clicks.h), seeds 1 to 8: speech, hum, 40 to 10 dB"};
 };
 
 }  // namespace facenav::links
