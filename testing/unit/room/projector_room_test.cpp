@@ -10,7 +10,9 @@ namespace facenav::room {
 namespace {
 
 TEST(ProjectorRoom, AFaceCalibratesTheProjector) {
-  SyntheticSource source({}, facenav::testing::eggPatient());
+  ScenarioOptions options;
+  options.exposure = 0.5;  // with the usual one the skin is white in the projector's full light
+  SyntheticSource source(options, facenav::testing::eggPatient());
   const auto truth = source.projector();
   workflow::ProjectorRun run(source.rig(), {truth.width_px, truth.height_px, 16});
   run.startScene();

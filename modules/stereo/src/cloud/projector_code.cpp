@@ -115,6 +115,7 @@ DecodedCode decode(const std::vector<cv::Mat>& pictures, const ProjectorCode& co
       if (white - black < kLeastContrast_grey) continue;
       contrasts.push_back(white - black);
       saturated += white >= kSaturated_grey;
+      if (white >= kSaturated_grey) continue;  // its cosine is cut off
       const float middle = 0.5F * (white + black);
       float x_sine = 0, y_sine = 0;
       const float px = coordinateAt(across, x_bits, code, middle, y, x, x_sine),
