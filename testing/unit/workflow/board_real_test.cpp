@@ -116,8 +116,8 @@ TEST_F(RealBoards, ACameraThatLagsIsNamed) {
   }
   std::printf("%s", words.c_str());
   EXPECT_THAT(words, HasSubstr("were not triggered together"));
-  EXPECT_THAT(words, HasSubstr("l_1633.jpg"));  // view 13
-  EXPECT_THAT(words, HasSubstr("l_2177.jpg"));  // view 17
+  EXPECT_THAT(words, HasSubstr("l_1769.jpg: disagrees"));  // view 13, counted from 0
+  EXPECT_THAT(words, HasSubstr("l_2313.jpg: disagrees"));  // view 17
 }
 
 }  // namespace

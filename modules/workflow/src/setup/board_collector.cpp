@@ -159,7 +159,7 @@ bool BoardCollector::isNearlyStill() const {
   return motion_px(last_left_, held_.back().left) < kTremble * rules_.still_share * picture_.width;
 }
 
-void BoardCollector::judge(const cv::Mat& left, const cv::Mat& right, const std::string& name,
+void BoardCollector::judge(const cv::Mat& left, const cv::Mat& right, const std::string& name, bool is_live,
                            BoardSight& sight) {
   const std::string left_fault = fault(left, sight.left), right_fault = fault(right, sight.right);
   if (!left_fault.empty() || !right_fault.empty()) {
@@ -168,7 +168,8 @@ void BoardCollector::judge(const cv::Mat& left, const cv::Mat& right, const std:
     return;
   }
   const Shape shape = shapeOf(sight.left);
-  if (!isNew(shape)) {
+  // Of pictures taken for themselves there are no others: all count until there are enough.
+  if (!isNew(shape) && (is_live || int(views_.size()) >= rules_.wanted_views)) {
     sight.state = BoardSight::State::known;
     sight.reason = "this view is there already: " + wish();
     return;
@@ -204,13 +205,13 @@ BoardSight BoardCollector::add(const cameras::StereoFrame& frame) {
     }
     return counted(std::move(sight));
   }
-  judge(frame.left, frame.right, "view " + std::to_string(views_.size() + 1), sight);
+  judge(frame.left, frame.right, "view " + std::to_string(views_.size() + 1), true, sight);
   return counted(std::move(sight));
 }
 
 BoardSight BoardCollector::addStill(const cameras::CalibrationPair& pair) {
   BoardSight sight = seen(pair.left, pair.right, false);
-  if (sight.state == BoardSight::State::moving) judge(pair.left, pair.right, pair.name, sight);
+  if (sight.state == BoardSight::State::moving) judge(pair.left, pair.right, pair.name, false, sight);
   return counted(std::move(sight));
 }
 

@@ -91,7 +91,7 @@ class BoardCollector {
 
   /// A pair of a film, in the order of the capture times.
   BoardSight add(const cameras::StereoFrame& frame);
-  /// A pair taken for itself: it stands still.
+  /// A pair taken for itself: it stands still. Until there are enough, it need not show something new.
   BoardSight addStill(const cameras::CalibrationPair& pair);
 
   const std::vector<cameras::BoardView>& views() const { return views_; }
@@ -123,7 +123,8 @@ class BoardCollector {
   bool isNew(const Shape& shape) const;
   bool isStill(double now_s);
   bool isNearlyStill() const;
-  void judge(const cv::Mat& left, const cv::Mat& right, const std::string& name, BoardSight& sight);
+  void judge(const cv::Mat& left, const cv::Mat& right, const std::string& name, bool is_live,
+             BoardSight& sight);
   BoardSight counted(BoardSight sight);
 
   cameras::Board board_;
