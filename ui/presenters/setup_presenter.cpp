@@ -91,11 +91,12 @@ void SetupPresenter::swapSides() {
 }
 
 bool SetupPresenter::canOpen() const {
-  return !left_.isEmpty() && !right_.isEmpty() && left_ != right_ && services_.openNewCameras;
+  return !left_.isEmpty() && !right_.isEmpty() && left_ != right_ && services_.openNewCameras &&
+         !tasks_.isRunning();
 }
 
 void SetupPresenter::open() {
-  if (!canOpen() || tasks_.isRunning()) return;
+  if (!canOpen()) return;
   QSettings().setValue(kSize, size_);
   const QSize size = sizeOf(size_);
   opened_rig_.clear();
