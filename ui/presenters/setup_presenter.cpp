@@ -180,7 +180,9 @@ QString SetupPresenter::sentence() const {
                                    : deviceWords();
   const auto now = view();
   if (!now->frame && now->failure.empty()) return tr("waiting for the first picture");
-  return QString::fromStdString(now->sentence);
+  QString words = QString::fromStdString(now->sentence);
+  if (now->step == Step::check && now->is_done && !is_kept_) words += tr(": keep it under a name");
+  return words.replace("+-", QString::fromUtf8("\u00b1"));
 }
 
 void SetupPresenter::setBoard(int columns, int rows, double square_mm) {

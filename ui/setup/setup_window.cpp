@@ -140,7 +140,10 @@ void SetupWindow::showSteps() {
   const QString names[4] = {tr("1  Place"), tr("2  Calibrate"), tr("3  Check"), tr("4  Coil")};
   for (int i = 0; i < 4; ++i) {
     const bool has_passed = i < int(presenter_.step());
-    steps_[i]->setText(has_passed ? names[i] + QString::fromUtf8("  \u2713") : names[i]);
+    const bool is_active = i == int(presenter_.step());
+    steps_[i]->setText(has_passed  ? names[i] + QString::fromUtf8("  \u2713")
+                       : is_active ? QString::fromUtf8("\u25b6  ") + names[i]
+                                   : names[i]);
     steps_[i]->setChecked(i == int(presenter_.step()));
     steps_[i]->setEnabled(presenter_.canGo(Step(i)));
   }
@@ -151,7 +154,7 @@ void SetupWindow::showLines(const workflow::SetupView& view) {
   for (const auto& line : view.lines)
     words << (line.is_good ? QString::fromUtf8("\u2713  ") : QString::fromUtf8("\u2717  ")) +
                  QString::fromStdString(line.words);
-  lines_->setText(words.join("\n"));
+  lines_->setText(words.join("\n").replace("+-", QString::fromUtf8("\u00b1")));
 }
 
 void SetupWindow::refresh() {
