@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <optional>
 
 #include "brain_checks.h"
@@ -12,6 +12,7 @@
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 #include "grown_brain.h"
+#include "prior/leaks_and_gaps.h"
 #include "prior/prior_refinement.h"
 #include "scan_grid.h"
 
@@ -20,6 +21,8 @@ namespace {
 
 using volume::Mask;
 using volume::Volume;
+
+constexpr float kMostStated_mm = 30;
 
 struct Found {
   Mask mask;  // on a part of the working grid
@@ -58,24 +61,6 @@ double agreement(const Mask& grown, const RefinedPrior& refined) {
   return volume::overlap(grown, volume::resample(refined.mask, grown.grid)).dice;
 }
 
-/// Voxels of `mask` that lie far from `other`, on one grid.
-std::size_t countFar(const Mask& mask, const Mask& other, double far_mm) {
-  const std::vector<float> away_mm = volume::distanceTo(other);
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < away_mm.size(); ++v) count += mask.voxels[v] && away_mm[v] > float(far_mm);
-  return count;
-}
-
-/// Leaks and gaps, as a share of the prior's volume. Growth closes wide fissures that the prior leaves open,
-/// and its outline may lie a little further out everywhere: neither is a leak, but both lower the Dice.
-double leaksAndGaps(const Mask& grown, const RefinedPrior& refined, double far_mm) {
-  const Mask other = volume::resample(grown, refined.mask.grid);
-  const auto whole = std::count(refined.mask.voxels.begin(), refined.mask.voxels.end(), std::uint8_t{1});
-  if (whole == 0) return 1;
-  return double(countFar(other, refined.mask, far_mm) + countFar(refined.mask, other, far_mm)) /
-         double(whole);
-}
-
 /// Grown from one start or the other, to where the refined prior has its outline too; else nothing.
 template <class MakeStart>
 std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refined, double least_agreement,
@@ -85,7 +70,7 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
     const GrowthStart start = makeStart();
     GrownBrain grown = growBrain(start, scan.grid, monitor);
     if (agreement(grown.mask, refined) < least_agreement ||
-        leaksAndGaps(grown.mask, refined, use.far_mm) > use.most_far)
+        leaksAndGaps(grown.mask, refined.mask, use.far_mm) > use.most_far)
       return std::nullopt;
     raiseDoubts(grown.doubts, refined.mask);
     return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), start.sphere, {}};
@@ -96,10 +81,28 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
   }
 }
 
+/// What the refined prior's doubts are stated as: calibrated by the contrast.
+std::pair<double, double> scaleAndPower(ContrastKind kind, const PriorUse& use) {
+  switch (kind) {
+    case ContrastKind::t1:
+      return {use.doubt_t1_scale, use.doubt_t1_power};
+    case ContrastKind::weak_t1:
+      return {use.doubt_weak_scale, use.doubt_weak_power};
+    case ContrastKind::t2:
+      return {use.doubt_t2_scale, use.doubt_t2_power};
+    case ContrastKind::flair:
+      return {use.doubt_flair_scale, use.doubt_flair_power};
+    case ContrastKind::proton_density:
+      return {use.doubt_pd_scale, use.doubt_pd_power};
+  }
+  return {1, 1};
+}
+
 Found byPrior(RefinedPrior refined, const BetSphere& sphere, const ContrastSeen& seen) {
   Found found{std::move(refined.mask), std::move(refined.doubts), sphere, {}};
-  if (!seen.isLikeT1())
-    for (auto& doubt : found.doubts) doubt.doubt_mm *= float(settingsOf<PriorUse>().doubt_other_contrast);
+  const auto [scale, power] = scaleAndPower(seen.kind(), settingsOf<PriorUse>());
+  for (auto& doubt : found.doubts)
+    doubt.doubt_mm = std::min(kMostStated_mm, float(scale * std::pow(double(doubt.doubt_mm), power)));
   found.warnings.push_back(
       seen.isLikeT1()
           ? "grey and white matter alone do not give the brain's outline: check it"
@@ -136,8 +139,8 @@ Found inCt(const Volume& ct, TaskMonitor& monitor) {
 Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& prior, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   const ContrastSeen seen = contrastOf(working, prior);
-  RefinedPrior refined =
-      seen.isLikeT1() ? refinedPrior(working, prior, use) : refinedForOtherContrast(working, prior, use);
+  RefinedPrior refined = seen.kind() == ContrastKind::t1 ? refinedPrior(working, prior, use)
+                                                         : refinedForOtherContrast(working, prior, use);
   const Ball ball = ballLike(refined.mask);
   const BetSphere sphere{ball.centre_mm, ball.radius_mm};
   requireTissueSpread(halved(working), sphere);

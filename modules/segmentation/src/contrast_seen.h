@@ -8,10 +8,14 @@
 
 namespace facenav::segmentation {
 
+/// `weak_t1`: white matter is the brightest, but fluid is not much darker than grey matter.
+enum class ContrastKind { t1, weak_t1, t2, flair, proton_density };
+
 struct ContrastSeen {
   double deep_to_rim = 1;   // median value deep in the brain per that of its rim, shading taken off
   double fluid_to_rim = 1;  // of the fluid around it
-  bool isLikeT1() const;
+  ContrastKind kind() const;
+  bool isLikeT1() const;    // also a weak one
   bool isInverted() const;  // white matter is darker than grey: no T1
   /// "T1", "T2 (fluid is brightest)", "FLAIR (..)", "PD (..)": the weighting that looks most like it.
   std::string inWords() const;

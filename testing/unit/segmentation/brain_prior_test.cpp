@@ -9,6 +9,7 @@
 #include "facenav/volume/regrid.h"
 #include "head_phantom.h"
 #include "prior/head_window.h"
+#include "prior/leaks_and_gaps.h"
 #include "prior/local_evidence.h"
 
 // The learned prior on the phantom, a head that training never showed, and the steps that refine it.
@@ -111,6 +112,42 @@ TEST(ContrastSeen, TellsAT1FromItsNegative) {
   Volume negative = phantom().volume;
   for (float& v : negative.voxels) v = v < 10 ? v : 160 - v;
   EXPECT_FALSE(contrastOf(negative).isLikeT1());
+}
+
+TEST(ContrastSeen, HasAKindForEachContrast) {
+  EXPECT_EQ((ContrastSeen{1.2, 0.5}).kind(), ContrastKind::t1);
+  EXPECT_EQ((ContrastSeen{1.2, 0.85}).kind(), ContrastKind::weak_t1);
+  EXPECT_TRUE((ContrastSeen{1.2, 0.85}).isLikeT1());
+  EXPECT_EQ((ContrastSeen{0.6, 2}).kind(), ContrastKind::t2);
+  EXPECT_EQ((ContrastSeen{0.9, 0.6}).kind(), ContrastKind::flair);
+  EXPECT_EQ((ContrastSeen{1.1, 1}).kind(), ContrastKind::proton_density);
+}
+
+/// A box of `grid` from `low` to before `high`, without a slit of `slit` voxels in its middle.
+Mask slitBox(const volume::VoxelGrid& grid, int low, int high, int slit) {
+  Mask mask{grid, std::vector<std::uint8_t>(grid.count())};
+  for (int k = low; k < high; ++k)
+    for (int j = low; j < high; ++j)
+      for (int i = low; i < high; ++i)
+        mask.voxels[grid.index(i, j, k)] = i < 30 - slit / 2 || i >= 30 + (slit + 1) / 2 || k < 20;
+  return mask;
+}
+
+TEST(LeaksAndGaps, AreNeitherAFissureNorAThinShell) {
+  volume::VoxelGrid grid;
+  grid.size = {60, 60, 60};
+  const Mask prior = slitBox(grid, 15, 45, 4), closed = slitBox(grid, 13, 47, 0);
+  EXPECT_LT(volume::overlap(prior, closed).dice, 0.85) << "a Dice would part them";
+  EXPECT_EQ(leaksAndGaps(closed, prior, 4), 0);
+  Mask leaking = closed, lacking = closed;
+  for (int k = 20; k < 40; ++k)
+    for (int j = 20; j < 40; ++j) {
+      for (int i = 47; i < 57; ++i) leaking.voxels[grid.index(i, j, k)] = 1;
+      for (int i = 13; i < 25; ++i) lacking.voxels[grid.index(i, j, k)] = 0;
+    }
+  EXPECT_GT(leaksAndGaps(leaking, prior, 4), 0.05);
+  EXPECT_GT(leaksAndGaps(lacking, prior, 4), 0.01);
+  EXPECT_EQ(leaksAndGaps(closed, Mask{grid, std::vector<std::uint8_t>(grid.count())}, 4), 1);
 }
 
 }  // namespace
