@@ -9,7 +9,8 @@ namespace facenav::app {
 
 void addEvaluateSkin(CLI::App& evaluate, Context& context) {
   auto* verb = evaluate.add_subcommand(
-      "skin", "how far the skin moves when shading, a bright nose, a halo, pads or earphones are added");
+      "skin",
+      "how far the skin moves when shading, a bright nose, a halo, pads, earphones or tape are added");
   auto request = std::make_shared<SkinEvaluation>();
   verb->add_option("VOLUME", request->volumes, "scans (NIfTI)")->check(CLI::ExistingFile);
   verb->add_option("--labels", request->labels, "labelled heads of the shared data, painted as T1s")
