@@ -28,7 +28,7 @@ struct Change {
 }  // namespace
 
 struct LatencyMeter::Implementation {
-  Implementation(int changes, std::uint64_t seed) : wanted(changes + kSlowChanges), random(seed) {}
+  Implementation(int fast_changes, std::uint64_t seed) : wanted(fast_changes + kSlowChanges), random(seed) {}
 
   const int wanted;
   std::mt19937_64 random;

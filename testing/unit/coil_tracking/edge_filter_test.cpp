@@ -93,8 +93,12 @@ TEST(EdgeFilter, NeverReportsAnEdgeBeyondItsReach) {
   for (double edge = 8; edge < 33; edge += 0.5) {
     const Row row(edge, 0.75, true);
     const auto found = locateEdge(edgeWeights(4, 0.75), row.bytes.data(), 1, 20.0, true, 5);
-    if (found) EXPECT_LE(std::abs(found->offset_px), 1.5 + 0.75);
-    if (std::abs(edge - 20) >= 8) EXPECT_FALSE(found) << edge;
+    if (found) {
+      EXPECT_LE(std::abs(found->offset_px), 1.5 + 0.75);
+    }
+    if (std::abs(edge - 20) >= 8) {
+      EXPECT_FALSE(found) << edge;
+    }
   }
 }
 

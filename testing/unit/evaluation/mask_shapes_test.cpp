@@ -216,7 +216,9 @@ TEST(Perturbation, ScalpNoiseStaysAwayFromTheBrain) {
       for (int i = 0; i < 64; ++i) {
         const double r = flat.grid.toMri(Eigen::Vector3d(i, j, k)).mm.norm();
         const double change = std::abs(noisy.at(i, j, k) - 100.f);
-        if (r < 15 + 5) ASSERT_EQ(change, 0.0) << r;
+        if (r < 15 + 5) {
+          ASSERT_EQ(change, 0.0) << r;
+        }
         if (r > 15 + 8) outside += change > 1;
       }
   EXPECT_GT(outside, 100000);

@@ -90,7 +90,9 @@ TEST(Blinks, LastATenthToThreeTenthsOfASecondEveryTwoToSixSeconds) {
     ASSERT_GE(blinks.size(), 9u) << seed;
     ASSERT_LE(blinks.size(), 30u) << seed;
     for (std::size_t i = 0; i < blinks.size(); ++i) {
-      if (blinks[i].second < 59.5) EXPECT_GT(blinks[i].second - blinks[i].first, 0.08) << seed;
+      if (blinks[i].second < 59.5) {
+        EXPECT_GT(blinks[i].second - blinks[i].first, 0.08) << seed;
+      }
       EXPECT_LT(blinks[i].second - blinks[i].first, 0.31) << seed;
       if (i > 0) {
         EXPECT_GT(blinks[i].first - blinks[i - 1].first, 2.0 - 0.01) << seed;

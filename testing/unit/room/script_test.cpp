@@ -60,9 +60,10 @@ TEST(Scenario, DriftMovesTheRightCameraSlowlyInTheAxisAskedFor) {
     options.seed = 9, options.drift_about = about[seed - 1];
     const auto asked = played(options)->at(30).cast.right_moved;
     EXPECT_NEAR(logRotation(asked.linear()).normalized().cwiseAbs().maxCoeff(), is_shift ? 0.0 : 1.0, 1e-9);
-    if (!is_shift)
+    if (!is_shift) {
       EXPECT_EQ((kDegPerRad * logRotation(asked.linear())).cwiseAbs().maxCoeff() > 0.29,
                 turn_deg.cwiseAbs().maxCoeff() > 0.29);
+    }
     EXPECT_TRUE(script->at(15).cast.room_T_coil.has_value());
   }
   EXPECT_FALSE(played(named("drift_face", 31))->at(15).cast.room_T_coil.has_value());

@@ -51,9 +51,10 @@ TEST_F(CorrectBrain, SpheresAddAndRemoveAndTheSurfacesFollow) {
   EXPECT_EQ(casefile::automaticBrainMask(store_)->voxels, prepared_.voxels);
   EXPECT_FALSE(casefile::validSignOff(store_));
   double most_mm = 0;
-  for (const auto& v : store_.brain()->mesh.vertices_mm) most_mm = std::max(most_mm, v.x());
+  const auto brain = store_.brain();
+  for (const auto& v : brain->mesh.vertices_mm) most_mm = std::max(most_mm, v.x());
   EXPECT_NEAR(most_mm, 52.0, 4.0);
-  EXPECT_NE(store_.brain()->mesh.vertices_mm, before);
+  EXPECT_NE(brain->mesh.vertices_mm, before);
   EXPECT_TRUE(store_.cortex().has_value());
   EXPECT_TRUE(std::filesystem::exists(store_.folder() / "surface_distance.png"));
 }
