@@ -113,12 +113,15 @@ std::string fillDisk(const fs::path& disk) {
 
 /// A user who may not mount may do so among users of its own.
 bool hasOwnUsers() {
-  const std::string map = "0 " + std::to_string(::getuid()) + " 1";
+  const std::string user = std::to_string(::getuid()), group = std::to_string(::getgid());
   if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
-  std::ofstream("/proc/self/setgroups") << "deny";
-  std::ofstream file("/proc/self/uid_map");
-  file << map;
-  return bool(file.flush());
+  const auto tell = [](const char* file, const std::string& words) {
+    std::ofstream stream(file);
+    stream << words;
+    return bool(stream.flush());
+  };
+  return tell("/proc/self/setgroups", "deny") && tell("/proc/self/uid_map", "0 " + user + " 1") &&
+         tell("/proc/self/gid_map", "0 " + group + " 1");
 }
 
 /// In a child process that alone sees a small disk. "skip: .." where that is not allowed.
