@@ -67,7 +67,7 @@ class MarkerCoilTracker final : public CoilTracker {
 
   CoilSetup setup_;  // its rig includes the coil's motion between the exposures
   RigidTransform<RightCamera, Camera> right_T_left_;
-  double right_late_s_ = 0.0, right_late_sigma_s_ = 0.0;
+  double right_late_s_ = 0.0, right_late_sigma_s_ = 0.0, right_turn_sigma_rad_ = 0.0;
   Vector6d velocity_ = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin
   // Parts of the velocity. `across_` needs the left image only and is used as measured. The others depend on
   // the correction for motion itself: they are smoothed, because errors would feed back.
@@ -92,7 +92,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
   setup_ = {rig, coil, {}};
   right_T_left_ = rig.right_T_left;
-  right_late_s_ = right_late_sigma_s_ = 0.0, forgetMotion();
+  right_late_s_ = right_late_sigma_s_ = right_turn_sigma_rad_ = 0.0, forgetMotion();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = cameras::uncertaintyOf(rig);
   edgeWeights(kMostTaps, 0.8);  // builds the table now, not during a frame
@@ -107,6 +107,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
 CoilResult MarkerCoilTracker::track(const cameras::StereoFrame& frame, const CoilContext& context) {
   FACENAV_EXPECT(!setup_.patterns.empty(), "track() before start()");
   if (context.right_T_left) right_T_left_ = *context.right_T_left;
+  right_turn_sigma_rad_ = context.right_turn_sigma_rad;
   right_late_s_ = context.exposure_offset.right_late_s;
   right_late_sigma_s_ = context.exposure_offset.sigma_s;
   work_ = context.work_before;
@@ -241,8 +242,9 @@ bool MarkerCoilTracker::isMotionKnown() const {
 
 bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {
   const MarkerFit& fit = solution.fit;
-  const double pitch_px = std::abs(fit.pitch_rad) * setup_.rig.right.k(1, 1);
-  if (pitch_px > kMostPitch_px || std::abs(fit.roll_rad) > kMostRoll_rad + 3 * fit.roll_sigma_rad)
+  const double focal_px = setup_.rig.right.k(1, 1), pitch_px = std::abs(fit.pitch_rad) * focal_px;
+  if (pitch_px > kMostPitch_px + 3 * focal_px * right_turn_sigma_rad_ ||
+      std::abs(fit.roll_rad) > kMostRoll_rad + 3 * std::hypot(fit.roll_sigma_rad, right_turn_sigma_rad_))
     return false;
   double print_sigma = 1.0;  // the smallest of the prints
   for (const std::size_t marker : solution.markers)

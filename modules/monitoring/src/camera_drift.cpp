@@ -29,6 +29,7 @@ constexpr double kMoved = 20.1;
 constexpr double kSureEffect = 3.0;       // standard errors of what the motion does to the pose at the cortex
 constexpr double kCortexDepth_mm = 80.0;  // from the face's centre, away from the cameras
 constexpr double kSure_mm = 0.8;  // of the pose at the cortex: more than three of them are no wrong pose
+constexpr double kMostUnsure_rad = 0.05 * kRadPerDeg;
 constexpr double kMostTurn_rad = 0.6 * kRadPerDeg, kMostShift_mm = 4.0;  // beyond it a mount is broken
 
 Matrix6d squares(double turn_rad, double shift_mm) {
@@ -102,6 +103,12 @@ void CameraDrift::judge(const head_tracking::HeadPose& head, double since_s) {
 
 RigidTransform<RightCamera, Camera> CameraDrift::right_T_left() const {
   return RigidTransform<RightCamera, Camera>::fromIsometry(expRigid(corrected_) * calibrated_.isometry());
+}
+
+double CameraDrift::turnSigma_rad() const {
+  if (!has_moved_) return 0.0;
+  const double certain_rad = std::sqrt(certainty_.diagonal().head<3>().maxCoeff());
+  return std::min(kMostUnsure_rad, std::hypot(certain_rad, (moved_ - corrected_).head<3>().norm()));
 }
 
 std::optional<RigFault> CameraDrift::fault() const {

@@ -49,6 +49,30 @@ TEST(CoilTracker, AMovedCameraIsLost) {
   EXPECT_EQ(lost.reason(), LostReason::camera);
 }
 
+/// As the tracker answers while the right camera stands off by 0.06 deg about `axis` of how it is thought to
+/// stand, with this stated error.
+bool isTrackedBeside(const Eigen::Vector3d& axis, double sigma_deg) {
+  const auto real = roomRig();
+  const auto frame = renderMarkers(real, {{id7(), 60, markerPose(600, 20, 70, 10)}});
+  auto lagging = real;
+  Eigen::Isometry3d pose = real.right_T_left.isometry();
+  pose.prerotate(Eigen::AngleAxisd(0.06 * kRadPerDeg, axis));
+  lagging.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(pose);
+  const auto tracker = makeMarkerCoilTracker();
+  tracker->start(lagging, defaultCoil());
+  CoilContext context;
+  context.right_turn_sigma_rad = sigma_deg * kRadPerDeg;
+  return tracker->track(frame, context).isTracked();
+}
+
+TEST(CoilTracker, ACameraThatIsFollowedMayNodByItsStatedErrorAndNotTurnSideways) {
+  const Eigen::Vector3d nod = Eigen::Vector3d::UnitX(), sideways = Eigen::Vector3d::UnitY();
+  EXPECT_FALSE(isTrackedBeside(nod, 0.0));
+  EXPECT_TRUE(isTrackedBeside(nod, 0.04));
+  EXPECT_FALSE(isTrackedBeside(sideways, 0.0));
+  EXPECT_FALSE(isTrackedBeside(sideways, 0.04)) << "a wrong size is a wrong depth";
+}
+
 TEST(CoilTracker, OneImageAloneIsNotEnough) {
   for (const bool is_left : {true, false}) {
     auto frame = renderMarkers(roomRig(), {{id7(), 60, markerPose(600, 20, 70, 10)}});

@@ -111,6 +111,26 @@ TEST(CameraDrift, ACameraThatTurnsFastIsFollowedClosely) {
   EXPECT_LT(most_deg, 0.035);  // 2 mm of depth at 600 mm
 }
 
+TEST(CameraDrift, SaysHowFarTheFollowedCameraMayStandOff) {
+  CameraDrift drift(testing::convergingRig());
+  SeenCamera seen(7);
+  int within = 0, followed = 0;
+  for (int frame = 0; frame < 120; ++frame) {
+    const Vector6d moved = yawOf(0.3 * frame / 60.0);  // as fast as a mount gives way
+    drift.add(Timestamp{frame / kFrames_per_s}, seen.at(frame, moved, drift));
+    if (!drift.isCorrected()) {
+      EXPECT_EQ(drift.turnSigma_rad(), 0.0);
+      continue;
+    }
+    const Eigen::Isometry3d used =
+        drift.right_T_left().isometry() * testing::convergingRig().right_T_left.isometry().inverse();
+    ++followed;
+    within += (logRotation(used.linear()) - moved.head<3>()).norm() < 3.0 * drift.turnSigma_rad();
+  }
+  EXPECT_GT(followed, 80);
+  EXPECT_GE(within, 95 * followed / 100);
+}
+
 TEST(CameraDrift, AFaceThatIsLearntAgainDoesNotHideTheMotion) {
   CameraDrift drift(testing::convergingRig());
   SeenCamera seen(5);

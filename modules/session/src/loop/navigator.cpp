@@ -146,7 +146,8 @@ double Navigator::track(const cameras::StereoFrame& frame, NavigationState& stat
   const auto right_T_left = rig_check_.right_T_left();
   const auto head =
       head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false), right_T_left});
-  const auto coil = coil_->track(frame, {head.exposure_offset, head.work, right_T_left});
+  const auto coil =
+      coil_->track(frame, {head.exposure_offset, head.work, right_T_left, rig_check_.rightTurnSigma_rad()});
   coil_deferred_ = coil.deferred;
   state.head = head;
   state.head_detail = head.loss_detail;

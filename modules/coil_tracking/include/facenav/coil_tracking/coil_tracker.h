@@ -72,6 +72,10 @@ struct CoilContext {
   FrameWork work_before;                    // work already done in this frame
   /// How the cameras stand in this frame; empty: as in the frame before, at first as at start().
   std::optional<RigidTransform<RightCamera, Camera>> right_T_left = {};
+  /// Standard error of the right camera's direction, beyond the calibration's, rad: while it moves on its
+  /// mount and is followed. So much nod and roll is no contradiction; both leave the depth as it is. The
+  /// print's size must fit all the same.
+  double right_turn_sigma_rad = 0.0;
 };
 
 /// The pose or Lost, the work done, and what the frame shows about the cameras.

@@ -34,6 +34,9 @@ class CameraDrift {
   /// How the cameras stand: as calibrated, or as corrected.
   RigidTransform<RightCamera, Camera> right_T_left() const;
   bool isCorrected() const { return has_moved_; }
+  /// Standard error of the direction of right_T_left() while a motion is followed, and what the correction
+  /// lags behind; 0 while nothing has moved.
+  double turnSigma_rad() const;
   /// Why no pose can be trusted; empty: the cameras stand still, or their motion is known and corrected.
   std::optional<RigFault> fault() const;
   /// One line, where a motion is corrected: "a camera has moved by 0.12 deg ..". Empty otherwise.

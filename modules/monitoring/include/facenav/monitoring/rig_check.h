@@ -33,6 +33,8 @@ class RigCheck {
   std::optional<RigFault> fault() const;
   /// How the cameras stand, for the next frame: as calibrated, or corrected for a motion on the mount.
   RigidTransform<RightCamera, Camera> right_T_left() const { return drift_.right_T_left(); }
+  /// Standard error of its direction, beyond the calibration's.
+  double rightTurnSigma_rad() const { return drift_.turnSigma_rad(); }
   /// One line, where a motion of a camera is corrected; empty otherwise.
   std::string correction() const { return drift_.words(); }
 
