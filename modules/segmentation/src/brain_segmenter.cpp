@@ -61,17 +61,23 @@ double agreement(const Mask& grown, const RefinedPrior& refined) {
   return volume::overlap(grown, volume::resample(refined.mask, grown.grid)).dice;
 }
 
+/// Growth from the head's shape knows nothing of the prior: one sign of agreement is enough. Growth from the
+/// prior's own outline needs both.
+bool isAlike(const Mask& grown, const RefinedPrior& refined, bool is_by_prior, const PriorUse& use) {
+  const bool agrees = agreement(grown, refined) >= use.least_agreement;
+  if (agrees != is_by_prior) return agrees;
+  return leaksAndGaps(grown, refined.mask, use.far_mm) <= use.most_far;
+}
+
 /// Grown from one start or the other, to where the refined prior has its outline too; else nothing.
 template <class MakeStart>
-std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refined, double least_agreement,
+std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refined, bool is_by_prior,
                                 const Volume& scan, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   try {
     const GrowthStart start = makeStart();
     GrownBrain grown = growBrain(start, scan.grid, monitor);
-    if (agreement(grown.mask, refined) < least_agreement ||
-        leaksAndGaps(grown.mask, refined.mask, use.far_mm) > use.most_far)
-      return std::nullopt;
+    if (!isAlike(grown.mask, refined, is_by_prior, use)) return std::nullopt;
     raiseDoubts(grown.doubts, refined.mask);
     return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), start.sphere, {}};
   } catch (const Cancelled&) {
@@ -139,8 +145,8 @@ Found inCt(const Volume& ct, TaskMonitor& monitor) {
 Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& prior, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   const ContrastSeen seen = contrastOf(working, prior);
-  RefinedPrior refined = seen.kind() == ContrastKind::t1 ? refinedPrior(working, prior, use)
-                                                         : refinedForOtherContrast(working, prior, use);
+  RefinedPrior refined =
+      seen.isLikeT1() ? refinedPrior(working, prior, use) : refinedForOtherContrast(working, prior, use);
   const Ball ball = ballLike(refined.mask);
   const BetSphere sphere{ball.centre_mm, ball.radius_mm};
   requireTissueSpread(halved(working), sphere);
@@ -150,12 +156,11 @@ Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& pri
   };
   if (seen.isLikeT1()) {
     const auto by_head = [&] { return startFromHead(working, monitor); };
-    // Growth from the head's shape knows nothing of the prior: that no leak and no gap is found is enough.
-    if (auto found = grownAlike(by_head, refined, 0, scan, monitor)) return named(std::move(*found));
+    if (auto found = grownAlike(by_head, refined, false, scan, monitor)) return named(std::move(*found));
     const auto by_prior = [&] { return startFromOutline(working, refined.mask, use.search_mm); };
-    if (auto found = grownAlike(by_prior, refined, use.least_agreement, scan, monitor))
-      return named(std::move(*found));
+    if (auto found = grownAlike(by_prior, refined, true, scan, monitor)) return named(std::move(*found));
   }
+  if (seen.kind() == ContrastKind::weak_t1) refined = refinedForOtherContrast(working, prior, use);
   return named(byPrior(std::move(refined), sphere, seen));
 }
 

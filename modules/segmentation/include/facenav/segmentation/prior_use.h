@@ -44,13 +44,13 @@ struct PriorUse {
     visitor(kHeads("prior_core_mm", 0, 30, "mm", "what lies this deep within the prior's outline is brain"),
             self.core_mm);
     visitor(kHeads("prior_least_agreement", 0, 1, "1",
-                   "Dice of refined prior and what is grown from it, below which the prior is taken"),
+                   "Dice of growth and refined prior that is taken for agreement"),
             self.least_agreement);
     visitor(kFar("prior_far_mm", 0, 30, "mm",
                  "what growth or refined prior has this far from the other is a leak or a gap"),
             self.far_mm);
     visitor(kFar("prior_most_far", 0, 1, "1",
-                 "share of the prior's volume in leaks and gaps above which the refined prior is taken"),
+                 "share of the prior's volume in leaks and gaps that is taken for agreement"),
             self.most_far);
     visitor(kHeads("prior_band_mm", 0, 20, "mm",
                    "the scan's intensities move the prior's outline at most this far"),
