@@ -91,15 +91,15 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
 std::pair<double, double> scaleAndPower(ContrastKind kind, const PriorUse& use) {
   switch (kind) {
     case ContrastKind::t1:
-      return {use.doubt_t1_scale, use.doubt_t1_power};
+      return {use.doubt_t1_scale_mm, use.doubt_t1_power};
     case ContrastKind::weak_t1:
-      return {use.doubt_weak_scale, use.doubt_weak_power};
+      return {use.doubt_weak_scale_mm, use.doubt_weak_power};
     case ContrastKind::t2:
-      return {use.doubt_t2_scale, use.doubt_t2_power};
+      return {use.doubt_t2_scale_mm, use.doubt_t2_power};
     case ContrastKind::flair:
-      return {use.doubt_flair_scale, use.doubt_flair_power};
+      return {use.doubt_flair_scale_mm, use.doubt_flair_power};
     case ContrastKind::proton_density:
-      return {use.doubt_pd_scale, use.doubt_pd_power};
+      return {use.doubt_pd_scale_mm, use.doubt_pd_power};
   }
   return {1, 1};
 }

@@ -42,7 +42,7 @@ TEST(Settings, NamesAndUnitsAgree) {
   const std::map<std::string, std::string> units{{"mm", "mm"}, {"mm2", "mm2"}, {"px", "px"},   {"s", "s"},
                                                  {"ms", "ms"}, {"rad", "rad"}, {"deg", "deg"}, {"min", "min"},
                                                  {"h", "h"},   {"pct", "%"},   {"uv", "uV"},   {"days", "d"},
-                                                 {"ml", "ml"}};
+                                                 {"ml", "ml"}, {"hz", "Hz"}};
   for (const SettingEntry& entry : all()) {
     const std::string name = entry.setting.name, last = name.substr(name.rfind('_') + 1);
     EXPECT_EQ(entry.setting.unit, units.count(last) ? units.at(last) : "1") << entry.key();

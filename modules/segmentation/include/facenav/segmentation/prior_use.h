@@ -30,11 +30,11 @@ struct PriorUse {
   double doubt_width = 0.15;
   double doubt_moved = 0.3;
   // Stated doubt, by the contrast seen: scale * (doubt / 1 mm)^power, mm.
-  double doubt_t1_scale = 0.79, doubt_t1_power = 1;
-  double doubt_weak_scale = 0.77, doubt_weak_power = 2.5;
-  double doubt_t2_scale = 0.52, doubt_t2_power = 2.25;
-  double doubt_flair_scale = 0.47, doubt_flair_power = 3;
-  double doubt_pd_scale = 0.75, doubt_pd_power = 3;
+  double doubt_t1_scale_mm = 0.79, doubt_t1_power = 1;
+  double doubt_weak_scale_mm = 0.77, doubt_weak_power = 2.5;
+  double doubt_t2_scale_mm = 0.52, doubt_t2_power = 2.25;
+  double doubt_flair_scale_mm = 0.47, doubt_flair_power = 3;
+  double doubt_pd_scale_mm = 0.75, doubt_pd_power = 3;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -92,27 +92,29 @@ struct PriorUse {
 
   template <class Self, class Visitor>
   static void visitMaps(Self& self, Visitor&& visitor) {
-    visitor(kMaps("doubt_t1_scale", 0, 5, "mm", "a doubt of 1 mm is stated as this in what looks like a T1"),
-            self.doubt_t1_scale);
+    visitor(
+        kMaps("doubt_t1_scale_mm", 0, 5, "mm", "a doubt of 1 mm is stated as this in what looks like a T1"),
+        self.doubt_t1_scale_mm);
     visitor(kMaps("doubt_t1_power", 0.2, 5, "1", "power of the doubt in what looks like a T1"),
             self.doubt_t1_power);
-    visitor(kMaps("doubt_weak_scale", 0, 5, "mm",
+    visitor(kMaps("doubt_weak_scale_mm", 0, 5, "mm",
                   "a doubt of 1 mm is stated as this in what looks like a weak T1"),
-            self.doubt_weak_scale);
+            self.doubt_weak_scale_mm);
     visitor(kMaps("doubt_weak_power", 0.2, 5, "1", "power of the doubt in what looks like a weak T1"),
             self.doubt_weak_power);
-    visitor(kMaps("doubt_t2_scale", 0, 5, "mm", "a doubt of 1 mm is stated as this in what looks like a T2"),
-            self.doubt_t2_scale);
+    visitor(
+        kMaps("doubt_t2_scale_mm", 0, 5, "mm", "a doubt of 1 mm is stated as this in what looks like a T2"),
+        self.doubt_t2_scale_mm);
     visitor(kMaps("doubt_t2_power", 0.2, 5, "1", "power of the doubt in what looks like a T2"),
             self.doubt_t2_power);
-    visitor(kMaps("doubt_flair_scale", 0, 5, "mm",
+    visitor(kMaps("doubt_flair_scale_mm", 0, 5, "mm",
                   "a doubt of 1 mm is stated as this in what looks like a FLAIR"),
-            self.doubt_flair_scale);
+            self.doubt_flair_scale_mm);
     visitor(kMaps("doubt_flair_power", 0.2, 5, "1", "power of the doubt in what looks like a FLAIR"),
             self.doubt_flair_power);
-    visitor(kMaps("doubt_pd_scale", 0, 5, "mm",
+    visitor(kMaps("doubt_pd_scale_mm", 0, 5, "mm",
                   "a doubt of 1 mm is stated as this in what looks like proton density"),
-            self.doubt_pd_scale);
+            self.doubt_pd_scale_mm);
     visitor(kMaps("doubt_pd_power", 0.2, 5, "1", "power of the doubt in what looks like proton density"),
             self.doubt_pd_power);
   }
