@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "facenav/session/session.h"
+#include "views/image_view.h"
 
 namespace facenav::ui {
 namespace {
@@ -69,6 +70,24 @@ TEST_F(CameraRowTest, APictureThatComesTooLateIsNotShown) {
   row_.showDrawn(redPictureOf(stateAt(12.1, true)));  // from another run
   EXPECT_FALSE(isRed(row_));
   EXPECT_EQ(row_.shown(), nullptr);
+}
+
+TEST_F(CameraRowTest, SaysThatPicturesComeTooLateUntilOneComesInTime) {
+  const auto words = [&] { return row_.findChild<ImageView*>()->words(); };
+  const auto tracked = stateAt(12.0, true);
+  row_.follow(shared(tracked));
+  EXPECT_EQ(words(), "left camera");
+  row_.showDrawn(redPictureOf(stateAt(11.5, true)));
+  EXPECT_TRUE(words().contains("too late")) << words().toStdString();
+  row_.follow(shared(tracked));
+  EXPECT_TRUE(words().contains("too late")) << "nothing came since";
+  row_.showDrawn(redPictureOf(tracked));
+  EXPECT_TRUE(isRed(row_));
+  row_.follow(shared(stateAt(12.5, true)));
+  EXPECT_TRUE(words().contains("too late")) << "the picture that was shown is half a second old";
+  row_.showDrawn(redPictureOf(stateAt(12.5, true)));
+  row_.follow(shared(stateAt(12.5, false)));
+  EXPECT_EQ(words(), "left camera") << "the coil is lost; the picture was in time";
 }
 
 TEST_F(CameraRowTest, NoPictureOfASessionComesBackIntoThePreview) {

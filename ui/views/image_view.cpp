@@ -30,8 +30,7 @@ void ImageView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), QColor(11, 13, 16));
   if (image_.isNull()) {
     painter.setPen(QColor(158, 171, 184));
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     why_empty_.isEmpty() ? when_empty_ : why_empty_);
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, words());
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);

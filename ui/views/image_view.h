@@ -19,6 +19,10 @@ class ImageView : public QWidget {
   explicit ImageView(const QString& when_empty, QWidget* parent = nullptr);
   /// `why_empty` is shown if there is no image; empty: the words of the constructor.
   void set(const QImage& image, const QString& why_empty = {});
+  /// What is written in place of an image; empty: there is one.
+  QString words() const {
+    return !image_.isNull() ? QString() : why_empty_.isEmpty() ? when_empty_ : why_empty_;
+  }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

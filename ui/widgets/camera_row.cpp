@@ -16,13 +16,20 @@ CameraRow::CameraRow(QWidget* parent)
   row->addWidget(right_);
 }
 
-void CameraRow::clear() {
+void CameraRow::clear(const QString& why) {
   still_.reset();
-  if (is_empty_) return;
+  if (is_empty_ && why == why_empty_) return;
   is_empty_ = true;
+  why_empty_ = why;
   shown_.reset();
-  left_->set({});
-  right_->set({});
+  left_->set({}, why);
+  right_->set({}, why);
+}
+
+QString CameraRow::lateWords(const pictures::DrawnOverlay& drawn) const {
+  if (!pictures::isTooOld(drawn, *now_)) return {};
+  return tr(
+      "The picture comes too late and is not shown. This computer draws too slowly: close other programs.");
 }
 
 void CameraRow::showPlain(const cameras::StereoFrame& frame) {
@@ -46,11 +53,18 @@ void CameraRow::showStill(std::shared_ptr<const pictures::CameraOverlay> still) 
 
 void CameraRow::follow(std::shared_ptr<const session::NavigationState> now) {
   now_ = std::move(now);
-  if (!shown_ || !pictures::mayBeShown(*shown_, *now_)) clear();
+  if (!shown_)
+    clear(is_empty_ ? why_empty_ : QString());
+  else if (!pictures::mayBeShown(*shown_, *now_))
+    clear(lateWords(*shown_));
 }
 
 void CameraRow::showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn) {
-  if (!now_ || !pictures::mayBeShown(*drawn, *now_)) return;
+  if (!now_) return;
+  if (!pictures::mayBeShown(*drawn, *now_)) {
+    if (is_empty_) clear(lateWords(*drawn));
+    return;
+  }
   shown_ = std::move(drawn);
   still_.reset();
   is_empty_ = false;

@@ -30,12 +30,15 @@ class CameraRow : public QWidget {
   std::shared_ptr<const pictures::DrawnOverlay> shown() const { return shown_; }
 
  private:
-  void clear();
+  void clear(const QString& why = {});
+  /// Why `drawn` is not shown, if that is its age; else empty.
+  QString lateWords(const pictures::DrawnOverlay& drawn) const;
 
   ImageView *left_, *right_;
   std::shared_ptr<const session::NavigationState> now_;
   std::shared_ptr<const pictures::DrawnOverlay> shown_;  // null: plain images, or none
   bool is_empty_ = true;
+  QString why_empty_;
   std::shared_ptr<const pictures::CameraOverlay> still_;  // null: none is shown
 };
 

@@ -16,15 +16,18 @@ CameraOverlay drawOrder(const OverlayOrder& order) {
 
 }  // namespace
 
+bool isTooOld(const DrawnOverlay& drawn, const session::NavigationState& now) {
+  static const double kMostBehind_s = session::SessionOptions().age_limit_s;  // same limit as for poses
+  return now.arrived - drawn.state->arrived > kMostBehind_s;
+}
+
 bool mayBeShown(const DrawnOverlay& drawn, const session::NavigationState& now) {
   const session::NavigationState& then = *drawn.state;
-  static const double kMostBehind_s = session::SessionOptions().age_limit_s;  // same limit as for poses
-  const double behind_s = now.arrived - then.arrived;
   const bool says_the_same = bool(then.camera_T_mri) == bool(now.camera_T_mri) &&
                              bool(then.camera_T_coil) == bool(now.camera_T_coil) &&
                              then.target == now.target && then.failure == now.failure &&
                              session::lossTitles(then) == session::lossTitles(now);
-  return behind_s >= 0 && behind_s <= kMostBehind_s && says_the_same;
+  return now.arrived - then.arrived >= 0 && !isTooOld(drawn, now) && says_the_same;
 }
 
 struct OverlayWorker::Implementation {

@@ -28,6 +28,8 @@ struct DrawnOverlay {
 /// A picture may be shown while `now` is the newest state if head, coil and target have the same status in
 /// both, and its frame arrived at or before that of `now`, at most the age limit of a pose earlier.
 bool mayBeShown(const DrawnOverlay& drawn, const session::NavigationState& now);
+/// Its frame arrived longer before that of `now` than the age limit of a pose.
+bool isTooOld(const DrawnOverlay& drawn, const session::NavigationState& now);
 
 class OverlayWorker {
  public:
