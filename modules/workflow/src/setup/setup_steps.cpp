@@ -78,14 +78,18 @@ void SetupSteps::addView(SetupView& now) {
   if (!calibration_words_.empty() && collector_.views().empty()) now.sentence = calibration_words_;
 }
 
+void SetupSteps::count(SetupView& now) const {
+  now.views = int(collector_.views().size());
+  now.coverage = collector_.coverage();
+  now.progress = std::min(1.0, now.views / kUsualViews);
+}
+
 void SetupSteps::collect(SetupView& now, const Publish& publish) {
   if (!is_calibrated_ || wants_more_) {
     addView(now);
     if (is_finish_wanted_ || (collector_.isEnough() && !wants_more_)) calibrateNow(now, publish);
   }
-  now.views = int(collector_.views().size());
-  now.coverage = collector_.coverage();
-  now.progress = std::min(1.0, now.views / kUsualViews);
+  count(now);
   if (!is_calibrated_ || wants_more_) return;
   now.sentence = calibration_words_.empty() ? "these cameras are calibrated: go on" : calibration_words_;
   now.lines = calibration_lines_;
@@ -96,6 +100,7 @@ void SetupSteps::collect(SetupView& now, const Publish& publish) {
 void SetupSteps::calibrateNow(SetupView& now, const Publish& publish) {
   is_finish_wanted_ = wants_more_ = false;
   SetupView waiting = now;
+  count(waiting);
   waiting.sentence = "the calibration is calculated: some seconds";
   publish(waiting);
   TaskMonitor monitor;

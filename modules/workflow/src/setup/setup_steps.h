@@ -37,6 +37,7 @@ class SetupSteps {
  private:
   using Publish = std::function<void(const SetupView&)>;
   void place(SetupView& now);
+  void count(SetupView& now) const;  // views so far, their coverage and progress
   void collect(SetupView& now, const Publish& publish);
   void addView(SetupView& now);
   void calibrateNow(SetupView& now, const Publish& publish);
