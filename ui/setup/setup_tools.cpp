@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "setup/board_screen.h"
+#include "widgets/camera_choice.h"
 #include "widgets/narrow_label.h"
 
 namespace facenav::ui {
@@ -179,19 +180,8 @@ void SetupTools::makeCoil() {
 }
 
 void SetupTools::fillDevices() {
-  for (const auto& [box, chosen] :
-       {std::pair(left_, presenter_.left()), std::pair(right_, presenter_.right())}) {
-    const QSignalBlocker block(box);
-    box->clear();
-    for (const auto& device : presenter_.devices()) {
-      box->addItem(QString::fromStdString(capture::inWords(device)),
-                   QString::fromStdString(capture::stableName(device.identity)));
-      box->setItemData(box->count() - 1, box->itemText(box->count() - 1), Qt::ToolTipRole);
-    }
-    box->setEnabled(box->count() > 0);
-    if (box->count() == 0) box->addItem(tr("no camera found"), QString());
-    box->setCurrentIndex(!box->isEnabled() ? 0 : chosen.isEmpty() ? -1 : box->findData(chosen));
-  }
+  listCameras(*left_, presenter_.devices(), presenter_.left());
+  listCameras(*right_, presenter_.devices(), presenter_.right());
   const QSignalBlocker block(kept_);
   const QString was = kept_->currentText();
   kept_->clear();

@@ -11,6 +11,7 @@
 
 #include "appearance.h"
 #include "setup/latency_screen.h"
+#include "widgets/camera_choice.h"
 #include "widgets/words_of_button.h"
 
 namespace facenav::ui {
@@ -137,17 +138,8 @@ void CamerasPanel::addCapture(QVBoxLayout& column) {
 }
 
 void CamerasPanel::fillDevices() {
-  for (const auto& [box, chosen] : {std::pair(left_, cameras_.left()), std::pair(right_, cameras_.right())}) {
-    box->clear();
-    for (const auto& device : cameras_.devices()) {
-      box->addItem(QString::fromStdString(capture::inWords(device)),
-                   QString::fromStdString(capture::stableName(device.identity)));
-      box->setItemData(box->count() - 1, box->itemText(box->count() - 1), Qt::ToolTipRole);
-    }
-    box->setEnabled(box->count() > 0);
-    if (box->count() == 0) box->addItem(tr("no camera found"), QString());
-    box->setCurrentIndex(!box->isEnabled() ? 0 : chosen.isEmpty() ? -1 : box->findData(chosen));
-  }
+  listCameras(*left_, cameras_.devices(), cameras_.left());
+  listCameras(*right_, cameras_.devices(), cameras_.right());
 }
 
 void CamerasPanel::fillRigs() {

@@ -253,6 +253,17 @@ TEST(SurfaceAligner, ATurnKnownOtherwiseNarrowsTheBoundOrContradictsTheFace) {
               ThrowsMessage<Error>(HasSubstr("turned sideways")));
 }
 
+TEST(SurfaceAligner, AMarkerThatSeesNoTurnDoesNotHideTheTurnThatTheFaceSees) {
+  AlignmentStart start;
+  start.right = kRight;
+  const auto truth = facing(8, 4, 0);
+  const auto cloud = measure(ModelHead(), truth, {.seed = 1});
+  const double sigma_rad = align(patientsField(), cloud, start).right_turn->sigma_rad;
+  start.known_turn = CameraTurn{0.0, 0.3 * sigma_rad};  // as of a print at another size
+  EXPECT_THAT([&] { align(patientsField(), turned(cloud, 4.5 * kDegPerRad * sigma_rad), start); },
+              ThrowsMessage<Error>(HasSubstr("turned sideways")));
+}
+
 TEST(SurfaceAligner, DepthThatAllPointsShareWidensTheBoundAlongTheView) {
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {});

@@ -19,8 +19,13 @@ constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate per true tur
 constexpr double kScan_rad = 0.03 * kRadPerDeg;
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 
-/// The mean of two measurements, each with its weight.
+/// The mean of two measurements, each with its weight. Where they contradict each other, one of them is wrong
+/// (a print at another size, a scan at another scale). Then the one counts that says more surely that the
+/// camera turned: a mean could hide the turn.
 CameraTurn fused(const CameraTurn& a, const CameraTurn& b) {
+  constexpr double kContradiction = 3.0;  // standard errors
+  if (std::abs(a.rad - b.rad) > kContradiction * std::hypot(a.sigma_rad, b.sigma_rad))
+    return std::abs(a.rad) * b.sigma_rad > std::abs(b.rad) * a.sigma_rad ? a : b;
   const double of_a = 1.0 / (a.sigma_rad * a.sigma_rad), of_b = 1.0 / (b.sigma_rad * b.sigma_rad);
   return {(of_a * a.rad + of_b * b.rad) / (of_a + of_b), 1.0 / std::sqrt(of_a + of_b)};
 }

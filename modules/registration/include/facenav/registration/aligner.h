@@ -57,8 +57,8 @@ struct AlignmentStart {
   double shared_depth_sigma_mm = 0.0;
   SightError sight;                     // the bound holds it too
   std::optional<TurnableCamera> right;  // empty: how far the right camera turned is not estimated
-  /// The turn as measured without the face (a marker or a board of known size); the fit's own is fused with
-  /// it.
+  /// The turn as measured without the face (a marker or a board of known size). The fit's own is fused with
+  /// it. Where both contradict each other, the one counts that says more surely that the camera turned.
   std::optional<CameraTurn> known_turn;
 };
 
