@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
@@ -60,13 +61,30 @@ void setIntensity(const std::string& value, workflow::Treatment& treatment) {
   treatment.setIntensity(pct);
 }
 
+void tellReading(const char* what, const guidance::TipReading& reading, const std::string& verdict,
+                 workflow::Treatment& treatment) {
+  if (!verdict.empty() && verdict != "right" && verdict != "wrong")
+    throw Error(std::string("the ") + what + " is judged right or wrong", {},
+                "or give no such word, to read where it is");
+  Json told{{what, inWords(reading)}, {"off_skin_mm", reading.off_skin_mm}};
+  if (reading.nearest) {
+    told["nearest"] = reading.nearest->name;
+    told["off_place_mm"] = reading.off_place_mm;
+  }
+  if (reading.sigma_mm > 0) told["depth_sd_mm"] = reading.sigma_mm;
+  say(told);
+  if (!verdict.empty())
+    treatment.judgeTip(verdict == "right" ? workflow::TipVerdict::right : workflow::TipVerdict::wrong,
+                       reading);
+}
+
 }  // namespace
 
 std::string sessionCommandWords() {
   return "pause REASON, resume, target NAME, coil NAME, intensity PCT, mep UV, twitch y|n (of the newest "
          "pulse), check (the registration), tip (where the coil's tip is on the MRI's skin), tip right|wrong "
-         "(a "
-         "person's judgement of it), note WORDS (an adverse event), end";
+         "(a person's judgement of it), spot left|right X Y [right|wrong] (the same of a spot in a picture, "
+         "px), note WORDS (an adverse event), end";
 }
 
 bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatment) {
@@ -90,6 +108,8 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
     treatment.checkRegistration();
   else if (word == "tip")
     judgeTip(rest, treatment);
+  else if (word == "spot")
+    judgeSpot(rest, treatment);
   else if (word == "note")
     treatment.log().addEvent(workflow::session_events::kAdverse, workflow::noteWords(rest, "note"));
   else
@@ -100,20 +120,28 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
 
 /// Where the coil's tip is on the MRI's skin, and what a person says of it.
 void SessionCommands::judgeTip(const std::string& verdict, workflow::Treatment& treatment) {
-  if (!verdict.empty() && verdict != "right" && verdict != "wrong")
-    throw Error("the tip is judged right or wrong", {}, "or give no word, to read where it is");
   if (!tip_check_) tip_check_ = treatment.makeTipCheck();
   const auto reading = workflow::readTip(*treatment.session().latest(), treatment.tip(), *tip_check_);
   if (!reading) throw Error("head or coil is lost", {}, "show both to the cameras");
-  Json told{{"tip", inWords(*reading)}, {"off_skin_mm", reading->off_skin_mm}};
-  if (reading->nearest) {
-    told["nearest"] = reading->nearest->name;
-    told["off_place_mm"] = reading->off_place_mm;
-  }
-  say(told);
-  if (!verdict.empty())
-    treatment.judgeTip(verdict == "right" ? workflow::TipVerdict::right : workflow::TipVerdict::wrong,
-                       *reading);
+  tellReading("tip", *reading, verdict, treatment);
+}
+
+/// The same of a spot in the newest pictures: "left 312 205 right".
+void SessionCommands::judgeSpot(const std::string& words, workflow::Treatment& treatment) {
+  std::istringstream stream(words);
+  std::string side, x, y, verdict;
+  stream >> side >> x >> y >> verdict;
+  if ((side != "left" && side != "right") || y.empty())
+    throw Error("a spot is a picture and its pixel", {}, "spot left|right X Y [right|wrong]");
+  if (!tip_check_) tip_check_ = treatment.makeTipCheck();
+  const Eigen::Vector2d px(numberFrom(x, "X"), numberFrom(y, "Y"));
+  const auto picture = side == "left" ? cameras::PictureSide::left : cameras::PictureSide::right;
+  const auto reading =
+      workflow::readPickedSpot(*treatment.session().latest(), treatment.rig(), picture, px, *tip_check_);
+  if (!reading)
+    throw Error("the spot is not found in the other picture near the MRI's skin, or the head is lost", {},
+                "choose a spot with detail that both cameras see");
+  tellReading("spot", *reading, verdict, treatment);
 }
 
 bool SessionCommands::readInput(workflow::Treatment& treatment) {

@@ -23,6 +23,7 @@ class SessionCommands {
   bool readInput(workflow::Treatment& treatment);
   bool obey(const std::string& line, workflow::Treatment& treatment);
   void judgeTip(const std::string& verdict, workflow::Treatment& treatment);
+  void judgeSpot(const std::string& words, workflow::Treatment& treatment);
   void tell(workflow::Treatment& treatment);
 
   std::filesystem::path coil_library_;

@@ -144,6 +144,7 @@ class Window {
     if (state->frame >= 0 && minute != checked_minute_) treatment.checkRegistration();
     if (state->frame >= 0) checked_minute_ = minute;
     if (state->check) checks = state->check->number;
+    treatment.log().takeKept();  // as `track --commands` does for its reader
   }
 
   std::atomic<int> overlays_drawn{0};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QTest>
+
 #include "facenav/session/session.h"
 #include "views/image_view.h"
 
@@ -47,6 +49,34 @@ class CameraRowTest : public ::testing::Test {
   CameraRowTest() { row_.resize(600, 240); }
   CameraRow row_;
 };
+
+TEST_F(CameraRowTest, AClickNamesThePictureItsPixelAndItsState) {
+  const auto tracked = stateAt(10.0, true);
+  row_.follow(shared(tracked));
+  const auto drawn = redPictureOf(tracked);
+  std::vector<std::pair<cameras::PictureSide, QPointF>> clicks;
+  std::shared_ptr<const session::NavigationState> of;
+  QObject::connect(&row_, &CameraRow::picked, [&](auto side, const QPointF& px, auto state) {
+    clicks.emplace_back(side, px);
+    of = state;
+  });
+  const auto views = row_.findChildren<ImageView*>();
+  ASSERT_EQ(views.size(), 2);
+  row_.show();
+  QTest::mouseClick(views[0], Qt::LeftButton, {}, views[0]->rect().center());
+  EXPECT_TRUE(clicks.empty()) << "no picture is shown yet";
+  row_.showDrawn(drawn);
+  for (auto* view : views) QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  QTest::mouseClick(views[0], Qt::LeftButton, {}, {1, 1});  // beside the picture, or its corner
+  ASSERT_GE(clicks.size(), 2u);
+  EXPECT_EQ(clicks[0].first, cameras::PictureSide::left);
+  EXPECT_EQ(clicks[1].first, cameras::PictureSide::right);
+  for (int i : {0, 1}) {  // the picture has 40 x 30 px
+    EXPECT_NEAR(clicks[std::size_t(i)].second.x(), 19.5, 0.2);
+    EXPECT_NEAR(clicks[std::size_t(i)].second.y(), 14.5, 0.2);
+  }
+  EXPECT_EQ(of, drawn->state);
+}
 
 TEST_F(CameraRowTest, ShowsAPictureOfTheNewestStateUntilItIsLost) {
   const auto tracked = stateAt(10.0, true);

@@ -189,6 +189,18 @@ TEST_F(TreatCheck, ThePersonsJudgementOfTheTipIsAnEvent) {
   EXPECT_NE(events.find("tip check: judged right: " + words), std::string::npos) << events;
 }
 
+TEST_F(TreatCheck, AClickedSpotThatTheOtherPictureDoesNotShowIsNotMeasured) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  MainWindow window(services());
+  guide(window);
+  auto* treat = window.findChild<TreatWorkspace*>();
+  treat->showTool(TreatWorkspace::Tool::check);
+  auto& tip = treat->tip();
+  tip.pick(cameras::PictureSide::left, {320, 240}, *treat->presenter().state());  // the pictures are plain
+  EXPECT_TRUE(tip.words().contains("Not found in the other picture")) << tip.words().toStdString();
+  EXPECT_TRUE(!tip.reading() || tip.reading()->what == guidance::TipReading::What::coil_tip);
+}
+
 TEST_F(TreatCheck, TheSecondScreensFollowTheSessionAndGoDarkWithIt) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   MainWindow window(services());

@@ -15,11 +15,36 @@ TipPresenter::TipPresenter(TreatPresenter& treat, QObject* parent) : QObject(par
 void TipPresenter::follow(const session::NavigationState& state) {
   const auto& check = treat_.alignmentSeen().check;
   reading_.reset();
-  if (check && treat_.isRunning()) reading_ = workflow::readTip(state, treat_.tip(), *check);
+  if (spot_ && (!treat_.isRunning() || Timestamp::now() - spot_->picked > kSpotHolds_s)) forgetSpot();
+  if (spot_)
+    reading_ = spot_->reading;
+  else if (check && treat_.isRunning())
+    reading_ = workflow::readTip(state, treat_.tip(), *check);
   const QString now = offSkin() + skinWords() + offPlace() + placeWords() + words();
   if (now == shown_) return;
   shown_ = now;
   emit changed();
+}
+
+void TipPresenter::pick(cameras::PictureSide side, const QPointF& px, const session::NavigationState& state) {
+  const auto& check = treat_.alignmentSeen().check;
+  if (!check || !treat_.isRunning() || !treat_.rig()) return;
+  forgetSpot();
+  if (const auto reading = workflow::readPickedSpot(state, *treat_.rig(), side, {px.x(), px.y()}, *check)) {
+    spot_ = {*reading, Timestamp::now()};
+    treat_.showSpot(reading->tip);
+    last_.clear();
+  } else {
+    last_ = state.rig_correction.empty()
+                ? tr("Not found in the other picture. Click a spot with detail that both cameras see.")
+                : tr("A camera moved, so that a clicked spot cannot be measured. Use the coil's tip.");
+  }
+  follow(state);
+}
+
+void TipPresenter::forgetSpot() {
+  spot_.reset();
+  treat_.showSpot({});
 }
 
 QString TipPresenter::offSkin() const {
@@ -46,8 +71,11 @@ QString TipPresenter::words() const {
     return tr("Align first (step 2); then the MRI's skin is drawn over both pictures.");
   if (!last_.isEmpty()) return last_;
   if (!treat_.isRunning()) return tr("Start guidance (step 3): the coil's tip is read while it is tracked.");
-  if (!reading_) return tr("Show face and coil to both cameras.");
-  if (!isNear()) return tr("Hold the coil's tip to nose or ear.");
+  if (spot_)
+    return tr("The clicked spot, white in both pictures (\u00b1%1 mm): is it where these figures say?")
+        .arg(std::max(0.1, 2 * spot_->reading.sigma_mm), 0, 'f', 1);
+  if (!isNear())
+    return tr("Hold the coil's tip to nose or ear. Or hold a finger there and click its tip in a picture.");
   return tr("Is the tip where these figures say?");
 }
 
@@ -60,6 +88,7 @@ void TipPresenter::judge(workflow::TipVerdict verdict) {
       QTime::currentTime().toString("HH:mm ") +
       (verdict == workflow::TipVerdict::right ? tr("judged right: %1") : tr("judged WRONG, align again: %1"))
           .arg(QString::fromStdString(inWords(*reading_)));
+  forgetSpot();
   emit changed();
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 // TipPresenter: the check of the alignment that a person judges (workflow/alignment_seen.h): the coil's tip
-// is held to nose or ear, the page says where it is on the MRI's skin, and the person says right or wrong.
-// The judgement is an event of the session; a wrong one withholds guidance until a measured check passes.
+// is held to nose or ear, or a spot is clicked in a live picture (a finger's tip, a mole); the page says
+// where it is on the MRI's skin, and the person says right or wrong. The judgement is an event of the
+// session; a wrong one withholds guidance until a measured check passes.
 
 #include <QObject>
+#include <QPointF>
 #include <optional>
 
 #include "presenters/treat_presenter.h"
@@ -18,6 +20,10 @@ class TipPresenter : public QObject {
 
   /// Takes the newest state; called about 30 times a second.
   void follow(const session::NavigationState& state);
+  /// A spot that was clicked in a picture of `state`. It stands in place of the coil's tip until it is
+  /// judged, but no longer than kSpotHolds_s.
+  void pick(cameras::PictureSide side, const QPointF& px, const session::NavigationState& state);
+  static constexpr double kSpotHolds_s = 30;
   /// "0.8", "3.2"; a dash where the tip is not known, or too far from the head to be judged.
   QString offSkin() const;
   QString offPlace() const;
@@ -36,10 +42,16 @@ class TipPresenter : public QObject {
   void changed();
 
  private:
+  struct Spot {
+    guidance::TipReading reading;
+    Timestamp picked;
+  };
   bool isNear() const { return reading_ && reading_->isNear(); }
+  void forgetSpot();
 
   TreatPresenter& treat_;
   std::optional<guidance::TipReading> reading_;
+  std::optional<Spot> spot_;
   QString shown_, last_;
 };
 

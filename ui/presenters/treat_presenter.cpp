@@ -342,7 +342,7 @@ void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> 
   const auto* t = target();
   pictures::OverlayOrder order{recording_->rig, std::move(state),
                                t ? std::optional<guidance::Target>(*t) : std::nullopt};
-  if (shows_skin_ && aligned_.seen.skin) order.alignment = {aligned_.seen.skin, coil_.model().tip};
+  if (shows_skin_ && aligned_.seen.skin) order.alignment = {aligned_.seen.skin, coil_.model().tip, spot_};
   overlays_.ask(std::move(order));
 }
 

@@ -140,6 +140,10 @@ class TreatPresenter : public QObject {
   void showSkin(bool is_shown);
   /// The point of the coil that is held to the face.
   const Point<Coil>& tip() const { return coil_.model().tip; }
+  /// Of the cameras or the recording; null: none.
+  const cameras::StereoRig* rig() const { return recording_ ? &recording_->rig : nullptr; }
+  /// Drawn over the live pictures with the skin; nothing: none.
+  void showSpot(const std::optional<Point<Mri>>& spot) { spot_ = spot; }
   /// Logs it; a wrong one withholds guidance until a check passes.
   void judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading);
 
@@ -172,6 +176,7 @@ class TreatPresenter : public QObject {
   FollowedCoil coil_;
   AlignedHead aligned_;
   bool shows_skin_ = true;
+  std::optional<Point<Mri>> spot_;
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
   std::filesystem::path last_session_;

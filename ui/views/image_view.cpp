@@ -1,5 +1,6 @@
 #include "views/image_view.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 
 namespace facenav::ui {
@@ -34,9 +35,20 @@ void ImageView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(place(), image_);
+}
+
+QRect ImageView::place() const {
   const QSize size = image_.size().scaled(rect().size(), Qt::KeepAspectRatio);
-  painter.drawImage(QRect(QPoint((width() - size.width()) / 2, (height() - size.height()) / 2), size),
-                    image_);
+  return QRect(QPoint((width() - size.width()) / 2, (height() - size.height()) / 2), size);
+}
+
+void ImageView::mousePressEvent(QMouseEvent* event) {
+  if (image_.isNull() || !place().contains(event->pos())) return;
+  const QRect drawn = place();
+  const QPointF at = QPointF(event->pos() - drawn.topLeft()) + QPointF(0.5, 0.5);
+  emit clicked(
+      {at.x() * image_.width() / drawn.width() - 0.5, at.y() * image_.height() / drawn.height() - 0.5});
 }
 
 }  // namespace facenav::ui

@@ -2,6 +2,7 @@
 // ImageView: an image scaled to the widget, aspect kept (the camera views).
 
 #include <QImage>
+#include <QPointF>
 #include <QWidget>
 
 #include "facenav/core/rgb_image.h"
@@ -24,10 +25,18 @@ class ImageView : public QWidget {
     return !image_.isNull() ? QString() : why_empty_.isEmpty() ? when_empty_ : why_empty_;
   }
 
+ signals:
+  /// A click on the image; (0, 0) is the centre of its top-left pixel.
+  void clicked(const QPointF& px);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
 
  private:
+  /// Where the image is drawn.
+  QRect place() const;
+
   QImage image_;
   QString when_empty_, why_empty_;
 };

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "facenav/cameras/picked_spot.h"
 #include "facenav/pictures/overlay_worker.h"
 
 namespace facenav::ui {
@@ -28,6 +29,11 @@ class CameraRow : public QWidget {
   void showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn);
   /// The shown overlay; null: none.
   std::shared_ptr<const pictures::DrawnOverlay> shown() const { return shown_; }
+
+ signals:
+  /// A click on a live picture: px of that picture, and the state that it shows.
+  void picked(facenav::cameras::PictureSide side, const QPointF& px,
+              std::shared_ptr<const facenav::session::NavigationState> state);
 
  private:
   void clear(const QString& why = {});

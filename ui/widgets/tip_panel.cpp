@@ -51,8 +51,10 @@ QWidget* TipPanel::makeFigures() {
     grid->addWidget(words, 1, column);
     grid->setColumnStretch(column, 1);
   };
-  add(0, tr("distance of the coil's tip from the MRI's skin"), off_skin_, skin_words_);
-  add(1, tr("distance of the coil's tip from the named place that is nearest"), off_place_, place_words_);
+  add(0, tr("distance of the coil's tip, or of the clicked spot, from the MRI's skin"), off_skin_,
+      skin_words_);
+  add(1, tr("distance of the coil's tip, or of the clicked spot, from the named place that is nearest"),
+      off_place_, place_words_);
   return figures;
 }
 
@@ -61,11 +63,11 @@ QWidget* TipPanel::makeJudgement() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   right_ = new QPushButton(tr("%1 Right").arg(QChar(0x2713)), bar);
-  right_->setToolTip(tr("the tip is where the figures say; kept in the session's log (R)"));
+  right_->setToolTip(tr("tip or spot is where the figures say; kept in the session's log (R)"));
   right_->setShortcut(Qt::Key_R);
   wrong_ = new QPushButton(tr("%1 Wrong").arg(QChar(0x2715)), bar);
   wrong_->setToolTip(
-      tr("the tip is elsewhere; kept in the session's log. Guidance is withheld until a measured "
+      tr("tip or spot is elsewhere; kept in the session's log. Guidance is withheld until a measured "
          "check passes (W)"));
   wrong_->setShortcut(Qt::Key_W);
   row->addWidget(right_, 1);

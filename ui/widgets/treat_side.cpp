@@ -75,8 +75,8 @@ QTabBar* TreatSide::makeTabs() {
       {tr("Aim"), tr("where the coil is against the target")},
       {tr("Motor"), tr("motor hotspot and threshold: the muscle's answers")},
       {tr("Session"), tr("pause, pain, adverse events, source of the pulses, sound, second screen")},
-      {tr("Check"),
-       tr("the alignment by eye: the MRI's skin over the pictures, and the coil's tip on the face")}};
+      {tr("Check"), tr("the alignment by eye: the MRI's skin over the pictures, and the coil's tip or a "
+                       "clicked spot on the face")}};
   for (const auto& [name, tip] : tools) tabs->setTabToolTip(tabs->addTab(name), tip);
   connect(tabs, &QTabBar::currentChanged, this, [this](int tool) {
     tools_->setCurrentIndex(tool);
@@ -86,6 +86,8 @@ QTabBar* TreatSide::makeTabs() {
 }
 
 void TreatSide::showTool(Tool tool) { tabs_->setCurrentIndex(int(tool)); }
+
+bool TreatSide::isShown(Tool tool) const { return tabs_->currentIndex() == int(tool); }
 
 void TreatSide::refreshPulses() { pulses_->refresh(); }
 

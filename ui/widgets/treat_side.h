@@ -32,6 +32,7 @@ class TreatSide : public QWidget {
             QWidget* parent = nullptr);
 
   void showTool(Tool tool);
+  bool isShown(Tool tool) const;
   /// The pulses' figures, at each refresh.
   void refreshPulses();
   /// A new state: bull's eye and figures.

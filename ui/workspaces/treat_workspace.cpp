@@ -64,6 +64,9 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&projector_, &ProjectorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
+  connect(pictures_, &CameraRow::picked, this, [this](auto side, const QPointF& px, auto state) {
+    if (tools_->isShown(Tool::check)) tip_.pick(side, px, *state);
+  });
   const auto markOutdated = [this] {
     is_outdated_ = true;
     if (isVisible()) showCase();

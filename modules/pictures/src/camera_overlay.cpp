@@ -64,7 +64,9 @@ RgbImage drawView(CameraView view, const session::NavigationState& state,
   if (state.coil) drawMarker(view, is_left ? state.coil->left_corners_px : state.coil->right_corners_px);
   if (state.camera_T_mri && target) drawTarget(view, *state.camera_T_mri, *target);
   if (state.camera_T_coil) drawAxis(view, *state.camera_T_coil);
-  if (state.camera_T_coil && alignment) drawTip(view, *state.camera_T_coil * alignment->tip);
+  if (state.camera_T_coil && alignment) drawTip(view, *state.camera_T_coil * alignment->tip, kOrange);
+  if (state.camera_T_mri && alignment && alignment->spot)
+    drawTip(view, *state.camera_T_mri * *alignment->spot, kWhite);
   drawCaption(view, caption(state, is_left), !state.head || !state.coil);
   return toRgb(view.image);
 }

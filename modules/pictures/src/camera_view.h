@@ -12,7 +12,7 @@
 namespace facenav::pictures {
 
 inline const cv::Scalar kBlue(84, 178, 255), kOrange(255, 160, 51), kGrey(175, 180, 188),
-    kDark(12, 14, 18);  // R, G, B
+    kWhite(255, 255, 255), kDark(12, 14, 18);  // R, G, B
 
 struct CameraView {
   cv::Mat image;  // 8-bit RGB

@@ -92,14 +92,14 @@ void drawSkinOver(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_
   for (const auto& place : skin.places) drawPlace(view, camera_T_mri, place, depth);
 }
 
-void drawTip(CameraView& view, const Point<Camera>& tip) {
+void drawTip(CameraView& view, const Point<Camera>& tip, const cv::Scalar& colour) {
   const auto px = view.toPixel(tip.mm);
   if (!px) return;
   const int radius = int(16 * 7 * view.unit), gap = radius / 2;
   cv::circle(view.image, *px, radius, kDark, view.thickness(4), cv::LINE_AA, 4);
-  cv::circle(view.image, *px, radius, kOrange, view.thickness(2), cv::LINE_AA, 4);
+  cv::circle(view.image, *px, radius, colour, view.thickness(2), cv::LINE_AA, 4);
   for (const cv::Point way : {cv::Point(1, 0), cv::Point(0, 1), cv::Point(-1, 0), cv::Point(0, -1)})
-    cv::line(view.image, *px + way * gap, *px + way * (radius + gap), kOrange, view.thickness(2), cv::LINE_AA,
+    cv::line(view.image, *px + way * gap, *px + way * (radius + gap), colour, view.thickness(2), cv::LINE_AA,
              4);
 }
 

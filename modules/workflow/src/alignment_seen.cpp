@@ -57,10 +57,28 @@ std::optional<guidance::TipReading> readTip(const session::NavigationState& stat
   return check.read(state.camera_T_mri->inverse() * (*state.camera_T_coil * tip));
 }
 
+std::optional<guidance::TipReading> readPickedSpot(const session::NavigationState& state,
+                                                   const cameras::StereoRig& rig, cameras::PictureSide side,
+                                                   const Eigen::Vector2d& px,
+                                                   const guidance::TipCheck& check) {
+  if (!state.camera_T_mri || !state.images || state.images->left.empty()) return std::nullopt;
+  if (!state.rig_correction.empty()) return std::nullopt;  // `rig` is no longer how the cameras stand
+  const auto mri_T_camera = state.camera_T_mri->inverse();
+  const auto spot = cameras::measurePickedSpot(rig, *state.images, side, px, [&](const Point<Camera>& place) {
+    return check.read(mri_T_camera * place).isNear();
+  });
+  if (!spot) return std::nullopt;
+  auto reading = check.read(mri_T_camera * spot->point);
+  reading.what = guidance::TipReading::What::picked_spot;
+  reading.sigma_mm = spot->sigma_mm;
+  return reading;
+}
+
 std::string inWords(TipVerdict verdict, const guidance::TipReading& reading) {
+  const bool is_tip = reading.what == guidance::TipReading::What::coil_tip;
   return std::string(verdict == TipVerdict::right ? "judged right: " : "judged wrong: ") + inWords(reading) +
-         formatted("; tip at (%.1f, %.1f, %.1f) mm in the MRI", reading.tip.mm.x(), reading.tip.mm.y(),
-                   reading.tip.mm.z());
+         formatted("; %s at (%.1f, %.1f, %.1f) mm in the MRI", is_tip ? "tip" : "picked spot",
+                   reading.tip.mm.x(), reading.tip.mm.y(), reading.tip.mm.z());
 }
 
 }  // namespace facenav::workflow

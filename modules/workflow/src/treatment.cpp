@@ -111,19 +111,19 @@ session::ChosenTarget chosenTarget(const guidance::Target& target, const Alignme
 
 Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
     : case_folder_(prepared.request.store.folder()),
+      rig_(prepared.request.recording.rig),
       coil_(prepared.request.coil),
       alignment_(prepared.request.alignment) {
   prepared.navigator->setTarget(target);
   session::SessionOptions options;
   options.is_paced = !prepared.request.is_live;
   options.speed = prepared.request.speed;
-  const auto rig = prepared.request.recording.rig;
   session_ =
       std::make_shared<session::Session>(std::move(prepared.source), std::move(prepared.navigator), options);
   const auto& goes_on = prepared.request.goes_on;
   if (!goes_on.empty()) is_paused_ = casefile::sessionSoFar(goes_on).is_paused;
   log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp,
-                                                 session::TreatmentLogOptions{rig, goes_on});
+                                                 session::TreatmentLogOptions{rig_, goes_on});
   if (!goes_on.empty()) session_->checkRegistration(true);
   session_folder_ = log_->folder();
   logStart(*log_, prepared.request, target ? &target->target : nullptr);

@@ -1,7 +1,8 @@
 #pragma once
-// A check of the alignment that a person can judge: the coil's tip is held to nose or ear, and the program
-// says where it is on the MRI's skin. Nothing touches a marker on the head. In: the tip (Mri, mm). Out: its
-// distance from the skin and the nearest named place. A person compares that with where the tip is.
+// A check of the alignment that a person can judge: the coil's tip is held to nose or ear, or a spot is
+// picked in a camera picture (a finger's tip at the nose, a mole), and the program says where it is on the
+// MRI's skin. Nothing touches a marker on the head. In: tip or spot (Mri, mm). Out: its distance from the
+// skin and the nearest named place. A person compares that with where it really is.
 
 #include <optional>
 #include <string>
@@ -13,11 +14,14 @@
 namespace facenav::guidance {
 
 struct TipReading {
-  Point<Mri> tip;
+  enum class What { coil_tip, picked_spot };
+  Point<Mri> tip;              // or the picked spot
   surface::SurfacePoint skin;  // nearest to the tip
   double off_skin_mm = 0;      // > 0: outside the head
   std::optional<surface::NamedPlace> nearest;
   double off_place_mm = 0;  // from the nearest named place
+  What what = What::coil_tip;
+  double sigma_mm = 0;  // of a picked spot's depth
 
   /// Near enough to the skin to be judged (within kNear_mm).
   bool isNear() const;

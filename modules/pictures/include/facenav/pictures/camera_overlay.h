@@ -11,10 +11,12 @@
 
 namespace facenav::pictures {
 
-/// For the check of the alignment by eye: the MRI's skin, and the point of the coil that is held to the face.
+/// For the check of the alignment by eye: the MRI's skin, the point of the coil that is held to the face, and
+/// the spot that a person picked in a picture, where there is one.
 struct AlignmentShown {
   std::shared_ptr<const AlignedSkin> skin;  // not null
   Point<Coil> tip;
+  std::optional<Point<Mri>> spot = {};
 };
 
 /// `target` may be absent. A lost pose is not drawn; text at the top of the image says so. With `alignment`,

@@ -1,10 +1,12 @@
 #pragma once
 // What a person needs to judge an alignment before guiding: the MRI's skin over both pictures, and where the
-// coil's tip, held to nose and ear, is on the MRI's skin. Window and command line use the same functions.
+// coil's tip, held to nose and ear, or a spot that is picked in a picture is on the MRI's skin. Window and
+// command line use the same functions.
 
 #include <memory>
 #include <string>
 
+#include "facenav/cameras/picked_spot.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/guidance/tip_check.h"
 #include "facenav/pictures/aligned_skin.h"
@@ -31,11 +33,18 @@ pictures::CameraOverlay drawAlignment(const cameras::StereoRig& rig, const Align
 /// Where the coil's tip is; nothing while head or coil is lost.
 std::optional<guidance::TipReading> readTip(const session::NavigationState& state, const Point<Coil>& tip,
                                             const guidance::TipCheck& check);
+/// Where a spot is that a person picks in one of the state's pictures (a finger's tip held to the nose, a
+/// mole); px. Nothing while the head is lost, after a camera moved, or where the spot is not found in the
+/// other picture near the MRI's skin.
+std::optional<guidance::TipReading> readPickedSpot(const session::NavigationState& state,
+                                                   const cameras::StereoRig& rig, cameras::PictureSide side,
+                                                   const Eigen::Vector2d& px,
+                                                   const guidance::TipCheck& check);
 
 /// What a person says of a tip reading.
 enum class TipVerdict { right, wrong };
 /// As the session's event keeps it: "judged right: 0.8 mm outside the skin, 3.2 mm from nose tip; tip at
-/// (1.2, 98.4, -20.1) mm in the MRI".
+/// (1.2, 98.4, -20.1) mm in the MRI"; of a spot: "picked spot at".
 std::string inWords(TipVerdict verdict, const guidance::TipReading& reading);
 
 }  // namespace facenav::workflow

@@ -129,13 +129,15 @@ class Treatment {
   /// Measures for two seconds whether the MRI is still aligned with the face. The finding is in the next
   /// states (NavigationState::check) and in the log; one that failed withholds guidance until one passes.
   void checkRegistration();
-  /// What a person says of the coil's tip, held to nose or ear; logged with its distances. Wrong: guidance is
-  /// withheld until a measured check passes.
+  /// What a person says of the coil's tip, held to nose or ear, or of a spot picked in a picture; logged with
+  /// its distances. Wrong: guidance is withheld until a measured check passes.
   void judgeTip(TipVerdict verdict, const guidance::TipReading& reading);
   /// Of the case's scalp; takes a second.
   std::shared_ptr<const guidance::TipCheck> makeTipCheck() const;
   /// The point of the coil in use that is held to the face.
   const Point<Coil>& tip() const { return coil_.tip; }
+  /// As the cameras were calibrated.
+  const cameras::StereoRig& rig() const { return rig_; }
   /// It is asked for: the last one, or the alignment, is longer ago than RegistrationCheckRules says.
   bool isCheckDue();
 
@@ -151,6 +153,7 @@ class Treatment {
   void noteOtherCoil();
 
   std::filesystem::path case_folder_, session_folder_;
+  cameras::StereoRig rig_;
   coil_tracking::CoilModel coil_;
   std::optional<guidance::Target> target_;
   std::shared_ptr<const AlignmentOutcome> alignment_;
