@@ -20,9 +20,9 @@ namespace {
 
 using namespace facenav;
 
-constexpr const char* kVerbsWithSettings[] = {"prepare", "align",    "track",     "cloud",   "evaluate",
-                                              "demo",    "settings", "threshold", "hotspot", "pulses",
-                                              "report",  "coil",     "target",    "rig"};
+constexpr const char* kVerbsWithSettings[] = {"prepare",  "align",  "track",    "guide",     "cloud",
+                                              "evaluate", "demo",   "settings", "threshold", "hotspot",
+                                              "pulses",   "report", "coil",     "target",    "rig"};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 

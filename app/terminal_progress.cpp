@@ -16,7 +16,7 @@ TerminalProgress::~TerminalProgress() {
 void TerminalProgress::show(const std::string& step, double fraction) {
   if (!is_shown_) return;
   const int percent = int(100.0 * std::clamp(fraction, 0.0, 1.0) + 0.5);
-  const std::string line = step + " " + std::to_string(percent) + " %";
+  const std::string line = fraction < 0 ? step : step + " " + std::to_string(percent) + " %";
   if (line == last_line_) return;
   std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);

@@ -1,12 +1,14 @@
-// facenav guide CASE poses.csv --target NAME -o guidance.csv
+// facenav guide CASE poses.csv --target NAME -o guidance.csv; with --live RIG as a session of the case
 
 #include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/session_verb.h"
 #include "facenav/cameras/projector_model.h"
 #include "facenav/casefile/case_coil.h"
 #include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/pictures/projected_guide.h"
 #include "facenav/scene/png.h"
 #include "facenav/workflow/align_from_capture.h"
@@ -54,14 +56,50 @@ void writeProjected(const GuideRequest& request, const casefile::CaseStore& stor
                  100 * guide.ringLit());
 }
 
+void guideTable(const GuideRequest& request, const Context& context) {
+  const auto store = casefile::CaseStore::open(request.case_folder);
+  const auto scalp = registration::keptScalpField(workflow::skinModel(store.scalp()), store.scalpField());
+  const auto poses = casefile::readPoses(request.poses);
+  const auto rows = workflow::guidePoses(store, poses, request.target, scalp.get());
+  guidance::writeGuidanceCsv(rows, request.output);
+  if (!request.projected.empty()) writeProjected(request, store, poses, rows);
+  if (context.is_quiet) return;
+  const auto on_target = std::count_if(rows.begin(), rows.end(), [](const auto& row) {
+    return row.state.state == guidance::State::on_target;
+  });
+  std::printf("%zu frames, on target in %ld\n", rows.size(), long(on_target));
+}
+
+/// The session's own table, as it was said while it ran.
+void guideLive(const GuideRequest& request, SessionVerb session, Context& context) {
+  if (!request.poses.empty() || !request.projected.empty())
+    throw Error("--live guides by the cameras", {}, "leave out POSES, --projector and --projected");
+  const auto& all = context.registrations;
+  session.case_folder = request.case_folder;
+  session.target = request.target;
+  session.aligner = all.aligners.defaultName();
+  session.head_tracker = all.head_trackers.defaultName();
+  session.coil_tracker = all.coil_trackers.defaultName();
+  const auto outcome = runSession(session, context);
+  writeWholeFile(request.output, readWholeFile(outcome.session / "guidance.csv"));
+  if (!context.is_quiet && !session.has_commands) printSession(outcome);
+  requireWholeSession(outcome);
+}
+
 }  // namespace
 
 void addGuide(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
-      "guide", "poses of head and coil -> distance, tilt and twist to a target, frame by frame");
+      "guide",
+      "poses of head and coil, or live cameras -> distance, tilt and twist to a target, frame by frame");
   auto request = std::make_shared<GuideRequest>();
   verb->add_option("CASE", request->case_folder, "case folder with targets.json")->required();
-  verb->add_option("POSES", request->poses, "poses.csv, tracked with --case and --coil")->required();
+  verb->add_option("POSES", request->poses, "poses.csv, tracked with --case and --coil; or --live");
+  auto session = std::make_shared<SessionVerb>();
+  addLiveSessionOptions(*verb, *session);
+  addSessionOptions(*verb, *session);
+  verb->add_option("--coil", session->coil.words, "with --live: the coil, by name or its coil.json");
+  addCoilLibraryOption(*verb, session->coil.library);
   verb->add_option("--target", request->target, "name of the target")->required();
   verb->add_option("-o,--output", request->output, "guidance.csv to write")->required();
   auto* projector =
@@ -74,18 +112,11 @@ void addGuide(CLI::App& app, Context& context) {
   projector->needs(projected);
   verb->add_option("--frame", request->frame, "of --projected; default: the last one with the head tracked")
       ->needs(projected);
-  verb->callback([&context, request] {
-    const auto store = casefile::CaseStore::open(request->case_folder);
-    const auto scalp = registration::keptScalpField(workflow::skinModel(store.scalp()), store.scalpField());
-    const auto poses = casefile::readPoses(request->poses);
-    const auto rows = workflow::guidePoses(store, poses, request->target, scalp.get());
-    guidance::writeGuidanceCsv(rows, request->output);
-    if (!request->projected.empty()) writeProjected(*request, store, poses, rows);
-    if (context.is_quiet) return;
-    const auto on_target = std::count_if(rows.begin(), rows.end(), [](const auto& row) {
-      return row.state.state == guidance::State::on_target;
-    });
-    std::printf("%zu frames, on target in %ld\n", rows.size(), long(on_target));
+  verb->callback([&context, request, session] {
+    if (!session->live.rig.empty()) return guideLive(*request, *session, context);
+    if (request->poses.empty())
+      throw Error("it is not said what to guide", {}, "give POSES (poses.csv), or --live RIG");
+    guideTable(*request, context);
   });
 }
 

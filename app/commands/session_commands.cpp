@@ -84,7 +84,7 @@ std::string sessionCommandWords() {
   return "pause REASON, resume, target NAME, coil NAME, intensity PCT, mep UV, twitch y|n (of the newest "
          "pulse), check (the registration), tip (where the coil's tip is on the MRI's skin), tip right|wrong "
          "(a person's judgement of it), spot left|right X Y [right|wrong] (the same of a spot in a picture, "
-         "px), note WORDS (an adverse event), end";
+         "px), note WORDS (an adverse event), pulse (one was given now), end";
 }
 
 bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatment) {
@@ -104,6 +104,8 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
     setIntensity(rest, treatment);
   else if (word == "mep" || word == "twitch")
     answer(word, rest, treatment);
+  else if (word == "pulse")
+    treatment.pressPulse();
   else if (word == "check")
     treatment.checkRegistration();
   else if (word == "tip")
@@ -172,6 +174,10 @@ void SessionCommands::tell(workflow::Treatment& treatment) {
   if (state->check && state->check->number != told_check_) {
     told_check_ = state->check->number;
     say({{"check", state->check->hasPassed()}, {"words", inWords(*state->check)}});
+  }
+  if (session::isCameraAway(*state) != is_camera_away_) {
+    is_camera_away_ = !is_camera_away_;
+    say({{"cameras", is_camera_away_ ? "away" : "back"}, {"words", state->rig_fault}});
   }
   if (state->frame >= 0 && state->withheld != told_withheld_) {
     told_withheld_ = state->withheld;

@@ -29,7 +29,7 @@ class SessionCommands {
   std::filesystem::path coil_library_;
   std::shared_ptr<const guidance::TipCheck> tip_check_;  // made at the first use
   std::string input_;
-  bool has_begun_ = false, has_input_ = true, is_check_due_ = false;
+  bool has_begun_ = false, has_input_ = true, is_check_due_ = false, is_camera_away_ = false;
   int told_check_ = 0;
   std::string told_withheld_;
 };

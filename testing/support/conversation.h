@@ -71,6 +71,8 @@ class Conversation {
       heard_.append(buffer, std::size_t(size));
     }
   }
+  /// As Ctrl-C.
+  void interrupt() const { ::kill(process_, SIGINT); }
   void kill() const { ::kill(process_, SIGKILL); }
   /// Closes its input and waits. Exit status; 128 + signal if a signal killed it.
   int end() {

@@ -57,7 +57,7 @@ ReadOut makeReadOut(const session::NavigationState& state) {
   ReadOut out;
   const QString dash(QChar(0x2013));
   out.across = out.depth = out.tilt = out.twist = dash;
-  const bool has_images = state.images != nullptr && state.failure.empty();
+  const bool has_images = state.images != nullptr && state.images->absence.empty() && state.failure.empty();
   const bool is_stale =
       !state.head && (state.head.reason() == LostReason::stale || state.head.reason() == LostReason::camera);
   out.cameras = {has_images && !is_stale ? tr("CAMERAS on") : tr("CAMERAS no images"), QString(),

@@ -7,7 +7,9 @@
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rotation.h"
 #include "facenav/workflow/align_case.h"
 #include "facenav/workflow/coil_library.h"
 #include "facenav/workflow/expert_pose.h"
@@ -20,13 +22,38 @@ namespace {
 
 constexpr std::chrono::milliseconds kLook(5);  // at the newest state; frames come 16 ms apart or more
 
+/// Of live cameras: their rig alone.
+TreatmentFilm filmOf(const TreatRecordingRequest& request) {
+  if (!request.live) return openTreatmentFilm(request.recording);
+  TreatmentFilm film{{}, coil_tracking::defaultCoil(), {}};
+  film.recording.rig = request.live->rig;
+  film.card.name = film.coil.name;
+  return film;
+}
+
+/// Live, the pictures of the case's alignment are used as they were then.
+AlignOrder orderOf(const casefile::CaseStore& store, const TreatRecordingRequest& request) {
+  AlignOrder order{request.aligner};
+  order.stored_pair_stands_in = true;
+  if (!request.live) return order;
+  const auto alignment = store.alignment();
+  if (!alignment)
+    throw Error("the case is not aligned", store.folder().string(),
+                "take its pictures first: facenav align CASE --live RIG");
+  if (alignment->from) order.from = alignedFrom(*alignment->from);
+  if (order.from == AlignedFrom::film)
+    throw Error("the case was aligned from a film, which live cameras do not go on from",
+                store.folder().string(), "align it with a pair: facenav align CASE --live RIG");
+  return order;
+}
+
 TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingRequest& request,
                              TaskMonitor& monitor) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   if (request.override)
     casefile::recordOverride(store, request.override->by, request.override->reason, softwareVersion());
   requireSignOff(store, request.override.has_value());
-  auto film = openTreatmentFilm(request.recording);
+  auto film = filmOf(request);
   std::filesystem::path goes_on;
   if (request.goes_on) {  // the face as it was at the alignment of that session, not as it is now
     goes_on = sessionToGoOnWith(request.case_folder, request.session).folder;
@@ -40,11 +67,10 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
   if (reminder) logWarning(*reminder);
   const auto focus = focusCaution(film.card);
   if (focus) logWarning(*focus);
-  AlignOrder order{request.aligner};
-  order.stored_pair_stands_in = true;
   const auto alignment = std::make_shared<AlignmentOutcome>(
-      alignRecording(methods, store, film.recording, order, monitor).outcome);
-  TreatmentRequest treatment{store, film.recording, false, film.coil, alignment, reminder};
+      alignRecording(methods, store, film.recording, orderOf(store, request), monitor).outcome);
+  TreatmentRequest treatment{store, film.recording, request.live.has_value(), film.coil, alignment, reminder};
+  treatment.is_checked_first = request.live.has_value();
   treatment.override = request.override;
   treatment.focus_caution = focus;
   treatment.goes_on = goes_on;
@@ -59,7 +85,8 @@ TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingReq
         return std::make_unique<session::Navigator>(setup, methods.head_trackers.create(request.head_tracker),
                                                     methods.coil_trackers.create(request.coil_tracker));
       },
-      [recording, passes = request.passes] {
+      [recording, passes = request.passes, live = request.live] {
+        if (live) return live->open();
         return passes == 1 ? capture::makeSource(recording) : capture::makeSwingingSource(recording, passes);
       }};
 }
@@ -72,7 +99,15 @@ std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment,
   return chosenTarget(name.empty() ? plan.targets.front() : plan.find(name), treatment.alignment.get());
 }
 
-/// Until the recording's end; the time that each frame took.
+/// Of the whole session; less than 0: it has no end.
+double doneOf(const Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
+              std::int64_t last) {
+  if (request.live && request.live->seconds <= 0) return -1;
+  if (request.live) return treatment.session().elapsed_s() / request.live->seconds;
+  return double(last + 1) / (double(std::max<std::int64_t>(1, frames)) * std::max(1, request.passes));
+}
+
+/// Until the end of the recording or of the live time; the time that each frame took.
 std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
                            TaskMonitor& monitor) {
   std::vector<double> processing_ms;
@@ -84,9 +119,10 @@ std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& re
       processing_ms.push_back(state->processing_ms);
     }
     if (request.look && !request.look(treatment)) break;
+    const double done = doneOf(treatment, request, frames, last);
+    if (request.live && done >= 1) break;
     try {
-      const double all = double(std::max<std::int64_t>(1, frames)) * std::max(1, request.passes);
-      monitor.report("treating", std::min(1.0, double(last + 1) / all));
+      monitor.report(inWords(treatment, *state), std::min(1.0, done));
     } catch (const Cancelled&) {  // the session ends as it should, with all that was logged
       break;
     }
@@ -96,6 +132,18 @@ std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& re
 }
 
 }  // namespace
+
+std::string inWords(const Treatment& treatment, const session::NavigationState& state) {
+  const auto& guided = state.guidance;
+  std::string words = session::lossInWords(state);
+  if (words.empty() && guided.values)
+    words = formatted("%s, %.1f mm, %.0f deg off",
+                      guided.state == guidance::State::on_target ? "on target" : "adjust",
+                      guided.values->distance_mm, guided.values->tilt_rad * kDegPerRad);
+  if (words.empty()) words = "head and coil tracked";
+  const auto counts = treatment.log().counts();
+  return words + formatted("; %d pulses", counts.on_target + counts.outside + counts.lost);
+}
 
 TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRecordingRequest& request,
                                      TaskMonitor& monitor) {
@@ -120,6 +168,7 @@ TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRe
     outcome.processing_ms_median = median(processing_ms);
     outcome.processing_ms_p99 = valueAtRank(processing_ms, std::size_t(0.99 * double(processing_ms.size())));
   }
+  outcome.failure = treatment.session().latest()->failure;
   treatment.end();
   treatment.keepReport();
   return outcome;

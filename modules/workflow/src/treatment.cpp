@@ -1,5 +1,6 @@
 #include "facenav/workflow/treatment.h"
 
+#include "facenav/capture/returning_cameras.h"
 #include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/face_looks.h"
 #include "facenav/casefile/session_so_far.h"
@@ -82,7 +83,8 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
   setup.key_frames = storedKeyFrames(request.store.folder());
   setup.plate = casefile::coilOf(request.store.folder()).plate;
   PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
-  prepared.source = devices.openSource();
+  prepared.source =
+      request.is_live ? capture::makeReturningCameras(devices.openSource) : devices.openSource();
   return prepared;
 }
 
@@ -90,11 +92,13 @@ std::shared_ptr<PreparedTreatment> prepareTreatment(
     const TreatmentRequest& request,
     const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
     CameraTurnover& cameras) {
-  const TreatmentDevices devices{makeNavigator, [&] {
-                                   cameras.preview.reset();  // first: a camera can be opened only once
-                                   return request.is_live ? cameras.open()
-                                                          : capture::makeSource(request.recording);
-                                 }};
+  // Shared, because cameras that come back are opened again by a copy of the function.
+  const auto preview = std::make_shared<std::shared_ptr<const void>>(std::move(cameras.preview));
+  const TreatmentDevices devices{
+      makeNavigator, [preview, open = cameras.open, is_live = request.is_live, film = request.recording] {
+        preview->reset();  // first: a camera can be opened only once
+        return is_live ? open() : capture::makeSource(film);
+      }};
   return std::make_shared<PreparedTreatment>(prepareTreatment(request, devices));
 }
 
@@ -124,7 +128,7 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   if (!goes_on.empty()) is_paused_ = casefile::sessionSoFar(goes_on).is_paused;
   log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp,
                                                  session::TreatmentLogOptions{rig_, goes_on});
-  if (!goes_on.empty()) session_->checkRegistration(true);
+  if (!goes_on.empty() || prepared.request.is_checked_first) session_->checkRegistration(true);
   session_folder_ = log_->folder();
   logStart(*log_, prepared.request, target ? &target->target : nullptr);
   protocol_ = protocolFor(case_folder_, *log_);

@@ -1,19 +1,13 @@
 // Videos and network streams as cameras. The network stream is motion JPEG over HTTP, as IP cameras send it,
 // from a server in this process on loopback.
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
-#include <thread>
 
 #include "support/camera_contract.h"
 #include "support/fake_v4l2.h"
+#include "support/jpeg_server.h"
 #include "support/test_data.h"
 
 namespace facenav::capture {
@@ -46,67 +40,18 @@ class FileBench : public testing::CameraBench {
   std::string path_;
 };
 
-/// Sends one picture every 20 ms to whoever connects, one client at a time.
-class JpegServer : public testing::CameraBench {
+/// Sends one picture every 20 ms to whoever connects.
+class NetworkBench : public testing::CameraBench {
  public:
-  JpegServer() {
-    listener_ = ::socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address = {};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    ::bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address);
-    ::listen(listener_, 4);
-    socklen_t size = sizeof address;
-    ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
-    port_ = ntohs(address.sin_port);
-    thread_ = std::thread([this] { run(); });
+  std::unique_ptr<Camera> open() override {
+    return makeStreamBackend()->open({"stream", server_.url(), "", "", ""});
   }
-  ~JpegServer() override {
-    is_stopped_ = true;
-    ::shutdown(listener_, SHUT_RDWR);
-    ::close(listener_);
-    thread_.join();
-  }
-  std::unique_ptr<Camera> open() override { return makeStreamBackend()->open({"stream", url(), "", "", ""}); }
   CameraSettings settings() const override { return streamSettings(); }
-  std::string url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/video"; }
-  void breakOff() { is_broken_ = true; }
+  void breakOff() { server_.breakOff(); }
 
  private:
-  static bool send(int client, const std::string& text) {
-    return ::send(client, text.data(), text.size(), MSG_NOSIGNAL) == ssize_t(text.size());
-  }
-  /// Of the size of a real camera's pictures, by a comment of 40 kB: FFmpeg looks at so many bytes first.
-  static std::string largeJpeg(int number) {
-    std::vector<std::uint8_t> jpeg;
-    cv::imencode(".jpg", testing::numberedPicture(kWidth, kHeight, number), jpeg);
-    const std::string comment = std::string("\xFF\xFE\x9C\x42", 4) + std::string(0x9C42 - 2, ' ');
-    return std::string(jpeg.begin(), jpeg.begin() + 2) + comment + std::string(jpeg.begin() + 2, jpeg.end());
-  }
-  void run() {
-    while (!is_stopped_) {
-      const int client = ::accept(listener_, nullptr, nullptr);
-      if (client < 0) continue;
-      char request[4096];
-      if (::recv(client, request, sizeof request, 0) > 0) serve(client);
-      ::close(client);
-    }
-  }
-  void serve(int client) {
-    is_broken_ = false;
-    bool is_well =
-        send(client, "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=facenav\r\n\r\n");
-    for (int i = 0; is_well && !is_stopped_ && !is_broken_; ++i) {
-      const std::string jpeg = largeJpeg(i);
-      is_well = send(client, "--facenav\r\nContent-Type: image/jpeg\r\nContent-Length: " +
-                                 std::to_string(jpeg.size()) + "\r\n\r\n" + jpeg + "\r\n");
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  }
-
-  int listener_ = -1, port_ = 0;
-  std::atomic<bool> is_stopped_{false}, is_broken_{false};
-  std::thread thread_;
+  testing::JpegServer server_{
+      [](int i) { return testing::JpegServer::largeJpeg(testing::numberedPicture(kWidth, kHeight, i)); }};
 };
 
 TEST(Stream, AVideoKeepsTheContractOfCameras) {
@@ -144,7 +89,7 @@ TEST(Stream, AVideoPlaysAtItsOwnPaceAndEnds) {
 }
 
 TEST(Stream, ANetworkStreamKeepsTheContractOfCamerasAndItsEndIsSaid) {
-  JpegServer server;
+  NetworkBench server;
   testing::expectCameraContract(server);
   const auto camera = server.open();
   camera->configure(server.settings());

@@ -32,6 +32,8 @@ std::string toString(LossDetail detail) {
       return "other_rig";
     case LossDetail::cameras_moved:
       return "cameras_moved";
+    case LossDetail::camera_away:
+      return "camera_away";
   }
   return "";
 }

@@ -31,6 +31,8 @@ std::string detailWords(LossDetail detail) {
       return "OTHER CAMERAS' CALIBRATION: give the right stereo.yml, or calibrate";
     case LossDetail::cameras_moved:
       return "CAMERAS MOVED: calibrate them again";
+    case LossDetail::camera_away:
+      return "CAMERA AWAY: plug it in again, the session goes on by itself";
     case LossDetail::doubtful:
     case LossDetail::unknown:
       break;
@@ -76,6 +78,10 @@ std::string coilWords(LostReason reason) {
 }
 
 }  // namespace
+
+bool isCameraAway(const NavigationState& state) {
+  return !state.rig_fault.empty() && state.rig_fault_detail == LossDetail::camera_away;
+}
 
 NavigationState blanked(const NavigationState& state, LostReason reason) {
   NavigationState out = state;

@@ -118,6 +118,8 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   state.chosen = target_;
   state.tolerance = tolerance_;
   if (isUsable(*frame, rig_)) {
+    // Who plugged a camera in again may have moved it.
+    if (std::exchange(was_away_, false)) checkRegistration(true);
     watching_ms += track(*frame, state);
     place(state);
     const Timestamp tracked = Timestamp::now();
@@ -133,11 +135,19 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
       state = blanked(state, LostReason::camera);
     }
   } else {
+    noteAbsence(*frame, state);
     state.images = std::move(frame);
     state = blanked(state, LostReason::camera);
   }
   state.processing_ms = state.latency_ms = std::max(0.0, (Timestamp::now() - begin) * 1e3 - watching_ms);
   return state;
+}
+
+void Navigator::noteAbsence(const cameras::StereoFrame& frame, NavigationState& state) {
+  if (frame.absence.empty()) return;
+  was_away_ = true;
+  state.rig_fault = frame.absence;
+  state.rig_fault_detail = head_tracking::LossDetail::camera_away;
 }
 
 /// Tracks head, then coil. Returns the time (ms) of work that a live session does in parallel with the

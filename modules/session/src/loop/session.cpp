@@ -108,7 +108,7 @@ void Session::Implementation::capture() {
       waitUntil(begin_s + (frame->captured.s - *first_s) / options.speed);
       if (is_stopping) break;
     }
-    if (recorder) recorder->add(frame);
+    if (recorder && frame->absence.empty()) recorder->add(frame);
     frames.publish(std::make_shared<ArrivedFrame>(ArrivedFrame{frame, Timestamp::now()}));
   }
 }

@@ -89,6 +89,7 @@ struct TreatmentLog::Implementation {
   std::string noted_coil;  // whose poses the lines of poses.csv are
   std::string evidence_fault;
   std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
+  std::optional<Timestamp> away;      // since when a camera is
   std::optional<Timestamp> broken;    // since when nothing can be written
   std::optional<double> ahead_s;      // the time of day against the steady clock
   Timestamp retry;
@@ -101,6 +102,7 @@ struct TreatmentLog::Implementation {
   void noteEvidence();
   void noteClock();
   void noteCoil(const NavigationState& state);
+  void noteFault(const NavigationState& state);
   std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
   void write(const NavigationState& state);
   template <class Work>
@@ -123,6 +125,17 @@ void TreatmentLog::Implementation::noteCoil(const NavigationState& state) {
   noted_coil = state.coil_name;
 }
 
+void TreatmentLog::Implementation::noteFault(const NavigationState& state) {
+  const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
+  if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
+  has_faulted = !fault.empty();
+  const bool is_away = isCameraAway(state);
+  if (is_away && !away) away = state.captured;
+  if (is_away || !away || has_faulted) return;
+  log.addEvent("cameras back", formatted("after %.1f s", state.captured - *away));
+  away.reset();
+}
+
 void TreatmentLog::Implementation::write(const NavigationState& state) {
   noteCoil(state);
   if (state.frame >= 0) {
@@ -136,9 +149,7 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
              state.camera_T_mri ? "" : toString(state.camera_T_mri.reason()));
   noteChange(has_coil, bool(state.camera_T_coil), "coil",
              state.camera_T_coil ? "" : toString(state.camera_T_coil.reason()));
-  const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
-  if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
-  has_faulted = !fault.empty();
+  noteFault(state);
   if (!state.rig_correction.empty() && !has_corrected) log.addEvent("camera moved", state.rig_correction);
   has_corrected = !state.rig_correction.empty();
   if (state.check && state.check->number != noted_check) {

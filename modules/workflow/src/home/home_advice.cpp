@@ -17,6 +17,8 @@ constexpr double kLookEvery_s = 0.5;
 HomeAdvice refused(HomeStep step, const std::string& words) { return {step, HomeSign::none, 0, words, true}; }
 
 HomeAdvice camerasAdvice(const session::NavigationState& state) {
+  if (session::isCameraAway(state))
+    return {HomeStep::sit, HomeSign::none, 0, "A camera is gone: plug it in again, and wait.", false};
   const bool has_moved =
       state.rig_fault_detail == LossDetail::cameras_moved || state.rig_fault_detail == LossDetail::other_rig;
   return refused(HomeStep::sit, has_moved

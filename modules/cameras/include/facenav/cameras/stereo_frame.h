@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <string>
 
 #include "facenav/core/timestamp.h"
 
@@ -15,6 +16,8 @@ struct StereoFrame {
   Timestamp captured;  // of the left image
   /// How much later the right image was taken, by the cameras' own time stamps, s. Absent: unknown.
   std::optional<double> right_late_s = std::nullopt;
+  /// Why there are no pictures, in words: a live camera is away. Empty: there are.
+  std::string absence = {};
 };
 
 }  // namespace facenav::cameras

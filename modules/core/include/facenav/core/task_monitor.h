@@ -12,7 +12,8 @@ inline namespace core {
 
 class TaskMonitor {
  public:
-  /// Called on the task's thread with the step's name and the fraction of it that is done (0..1).
+  /// Called on the task's thread with the step's name and the fraction of it that is done (0..1; less than 0:
+  /// it has no end).
   using Listener = std::function<void(const std::string& step, double fraction)>;
 
   TaskMonitor() = default;

@@ -21,6 +21,7 @@ enum class LossDetail {
   other_rig,      // the calibration is not of these cameras
   cameras_moved,  // since their calibration
   other_face,     // a face is there, but another person's
+  camera_away,    // unplugged, or it gives no more pictures
 };
 
 /// One word: "covered".

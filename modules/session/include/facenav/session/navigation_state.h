@@ -66,6 +66,9 @@ struct NavigationState {
   std::string failure;  // an Error that ended the session, in words
 };
 
+/// A camera is unplugged or silent; NavigationState::rig_fault says which and why.
+bool isCameraAway(const NavigationState& state);
+
 /// The same state with every pose lost for `reason` and guidance blanked. The images stay and can be shown.
 NavigationState blanked(const NavigationState& state, LostReason reason);
 

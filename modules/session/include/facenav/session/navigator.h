@@ -64,11 +64,12 @@ class Navigator {
   /// alignment.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
-  /// ("camera").
+  /// ("camera"). After cameras were away, the head is withheld until the registration is checked.
   NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);
 
  private:
   double track(const cameras::StereoFrame& frame, NavigationState& state);
+  void noteAbsence(const cameras::StereoFrame& frame, NavigationState& state);
   void place(NavigationState& state) const;
   void watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void check(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
@@ -91,6 +92,7 @@ class Navigator {
   std::unique_ptr<head_tracking::HeadTracker> head_;
   std::unique_ptr<coil_tracking::CoilTracker> coil_;
   FrameWork coil_deferred_;          // work deferred by the last frame to the next one
+  bool was_away_ = false;            // a camera, until the newest frame
   bool is_learnt_in_doubt_ = false;  // passed to the head's tracker with the next frame
   /// Null: none.
   std::shared_ptr<const ChosenTarget> target_;

@@ -38,6 +38,7 @@ struct SignOffOverride {
 struct TreatmentRequest {
   casefile::CaseStore store;
   capture::Recording recording;  // with live cameras: their rig
+  /// Live cameras: one that is unplugged comes back by itself (capture/returning_cameras.h).
   bool is_live = false;
   coil_tracking::CoilModel coil;
   std::shared_ptr<const AlignmentOutcome> alignment;
@@ -49,6 +50,8 @@ struct TreatmentRequest {
   std::filesystem::path goes_on = {};
   double speed = 1.0;                             // of a recording, relative to real time
   std::optional<std::string> focus_caution = {};  // coil_library.h; logged
+  /// The alignment is of an earlier moment: guidance is withheld until it is checked.
+  bool is_checked_first = false;
 };
 
 /// How trackers and frames are opened; a test replaces them.

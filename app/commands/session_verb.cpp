@@ -1,0 +1,133 @@
+#include "commands/session_verb.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "commands/pulse_keys.h"
+#include "commands/session_commands.h"
+#include "commands/session_teller.h"
+#include "facenav/core/error.h"
+#include "facenav/workflow/session_return.h"
+
+namespace facenav::app {
+namespace {
+
+constexpr const char* kKeyboard = "keyboard";
+
+/// A session that was cut off is not forgotten in silence.
+void noteInterrupted(const SessionVerb& verb, const Context& context) {
+  if (verb.goes_on || context.is_quiet) return;
+  if (const auto session = workflow::interruptedSession(verb.case_folder))
+    std::fprintf(
+        stderr, "note: %s; --continue goes on with it\n",
+        workflow::inWords(*session, workflow::plannedPulses(verb.case_folder, session->target)).c_str());
+}
+
+/// Opens the cameras once for what a user must know before a session starts. They are opened again by it.
+workflow::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
+  workflow::LiveCameras live;
+  live.rig = capture::RigStore(verb.live.rigs).read(verb.live.rig).rig;
+  live.seconds = verb.seconds;
+  live.open = [choice = verb.live, &context] { return openLive(choice, context); };
+  return live;
+}
+
+workflow::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& context) {
+  workflow::TreatRecordingRequest request;
+  request.recording = verb.recording;
+  request.case_folder = verb.case_folder;
+  const auto library = workflow::coilLibrary(verb.coil.library);
+  if (!verb.coil.words.empty()) request.coil_file = workflow::coilFileOf(verb.coil.words, library);
+  request.aligner = verb.aligner;
+  request.head_tracker = verb.head_tracker;
+  request.coil_tracker = verb.coil_tracker;
+  request.target = verb.target;
+  for (const auto& source : verb.sources)
+    if (source != kKeyboard) request.sources.push_back(source);
+  request.intensity_pct = verb.intensity_pct;
+  if (!verb.reason.empty()) request.override = {verb.by, verb.reason};
+  request.goes_on = verb.goes_on;
+  request.session = verb.session;
+  request.speed = verb.speed;
+  request.passes = verb.passes;
+  if (!verb.live.rig.empty()) request.live = liveOf(verb, context);
+  return request;
+}
+
+bool hasKeyboard(const SessionVerb& verb) {
+  const bool has = std::find(verb.sources.begin(), verb.sources.end(), kKeyboard) != verb.sources.end();
+  if (has && verb.has_commands)
+    throw Error("--pulses keyboard and --commands both read standard input", {},
+                "use the command 'pulse' in place of the keyboard");
+  return has;
+}
+
+}  // namespace
+
+void addLiveSessionOptions(CLI::App& verb, SessionVerb& session) {
+  auto* live = verb.add_option("--live", session.live.rig,
+                               "live cameras: a rig by its name, see 'facenav rig list'; the case is aligned "
+                               "before, by 'facenav align CASE --live RIG'");
+  verb.add_option("--rigs", session.live.rigs, "with --live: folder of the rigs")->needs(live);
+  verb.add_option("--seconds", session.seconds, "with --live: how long; default: until Ctrl-C")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->needs(live);
+}
+
+void addSessionOptions(CLI::App& verb, SessionVerb& session) {
+  verb.add_option("--pulses", session.sources,
+                  "logs a session in the case, with the pulses of this source: " + links::pulseSourceWords() +
+                      ", keyboard (Return, space or p on the terminal; q ends); a recording is played as if "
+                      "live; may "
+                      "be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("--intensity", session.intensity_pct,
+                  "with --pulses: % of the maximal output, where the source does not know it")
+      ->check(CLI::Range(0.0, 100.0));
+  auto* by = verb.add_option("--by", session.by, "who overrides a missing sign-off");
+  verb.add_option("--override", session.reason, "treats a case without a sign-off; why")->needs(by);
+  auto* goes_on = verb.add_flag("--continue", session.goes_on,
+                                "goes on with the case's newest session, on the case's own alignment, which "
+                                "is checked first; pulses are counted on");
+  verb.add_option("--session", session.session, "with --continue: another session, or how its name begins")
+      ->needs(goes_on);
+  verb.add_flag("--commands", session.has_commands,
+                "takes commands on standard input, and tells each pulse that is on the disk as a line of "
+                "JSON: " +
+                    sessionCommandWords());
+}
+
+workflow::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
+  if (verb.case_folder.empty())
+    throw Error("a session belongs to a case", {},
+                verb.live.rig.empty() ? "give it with --case"
+                                      : "give it with --case (without a case: facenav record, then track)");
+  auto request = requestOf(verb, context);
+  const bool has_keyboard = hasKeyboard(verb);
+  noteInterrupted(verb, context);
+  SessionCommands commands(workflow::coilLibrary(verb.coil.library));
+  SessionTeller teller(context.is_quiet || verb.has_commands);
+  std::optional<PulseKeys> keys;
+  if (has_keyboard) keys.emplace(context.is_quiet);
+  request.look = [&](workflow::Treatment& treatment) {
+    teller.look(treatment);
+    if (keys && !keys->look(treatment)) return false;
+    return !verb.has_commands || commands.look(treatment);
+  };
+  return workflow::treatRecording(context.registrations, request, context.monitor);
+}
+
+void printSession(const workflow::TreatRecordingOutcome& outcome) {
+  const auto& pulses = outcome.pulses;
+  std::printf("session %s: %d pulses on target, %d outside, %d with head or coil lost\n",
+              outcome.session.filename().c_str(), pulses.on_target, pulses.outside, pulses.lost);
+  std::printf("%d frames; %.1f ms a frame (median), %.1f ms (p99)\n", outcome.frames,
+              outcome.processing_ms_median, outcome.processing_ms_p99);
+}
+
+void requireWholeSession(const workflow::TreatRecordingOutcome& outcome) {
+  if (!outcome.failure.empty())
+    throw Error(outcome.failure + "; the session is kept", outcome.session.filename().string());
+}
+
+}  // namespace facenav::app

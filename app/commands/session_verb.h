@@ -1,0 +1,44 @@
+#pragma once
+// A session on the command line, from live cameras or from a recording played as if it were live: its
+// options, and how it runs. `facenav track --pulses`, `track --live` and `guide --live` use it.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/coil_option.h"
+#include "commands/live_option.h"
+#include "facenav/workflow/treat_recording.h"
+
+namespace facenav::app {
+
+struct SessionVerb {
+  LiveChoice live;     // its rig alone; empty: a recording is played
+  double seconds = 0;  // of live cameras; 0: until Ctrl-C
+  std::filesystem::path recording, case_folder;
+  CoilChoice coil;
+  std::string aligner, head_tracker, coil_tracker;  // registered names
+  std::vector<std::string> sources;                 // of pulses
+  std::string target, by, reason;
+  std::optional<double> intensity_pct;
+  bool goes_on = false, has_commands = false;
+  std::string session;
+  double speed = 1;
+  int passes = 1;
+};
+
+/// --live, --rigs, --seconds.
+void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
+/// --pulses, --intensity, --by, --override, --continue, --session, --commands.
+void addSessionOptions(CLI::App& verb, SessionVerb& session);
+/// Runs until the end, Ctrl-C, or a word from standard input. Says changes (lost, found, a camera that is
+/// away) on stderr, one line each. The session is kept in each case. Throws Error.
+workflow::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);
+/// Pulses, frames and times, in two lines.
+void printSession(const workflow::TreatRecordingOutcome& outcome);
+/// After what the session gave was written. Throws Error if it ended before its time.
+void requireWholeSession(const workflow::TreatRecordingOutcome& outcome);
+
+}  // namespace facenav::app
