@@ -156,13 +156,19 @@ class Run:
 def arguments_of():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--labels', required=True, help='folder of the label maps')
-    parser.add_argument('--fold', type=int, choices=range(4), 
+    parser.add_argument('--fold', type=int, choices=range(4),
                         help='leave every fourth head out, from this one on; absent: train on all')
     parser.add_argument('--hours', type=float, default=2, help='how long to train; the rate falls until then')
+    parser.add_argument('--steps', type=int, help='train so many steps, however long they take')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--every', type=int, default=250, help='steps between checkpoints and scores')
     parser.add_argument('-o', '--output', required=True, help='weights file; a checkpoint beside it goes on where it stopped')
     return parser.parse_args()
+
+
+def share_done(run, arguments):
+    """Of the training, 0 to 1: by steps where their number is given, else by the time spent."""
+    return run.step / arguments.steps if arguments.steps else run.seconds / (3600 * arguments.hours)
 
 
 def report(run, arguments, losses, validation, out):
@@ -187,12 +193,12 @@ def main():
     validation = validation_set([prepared[n] for n in left_out], statistics)
     run = Run(arguments)
     workers = Workers(run.network, anatomy, statistics, arguments.seed)
-    losses, began, over = [], time.monotonic(), False
+    losses, began, over = [], time.monotonic(), share_done(run, arguments) >= 1
     while not over:
-        losses.append(run.learn(workers, run.seconds / (3600 * arguments.hours)))
+        losses.append(run.learn(workers, share_done(run, arguments)))
         now = time.monotonic()
         run.seconds, began = run.seconds + now - began, now
-        over = run.seconds >= 3600 * arguments.hours
+        over = share_done(run, arguments) >= 1
         if run.step % arguments.every == 0 or over:
             report(run, arguments, losses, validation, arguments.output)
             losses = []

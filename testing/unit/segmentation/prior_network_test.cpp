@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -11,6 +10,7 @@
 #include "facenav/core/whole_file.h"
 #include "prior/convolution_kernel.h"
 #include "prior_expected.h"
+#include "prior_pattern.h"
 #include "support/test_data.h"
 
 namespace facenav::segmentation {
@@ -23,18 +23,6 @@ std::filesystem::path weights() {
 std::string content() {
   std::ifstream stream(weights(), std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// The same pattern that expected.py shows to torch.
-volume::Volume pattern() {
-  volume::Volume window;
-  window.grid.size = kPriorSize;
-  for (int k = 0; k < kPriorSize[2]; ++k)
-    for (int j = 0; j < kPriorSize[1]; ++j)
-      for (int i = 0; i < kPriorSize[0]; ++i)
-        window.voxels.push_back(
-            float(0.5 + 0.5 * std::sin(0.37 * i) * std::sin(0.23 * j + 1) * std::sin(0.31 * k + 2)));
-  return window;
 }
 
 TEST(PriorNetwork, GivesTorchsProbabilities) {
