@@ -75,6 +75,12 @@ TEST_F(TreatPictures, OfTheToolsAndTheOtherScreens) {
       treat->showTool(tool);
       take(window, QString("treat_%1_%2").arg(words, name));
     }
+    const auto state = window.treat().state();
+    ASSERT_TRUE(state->images);
+    treat->tip().pick(cameras::PictureSide::left,
+                      {0.5 * state->images->left.cols, 0.5 * state->images->left.rows}, *state);
+    fixtures::waitFor([] { return false; }, 300);
+    take(window, "treat_spot_" + name);
     treat->projector().open(QString("%1/projector.yml").arg(recording_));
     treat->screens().showGuidance(true);
     treat->screens().showProjector(true);

@@ -21,12 +21,12 @@ TipPanel::TipPanel(TipPresenter& tip, TreatPresenter& treat, QWidget* parent)
   skin_->setShortcut(Qt::Key_O);
   connect(skin_, &QCheckBox::toggled, &treat_, &TreatPresenter::showSkin);
   column->addWidget(makeFigures());
+  column->addWidget(makeJudgement());  // before the words: in a low window figures and buttons are in sight
   words_ = new QLabel(this);
   words_->setObjectName("tip_words");
   makeNarrow(*words_);
   column->addWidget(words_);
-  column->addWidget(makeJudgement());
-  column->addWidget(skin_);  // last: in a low window what is judged is in sight
+  column->addWidget(skin_);
   column->addStretch(1);
   connect(&tip_, &TipPresenter::changed, this, &TipPanel::showState);
   connect(&treat_, &TreatPresenter::changed, this, &TipPanel::showState);
