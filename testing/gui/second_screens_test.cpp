@@ -196,8 +196,13 @@ TEST_F(TreatCheck, AClickedSpotThatTheOtherPictureDoesNotShowIsNotMeasured) {
   auto* treat = window.findChild<TreatWorkspace*>();
   treat->showTool(TreatWorkspace::Tool::check);
   auto& tip = treat->tip();
-  tip.pick(cameras::PictureSide::left, {320, 240}, *treat->presenter().state());  // the pictures are plain
+  const auto state = treat->presenter().state();
+  ASSERT_TRUE(state->images);
+  const QPointF middle(0.5 * state->images->left.cols, 0.5 * state->images->left.rows);
+  tip.pick(cameras::PictureSide::left, middle, *state);  // the pictures are plain
   EXPECT_TRUE(tip.words().contains("Not found in the other picture")) << tip.words().toStdString();
+  tip.pick(cameras::PictureSide::right, {-50, 2}, *state);
+  EXPECT_TRUE(tip.words().contains("outside the picture")) << tip.words().toStdString();
   EXPECT_TRUE(!tip.reading() || tip.reading()->what == guidance::TipReading::What::coil_tip);
 }
 

@@ -3,6 +3,8 @@
 #include <QTime>
 #include <cmath>
 
+#include "facenav/core/error.h"
+
 namespace facenav::ui {
 
 TipPresenter::TipPresenter(TreatPresenter& treat, QObject* parent) : QObject(parent), treat_(treat) {
@@ -30,14 +32,17 @@ void TipPresenter::pick(cameras::PictureSide side, const QPointF& px, const sess
   const auto& check = treat_.alignmentSeen().check;
   if (!check || !treat_.isRunning() || !treat_.rig()) return;
   forgetSpot();
-  if (const auto reading = workflow::readPickedSpot(state, *treat_.rig(), side, {px.x(), px.y()}, *check)) {
-    spot_ = {*reading, Timestamp::now()};
-    treat_.showSpot(reading->tip);
-    last_.clear();
-  } else {
-    last_ = state.rig_correction.empty()
-                ? tr("Not found in the other picture. Click a spot with detail that both cameras see.")
-                : tr("A camera moved, so that a clicked spot cannot be measured. Use the coil's tip.");
+  last_ = state.rig_correction.empty()
+              ? tr("Not found in the other picture. Click a spot with detail that both cameras see.")
+              : tr("A camera moved, so that a clicked spot cannot be measured. Use the coil's tip.");
+  try {
+    if (const auto reading = workflow::readPickedSpot(state, *treat_.rig(), side, {px.x(), px.y()}, *check)) {
+      spot_ = {*reading, Timestamp::now()};
+      treat_.showSpot(reading->tip);
+      last_.clear();
+    }
+  } catch (const Error& error) {
+    last_ = QString::fromStdString(error.what());
   }
   follow(state);
 }

@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 
 namespace facenav::ui {
 
@@ -47,8 +48,10 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
   if (image_.isNull() || !place().contains(event->pos())) return;
   const QRect drawn = place();
   const QPointF at = QPointF(event->pos() - drawn.topLeft()) + QPointF(0.5, 0.5);
-  emit clicked(
-      {at.x() * image_.width() / drawn.width() - 0.5, at.y() * image_.height() / drawn.height() - 0.5});
+  const auto px = [](double at, int shown, int size) {
+    return std::clamp(at * size / shown - 0.5, 0.0, size - 1.0);
+  };
+  emit clicked({px(at.x(), drawn.width(), image_.width()), px(at.y(), drawn.height(), image_.height())});
 }
 
 }  // namespace facenav::ui
