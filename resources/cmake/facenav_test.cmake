@@ -1,5 +1,6 @@
 # facenav_add_test(NAME n SOURCES a_test.cpp .. MODULES m .. [LIBS ..] [LABELS ..] [TIMEOUT s]
 #                  [LOCK name: never beside another test with this lock]
+#                  [ALONE: never beside any other test, since it measures time]
 #                  [UNITY files compiled together, where names of more clash]
 #                  [HEADERS a precompiled header of its own, where the compiler's flags differ])
 # One GoogleTest program; each TEST() is a ctest entry of its own. testing/support is on the include path.
@@ -7,7 +8,7 @@
 set(FACENAV_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 include(GoogleTest)
 function(facenav_add_test)
-  cmake_parse_arguments(T "" "NAME;TIMEOUT;UNITY;LOCK" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
+  cmake_parse_arguments(T "ALONE" "NAME;TIMEOUT;UNITY;LOCK" "SOURCES;MODULES;LIBS;LABELS;HEADERS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 120)
   endif()
@@ -33,6 +34,9 @@ function(facenav_add_test)
   endif()
   if(T_LOCK)
     list(APPEND properties RESOURCE_LOCK ${T_LOCK})
+  endif()
+  if(T_ALONE)
+    list(APPEND properties RUN_SERIAL TRUE)
   endif()
   gtest_discover_tests(${T_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
 endfunction()
