@@ -8,9 +8,10 @@ namespace {
 
 std::unique_ptr<capture::CameraPairSource> openNamed(const LiveChoice& choice, const Context& context) {
   const auto rig = capture::RigStore(choice.rigs).read(choice.rig);
+  auto source = capture::openRig(context.registrations.cameras, rig);
+  // Not before: a camera that is away is tried again several times a second.
   if (rig.last_check && rig.last_check->state != "holds")
     logWarning("the rig's last check says: " + rig.last_check->words);
-  auto source = capture::openRig(context.registrations.cameras, rig);
   for (const auto& words : capture::changedSettings(*source)) logWarning(words);
   return source;
 }

@@ -137,7 +137,7 @@ void SessionCommands::judgeSpot(const std::string& words, workflow::Treatment& t
     throw Error("a spot is a picture and its pixel", {}, "spot left|right X Y [right|wrong]");
   if (!tip_check_) tip_check_ = treatment.makeTipCheck();
   const Eigen::Vector2d px(numberFrom(x, "X"), numberFrom(y, "Y"));
-  const auto picture = side == "left" ? cameras::PictureSide::left : cameras::PictureSide::right;
+  const auto picture = side == "left" ? stereo::PictureSide::left : stereo::PictureSide::right;
   const auto reading =
       workflow::readPickedSpot(*treatment.session().latest(), treatment.rig(), picture, px, *tip_check_);
   if (!reading)

@@ -23,7 +23,7 @@ void noteInterrupted(const SessionVerb& verb, const Context& context) {
         workflow::inWords(*session, workflow::plannedPulses(verb.case_folder, session->target)).c_str());
 }
 
-/// Opens the cameras once for what a user must know before a session starts. They are opened again by it.
+/// The cameras are opened by the session, and again whenever they were away.
 workflow::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
   workflow::LiveCameras live;
   live.rig = capture::RigStore(verb.live.rigs).read(verb.live.rig).rig;
@@ -78,8 +78,7 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
   verb.add_option("--pulses", session.sources,
                   "logs a session in the case, with the pulses of this source: " + links::pulseSourceWords() +
                       ", keyboard (Return, space or p on the terminal; q ends); a recording is played as if "
-                      "live; may "
-                      "be repeated")
+                      "live; may be repeated")
       ->allow_extra_args(false);
   verb.add_option("--intensity", session.intensity_pct,
                   "with --pulses: % of the maximal output, where the source does not know it")

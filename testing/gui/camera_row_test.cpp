@@ -54,7 +54,7 @@ TEST_F(CameraRowTest, AClickNamesThePictureItsPixelAndItsState) {
   const auto tracked = stateAt(10.0, true);
   row_.follow(shared(tracked));
   const auto drawn = redPictureOf(tracked);
-  std::vector<std::pair<cameras::PictureSide, QPointF>> clicks;
+  std::vector<std::pair<stereo::PictureSide, QPointF>> clicks;
   std::shared_ptr<const session::NavigationState> of;
   QObject::connect(&row_, &CameraRow::picked, [&](auto side, const QPointF& px, auto state) {
     clicks.emplace_back(side, px);
@@ -69,8 +69,8 @@ TEST_F(CameraRowTest, AClickNamesThePictureItsPixelAndItsState) {
   for (auto* view : views) QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
   QTest::mouseClick(views[0], Qt::LeftButton, {}, {1, 1});  // beside the picture, or its corner
   ASSERT_GE(clicks.size(), 2u);
-  EXPECT_EQ(clicks[0].first, cameras::PictureSide::left);
-  EXPECT_EQ(clicks[1].first, cameras::PictureSide::right);
+  EXPECT_EQ(clicks[0].first, stereo::PictureSide::left);
+  EXPECT_EQ(clicks[1].first, stereo::PictureSide::right);
   for (int i : {0, 1}) {  // the picture has 40 x 30 px
     EXPECT_NEAR(clicks[std::size_t(i)].second.x(), 19.5, 0.2);
     EXPECT_NEAR(clicks[std::size_t(i)].second.y(), 14.5, 0.2);

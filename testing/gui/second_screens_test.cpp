@@ -151,6 +151,13 @@ class TreatCheck : public ::testing::Test {
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }));
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().state()->frame > 2; }));
   }
+  /// The window's tool Check, while guidance runs.
+  TipPresenter& checkTool(MainWindow& window) {
+    guide(window);
+    auto* treat = window.findChild<TreatWorkspace*>();
+    treat->showTool(TreatWorkspace::Tool::check);
+    return treat->tip();
+  }
   testing::TemporaryFolder folder_;
   std::filesystem::path case_folder_;
 };
@@ -158,10 +165,8 @@ class TreatCheck : public ::testing::Test {
 TEST_F(TreatCheck, ThePersonsJudgementOfTheTipIsAnEvent) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   MainWindow window(services());
-  guide(window);
+  auto& tip = checkTool(window);
   auto* treat = window.findChild<TreatWorkspace*>();
-  treat->showTool(TreatWorkspace::Tool::check);
-  auto& tip = treat->tip();
   ASSERT_TRUE(fixtures::waitFor([&] { return tip.reading().has_value(); }));
   // The coil stands at kMarker, the head at the fakes' reference; the case's head is a ball of 90 mm.
   const Eigen::Vector3d tip_mm = (fakes::cameraAtReference().inverse() * Point<Camera>(20, -60, 550)).mm;
@@ -192,16 +197,14 @@ TEST_F(TreatCheck, ThePersonsJudgementOfTheTipIsAnEvent) {
 TEST_F(TreatCheck, AClickedSpotThatTheOtherPictureDoesNotShowIsNotMeasured) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   MainWindow window(services());
-  guide(window);
-  auto* treat = window.findChild<TreatWorkspace*>();
-  treat->showTool(TreatWorkspace::Tool::check);
-  auto& tip = treat->tip();
-  const auto state = treat->presenter().state();
+  auto& tip = checkTool(window);
+  const auto state = window.treat().state();
   ASSERT_TRUE(state->images);
   const QPointF middle(0.5 * state->images->left.cols, 0.5 * state->images->left.rows);
-  tip.pick(cameras::PictureSide::left, middle, *state);  // the pictures are plain
-  EXPECT_TRUE(tip.words().contains("Not found in the other picture")) << tip.words().toStdString();
-  tip.pick(cameras::PictureSide::right, {-50, 2}, *state);
+  tip.pick(stereo::PictureSide::left, middle, *state);  // the pictures are plain
+  EXPECT_FALSE(tip.words().contains("The clicked spot")) << tip.words().toStdString();
+  EXPECT_FALSE(tip.canJudge()) << "the figures beside that refusal are the coil's";
+  tip.pick(stereo::PictureSide::right, {-50, 2}, *state);
   EXPECT_TRUE(tip.words().contains("outside the picture")) << tip.words().toStdString();
   EXPECT_TRUE(!tip.reading() || tip.reading()->what == guidance::TipReading::What::coil_tip);
 }

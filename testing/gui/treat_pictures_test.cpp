@@ -77,7 +77,7 @@ TEST_F(TreatPictures, OfTheToolsAndTheOtherScreens) {
     }
     const auto state = window.treat().state();
     ASSERT_TRUE(state->images);
-    treat->tip().pick(cameras::PictureSide::left,
+    treat->tip().pick(stereo::PictureSide::left,
                       {0.5 * state->images->left.cols, 0.5 * state->images->left.rows}, *state);
     fixtures::waitFor([] { return false; }, 300);
     take(window, "treat_spot_" + name);

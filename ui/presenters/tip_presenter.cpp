@@ -18,6 +18,7 @@ void TipPresenter::follow(const session::NavigationState& state) {
   const auto& check = treat_.alignmentSeen().check;
   reading_.reset();
   if (spot_ && (!treat_.isRunning() || Timestamp::now() - spot_->picked > kSpotHolds_s)) forgetSpot();
+  if (!treat_.isRunning() || Timestamp::now() - refused_ > kRefusalHolds_s) refusal_.clear();
   if (spot_)
     reading_ = spot_->reading;
   else if (check && treat_.isRunning())
@@ -28,21 +29,23 @@ void TipPresenter::follow(const session::NavigationState& state) {
   emit changed();
 }
 
-void TipPresenter::pick(cameras::PictureSide side, const QPointF& px, const session::NavigationState& state) {
+void TipPresenter::pick(stereo::PictureSide side, const QPointF& px, const session::NavigationState& state) {
   const auto& check = treat_.alignmentSeen().check;
   if (!check || !treat_.isRunning() || !treat_.rig()) return;
   forgetSpot();
-  last_ = state.rig_correction.empty()
-              ? tr("Not found in the other picture. Click a spot with detail that both cameras see.")
-              : tr("A camera moved, so that a clicked spot cannot be measured. Use the coil's tip.");
+  last_.clear();
+  refusal_ = state.rig_correction.empty()
+                 ? tr("Not found in the other picture. Click a spot with detail that both cameras see.")
+                 : tr("A camera moved, so that a clicked spot cannot be measured. Use the coil's tip.");
+  refused_ = Timestamp::now();
   try {
     if (const auto reading = workflow::readPickedSpot(state, *treat_.rig(), side, {px.x(), px.y()}, *check)) {
       spot_ = {*reading, Timestamp::now()};
       treat_.showSpot(reading->tip);
-      last_.clear();
+      refusal_.clear();
     }
   } catch (const Error& error) {
-    last_ = QString::fromStdString(error.what());
+    refusal_ = QString::fromStdString(error.what());
   }
   follow(state);
 }
@@ -74,17 +77,22 @@ QString TipPresenter::placeWords() const {
 QString TipPresenter::words() const {
   if (!treat_.isAligned())
     return tr("Align first (step 2); then the MRI's skin is drawn over both pictures.");
+  if (!refusal_.isEmpty()) return refusal_;
   if (!last_.isEmpty()) return last_;
   if (!treat_.isRunning()) return tr("Start guidance (step 3): the coil's tip is read while it is tracked.");
   if (spot_)
     return tr("The clicked spot, white in both pictures (\u00b1%1 mm): is it where these figures say?")
         .arg(std::max(0.1, 2 * spot_->reading.sigma_mm), 0, 'f', 1);
+  if (!reading_)
+    return tr(
+        "Show face and coil to both cameras. Or hold a finger to nose or ear and click its tip in a "
+        "picture.");
   if (!isNear())
     return tr("Hold the coil's tip to nose or ear. Or hold a finger there and click its tip in a picture.");
   return tr("Is the tip where these figures say?");
 }
 
-bool TipPresenter::canJudge() const { return treat_.isRunning() && isNear(); }
+bool TipPresenter::canJudge() const { return treat_.isRunning() && refusal_.isEmpty() && isNear(); }
 
 void TipPresenter::judge(workflow::TipVerdict verdict) {
   if (!canJudge()) return;

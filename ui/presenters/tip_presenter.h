@@ -21,9 +21,10 @@ class TipPresenter : public QObject {
   /// Takes the newest state; called about 30 times a second.
   void follow(const session::NavigationState& state);
   /// A spot that was clicked in a picture of `state`. It stands in place of the coil's tip until it is
-  /// judged, but no longer than kSpotHolds_s.
-  void pick(cameras::PictureSide side, const QPointF& px, const session::NavigationState& state);
-  static constexpr double kSpotHolds_s = 30;
+  /// judged, but no longer than kSpotHolds_s. Why one cannot be measured is said for kRefusalHolds_s; nothing
+  /// can be judged then.
+  void pick(stereo::PictureSide side, const QPointF& px, const session::NavigationState& state);
+  static constexpr double kSpotHolds_s = 30, kRefusalHolds_s = 6;
   /// "0.8", "3.2"; a dash where the tip is not known, or too far from the head to be judged.
   QString offSkin() const;
   QString offPlace() const;
@@ -52,6 +53,8 @@ class TipPresenter : public QObject {
   TreatPresenter& treat_;
   std::optional<guidance::TipReading> reading_;
   std::optional<Spot> spot_;
+  QString refusal_;  // of the newest click
+  Timestamp refused_;
   QString shown_, last_;
 };
 

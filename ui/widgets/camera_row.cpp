@@ -14,7 +14,7 @@ CameraRow::CameraRow(QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(left_);
   row->addWidget(right_);
-  using cameras::PictureSide;
+  using stereo::PictureSide;
   for (const auto& [view, side] : {std::pair(left_, PictureSide::left), {right_, PictureSide::right}})
     connect(view, &ImageView::clicked, this, [this, side = side](const QPointF& px) {
       if (shown_ && shown_->failure.empty()) emit picked(side, px, shown_->state);

@@ -6,8 +6,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "facenav/cameras/picked_spot.h"
 #include "facenav/pictures/overlay_worker.h"
+#include "facenav/stereo/picked_spot.h"
 
 namespace facenav::ui {
 
@@ -32,7 +32,7 @@ class CameraRow : public QWidget {
 
  signals:
   /// A click on a live picture: px of that picture, and the state that it shows.
-  void picked(facenav::cameras::PictureSide side, const QPointF& px,
+  void picked(facenav::stereo::PictureSide side, const QPointF& px,
               std::shared_ptr<const facenav::session::NavigationState> state);
 
  private:

@@ -58,13 +58,13 @@ std::optional<guidance::TipReading> readTip(const session::NavigationState& stat
 }
 
 std::optional<guidance::TipReading> readPickedSpot(const session::NavigationState& state,
-                                                   const cameras::StereoRig& rig, cameras::PictureSide side,
+                                                   const cameras::StereoRig& rig, stereo::PictureSide side,
                                                    const Eigen::Vector2d& px,
                                                    const guidance::TipCheck& check) {
   if (!state.camera_T_mri || !state.images || state.images->left.empty()) return std::nullopt;
   if (!state.rig_correction.empty()) return std::nullopt;  // `rig` is no longer how the cameras stand
   const auto mri_T_camera = state.camera_T_mri->inverse();
-  const auto spot = cameras::measurePickedSpot(rig, *state.images, side, px, [&](const Point<Camera>& place) {
+  const auto spot = stereo::measurePickedSpot(rig, *state.images, side, px, [&](const Point<Camera>& place) {
     return check.read(mri_T_camera * place).isNear();
   });
   if (!spot) return std::nullopt;

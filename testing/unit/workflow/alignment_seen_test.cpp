@@ -26,7 +26,7 @@ class PickedSpotOnSkin : public ::testing::Test {
   }
   std::optional<guidance::TipReading> read(const session::NavigationState& state,
                                            const Eigen::Vector3d& place_mm) const {
-    return readPickedSpot(state, rig_, cameras::PictureSide::left, cameras::project(rig_.left, place_mm),
+    return readPickedSpot(state, rig_, stereo::PictureSide::left, cameras::project(rig_.left, place_mm),
                           check_);
   }
   const cameras::StereoRig rig_ = testing::convergingRig();

@@ -16,6 +16,7 @@
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
+#include "state_changes.h"
 
 namespace facenav::session {
 namespace {
@@ -83,13 +84,11 @@ struct TreatmentLog::Implementation {
   std::deque<Answer> answers;
   std::string failure;
   std::thread thread;
-  // Used only by the thread: what held at the previous frame.
-  bool has_head = false, has_coil = false, has_faulted = false, has_corrected = false, has_noted_end = false;
-  int noted_check = 0;
-  std::string noted_coil;  // whose poses the lines of poses.csv are
+  // Used only by the thread.
+  StateChanges changes;
+  bool has_noted_end = false;
   std::string evidence_fault;
   std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
-  std::optional<Timestamp> away;      // since when a camera is
   std::optional<Timestamp> broken;    // since when nothing can be written
   std::optional<double> ahead_s;      // the time of day against the steady clock
   Timestamp retry;
@@ -101,8 +100,6 @@ struct TreatmentLog::Implementation {
   void noteEnd();
   void noteEvidence();
   void noteClock();
-  void noteCoil(const NavigationState& state);
-  void noteFault(const NavigationState& state);
   std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
   void write(const NavigationState& state);
   template <class Work>
@@ -110,51 +107,16 @@ struct TreatmentLog::Implementation {
   void setFailure(const std::string& words);
   void awaitPulses() const;
   void end();
-  void noteChange(bool& has, bool has_now, const char* what, const std::string& why);
 };
 
-void TreatmentLog::Implementation::noteChange(bool& has, bool has_now, const char* what,
-                                              const std::string& why) {
-  if (has_now != has) log.addEvent(std::string(what) + (has_now ? " found" : " lost"), has_now ? "" : why);
-  has = has_now;
-}
-
-void TreatmentLog::Implementation::noteCoil(const NavigationState& state) {
-  if (state.frame < 0 || state.coil_name == noted_coil) return;
-  log.addEvent("coil followed", state.coil_name + formatted(", from frame %lld on", (long long)state.frame));
-  noted_coil = state.coil_name;
-}
-
-void TreatmentLog::Implementation::noteFault(const NavigationState& state) {
-  const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
-  if (!fault.empty() && !has_faulted) log.addEvent("fault", fault);
-  has_faulted = !fault.empty();
-  const bool is_away = isCameraAway(state);
-  if (is_away && !away) away = state.captured;
-  if (is_away || !away || has_faulted) return;
-  log.addEvent("cameras back", formatted("after %.1f s", state.captured - *away));
-  away.reset();
-}
-
 void TreatmentLog::Implementation::write(const NavigationState& state) {
-  noteCoil(state);
+  changes.note(state, log);  // before the rows: whose coil they are of
   if (state.frame >= 0) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::coil, state.camera_T_coil));
     if (!state.target.empty())
       log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance, state.gap});
-  }
-  noteChange(has_head, bool(state.camera_T_mri), "face",
-             state.camera_T_mri ? "" : toString(state.camera_T_mri.reason()));
-  noteChange(has_coil, bool(state.camera_T_coil), "coil",
-             state.camera_T_coil ? "" : toString(state.camera_T_coil.reason()));
-  noteFault(state);
-  if (!state.rig_correction.empty() && !has_corrected) log.addEvent("camera moved", state.rig_correction);
-  has_corrected = !state.rig_correction.empty();
-  if (state.check && state.check->number != noted_check) {
-    log.addEvent("registration check", inWords(*state.check));
-    noted_check = state.check->number;
   }
 }
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "facenav/cameras/picked_spot.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/guidance/tip_check.h"
 #include "facenav/pictures/aligned_skin.h"
 #include "facenav/session/navigation_state.h"
+#include "facenav/stereo/picked_spot.h"
 #include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::workflow {
@@ -37,7 +37,7 @@ std::optional<guidance::TipReading> readTip(const session::NavigationState& stat
 /// mole); px. Nothing while the head is lost, after a camera moved, or where the spot is not found in the
 /// other picture near the MRI's skin.
 std::optional<guidance::TipReading> readPickedSpot(const session::NavigationState& state,
-                                                   const cameras::StereoRig& rig, cameras::PictureSide side,
+                                                   const cameras::StereoRig& rig, stereo::PictureSide side,
                                                    const Eigen::Vector2d& px,
                                                    const guidance::TipCheck& check);
 

@@ -1,0 +1,27 @@
+#pragma once
+// A place that a person picks in one picture of a pair without dots (a finger's tip, a mole), measured in
+// space by dense stereo (face_cloud.h) in a small part of the pictures around it.
+
+#include <functional>
+#include <optional>
+
+#include "facenav/stereo/face_cloud.h"
+
+namespace facenav::stereo {
+
+enum class PictureSide { left, right };
+
+struct PickedSpot {
+  Point<Camera> point;  // on the line of sight of the pixel
+  double sigma_mm = 0;  // of its depth, one standard deviation
+};
+
+/// `px`: in the picture of `side`. `mayLie` tells which places on the line of sight are possible, say those
+/// near a known skin; the nearest stretch of such places is searched. Nothing where there is none, where the
+/// surface is not measured at the pixel, or where it jumps there (the edge of a finger). Throws Error for a
+/// pixel outside the picture, and as measureFace.
+std::optional<PickedSpot> measurePickedSpot(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                                            PictureSide side, const Eigen::Vector2d& px,
+                                            const std::function<bool(const Point<Camera>&)>& mayLie);
+
+}  // namespace facenav::stereo
