@@ -38,6 +38,12 @@ void track(const workflow::TrackRequest& request, const std::filesystem::path& o
   if (outcome.right_late_ms != 0)
     std::printf("the right camera exposes %.1f ms %s the left one: allowed for; better a trigger for both\n",
                 std::abs(outcome.right_late_ms), outcome.right_late_ms > 0 ? "after" : "before");
+  if (outcome.readout_ms != std::array<double, 2>{0, 0})
+    std::printf(
+        "rolling shutter: the left camera reads a picture in %.1f ms, the right one in %.1f ms: allowed for "
+        "in "
+        "the coil's pose\n",
+        outcome.readout_ms[0], outcome.readout_ms[1]);
 }
 
 void addPlaying(CLI::App& verb, SessionVerb& session) {

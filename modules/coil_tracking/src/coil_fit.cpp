@@ -40,7 +40,7 @@ std::vector<SeenMarker> seenOf(const CoilSetup& setup, const std::vector<std::si
 std::optional<CoilFit> finish(const CoilSetup& setup, const cameras::StereoFrame& frame,
                               const std::vector<std::size_t>& markers, const FitState& start,
                               FrameWork& work) {
-  const auto fit = fitMarkers(setup.rig, frame, seenOf(setup, markers), start, work);
+  const auto fit = fitMarkers({setup.rig, frame, setup.motion}, seenOf(setup, markers), start, work);
   if (!fit || !isPlausible(setup, *fit, markers)) return std::nullopt;
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, fit->free_state, fit->centre_mm);
   work.comparisons += kReadComparisons * int(markers.size());
@@ -52,7 +52,7 @@ std::optional<CoilFit> finish(const CoilSetup& setup, const cameras::StereoFrame
 std::optional<CoilFit> fitFrom(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                const std::vector<std::size_t>& markers, const FitStart& start,
                                FrameWork& work) {
-  const auto rough = fitOutlines(setup.rig, frame, seenOf(setup, markers), start, work);
+  const auto rough = fitOutlines({setup.rig, frame, setup.motion}, seenOf(setup, markers), start, work);
   return rough ? finish(setup, frame, markers, rough->state, work) : std::nullopt;
 }
 
@@ -95,7 +95,7 @@ std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::
   // A marker's size alone gives its depth to 2 %: an error of some pixels along the other image's epipolar
   // line.
   for (const CoilToCamera& start : starts)
-    if (const auto fit = fitOutlines(setup.rig, frame, seenOf(setup, {marker}),
+    if (const auto fit = fitOutlines({setup.rig, frame, setup.motion}, seenOf(setup, {marker}),
                                      {start, searchReach_px(setup, {marker}, start)}, work))
       rough.push_back(*fit);
   std::sort(rough.begin(), rough.end(),

@@ -6,9 +6,11 @@
 
 #include "coil_fit.h"
 #include "coil_search.h"
+#include "coil_surroundings.h"
 #include "edge_filter.h"
 #include "facenav/cameras/rig_monitor.h"
 #include "facenav/geometry/rigid_fit.h"
+#include "row_time_estimate.h"
 
 namespace facenav::coil_tracking {
 namespace {
@@ -24,7 +26,7 @@ constexpr double kLongestPrediction_s = 0.5;
 constexpr double kNoDifference_mm =
     0.03;                           // motion between the two exposures; below it a second fit changes nothing
 constexpr double kSteady_s = 0.03;  // time constant that smooths rotation and receding speed
-// At most this speed, a marker is used to check the cameras: the two may expose some milliseconds apart.
+// Below this speed, a marker is used to check the cameras: the two may expose some milliseconds apart.
 constexpr double kResting_mm_s = 15.0;
 
 bool isUsable(const cv::Mat& grey, const cameras::StereoRig& rig) {
@@ -57,9 +59,13 @@ class MarkerCoilTracker final : public CoilTracker {
   /// exposures.
   RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
   void remember(const CoilFit& solution, double t_s);
-  /// Fits again if this frame changed the velocity, so that the correction for motion differs from `allowed`.
-  CoilFit asItMoves(const cameras::StereoFrame& frame, const CoilFit& found, const Vector6d& allowed);
+  /// The longest time between the coil's rows and the moment of the pose, in either camera, s.
+  double lag_s(const CoilFit& solution) const;
+  /// Fits again if this frame changed the velocity that the fit `assumed`, so that the correction for motion
+  /// changes.
+  CoilFit asItMoves(const cameras::StereoFrame& frame, const CoilFit& found, const Vector6d& assumed);
   void forgetMotion() { velocity_.setZero(), turning_.setZero(), receding_mm_s_ = 0.0, across_.reset(); }
+  bool isMoving() const { return velocity_.tail<3>().norm() >= kResting_mm_s; }
   Tracked<CoilPose> accept(const CoilFit& solution);
   MarkerObservation observationOf(const CoilFit& solution) const;
   /// Covariance of a pose at these corners due to the calibration's uncertainty.
@@ -79,6 +85,8 @@ class MarkerCoilTracker final : public CoilTracker {
     double t_s;
   };
   std::optional<Past> last_, before_;
+  CoilSurroundings surroundings_;  // of the coil in the last pictures
+  RowTimeEstimate row_times_;
   std::vector<std::size_t> last_markers_;
   CoilSearch search_;
   FrameWork work_;  // of the frame so far, the head's included
@@ -90,7 +98,7 @@ class MarkerCoilTracker final : public CoilTracker {
 
 void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& coil) {
   if (coil.markers.empty()) throw Error("the coil has no marker", {}, "give one in coil.json");
-  setup_ = {rig, coil, {}};
+  setup_ = {rig, coil, {}, {}};
   right_T_left_ = rig.right_T_left;
   right_late_s_ = right_late_sigma_s_ = right_turn_sigma_rad_ = 0.0, forgetMotion();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
@@ -99,6 +107,8 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   calibration_at_.reset();
   last_.reset();
   before_.reset();
+  surroundings_ = {};
+  row_times_.start(rig);
   observation_.reset();
   search_.end();
   work_ = {};
@@ -114,7 +124,8 @@ CoilResult MarkerCoilTracker::track(const cameras::StereoFrame& frame, const Coi
   CoilResult result = poseIn(frame);
   result.work = work_;
   result.deferred = search_.deferred();
-  if (before_ && velocity_.tail<3>().norm() < kResting_mm_s) result.observation = observation_;
+  result.row_times_s = {setup_.rig.left.row_time_s, setup_.rig.right.row_time_s};
+  if (before_ && !isMoving()) result.observation = observation_;
   return result;
 }
 
@@ -123,6 +134,7 @@ Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
   const double t_s = frame.captured.s;
   const auto prediction = predicted(t_s);
   setup_.rig.right_T_left = rightAsSeen(prediction);
+  setup_.motion.velocity = velocity_;
   std::optional<CoilFit> found;
   bool is_seen = false;
   if (!isUsable(frame.left, setup_.rig) || !isUsable(frame.right, setup_.rig)) {
@@ -130,6 +142,7 @@ Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
     search_.end();
     return Lost{LostReason::camera};
   }
+  if (prediction && isMoving() && surroundings_.isRepeatedIn(frame)) return Lost{LostReason::stale};
   if (prediction) found = fitPredicted(frame, *prediction);
   if (!found) {
     const CoilSearch::Found places = search_.seek(setup_, frame, work_);
@@ -138,10 +151,13 @@ Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
   }
   if (found) {
     search_.end();
-    const Vector6d allowed = right_late_s_ * velocity_;
+    const Vector6d assumed = velocity_;
     remember(*found, t_s);
-    found = asItMoves(frame, *found, allowed);
+    found = asItMoves(frame, *found, assumed);
     observation_ = observationOf(*found);
+    surroundings_ = {frame, *observation_};
+    if (isMoving() && across_) row_times_.add(found->fit.row_times, setup_.rig);
+    row_times_.applyTo(setup_.rig);
     if (isMotionKnown() && holdsCalibration(*found)) return accept(*found);
     return Lost{LostReason::camera};
   }
@@ -187,14 +203,25 @@ void MarkerCoilTracker::remember(const CoilFit& solution, double t_s) {
 }
 
 CoilFit MarkerCoilTracker::asItMoves(const cameras::StereoFrame& frame, const CoilFit& found,
-                                     const Vector6d& allowed) {
-  const Vector6d more = right_late_s_ * velocity_ - allowed;
-  if (more.tail<3>().norm() < kNoDifference_mm) return found;
+                                     const Vector6d& assumed) {
+  if (lag_s(found) * (velocity_ - assumed).tail<3>().norm() < kNoDifference_mm) return found;
   setup_.rig.right_T_left = rightAsSeen(found.fit.camera_T_coil);
+  setup_.motion.velocity = velocity_;
   const auto again = fitCoil(setup_, frame, found.markers, found.fit.camera_T_coil, work_);
   if (!again) return found;
   last_->camera_T_coil = again->fit.camera_T_coil;
   return *again;
+}
+
+double MarkerCoilTracker::lag_s(const CoilFit& solution) const {
+  const Eigen::Vector3d& left_mm = solution.fit.centre_mm;
+  const Eigen::Vector3d right_mm = setup_.rig.right_T_left.isometry() * left_mm;
+  const double middle_row = 0.5 * (setup_.rig.height_px - 1);
+  const auto late_s = [&](const cameras::CameraModel& camera, const Eigen::Vector3d& p_mm) {
+    return camera.row_time_s * (cameras::project(camera, p_mm).y() - middle_row);
+  };
+  return std::max(std::abs(late_s(setup_.rig.left, left_mm)),
+                  std::abs(right_late_s_ + late_s(setup_.rig.right, right_mm)));
 }
 
 std::optional<CoilToCamera> MarkerCoilTracker::predicted(double t_s) const {
@@ -264,6 +291,7 @@ MarkerObservation MarkerCoilTracker::observationOf(const CoilFit& solution) cons
   sized.rig.right_T_left = right_T_left_;  // as if both cameras had exposed at once
   const Eigen::Isometry3d right_T_left = rightFromLeft(sized.rig, fit.free_state, fit.centre_mm);
   MarkerObservation observation;
+  observation.left_px.fill(Eigen::Vector2d::Zero()), observation.right_px.fill(Eigen::Vector2d::Zero());
   const auto left = cornersInImage(sized, marker, fit.free_state.camera_T_coil, true, right_T_left);
   const auto right = cornersInImage(sized, marker, fit.free_state.camera_T_coil, false, right_T_left);
   if (left) observation.left_px = *left;

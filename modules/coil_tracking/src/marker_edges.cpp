@@ -25,6 +25,29 @@ struct Sight {
   int image;
 };
 
+/// The coil's motion during the picture: points move by constant velocity.
+struct RowMotion {
+  Eigen::Vector3d turning, moving_mm, origin_mm;  // rad/s; mm/s, of the origin; Camera
+  bool is_resting;
+
+  Eigen::Vector3d velocity_mm_s(const Eigen::Vector3d& p_mm) const {
+    return moving_mm + turning.cross(p_mm - origin_mm);
+  }
+  static double belowMiddle(const Sight& sight, double row) { return row - 0.5 * (sight.grey.rows - 1); }
+  /// Where a point of the middle row's moment is when its own row is exposed.
+  Eigen::Vector3d seenIn(const Sight& sight, const Eigen::Vector3d& p_mm) const {
+    constexpr int kRounds = 2;  // 300 mm/s and 50 us a row: the second changes it by 0.05 mm
+    if (is_resting || sight.camera.row_time_s == 0.0) return p_mm;
+    const Eigen::Vector3d by_row_mm = sight.camera.row_time_s * velocity_mm_s(p_mm);
+    Eigen::Vector3d seen_mm = p_mm;
+    for (int round = 0; round < kRounds; ++round) {
+      const double row = cameras::project(sight.camera, sight.view_T_camera * seen_mm).y();
+      seen_mm = p_mm + belowMiddle(sight, row) * by_row_mm;
+    }
+    return seen_mm;
+  }
+};
+
 /// The marker's plane at the state's pose: print (unit squares) -> Camera.
 struct Plane {
   Eigen::Vector3d origin_mm;
@@ -35,13 +58,19 @@ struct Plane {
 struct Knot {
   Eigen::Vector2d px, normal;
   FitVector derivative;
+  double by_row_time;  // px/s
 };
 
 class LineSampler {
  public:
-  LineSampler(const Sight& sight, const FitState& state, const EdgeSampling& sampling,
-              const Eigen::Vector3d& centre_mm, MarkerEdges& edges)
-      : sight_(sight), state_(state), sampling_(sampling), centre_mm_(centre_mm), edges_(edges) {}
+  LineSampler(const Sight& sight, const RowMotion& motion, const FitState& state,
+              const EdgeSampling& sampling, const Eigen::Vector3d& centre_mm, MarkerEdges& edges)
+      : sight_(sight),
+        motion_(motion),
+        state_(state),
+        sampling_(sampling),
+        centre_mm_(centre_mm),
+        edges_(edges) {}
 
   void sample(const Plane& plane, const PrintedEdge& edge) {
     const Eigen::Vector2d first = pixel(plane.at(edge.a)), last = pixel(plane.at(edge.b));
@@ -63,7 +92,7 @@ class LineSampler {
 
  private:
   Eigen::Vector2d pixel(const Eigen::Vector3d& p_mm) const {
-    return cameras::project(sight_.camera, sight_.view_T_camera * p_mm);
+    return cameras::project(sight_.camera, sight_.view_T_camera * motion_.seenIn(sight_, p_mm));
   }
 
   /// As many taps as the print and the edge's length allow: the window of a slanted row also runs along the
@@ -79,7 +108,7 @@ class LineSampler {
 
   Knot knot(const Plane& plane, const Eigen::Vector2d& print, const Eigen::Vector2d& span,
             const Eigen::Vector2d& into_black) {
-    const Eigen::Vector3d p_mm = plane.at(print), q_mm = sight_.view_T_camera * p_mm;
+    const Eigen::Vector3d p_mm = plane.at(print), q_mm = sight_.view_T_camera * motion_.seenIn(sight_, p_mm);
     Eigen::Matrix<double, 2, 3> by_view;
     Knot made;
     made.px = cameras::project(sight_.camera, q_mm, by_view);
@@ -94,6 +123,9 @@ class LineSampler {
     made.derivative.segment<3>(3) = n.transpose();
     made.derivative[kSize] = n.dot(p_mm - plane.origin_mm) / state_.size_factor;
     made.derivative[kShrink + sight_.image] = 1.0;
+    made.by_row_time = motion_.is_resting
+                           ? 0.0
+                           : RowMotion::belowMiddle(sight_, made.px.y()) * n.dot(motion_.velocity_mm_s(p_mm));
     if (sight_.image == 1) {
       const Eigen::RowVector3d n_view = made.normal.transpose() * by_view;
       made.derivative[kPitch] = n_view.dot(sight_.pitch_axis.cross(q_mm));
@@ -107,6 +139,8 @@ class LineSampler {
     line.image = sight_.image;
     const auto &g0 = knots_[0].derivative, &g1 = knots_[1].derivative, &g2 = knots_[2].derivative;
     line.derivative << g0, -3 * g0 + 4 * g1 - g2, 2 * g0 - 4 * g1 + 2 * g2;
+    const double r0 = knots_[0].by_row_time, r1 = knots_[1].by_row_time, r2 = knots_[2].by_row_time;
+    line.by_row_time << r0, -3 * r0 + 4 * r1 - r2, 2 * r0 - 4 * r1 + 2 * r2;
     edges_.lines.push_back(line);
   }
 
@@ -155,6 +189,7 @@ class LineSampler {
   }
 
   const Sight& sight_;
+  const RowMotion& motion_;
   const FitState& state_;
   const EdgeSampling& sampling_;
   const Eigen::Vector3d& centre_mm_;
@@ -201,8 +236,10 @@ void measureEdges(const EdgeView& view, const std::vector<SeenMarker>& markers, 
       Sight{view.frame.left, view.rig.left, Eigen::Isometry3d::Identity(), Eigen::Vector3d::Zero(), 0},
       Sight{view.frame.right, view.rig.right, rightFromLeft(view.rig, state, centre_mm),
             pitchAxis(view.rig, centre_mm), 1}};
+  const RowMotion motion{view.motion.velocity.head<3>(), view.motion.velocity.tail<3>(),
+                         state.camera_T_coil.translation(), view.motion.isResting()};
   for (const Sight& sight : sights) {
-    LineSampler sampler(sight, state, sampling, centre_mm, edges);
+    LineSampler sampler(sight, motion, state, sampling, centre_mm, edges);
     for (const SeenMarker& marker : markers) {
       const Eigen::Isometry3d pose = state.camera_T_coil * marker.coil_T_marker.isometry();
       const Plane plane{pose.translation(),

@@ -57,7 +57,8 @@ struct EdgeSample {
 /// An edge in one image. The derivative of its position along the normal is a quadratic function of t.
 struct EdgeLine {
   int image;
-  Eigen::Matrix<double, kFitParameters, 3> derivative;  // coefficients of 1, t, t^2
+  Eigen::Matrix<double, kFitParameters, 3> derivative;    // coefficients of 1, t, t^2
+  Eigen::Vector3d by_row_time = Eigen::Vector3d::Zero();  // by the image's row time, px/s; likewise
   int tried = 0, found = 0;
 };
 
@@ -67,10 +68,18 @@ struct MarkerEdges {
   std::array<int, 2> tried{0, 0}, found{0, 0};
 };
 
-/// The stereo frame that is measured. `right_T_left` and cameras as calibrated.
+/// How the coil moves while a picture is read row by row.
+struct CoilMotion {
+  Vector6d velocity = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin
+  bool isResting() const { return velocity.isZero(); }
+};
+
+/// The stereo frame that is measured. `right_T_left` and cameras as calibrated. The state's pose is that of
+/// the middle row; a camera with a row time sees the other rows as `motion` takes the coil there.
 struct EdgeView {
   const cameras::StereoRig& rig;
   const cameras::StereoFrame& frame;
+  CoilMotion motion = {};
 };
 
 /// Mean of the markers' centres, Camera.

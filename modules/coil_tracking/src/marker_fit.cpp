@@ -34,6 +34,11 @@ double spread(const std::vector<EdgeSample>& samples) {
 struct Moments {
   std::array<double, 5> t{};
   Eigen::Vector3d residual = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d hankel() const {
+    Eigen::Matrix3d sums;
+    sums << t[0], t[1], t[2], t[1], t[2], t[3], t[2], t[3], t[4];
+    return sums;
+  }
 };
 
 struct Normal {
@@ -54,8 +59,8 @@ void addPriors(const FitState& state, double scale, Normal& normal) {
   believe(kRoll, state.roll_rad, kTurnSigma_rad);
 }
 
-/// Weighted normal equations; `scale`: spread of the residuals in their sigmas.
-Normal normalEquations(const MarkerEdges& edges, const FitState& state, double scale) {
+/// Of each line; `scale`: spread of the residuals in their sigmas.
+std::vector<Moments> momentsOf(const MarkerEdges& edges, double scale) {
   std::vector<Moments> moments(edges.lines.size());
   for (const EdgeSample& s : edges.samples) {
     const double weight = tukey(s.residual_px / (kTukey * scale * s.sigma_px)) / (s.sigma_px * s.sigma_px);
@@ -67,12 +72,16 @@ Normal normalEquations(const MarkerEdges& edges, const FitState& state, double s
       if (k < 3) m.residual[k] += power * s.residual_px;
     }
   }
+  return moments;
+}
+
+/// Weighted normal equations.
+Normal normalEquations(const MarkerEdges& edges, const FitState& state, double scale) {
+  const std::vector<Moments> moments = momentsOf(edges, scale);
   Normal normal;
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    const auto& t = moments[i].t;
-    if (t[0] == 0) continue;
-    Eigen::Matrix3d hankel;
-    hankel << t[0], t[1], t[2], t[1], t[2], t[3], t[2], t[3], t[4];
+    if (moments[i].t[0] == 0) continue;
+    const Eigen::Matrix3d hankel = moments[i].hankel();
     const auto& derivative = edges.lines[i].derivative;
     const Eigen::Matrix<double, kFitParameters, 3> weighted = derivative.lazyProduct(hankel);
     normal.matrix += weighted.lazyProduct(derivative.transpose());
@@ -80,6 +89,27 @@ Normal normalEquations(const MarkerEdges& edges, const FitState& state, double s
   }
   addPriors(state, scale, normal);
   return normal;
+}
+
+/// `normal`: of the same edges. `variance`: of a residual of one sigma.
+RowTimeEquations rowTimeEquations(const MarkerEdges& edges, const Normal& normal, double scale,
+                                  double variance) {
+  const std::vector<Moments> moments = momentsOf(edges, scale);
+  RowTimeEquations row_times;
+  Eigen::Matrix<double, kFitParameters, 2> shared = Eigen::Matrix<double, kFitParameters, 2>::Zero();
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const EdgeLine& line = edges.lines[i];
+    const Eigen::Vector3d weighted = moments[i].hankel() * line.by_row_time;
+    row_times.information(line.image, line.image) += weighted.dot(line.by_row_time);
+    row_times.right[line.image] += moments[i].residual.dot(line.by_row_time);
+    shared.col(line.image) += line.derivative * weighted;
+  }
+  const Eigen::Matrix<double, kFitParameters, 2> absorbed = normal.matrix.ldlt().solve(shared);
+  row_times.information -= shared.transpose() * absorbed;
+  row_times.right -= absorbed.transpose() * normal.right;
+  row_times.information /= variance;
+  row_times.right /= variance;
+  return row_times;
 }
 
 FitState moved(const FitState& state, const FitVector& step, const Eigen::Vector3d& centre_mm) {
@@ -155,7 +185,8 @@ void countInliers(const MarkerEdges& edges, double limit, MarkerFit& fit) {
                                  double(inliers[1]) / std::max(1, edges.tried[1]));
 }
 
-MarkerFit summarise(const MarkerEdges& edges, const FitState& state, const std::vector<SeenMarker>& markers) {
+MarkerFit summarise(const EdgeView& view, const MarkerEdges& edges, const FitState& state,
+                    const std::vector<SeenMarker>& markers) {
   MarkerFit fit;
   const double scale = std::max(kLeastScale, spread(edges.samples));
   countInliers(edges, kTukey * scale, fit);
@@ -168,6 +199,7 @@ MarkerFit summarise(const MarkerEdges& edges, const FitState& state, const std::
   const double variance =
       std::max(scale * scale, points_of_edge * std::pow(scale * bias_px / mean_sigma_px, 2));
   FitMatrix covariance = normal.matrix.inverse() * variance;
+  if (!view.motion.isResting()) fit.row_times = rowTimeEquations(edges, normal, scale, variance);
   fit.free_state = state;
   fit.centre_mm = centreOf(markers, state.camera_T_coil);
   fit.pitch_rad = state.pitch_rad;
@@ -211,10 +243,8 @@ int strideFor(const MarkerEdges& edges_of_first) {
 
 }  // namespace
 
-std::optional<OutlineFit> fitOutlines(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                                      const std::vector<SeenMarker>& markers, const FitStart& start,
-                                      FrameWork& work) {
-  const EdgeView view{rig, frame};
+std::optional<OutlineFit> fitOutlines(const EdgeView& view, const std::vector<SeenMarker>& markers,
+                                      const FitStart& start, FrameWork& work) {
   OutlineFit fit;
   fit.state.camera_T_coil = start.camera_T_coil.isometry();
   MarkerEdges edges;
@@ -227,10 +257,8 @@ std::optional<OutlineFit> fitOutlines(const cameras::StereoRig& rig, const camer
   return fit;
 }
 
-std::optional<MarkerFit> fitMarkers(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                                    const std::vector<SeenMarker>& markers, const FitState& start,
-                                    FrameWork& work) {
-  const EdgeView view{rig, frame};
+std::optional<MarkerFit> fitMarkers(const EdgeView& view, const std::vector<SeenMarker>& markers,
+                                    const FitState& start, FrameWork& work) {
   FitState state = start;
   MarkerEdges edges;
   int stride_px = kFirstStride_px;
@@ -243,7 +271,7 @@ std::optional<MarkerFit> fitMarkers(const cameras::StereoRig& rig, const cameras
     if (!step) return std::nullopt;
     if (!is_first && step->head<3>().norm() < 2e-4 && step->segment<3>(3).norm() < 0.02) break;
   }
-  return summarise(edges, state, markers);
+  return summarise(view, edges, state, markers);
 }
 
 }  // namespace facenav::coil_tracking

@@ -16,6 +16,13 @@
 
 namespace facenav::coil_tracking {
 
+/// What one frame of a moving coil shows of the row times of left and right camera: by how much they differ
+/// from those of the rig, as normal equations. All that the fit leaves free is allowed for.
+struct RowTimeEquations {
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();  // 1/s^2
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();        // information * correction, 1/s
+};
+
 struct MarkerFit {
   RigidTransform<Camera, Coil> camera_T_coil;
   Matrix6d covariance;        // (rad, mm), increment in Camera about `centre_mm`
@@ -30,6 +37,7 @@ struct MarkerFit {
   double pitch_rad = 0, pitch_sigma_rad = 0;  // of the right camera since its calibration
   double roll_rad = 0, roll_sigma_rad = 0;    // measured from this marker alone
   FitState free_state;                        // with that pitch and roll, before conditioning
+  RowTimeEquations row_times;                 // zero for a resting coil
 };
 
 struct FitStart {
@@ -44,12 +52,10 @@ struct OutlineFit {
 };
 
 /// Fits the outlines near `start`. Nothing when either image shows too little of them.
-std::optional<OutlineFit> fitOutlines(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                                      const std::vector<SeenMarker>& markers, const FitStart& start,
-                                      FrameWork& work);
+std::optional<OutlineFit> fitOutlines(const EdgeView& view, const std::vector<SeenMarker>& markers,
+                                      const FitStart& start, FrameWork& work);
 /// Fits all edges; `start` must be within about 1 px. Nothing when either image shows too few.
-std::optional<MarkerFit> fitMarkers(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                                    const std::vector<SeenMarker>& markers, const FitState& start,
-                                    FrameWork& work);
+std::optional<MarkerFit> fitMarkers(const EdgeView& view, const std::vector<SeenMarker>& markers,
+                                    const FitState& start, FrameWork& work);
 
 }  // namespace facenav::coil_tracking

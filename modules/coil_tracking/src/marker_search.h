@@ -13,11 +13,13 @@
 
 namespace facenav::coil_tracking {
 
-/// What does not change while one coil is tracked.
+/// What a fit needs beside the frame. Only the motion, and the rig where a camera moves, change while one
+/// coil is tracked.
 struct CoilSetup {
   cameras::StereoRig rig;
   CoilModel coil;
   std::vector<MarkerPattern> patterns;  // of coil.markers
+  CoilMotion motion = {};               // while the frame is read; changes from frame to frame
 
   SeenMarker seen(std::size_t marker) const {
     const MarkerModel& model = coil.markers[marker];

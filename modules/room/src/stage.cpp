@@ -270,9 +270,9 @@ void Stage::adjust(double light, double defocus_px) {
 
 cv::Mat Stage::sweptPicture(std::size_t camera, std::uint64_t noise_seed, const Shutter& shutter,
                             const std::function<Cast(double later_s)>& at) {
-  // At 100 mm/s and 20 ms of sweep a band moves by 0.2 mm against the next one, in 10 ms of exposure a
+  // At 100 mm/s and 20 ms of sweep a band moves by 0.05 mm against the next one, in 10 ms of exposure a
   // sample by 0.3 mm.
-  constexpr int kBands = 10, kSamples = 3;
+  constexpr int kBands = 40, kSamples = 3;
   auto& all = *implementation_;
   const int bands = shutter.rolling_s == 0.0 ? 1 : kBands, samples = shutter.exposure_s == 0.0 ? 1 : kSamples;
   cv::Mat radiance = cv::Mat::zeros(all.rig.height_px, all.rig.width_px, CV_32F), red;

@@ -32,6 +32,14 @@ std::array<FilmOptions, 2> filmsOf(const ScenarioOptions& options) {
   return films;
 }
 
+/// The rig as its file states it.
+cameras::StereoRig statedRig(const ScenarioOptions& options) {
+  cameras::StereoRig rig = makeRig(options.rig);
+  const double row_time_s = 1e-3 * options.rolling_ms / rig.height_px;
+  rig.left.row_time_s = rig.right.row_time_s = options.stated_row_time * row_time_s;
+  return rig;
+}
+
 std::shared_ptr<const VirtualPatient> seated(const ScenarioOptions& options,
                                              const std::shared_ptr<const VirtualPatient>& patient) {
   if (options.skin_contrast == 1.0) return patient;
@@ -60,7 +68,7 @@ struct SyntheticSource::Implementation {
                  const RigidTransform<Mri, frames::Target>& t)
       : options(resolved(o)),
         target(t),
-        stage(makeRig(options.rig), options.rig.roll_deg, seated(options, patient),
+        stage(statedRig(options), options.rig.roll_deg, seated(options, patient),
               coilFor(options, *patient, t), filmsOf(options)),
         script(makeScript(options, *patient, t, stage.coil().marker_T_coil)) {}
 

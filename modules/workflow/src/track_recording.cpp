@@ -152,6 +152,8 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
     if (!state.rig_fault.empty()) outcome.rig_fault = state.rig_fault;
     outcome.rig_correction = state.rig_correction;
     outcome.right_late_ms = 1e3 * state.exposure_offset.right_late_s;
+    for (std::size_t side = 0; side < 2; ++side)
+      outcome.readout_ms[side] = 1e3 * state.row_times_s[side] * recording.rig.height_px;
     if (on_frame) on_frame(state);
   }
   if (request.case_folder && request.keeps_key_frames)

@@ -1,5 +1,6 @@
 #include "facenav/cameras/stereo_rig.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <regex>
 
 #include "facenav/cameras/projector_model.h"
+#include "facenav/cameras/reduced_pair.h"
 #include "facenav/cameras/rig_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -190,6 +192,26 @@ TEST(ProjectorModel, AFaultNamesFileAndKey) {
   metres.projector_T_camera = {Eigen::Quaterniond::Identity(), {0.005, -0.07, 0.02}};
   writeProjector(metres, path);
   EXPECT_THROW(readProjector(path), Error);
+}
+
+TEST(StereoRig, KeepsTheRowTimesOfARollingShutter) {
+  StereoRig rig = rigs::convergingRig();
+  rig.left.row_time_s = 41.5e-6, rig.right.row_time_s = -30e-6;
+  rigs::TemporaryFolder folder;
+  writeRig(rig, folder.path() / "stereo.yml");
+  const StereoRig read = readRig(folder.path() / "stereo.yml");
+  EXPECT_NEAR(read.left.row_time_s, 41.5e-6, 1e-15);
+  EXPECT_NEAR(read.right.row_time_s, -30e-6, 1e-15);
+  EXPECT_NEAR(reduced(read, 2).left.row_time_s, 83e-6, 1e-15);
+  EXPECT_EQ(goodRigText().find("row_time"),
+            std::string::npos);  // all rows at once: as older versions wrote it
+}
+
+TEST(StereoRig, RefusesARowTimeThatIsNotInMicroseconds) {
+  const std::string message = messageOfReading(goodRigText() + "row_time1_us: 20000.\n");
+  EXPECT_THAT(message, ::testing::HasSubstr("row_time1_us"));
+  EXPECT_THAT(message, ::testing::HasSubstr("9600 ms"));
+  EXPECT_THAT(messageOfReading(goodRigText() + "row_time2_us: .Nan\n"), ::testing::HasSubstr("row_time2_us"));
 }
 
 TEST(StereoRig, DamagedFileIsAnErrorNotACrash) {

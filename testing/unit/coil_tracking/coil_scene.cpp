@@ -16,14 +16,14 @@ struct CameraView {
   Eigen::Isometry3d view_T_camera;
 };
 
-/// The outline of the print's paper in the image, with a margin.
-cv::Rect region(const CameraView& view, const PlacedPrint& placed, cv::Size size) {
+/// The outline of the print's paper in the image at this pose, with a margin.
+cv::Rect region(const CameraView& view, const PlacedPrint& placed, const Eigen::Isometry3d& pose,
+                cv::Size size) {
   const double half_mm = (0.5 + placed.margin_cells / placed.print.rows) * placed.size_mm;
   cv::Rect2d box;
   for (const double x : {-half_mm, half_mm})
     for (const double y : {-half_mm, half_mm}) {
-      const Eigen::Vector3d p_mm =
-          view.view_T_camera * (placed.camera_T_marker.isometry() * Eigen::Vector3d(x, y, 0));
+      const Eigen::Vector3d p_mm = view.view_T_camera * (pose * Eigen::Vector3d(x, y, 0));
       if (p_mm.z() < 10) return {};
       const Eigen::Vector2d p = cameras::project(view.camera, p_mm);
       const cv::Rect2d corner(p.x() - 4, p.y() - 4, 8, 8);
@@ -45,11 +45,13 @@ double lightAt(const PlacedPrint& placed, double x_mm, double y_mm) {
 
 void drawPrint(const CameraView& view, const PlacedPrint& placed, const SceneOptions& options,
                cv::Mat_<float>& image) {
-  const cv::Rect box = region(view, placed, image.size());
-  const Eigen::Isometry3d marker_T_view = (view.view_T_camera * placed.camera_T_marker.isometry()).inverse();
-  const Eigen::Vector3d eye_mm = marker_T_view.translation();
-  if (eye_mm.z() > 0) return;  // seen from behind
-  for (int v = box.y; v < box.br().y; ++v)
+  const auto inRow = [&](double row) { return placed.inRow(row, view.camera, image.rows); };
+  const cv::Rect box =
+      region(view, placed, inRow(0), image.size()) | region(view, placed, inRow(image.rows), image.size());
+  for (int v = box.y; v < box.br().y; ++v) {
+    const Eigen::Isometry3d marker_T_view = (view.view_T_camera * inRow(v)).inverse();
+    const Eigen::Vector3d eye_mm = marker_T_view.translation();
+    if (eye_mm.z() > 0) return;  // seen from behind
     for (int u = box.x; u < box.br().x; ++u) {
       // Undistorted coordinates are smooth: interpolated linearly within the pixel from its centre and two
       // neighbours.
@@ -68,6 +70,7 @@ void drawPrint(const CameraView& view, const PlacedPrint& placed, const SceneOpt
       }
       image(v, u) = float(sum / kRays);
     }
+  }
 }
 
 cv::Mat_<float> ground(cv::Size size, const SceneOptions& options, cv::RNG& random) {

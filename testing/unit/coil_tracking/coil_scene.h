@@ -23,7 +23,15 @@ struct PlacedPrint {
   Print print;
   double size_mm = 60.0;
   RigidTransform<Camera, Marker> camera_T_marker;
-  double margin_cells = 1.0;  // white around the square
+  double margin_cells = 1.0;                              // white around the square
+  Eigen::Vector3d moving_mm_s = Eigen::Vector3d::Zero();  // Camera; cameras with a row time see it sheared
+
+  /// Its pose when the camera exposes this row.
+  Eigen::Isometry3d inRow(double row, const cameras::CameraModel& camera, int rows) const {
+    Eigen::Isometry3d pose = camera_T_marker.isometry();
+    pose.translation() += camera.row_time_s * (row - 0.5 * (rows - 1)) * moving_mm_s;
+    return pose;
+  }
 };
 
 struct SceneOptions {

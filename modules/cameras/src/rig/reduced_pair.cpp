@@ -9,6 +9,7 @@ constexpr int kMostReduced = 8;
 
 CameraModel reducedCamera(const CameraModel& camera, int times) {
   CameraModel small = camera;
+  small.row_time_s *= times;
   for (int axis = 0; axis < 2; ++axis) {
     small.k(axis, axis) /= times;
     small.k(axis, 2) = (camera.k(axis, 2) + 0.5) / times - 0.5;  // (0, 0) is the middle of a pixel

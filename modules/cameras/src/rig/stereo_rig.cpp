@@ -21,6 +21,15 @@ RigidTransform<RightCamera, Camera> readPose(const RigReader& reader) {
   return reader.transform<RightCamera, Camera>();
 }
 
+/// Row time of a camera in s; the file has it in microseconds, or not at all.
+double readRowTime(const RigReader& reader, const std::string& key, int rows) {
+  const double row_time_s = 1e-6 * reader.number(key).value_or(0.0);
+  if (!(std::abs(row_time_s) * rows <= kLongestReadout_s))
+    reader.fail("key '" + key + "' is no row time in microseconds: a picture would take " +
+                std::to_string(int(std::min(1e6, 1e3 * std::abs(row_time_s) * rows))) + " ms");
+  return row_time_s;
+}
+
 cv::Mat toMat(const Eigen::Matrix3d& m) {
   cv::Mat mat(3, 3, CV_64F);
   for (int r = 0; r < 3; ++r)
@@ -51,6 +60,8 @@ StereoRig readRig(const std::filesystem::path& path) {
   rig.height_px = reader.size("image_height");
   rig.left = readCamera(reader, "1");
   rig.right = readCamera(reader, "2");
+  rig.left.row_time_s = readRowTime(reader, "row_time1_us", rig.height_px);
+  rig.right.row_time_s = readRowTime(reader, "row_time2_us", rig.height_px);
   rig.right_T_left = readPose(reader);
   rig.rms_px = reader.number("rms_px");
   rig.covariance = reader.optionalSquare("covariance");
@@ -81,6 +92,8 @@ void writeRig(const StereoRig& rig, const std::filesystem::path& path, const Cal
   storage << "R" << toMat(rig.right_T_left.rotation()) << "T"
           << (cv::Mat_<double>(3, 1) << t.x(), t.y(), t.z());
   storage << "E" << e << "F" << f;
+  if (rig.left.row_time_s != 0.0 || rig.right.row_time_s != 0.0)
+    storage << "row_time1_us" << 1e6 * rig.left.row_time_s << "row_time2_us" << 1e6 * rig.right.row_time_s;
   if (rig.rms_px) storage << "rms_px" << *rig.rms_px;
   if (!rig.covariance.empty()) {
     cv::Mat sigmas(1, rig.covariance.rows, CV_64F);

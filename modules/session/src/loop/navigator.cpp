@@ -162,6 +162,7 @@ double Navigator::track(const cameras::StereoFrame& frame, NavigationState& stat
   state.head = head;
   state.head_detail = head.loss_detail;
   state.exposure_offset = head.exposure_offset;
+  state.row_times_s = coil.row_times_s;
   state.coil = coil;
   rig_check_.add(frame, state.head, coil);
   state.rig_correction = rig_check_.correction();

@@ -15,7 +15,13 @@ namespace facenav::cameras {
 struct CameraModel {
   cv::Matx33d k = cv::Matx33d::eye();  // fx 0 cx; 0 fy cy; 0 0 1, px
   cv::Mat distortion;                  // 1 x n, 64-bit, n = 4, 5, 8, 12 or 14; empty: none
+  /// Rolling shutter: time from one row's exposure to that of the row below, s. A picture's time stamp is
+  /// that of its middle row. 0: all rows at once, or not known. Negative: read from below.
+  double row_time_s = 0.0;
 };
+
+/// No camera reads a picture more slowly than this, s.
+constexpr double kLongestReadout_s = 0.1;
 
 struct StereoRig {
   int width_px = 0, height_px = 0;  // of both images
@@ -31,7 +37,8 @@ struct StereoRig {
 };
 
 /// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the missing or malformed key: K without
-/// positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5 mm).
+/// positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5 mm), a
+/// row time with which a picture would take longer than kLongestReadout_s.
 StereoRig readRig(const std::filesystem::path& path);
 /// Writes the whole stereo.yml or nothing.
 void writeRig(const StereoRig& rig, const std::filesystem::path& path);

@@ -85,6 +85,9 @@ struct CoilResult : Tracked<CoilPose> {
   FrameWork work;      // total of this frame, earlier work included; 0 where the method does not count
   FrameWork deferred;  // search work that did not fit into this frame's budget; the next frame reserves it
   std::optional<MarkerObservation> observation;  // none where no marker was fitted, or while the coil moves
+  /// Of left and right camera, as used from the next frame on: stated by the rig, or measured where the
+  /// coil's motion shows others with certainty.
+  std::array<double, 2> row_times_s{0.0, 0.0};
 };
 
 class CoilTracker {

@@ -28,13 +28,14 @@ struct ScenarioOptions {
   double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // limits of the seat's random error
   double right_late_ms = 0.0;  // delay of the right camera's exposure; the truth is that of the left
   double rolling_ms = 0.0, exposure_ms = 0.0;  // rolling shutter: readout of a picture; exposure of a row
-  double exposure_step = 0.0;                  // of automatic exposure: share of the light
-  double refocus_px = 0.0;                     // blur while both cameras focus anew
-  double clock_ppm = 0.0;                      // by how much the right camera's clock runs late
-  double dropped = 0.0, doubled = 0.0;         // share of the pairs
-  int right_time_stamps = 0;                   // 1: the drivers state the right camera's delay
-  int jpeg_quality = -1;                       // 1..100; 0: not compressed; -1: the scenario's value
-  double gloss = -1.0;                         // of the skin; -1: the scenario's value
+  double stated_row_time = 1.0;         // of the rig's file, as a multiple of the true one; 0: not stated
+  double exposure_step = 0.0;           // of automatic exposure: share of the light
+  double refocus_px = 0.0;              // blur while both cameras focus anew
+  double clock_ppm = 0.0;               // by how much the right camera's clock runs late
+  double dropped = 0.0, doubled = 0.0;  // share of the pairs
+  int right_time_stamps = 0;            // 1: the drivers state the right camera's delay
+  int jpeg_quality = -1;                // 1..100; 0: not compressed; -1: the scenario's value
+  double gloss = -1.0;                  // of the skin; -1: the scenario's value
   double haze_grey = 0.0;
   double right_gain = 1.0, right_gamma = 1.0;          // of the right camera, relative to the left one
   int blinks = -1;                                     // 1: blinks; 0: none; -1: the scenario's value
@@ -127,6 +128,11 @@ struct ScenarioOptions {
   static void visitSensor(Self& self, Visitor&& visitor) {
     visitor(Field{"rolling_ms", "rolling shutter: time from the first row to the last", 0, 100},
             self.rolling_ms);
+    visitor(
+        Field{"stated_row_time",
+              "rolling shutter: the row time that stereo.yml states, as a multiple of the true one (0: none)",
+              -5, 5},
+        self.stated_row_time);
     visitor(Field{"exposure_ms", "exposure of a row: what moves is blurred", 0, 100}, self.exposure_ms);
     visitor(Field{"exposure_step",
                   "automatic exposure: every second the light that both cameras take goes up or down by this "

@@ -2,6 +2,7 @@
 // NavigationState: everything known at one frame, immutable once published. The window, the recorder and the
 // tables read it. Poses in Camera (mm). A lost pose has no value (Tracked), and guidance is lost with it.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -36,7 +37,8 @@ struct NavigationState {
   Tracked<RigidTransform<Camera, Mri>> camera_T_mri = Lost{LostReason::stale};
   Tracked<RigidTransform<Camera, Coil>> camera_T_coil = Lost{LostReason::stale};
 
-  cameras::ExposureOffset exposure_offset;  // between the cameras, as known at this frame
+  cameras::ExposureOffset exposure_offset;      // between the cameras, as known at this frame
+  std::array<double, 2> row_times_s{0.0, 0.0};  // rolling shutter of left and right camera, likewise; 0: none
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen

@@ -2,6 +2,7 @@
 // TRACK: a recording -> poses of head and coil, frame by frame. With a case: aligned from its capture pair
 // and placed in the MRI. The same code runs for a real patient and for the demo.
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -30,6 +31,9 @@ struct TrackOutcome {
   std::string rig_correction;  // a camera moved on its mount and was corrected, in words; empty: none
   // Delay of the right camera's exposure after the left one's, as estimated at the end.
   double right_late_ms = 0;
+  // Time from the first row to the last of a picture of the left and the right camera (rolling shutter), as
+  // the rig states it or as the moving coil shows it; 0: none, or not known.
+  std::array<double, 2> readout_ms{0, 0};
   double processing_ms_median = 0, processing_ms_p99 = 0;
 };
 /// `on_frame` (may be empty) is called with every state. Throws Error, also when neither face nor marker was

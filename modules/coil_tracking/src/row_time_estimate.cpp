@@ -1,0 +1,53 @@
+#include "row_time_estimate.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace facenav::coil_tracking {
+namespace {
+
+// Standard deviations of what is believed before anything is measured, as times of a whole picture. Ordinary
+// cameras read one in 5-33 ms, industrial ones in none. Two cameras of a pair are mostly of one kind.
+constexpr double kUnknown_s = 20e-3, kUnlike_s = 4e-3;
+constexpr double kStated_s = 4e-3;  // a data sheet's readout may belong to another mode of the sensor
+// A measured picture time is used when it is this certain, and this many standard deviations from the stated.
+constexpr double kCertain_s = 1.5e-3;
+constexpr double kDistinct = 4.0;
+// Weight of a frame in the next one. The first frames are fitted with a wrong row time, which falsifies the
+// coil's speed a little, and so what they show.
+constexpr double kKept = 0.98;
+
+}  // namespace
+
+void RowTimeEstimate::start(const cameras::StereoRig& rig) {
+  rows_ = std::max(1, rig.height_px);
+  stated_s_ = {rig.left.row_time_s, rig.right.row_time_s};
+  const double common_s = (stated_s_.isZero() ? kUnknown_s : kStated_s) / rows_, unlike_s = kUnlike_s / rows_;
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(common_s * common_s);
+  covariance.diagonal().array() += 0.5 * unlike_s * unlike_s;
+  believed_ = covariance.inverse();
+  seen_.setZero(), seen_right_.setZero();
+}
+
+void RowTimeEstimate::add(const RowTimeEquations& seen, const cameras::StereoRig& assumed) {
+  if (!seen.information.allFinite() || !seen.right.allFinite()) return;
+  const Eigen::Vector2d assumed_s(assumed.left.row_time_s, assumed.right.row_time_s);
+  seen_ = kKept * seen_ + seen.information;
+  seen_right_ = kKept * seen_right_ + seen.information * assumed_s + seen.right;
+}
+
+void RowTimeEstimate::applyTo(cameras::StereoRig& rig) const {
+  const Eigen::Matrix2d covariance = (believed_ + seen_).inverse();
+  const Eigen::Vector2d mean = covariance * (believed_ * stated_s_ + seen_right_);
+  cameras::CameraModel* const cameras[] = {&rig.left, &rig.right};
+  for (int side = 0; side < 2; ++side) {
+    const double sigma_s = std::sqrt(covariance(side, side));
+    const bool is_certain = sigma_s * rows_ < kCertain_s &&
+                            std::abs(mean[side]) * rows_ <= cameras::kLongestReadout_s &&
+                            std::abs(mean[side] - stated_s_[side]) > kDistinct * sigma_s;
+    cameras[side]->row_time_s = is_certain ? mean[side] : stated_s_[side];
+  }
+}
+
+}  // namespace facenav::coil_tracking
