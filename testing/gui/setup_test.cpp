@@ -58,6 +58,19 @@ class SetupTest : public ::testing::Test {
     return fixtures::waitFor(
         [&] { return setup.view()->step == step && setup.view()->is_done && setup.view()->frame; }, 120000);
   }
+  static bool says(SetupPresenter& setup, const char* words) {
+    const bool is_said = fixtures::waitFor([&] { return setup.sentence().contains(words); }, 60000);
+    EXPECT_TRUE(is_said) << words << " in: " << setup.sentence().toStdString();
+    return is_said;
+  }
+  QString jigFile(int marker) const {
+    auto jig = coil_tracking::defaultCoil();
+    jig.name = "jig";
+    jig.markers.front().id = marker;
+    const auto file = folder_.path() / ("jig" + std::to_string(marker) + ".json");
+    coil_tracking::writeCoil(jig, file);
+    return QString::fromStdString(file.string());
+  }
   /// Goes on to a step before which the room shows `what`.
   void go(SetupPresenter& setup, RoomShows what, Step step) {
     room_->shows = what;
@@ -73,6 +86,7 @@ class SetupTest : public ::testing::Test {
     ASSERT_TRUE(fixtures::waitFor([&] { return setup.isOpen() && setup.view()->frame; }));
   }
 
+  testing::TemporaryFolder folder_;
   std::shared_ptr<testing::SetupRoom> room_ = std::make_shared<testing::SetupRoom>();
   cameras::StereoRig rig_ = boards::roomRig();
   std::vector<capture::RigEntry> rigs_;
@@ -167,6 +181,9 @@ TEST_F(SetupTest, TheWindowShowsEveryPageAtEverySize) {
     takeAll("2");
     ASSERT_TRUE(done(setup, Step::calibrate)) << setup.sentence().toStdString();
     takeAll("2_done");
+    ASSERT_NO_FATAL_FAILURE(go(setup, RoomShows::one_place, Step::check));
+    ASSERT_TRUE(says(setup, "now move it nearer or farther"));
+    takeAll("3_one_place");
     ASSERT_NO_FATAL_FAILURE(go(setup, RoomShows::new_place, Step::check));
     ASSERT_TRUE(done(setup, Step::check)) << setup.sentence().toStdString();
     takeAll("3");
@@ -174,6 +191,23 @@ TEST_F(SetupTest, TheWindowShowsEveryPageAtEverySize) {
     ASSERT_NO_FATAL_FAILURE(go(setup, RoomShows::marker, Step::coil));
     ASSERT_TRUE(done(setup, Step::coil)) << setup.sentence().toStdString();
     takeAll("4");
+    room_->shows = RoomShows::nothing;
+    ASSERT_TRUE(says(setup, "both cameras see its marker"));
+    takeAll("4_none");
+    room_->shows = RoomShows::other_marker;
+    ASSERT_TRUE(says(setup, "this is another coil"));
+    takeAll("4_other");
+    room_->shows = RoomShows::marker;
+    setup.startPivots();
+    ASSERT_TRUE(says(setup, "the coil stands still: turn it"));
+    takeAll("4_still");
+    setup.startJig(jigFile(12));
+    ASSERT_TRUE(says(setup, "the jig's (4x4_50 id 12) is not"));
+    takeAll("4_no_jig");
+    setup.startJig(jigFile(7));
+    ASSERT_TRUE(says(setup, "the jig carries the same marker as the coil"));
+    EXPECT_FALSE(setup.view()->is_done);
+    takeAll("4_same_jig");
   }
   applyAppearance(*qApp, 1.0);
   BoardScreen screen(testing::kPrintedBoard);

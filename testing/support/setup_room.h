@@ -13,7 +13,9 @@
 
 namespace facenav::testing {
 
-enum class RoomShows { nothing, held_board, new_place, marker };
+/// new_place, moved_marker: in one place for a while, then in another. one_place: a board that stays.
+/// other_marker: of another coil, id 3.
+enum class RoomShows { nothing, held_board, new_place, one_place, marker, moved_marker, other_marker };
 
 /// Shared by the test and the source.
 struct SetupRoom {
@@ -39,7 +41,10 @@ class SetupRoomSource : public capture::FrameSource {
  private:
   cameras::StereoFrame picture() {
     const RoomShows shows = room_->shows;
-    const int place = shows == RoomShows::held_board ? int(held_++ / 4) % int(places_.size()) : 0;
+    const bool has_two = shows == RoomShows::new_place || shows == RoomShows::moved_marker;
+    const int place = shows == RoomShows::held_board ? int(held_++ / 4) % int(places_.size())
+                      : has_two                      ? int(moved_++ / 30) % 2
+                                                     : 0;
     const auto key = std::tuple(shows, place, room_->turned_deg.load());
     auto known = pictures_.find(key);
     if (known == pictures_.end()) known = pictures_.emplace(key, rendered(shows, place)).first;
@@ -48,12 +53,15 @@ class SetupRoomSource : public capture::FrameSource {
   cameras::StereoFrame rendered(RoomShows shows, int place) const {
     const auto real = turnedRight(rig_, {0, room_->turned_deg * kRadPerDeg, 0});
     if (shows == RoomShows::held_board) return heldBoardFrame(real, places_[std::size_t(place)], place, 0);
-    if (shows == RoomShows::new_place) return heldBoardFrame(real, {640, 18, 70, 12, {25, -15}}, 77, 0);
+    if (shows == RoomShows::new_place || shows == RoomShows::one_place)
+      return heldBoardFrame(
+          real, place == 0 ? HeldBoard{640, 18, 70, 12, {25, -15}} : HeldBoard{540, 22, 200, 12, {-20, 10}},
+          77, 0);
     coil_tracking::testing::SceneOptions options;
     std::vector<coil_tracking::testing::PlacedPrint> prints;
-    if (shows == RoomShows::marker)
-      prints.push_back({coil_tracking::testing::arucoPrint(0, 7), 60.0,
-                        coil_tracking::testing::markerPose(580, 20, 40, 10)});
+    if (shows != RoomShows::nothing)
+      prints.push_back({coil_tracking::testing::arucoPrint(0, shows == RoomShows::other_marker ? 3 : 7), 60.0,
+                        coil_tracking::testing::markerPose(place == 0 ? 580 : 460, 20, 40, 10)});
     return coil_tracking::testing::renderMarkers(real, prints, options);
   }
 
@@ -61,7 +69,7 @@ class SetupRoomSource : public capture::FrameSource {
   cameras::StereoRig rig_;
   std::vector<HeldBoard> places_;
   std::map<std::tuple<RoomShows, int, double>, cameras::StereoFrame> pictures_;
-  std::int64_t number_ = 0, held_ = 0;
+  std::int64_t number_ = 0, held_ = 0, moved_ = 0;
 };
 
 /// Sees a face of `face` in every picture.

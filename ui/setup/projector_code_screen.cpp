@@ -29,10 +29,12 @@ void ProjectorCodeScreen::startScene() {
 
 void ProjectorCodeScreen::look() {
   const auto frame = latest_();
-  if (!frame || frame->number == last_) return;
-  last_ = frame->number;
   const double before = run_.progress();
-  run_.add(*frame);
+  if (frame && frame->number != last_) {
+    last_ = frame->number;
+    run_.add(*frame);
+  }
+  run_.wait(Timestamp::now().s);
   if (run_.progress() == before) return;
   repaint();  // returns when the picture was handed to the screen
   if (run_.isShowing()) return run_.shown(Timestamp::now().s);

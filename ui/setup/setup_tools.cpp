@@ -206,7 +206,8 @@ void SetupTools::refresh() {
   const auto view = presenter_.view();
   open_->setEnabled(presenter_.canOpen());
   open_->setText(presenter_.isOpen() ? tr("Open them again") : tr("Open the cameras"));
-  device_words_->setText(presenter_.deviceWords());
+  device_words_->setText(presenter_.isOpen() ? presenter_.deviceWords() : QString());  // else the sentence
+  device_words_->setVisible(!device_words_->text().isEmpty());
   const bool is_calibrated = presenter_.canGo(Step::check);
   if (view->step == Step::calibrate) {
     views_->setText(tr("%1 views taken").arg(view->views));

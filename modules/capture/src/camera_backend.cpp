@@ -132,10 +132,10 @@ std::vector<std::string> adviceOn(const std::vector<FoundCamera>& found) {
   for (const auto& camera : found)
     if (camera.use != FoundCamera::Use::free) advice.push_back(inWords(camera) + ": " + remedyOf(camera.use));
   if (const FoundCamera* twin = twinWithoutSerial(found))
-    advice.push_back("two equal cameras without serial numbers (" + twin->identity.model +
-                     "): they are told apart by the port they are plugged into; mark cables and ports left "
-                     "and right, and keep "
-                     "them so");
+    advice.push_back(
+        "two equal cameras without serial numbers (" + twin->identity.model +
+        "): only their ports tell them apart; mark cables and ports left and right, keep them so, "
+        "and open the cameras");
   return advice;
 }
 

@@ -27,6 +27,7 @@
 #include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/mep_import.h"
 #include "facenav/workflow/session_return.h"
+#include "facenav/workflow/verify_rig.h"
 
 namespace facenav::workflow {
 namespace {
@@ -45,7 +46,7 @@ using All =
            guidance::FieldByGap, stimulation::ThresholdRules, links::PulseDeadTimes, links::ClickRules,
            guidance::MepMapOptions, MepImportLimits, casefile::EvidenceRules,
            monitoring::RegistrationCheckRules, ReturnRules, CoilRules, ExpertRules, BoardRules,
-           PlacementRules>;
+           PlacementRules, RigCheckRules>;
 
 }  // namespace
 

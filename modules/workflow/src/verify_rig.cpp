@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check_place.h"
 #include "facenav/core/error.h"
-#include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
 #include "rig_lengths.h"
 
 namespace facenav::workflow {
 namespace {
 
-constexpr double kContradictionSigmas = 3.0;
 // A camera's own picture of a board that fits worse than this, in rms of the calibration, is of another lens.
-constexpr double kOtherLensTimesRms = 3.0, kOtherLensLeast_px = 0.6;
+constexpr double kOtherLensTimesRms = 3.0;
 constexpr double kGrossRows_px = 5.0;  // the monitor of small motions does not explain these
 constexpr double kBoardPrintShare = 0.001,
                  kLeastPictureShare = 0.0003;  // relative standard errors of a length
@@ -51,26 +50,6 @@ double medianRow(const cameras::StereoRig& rig, const std::vector<cameras::Corre
 
 }  // namespace
 
-std::string toString(RigState state) {
-  switch (state) {
-    case RigState::holds:
-      return "holds";
-    case RigState::moved:
-      return "moved";
-    case RigState::other_cameras:
-      return "other_cameras";
-    case RigState::swapped:
-      return "swapped";
-    case RigState::unclear:
-      return "unclear";
-  }
-  return "unclear";
-}
-
-bool MeasuredLength::contradicts() const {
-  return std::abs(measured_mm - true_mm) > kContradictionSigmas * sigma_mm;
-}
-
 struct RigVerifier::Implementation {
   Implementation(const cameras::StereoRig& calibrated, std::optional<cameras::Board> known_board,
                  std::unique_ptr<coil_tracking::CoilTracker> coil_tracker)
@@ -85,6 +64,10 @@ struct RigVerifier::Implementation {
   std::vector<double> board_ratios, marker_ratios, left_squares, right_squares, turns_deg, shifts_mm, scales;
   std::vector<double> ratio_errors, exchanged_errors;
   double calibration_sigma = 0, marker_mm = 0, marker_print_mm = 0;
+  std::optional<CheckPlace> first_board, first_marker;
+  CheckMotion newest;  // from the first of its kind
+
+  void follow(std::optional<CheckPlace>& first, const CheckPlace& now);
 
   void addBoard(const cameras::StereoFrame& frame);
   void addMarker(const cameras::StereoFrame& frame);
@@ -93,9 +76,16 @@ struct RigVerifier::Implementation {
   void addRatio(double ratio, double exchanged_ratio);
   bool isSwapped(const RigVerification& all) const;
   bool isOtherLens(double rms_px) const {
-    return rms_px > std::max(kOtherLensLeast_px, kOtherLensTimesRms * rig.rms_px.value_or(0.2));
+    return rms_px > std::max(kOtherLensRms_px, kOtherLensTimesRms * rig.rms_px.value_or(0.2));
   }
 };
+
+void RigVerifier::Implementation::follow(std::optional<CheckPlace>& first, const CheckPlace& now) {
+  if (!first) first = now;
+  newest = motionBetween(*first, now);
+  found.motion.moved_mm = std::max(found.motion.moved_mm, newest.moved_mm);
+  found.motion.turned_deg = std::max(found.motion.turned_deg, newest.turned_deg);
+}
 
 void RigVerifier::Implementation::addBoard(const cameras::StereoFrame& frame) {
   const auto pair = findBoardPair(frame.left, frame.right, *board);
@@ -110,6 +100,7 @@ void RigVerifier::Implementation::addBoard(const cameras::StereoFrame& frame) {
   if (calibration_sigma == 0) calibration_sigma = calibrationSigma(*pair, rig);
   const SingleView left = fitBoard(rig.left, pair->left_px, pair->board_mm),
                    right = fitBoard(rig.right, pair->right_px, pair->board_mm);
+  follow(first_board, placeOf(left, *board));
   left_squares.push_back(left.rms_px * left.rms_px);
   right_squares.push_back(right.rms_px * right.rms_px);
   scales.push_back(scaleChange(left, right, rig));
@@ -132,6 +123,7 @@ void RigVerifier::Implementation::addMarker(const cameras::StereoFrame& frame) {
   points.insert(points.end(), corners.begin(), corners.end());
   monitor.add({observation->left_px, observation->right_px, observation->size_mm, observation->print_sigma_mm,
                observation->size_sigma_mm});
+  follow(first_marker, placeOf(*observation, rig));
   marker_ratios.push_back(lengthRatio(*observation, rig));
   addRatio(marker_ratios.back(), lengthRatio(exchanged(*observation), rig));
   marker_mm = observation->size_mm;
@@ -202,6 +194,8 @@ void RigVerifier::add(const cameras::StereoFrame& frame) {
   if (self.tracker) self.addMarker(frame);
 }
 
+CheckMotion RigVerifier::motion() const { return implementation_->newest; }
+
 RigVerification RigVerifier::result() const {
   const Implementation& self = *implementation_;
   RigVerification all = self.found;
@@ -219,61 +213,6 @@ RigVerification RigVerifier::result() const {
   all.shift_mm = is_gross ? medianOf(self.shifts_mm) : 0.0;
   all.point_error_mm = verdict.displaced_mm;
   return all;
-}
-
-std::vector<std::string> RigVerification::findings() const {
-  std::vector<std::string> lines;
-  lines.push_back(formatted("%d frames; board in %d, marker in %d", frames, board_frames, marker_frames));
-  for (const auto& length : lengths)
-    lines.push_back(formatted("%s: %.2f mm measured, %.2f mm true (+-%.2f mm if the calibration holds)",
-                              length.what.c_str(), length.measured_mm, length.true_mm, length.sigma_mm));
-  if (board_frames + marker_frames > 0)
-    lines.push_back(
-        formatted("distance of a point from its row in the other picture: %.2f px", row_error_px));
-  if (board_frames > 0)
-    lines.push_back(formatted("each camera's own picture of the board: left %.2f px, right %.2f px",
-                              left_lens_px, right_lens_px));
-  return lines;
-}
-
-namespace {
-
-std::string otherLensWords(const RigVerification& all) {
-  const std::string cause = "another camera, or its focus or zoom was changed; calibrate again";
-  if (std::max(all.left_lens_px, all.right_lens_px) < kOtherLensLeast_px)
-    return formatted("one picture is larger by %.1f %% than the calibration says: ",
-                     100 * std::abs(all.scale_change)) +
-           cause;
-  return formatted("the %s camera's pictures do not fit its lens (%.2f px): ",
-                   all.left_lens_px > all.right_lens_px ? "left" : "right",
-                   std::max(all.left_lens_px, all.right_lens_px)) +
-         cause;
-}
-
-}  // namespace
-
-std::string RigVerification::words() const {
-  switch (state) {
-    case RigState::holds:
-      return "the calibration holds";
-    case RigState::swapped:
-      return "left and right are exchanged: swap the two cameras";
-    case RigState::other_cameras:
-      return otherLensWords(*this);
-    case RigState::unclear:
-      return "neither board nor marker was seen well enough: hold one still before both cameras and check "
-             "again";
-    case RigState::moved:
-      break;
-  }
-  std::string words = "the cameras have moved against each other since their calibration (";
-  if (turn_deg > 0) words += formatted("the right one turned by about %.2f deg, ", turn_deg);
-  if (shift_mm > 0) words += formatted("moved by about %.1f mm, ", shift_mm);
-  for (const auto& length : lengths)
-    if (length.contradicts())
-      words += formatted("%s measured %.2f mm instead of %.2f mm, ", length.what.c_str(), length.measured_mm,
-                         length.true_mm);
-  return words + formatted("rows %.2f px apart): calibrate again", row_error_px);
 }
 
 }  // namespace facenav::workflow

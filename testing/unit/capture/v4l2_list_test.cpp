@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "support/test_data.h"
+#include "support/v4l2_tree.h"
 #include "v4l2_bench.h"
 
 namespace facenav::capture {
@@ -19,28 +19,12 @@ class V4l2List : public ::testing::Test {
  protected:
   void add(const std::string& video, const std::string& model, const std::string& port,
            const std::string& serial, const std::string& index = "0") {
-    namespace fs = std::filesystem;
-    const fs::path usb = root() / "devices" / port, interface = usb / (port + ":1.0"),
-                   entry = root() / "sys" / video;
-    fs::create_directories(interface);
-    fs::create_directories(entry);
-    std::ofstream(usb / "idVendor") << "046d\n";
-    if (!serial.empty()) std::ofstream(usb / "serial") << serial << "\n";
-    std::ofstream(entry / "name") << model << "\n";
-    std::ofstream(entry / "index") << index << "\n";
-    fs::create_directory_symlink(interface, entry / "device");
-    if (index == "0") kernel_->cameras["/dev/" + video] = std::make_shared<FakeV4l2Camera>();
+    tree_.add(video, model, port, serial, index);
   }
-  std::filesystem::path root() const { return folder_.path(); }
-  std::vector<FoundCamera> list() {
-    CameraBackends backends("camera connection");
-    backends.add("v4l2", "", [this] {
-      return makeV4l2Backend(kernel_, {root() / "sys", "/dev", root() / "proc"});
-    });
-    return listCameras(backends);
-  }
-  testing::TemporaryFolder folder_;
-  std::shared_ptr<FakeV4l2> kernel_ = std::make_shared<FakeV4l2>();
+  std::filesystem::path root() const { return tree_.root(); }
+  std::vector<FoundCamera> list() const { return tree_.list(); }
+  testing::V4l2Tree tree_;
+  FakeV4l2* kernel_ = &tree_.kernel();
 };
 
 TEST_F(V4l2List, NamesWhatGivesPicturesInTheOrderOfItsNumbers) {
@@ -97,9 +81,7 @@ TEST_F(V4l2List, ACameraInUseIsNamedWithTheProgramThatHasIt) {
   kernel_->cameras["/dev/video2"]->is_busy = true;
   EXPECT_THAT(adviceOn(list()),
               ::testing::ElementsAre(HasSubstr("in use by another program: close that program")));
-  std::filesystem::create_directories(root() / "proc" / "4711" / "fd");
-  std::ofstream(root() / "proc" / "4711" / "comm") << "cheese\n";
-  std::filesystem::create_symlink("/dev/video2", root() / "proc" / "4711" / "fd" / "7");
+  tree_.use("video2", "cheese", "4711");
   const auto found = list();
   EXPECT_EQ(found[0].use, FoundCamera::Use::free);
   EXPECT_EQ(found[1].use, FoundCamera::Use::in_use);

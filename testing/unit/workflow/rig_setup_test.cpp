@@ -56,6 +56,10 @@ TEST_F(RigSetupTest, CalibratesChecksAndSeesTheCoil) {
   ASSERT_TRUE(waitForView(*setup, isDone)) << setup->latest()->sentence;
   ASSERT_FALSE(setup->latest()->lines.empty());
   EXPECT_THAT(setup->latest()->lines.front().words, HasSubstr("160.00 mm true"));
+  EXPECT_THAT(setup->latest()->sentence, HasSubstr("the board measures"));
+  EXPECT_THAT(setup->latest()->sentence, HasSubstr("160.00 mm true"));
+  EXPECT_THAT(setup->latest()->sentence, HasSubstr("between the measurements"));
+  EXPECT_TRUE(setup->verification()->motion.isEnough());
   EXPECT_EQ(setup->verification()->state, RigState::holds);
   ASSERT_NO_FATAL_FAILURE(show(*setup, RoomShows::marker, SetupStep::coil));
   EXPECT_TRUE(waitForView(*setup, [](const auto& view) { return view.left_marks.size() == 4; }));
@@ -76,11 +80,28 @@ TEST_F(RigSetupTest, ABumpedBarIsFoundAtTheNextStartAndRepaired) {
   EXPECT_TRUE(waitForView(*setup, isDone)) << setup->latest()->sentence;
 }
 
-TEST_F(RigSetupTest, ARestingMarkerChecksAKeptRigToo) {
+TEST_F(RigSetupTest, AMarkerInTwoPlacesChecksAKeptRigToo) {
   const auto setup = open(rig_);
-  ASSERT_NO_FATAL_FAILURE(show(*setup, RoomShows::marker, SetupStep::check));
+  ASSERT_NO_FATAL_FAILURE(show(*setup, RoomShows::moved_marker, SetupStep::check));
   EXPECT_TRUE(waitForView(*setup, isDone)) << setup->latest()->sentence;
   EXPECT_THAT(setup->latest()->lines.front().words, HasSubstr("marker: "));
+}
+
+/// In one place, a turn and a shift of a camera can cancel each other.
+TEST_F(RigSetupTest, ABoardThatStaysInOnePlaceProvesTooLittle) {
+  const auto setup = open(rig_);
+  ASSERT_NO_FATAL_FAILURE(show(*setup, RoomShows::one_place, SetupStep::check));
+  ASSERT_TRUE(waitForView(*setup, [](const auto& view) {
+    return view.sentence.find("the first place fits: now move it") != std::string::npos;
+  })) << setup->latest()->sentence;
+  EXPECT_FALSE(waitForView(*setup, isDone, 3));
+  EXPECT_LE(setup->latest()->progress, 0.5);
+  ASSERT_EQ(setup->latest()->lines.size(), 2u);
+  EXPECT_FALSE(setup->latest()->lines[1].is_good);
+  EXPECT_THAT(setup->latest()->lines[1].words, HasSubstr("it moved only"));
+  EXPECT_FALSE(setup->verification());
+  room_->shows = RoomShows::new_place;
+  EXPECT_TRUE(waitForView(*setup, isDone)) << setup->latest()->sentence;
 }
 
 TEST_F(RigSetupTest, AnUnpluggedCameraIsSaid) {

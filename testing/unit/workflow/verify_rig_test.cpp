@@ -56,6 +56,30 @@ TEST(VerifyRig, ARigThatHoldsIsSaidToHoldWithItsNumbers) {
   EXPECT_THAT(result.findings()[1], HasSubstr("160.00 mm true"));
 }
 
+TEST(VerifyRig, SaysHowFarTheBoardMovedBetweenTheMeasurements) {
+  const auto result = verifiedByBoard(calibration());
+  // As boardFrame() places it; the board's middle lies 30 mm above that of the print.
+  const auto first = scene::markerPose(600, 20, 10, 0, {-15, 20}),
+             last = scene::markerPose(660, 15, 220, 10, {15, 4}),
+             second = scene::markerPose(560, 30, 100, 5, {0, 12});
+  const Point<Marker> middle(0, -30, 0);
+  const double moved_mm = std::max(((last * middle).mm - (first * middle).mm).norm(),
+                                   ((second * middle).mm - (first * middle).mm).norm());
+  const auto turned_deg = [&](const auto& pose) {
+    return std::acos(pose.rotation().col(2).dot(first.rotation().col(2))) * kDegPerRad;
+  };
+  EXPECT_NEAR(result.motion.moved_mm, moved_mm, 3);
+  EXPECT_NEAR(result.motion.turned_deg, std::max(turned_deg(last), turned_deg(second)), 1.5);
+  EXPECT_TRUE(result.motion.isEnough());
+  EXPECT_THAT(result.words(), HasSubstr("deg between the measurements"));
+  EXPECT_FALSE((CheckMotion{60, 5}.isEnough()));
+  EXPECT_TRUE((CheckMotion{110, 5}.isEnough()));
+  EXPECT_THAT((CheckMotion{60, 5}.words()),
+              HasSubstr("moved only 60 mm between the measurements: move it by 100"));
+  const MeasuredLength length{"board", 160.0, 160.4, 0.3};
+  EXPECT_THAT(length.words(), HasSubstr("160.40 mm measured, 160.00 mm true: +0.40 mm, +0.25 %"));
+}
+
 TEST(VerifyRig, ACameraThatTurnedSidewaysShowsInTheLength) {
   const auto result = verifiedByBoard(testing::turnedRight(calibration(), {0, 0.3 * kRadPerDeg, 0}));
   EXPECT_EQ(result.state, RigState::moved) << result.words();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/coil_tracking/coil_card.h"
+#include "facenav/coil_tracking/visible_markers.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
@@ -14,6 +15,9 @@ namespace {
 constexpr double kNewPose_rad = 2.0 * kRadPerDeg;  // poses nearer than this to the last say the same
 constexpr std::size_t kFewestPoses = 24, kMostPoses = 150, kFewestJigs = 20;
 constexpr double kGoodPivot_mm = 0.4;  // one standard deviation of the tip in the marker's frame
+constexpr double kSlips_mm = 1.5;      // rms of a tip that does not stay in its place
+constexpr double kStands_s = 4.0;      // a coil that shows no new pose for so long is not turned
+constexpr double kLookEvery_s = 0.5;   // for other coils' markers
 
 double sigma_mm(const coil_tracking::Pivot& pivot) { return std::sqrt(pivot.covariance.trace() / 3.0); }
 
@@ -36,10 +40,16 @@ CoilSetup::~CoilSetup() = default;
 void CoilSetup::startPivots() {
   stop();
   stage_ = Stage::centre;
+  turned_s_ = now_s_;
 }
 
 void CoilSetup::startJig(const coil_tracking::CoilModel& jig) {
   stop();
+  if (coil_tracking::shareMarker(jig, coil_)) {
+    trouble_ = "the jig carries the same marker as the coil (" +
+               coil_tracking::markerWords(coil_.markers.front()) + "): print another one for the jig";
+    return;
+  }
   jig_ = jig;
   jig_tracker_ = make_tracker_();
   jig_tracker_->start(rig_, jig);
@@ -52,39 +62,66 @@ void CoilSetup::stop() {
   observations_.clear();
   jig_.reset();
   jig_tracker_.reset();
+  is_jig_seen_ = false;
   trouble_.clear();
   result_.reset();
   stage_ = Stage::look;
 }
 
 void CoilSetup::add(const cameras::StereoFrame& frame) {
+  now_s_ = frame.captured.s;
   const auto seen = tracker_->track(frame);
   is_seen_ = bool(seen);
   left_px_.clear();
   right_px_.clear();
-  if (!seen) return;
+  if (stage_ == Stage::jig) followJig(seen, frame);
+  if (!seen) return lookForOthers(frame);
+  other_marker_.reset();
   left_px_ = asPoints(seen->left_corners_px);
   right_px_ = asPoints(seen->right_corners_px);
-  if (stage_ == Stage::jig) {
-    if (const auto jig = jig_tracker_->track(frame))
-      observations_.push_back({seen->camera_T_marker, jig->camera_T_marker});
-    if (observations_.size() >= kFewestJigs) tryJig();
-  } else if (stage_ != Stage::look && stage_ != Stage::done) {
-    take(seen->camera_T_marker);
-  }
+  if (isPivoting()) take(seen->camera_T_marker);
+}
+
+void CoilSetup::followJig(const coil_tracking::CoilResult& coil, const cameras::StereoFrame& frame) {
+  const auto jig = jig_tracker_->track(frame);
+  is_jig_seen_ = bool(jig);
+  if (coil && jig) observations_.push_back({coil->camera_T_marker, jig->camera_T_marker});
+  if (observations_.size() >= kFewestJigs) tryJig();
+}
+
+bool CoilSetup::isOwn(int marker) const {
+  const auto carries = [marker](const coil_tracking::CoilModel& coil) {
+    return std::any_of(coil.markers.begin(), coil.markers.end(),
+                       [marker](const auto& each) { return each.id == marker; });
+  };
+  return carries(coil_) || (jig_ && carries(*jig_));
+}
+
+void CoilSetup::lookForOthers(const cameras::StereoFrame& frame) {
+  const auto& marker = coil_.markers.front();
+  if (marker.pattern || (looked_for_others_s_ && now_s_ - *looked_for_others_s_ < kLookEvery_s)) return;
+  looked_for_others_s_ = now_s_;
+  other_marker_.reset();
+  for (const int id : coil_tracking::visibleMarkers(frame.left, marker.dictionary))
+    if (!isOwn(id)) other_marker_ = id;
 }
 
 void CoilSetup::take(const RigidTransform<Camera, Marker>& pose) {
   if (!poses_.empty() && rotationAngle(poses_.back().rotation().transpose() * pose.rotation()) < kNewPose_rad)
     return;
   poses_.push_back(pose);
+  turned_s_ = now_s_;
   if (poses_.size() >= kFewestPoses && poses_.size() % 4 == 0) tryPivot();
 }
 
 void CoilSetup::tryPivot() {
   try {
     const auto pivot = coil_tracking::fitPivot(poses_);
-    if (sigma_mm(pivot) > kGoodPivot_mm) {
+    if (pivot.rms_mm > kSlips_mm) {
+      trouble_ =
+          formatted("the point slips by %.1f mm: keep it in its place on the tip while you turn the coil",
+                    pivot.rms_mm);
+    } else if (sigma_mm(pivot) > kGoodPivot_mm) {
       trouble_ = "turn the coil farther, the tip in its place";
     } else {
       pivots_.push_back(pivot);
@@ -120,10 +157,21 @@ double CoilSetup::progress() const {
   return std::min(1.0, double(poses_.size()) / kFewestPoses);
 }
 
+std::string CoilSetup::unseenWords() const {
+  const std::string own = coil_tracking::markerWords(coil_.markers.front());
+  if (other_marker_)
+    return formatted(
+        "this is another coil: its marker is %s id %d, not %s; take the right one, or choose this one",
+        coil_.markers.front().dictionary.c_str(), *other_marker_, own.c_str());
+  if (stage_ == Stage::jig && is_jig_seen_)
+    return "the jig's marker is seen, the coil's (" + own + ") is not: turn both markers to the cameras";
+  return "hold the coil so that both cameras see its marker (" + own + ")";
+}
+
 std::string CoilSetup::words() const {
-  if (!is_seen_ && stage_ != Stage::done)
-    return "hold the coil so that both cameras see its marker (" +
-           coil_tracking::markerWords(coil_.markers.front()) + ")";
+  if (!is_seen_ && stage_ != Stage::done) return unseenWords();
+  if (isPivoting() && now_s_ - turned_s_ > kStands_s)
+    return "the coil stands still: turn it by 30 degrees and more to all sides, its point on the tip";
   if (!trouble_.empty()) return trouble_;
   switch (stage_) {
     case Stage::look:
@@ -136,7 +184,10 @@ std::string CoilSetup::words() const {
     case Stage::side:
       return "now a point at the left of the face, seen from the handle, on the tip, and turn the coil";
     case Stage::jig:
-      return "put the jig on the coil and let both cameras see both markers";
+      return is_jig_seen_ ? "both markers are seen: turn coil and jig a little, and hold them still"
+                          : "the coil's marker is seen, the jig's (" +
+                                coil_tracking::markerWords(jig_->markers.front()) +
+                                ") is not: put the jig on the coil, its marker to both cameras";
     case Stage::done:
       return formatted("the coil is calibrated: +-%.2f mm, +-%.2f deg", result_->sigma_mm,
                        result_->sigma_deg);

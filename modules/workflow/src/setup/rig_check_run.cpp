@@ -5,7 +5,14 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr int kBoardFrames = 6, kMarkerFrames = 15;  // that make a verdict
+constexpr int kBoardFrames = 4, kMarkerFrames = 12;  // in each of the two places
+constexpr int kUnclearTimes = 4;  // after so many times the frames of one place, an unclear result is said
+
+double shareOf(int frames, int wanted) { return std::min(1.0, double(frames) / wanted); }
+
+bool isFaultOf(const RigVerification& found) {
+  return found.state != RigState::holds && found.state != RigState::unclear;
+}
 
 }  // namespace
 
@@ -15,26 +22,43 @@ RigCheckRun::RigCheckRun(const cameras::StereoRig& rig, const cameras::Board& bo
       board_(rig, board, nullptr, coil),
       marker_(rig, std::nullopt, make_tracker(), coil) {}
 
+void RigCheckRun::judge(const RigVerifier& verifier, const Places& places, int wanted) {
+  if (places.first + places.second < wanted) return;
+  const RigVerification now = verifier.result();
+  const bool is_unclear =
+      now.state == RigState::unclear && places.first + places.second >= kUnclearTimes * wanted;
+  const bool has_two_places = places.first >= wanted && places.second >= wanted;
+  if (isFaultOf(now) || is_unclear || (has_two_places && now.state == RigState::holds)) result_ = now;
+}
+
 BoardSight RigCheckRun::add(const cameras::StereoFrame& frame) {
   using State = BoardSight::State;
   const BoardSight sight = stillness_.add(frame);
   if (sight.state == State::taken || sight.state == State::known) {
     board_.add(frame);
-    ++board_frames_;
+    board_places_.add(board_.motion());
+    judge(board_, board_places_, kBoardFrames);
   } else if (sight.state == State::none) {
     marker_.add(frame);
-    marker_frames_ = marker_.result().marker_frames;
+    const int seen = marker_.result().marker_frames;
+    if (seen > marker_frames_) marker_places_.add(marker_.motion());
+    marker_frames_ = seen;
+    if (board_places_.first == 0) judge(marker_, marker_places_, kMarkerFrames);
   }
-  if (board_frames_ >= kBoardFrames)
-    result_ = board_.result();
-  else if (marker_frames_ >= kMarkerFrames && board_frames_ == 0)
-    result_ = marker_.result();
   return sight;
 }
 
+std::optional<RigVerification> RigCheckRun::firstPlace() const {
+  if (board_places_.first >= kBoardFrames) return board_.result();
+  if (marker_places_.first >= kMarkerFrames) return marker_.result();
+  return std::nullopt;
+}
+
 double RigCheckRun::progress() const {
-  return std::min(1.0,
-                  std::max(double(board_frames_) / kBoardFrames, double(marker_frames_) / kMarkerFrames));
+  const auto of = [](const Places& places, int wanted) {
+    return 0.5 * (shareOf(places.first, wanted) + shareOf(places.second, wanted));
+  };
+  return std::max(of(board_places_, kBoardFrames), of(marker_places_, kMarkerFrames));
 }
 
 }  // namespace facenav::workflow

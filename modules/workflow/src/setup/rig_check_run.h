@@ -1,6 +1,7 @@
 #pragma once
-// The check of a calibration from live pictures: the board in a new position, or the coil's marker. A board
-// counts only while it stands still: two cameras without a trigger see a moving one at two moments.
+// The check of a calibration from live pictures: the board, or the coil's marker, in two places. One place
+// alone proves too little (verify_rig.h). A board counts only while it stands still: two cameras without a
+// trigger see a moving one at two moments.
 
 #include <memory>
 
@@ -16,14 +17,24 @@ class RigCheckRun {
               const coil_tracking::CoilModel& coil, const CoilSetup::MakeTracker& make_tracker);
   /// What the frame showed, for drawing.
   BoardSight add(const cameras::StereoFrame& frame);
-  /// When enough was seen.
+  /// When enough was seen: a fault in the first place, else both places.
   const std::optional<RigVerification>& result() const { return result_; }
   double progress() const;
+  /// What was measured so far, once the first place is done; nothing before.
+  std::optional<RigVerification> firstPlace() const;
 
  private:
+  /// Frames in the first place and elsewhere.
+  struct Places {
+    int first = 0, second = 0;
+    void add(const CheckMotion& motion) { motion.isEnough() ? ++second : ++first; }
+  };
+  void judge(const RigVerifier& verifier, const Places& places, int wanted);
+
   BoardCollector stillness_;  // views are of no interest here
   RigVerifier board_, marker_;
-  int board_frames_ = 0, marker_frames_ = 0;
+  Places board_places_, marker_places_;
+  int marker_frames_ = 0;
   std::optional<RigVerification> result_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/workflow/settle_camera.h"
 
 namespace facenav::workflow {
@@ -11,16 +12,28 @@ constexpr int kFewestSetupViews = 8;  // that finishViews() takes
 constexpr double kUsualViews = 15.0;  // for the progress
 constexpr const char* kCalibrateFirst = "calibrate the cameras first";
 
-std::string checkWords(const BoardSight& sight) {
+std::string checkWords(const BoardSight& sight, const std::optional<RigVerification>& first) {
+  using State = BoardSight::State;
+  if (first && (sight.state == State::taken || sight.state == State::known || sight.state == State::none))
+    return formatted(
+        "the first place fits: now move it nearer or farther, by %.0f mm at least, and hold it still",
+        settingsOf<RigCheckRules>().least_moved_mm);
   switch (sight.state) {
-    case BoardSight::State::none:
+    case State::none:
       return "hold the board in a new place, or the coil with its marker, before both cameras";
-    case BoardSight::State::taken:
-    case BoardSight::State::known:
+    case State::taken:
+    case State::known:
       return "it is measured: hold it still";
     default:
       return sight.reason;
   }
+}
+
+std::vector<SetupLine> checkLines(const RigVerification& found) {
+  std::vector<SetupLine> lines;
+  for (const auto& length : found.lengths) lines.push_back({!length.contradicts(), length.words()});
+  if (!found.lengths.empty()) lines.push_back({found.motion.isEnough(), found.motion.words()});
+  return lines;
 }
 
 }  // namespace
@@ -152,7 +165,9 @@ void SetupSteps::verify(SetupView& now) {
     const auto sight = check_->add(*now.frame);
     now.left_marks = sight.left.px;
     now.right_marks = sight.right.px;
-    now.sentence = checkWords(sight);
+    const auto first = check_->firstPlace();
+    now.sentence = checkWords(sight, first);
+    if (first) now.lines = checkLines(*first);
   }
   now.progress = check_->progress();
   if (!check_->result()) return;
@@ -160,10 +175,7 @@ void SetupSteps::verify(SetupView& now) {
   now.sentence = found.words();
   now.is_done = found.state == RigState::holds;
   now.needs_repair = !now.is_done && found.state != RigState::unclear;
-  for (const auto& length : found.lengths)
-    now.lines.push_back({!length.contradicts(),
-                         formatted("%s: %.2f mm measured, %.2f mm true (+-%.2f mm)", length.what.c_str(),
-                                   length.measured_mm, length.true_mm, length.sigma_mm)});
+  now.lines = checkLines(found);
   results_.verification = found;
 }
 
@@ -179,8 +191,11 @@ void SetupSteps::followCoil(SetupView& now) {
   now.right_marks = coil_->rightCorners();
   now.progress = coil_->progress();
   now.is_done = coil_->stage() == CoilSetup::Stage::done ||
-                (coil_->stage() == CoilSetup::Stage::look && coil_->isSeen());
+                (coil_->stage() == CoilSetup::Stage::look && coil_->isSeen() && !coil_->hasTrouble());
   now.lines.push_back({coil_->isSeen(), coil_->isSeen() ? "the coil's marker is seen" : "no marker is seen"});
+  if (coil_->stage() == CoilSetup::Stage::jig)
+    now.lines.push_back(
+        {coil_->isJigSeen(), coil_->isJigSeen() ? "the jig's marker is seen" : "no jig is seen"});
   results_.coil = coil_->result();
 }
 

@@ -28,12 +28,17 @@ class CoilSetup {
   void add(const cameras::StereoFrame& frame);
   /// Starts with the coil's centre on the tip.
   void startPivots();
-  /// The jig's marker and its place on the coil, as coil.json. Throws Error as readCoil does.
+  /// The jig's marker and its place on the coil, as coil.json. A jig with the coil's own marker is refused in
+  /// words().
   void startJig(const coil_tracking::CoilModel& jig);
   void stop();
 
   Stage stage() const { return stage_; }
   bool isSeen() const { return is_seen_; }
+  /// The jig's marker, while the coil is calibrated with a jig.
+  bool isJigSeen() const { return is_jig_seen_; }
+  /// words() say what is wrong.
+  bool hasTrouble() const { return !trouble_.empty(); }
   /// Corners of the marker in the last frame, for drawing; empty: not seen.
   const std::vector<cv::Point2f>& leftCorners() const { return left_px_; }
   const std::vector<cv::Point2f>& rightCorners() const { return right_px_; }
@@ -45,6 +50,13 @@ class CoilSetup {
   const std::optional<coil_tracking::CoilCalibration>& result() const { return result_; }
 
  private:
+  void followJig(const coil_tracking::CoilResult& coil, const cameras::StereoFrame& frame);
+  void lookForOthers(const cameras::StereoFrame& frame);
+  bool isOwn(int marker) const;
+  bool isPivoting() const {
+    return stage_ == Stage::centre || stage_ == Stage::handle || stage_ == Stage::side;
+  }
+  std::string unseenWords() const;
   void take(const RigidTransform<Camera, Marker>& pose);
   void tryPivot();
   void tryJig();
@@ -54,7 +66,10 @@ class CoilSetup {
   MakeTracker make_tracker_;
   std::unique_ptr<coil_tracking::CoilTracker> tracker_, jig_tracker_;
   Stage stage_ = Stage::look;
-  bool is_seen_ = false;
+  bool is_seen_ = false, is_jig_seen_ = false;
+  std::optional<int> other_marker_;  // seen in place of the coil's: the coil that is held is another
+  double now_s_ = 0, turned_s_ = 0;  // the newest frame; the last that showed a new pose, or a start
+  std::optional<double> looked_for_others_s_;
   std::vector<cv::Point2f> left_px_, right_px_;
   std::vector<RigidTransform<Camera, Marker>> poses_;
   std::vector<coil_tracking::Pivot> pivots_;

@@ -26,6 +26,9 @@ class ProjectorRun {
   /// A pair of now; the first one that was taken long enough after shown() is kept. The last pair of a scene
   /// takes a second or two: it is decoded, and the projector calibrated.
   void add(const cameras::StereoFrame& frame);
+  /// Ends the scene, and says so, where the cameras have given no pair for some seconds. `now_s`: steady
+  /// clock.
+  void wait(double now_s);
   double progress() const;
 
   /// What was found or what to do, one sentence.
@@ -34,6 +37,7 @@ class ProjectorRun {
 
  private:
   void finishScene();
+  void useScene(const std::vector<stereo::LitPlace>& found);
 
   const cameras::StereoRig rig_;
   const stereo::ProjectorCode code_;
