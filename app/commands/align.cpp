@@ -59,7 +59,8 @@ capture::Recording fromCameras(const AlignRequest& request, const Context& conte
   if (request.from == "film")
     throw Error("a film is not aligned from live cameras", "--using film",
                 "record it first: facenav record --rig NAME");
-  const auto source = openLive(request.live, context);
+  const auto source = openVerifiedRig(request.live, context);
+  requireUnmoved(*source, request.live.rig);
   capture::Recording recording;
   recording.rig = source->rig();
   capture::CapturePair pair;

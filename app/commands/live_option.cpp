@@ -6,14 +6,27 @@
 namespace facenav::app {
 namespace {
 
-std::unique_ptr<capture::CameraPairSource> openNamed(const LiveChoice& choice, const Context& context) {
-  const auto rig = capture::RigStore(choice.rigs).read(choice.rig);
-  auto source = capture::openRig(context.registrations.cameras, rig);
-  // Not before: a camera that is away is tried again several times a second.
-  if (rig.last_check && rig.last_check->state != "holds")
-    logWarning("the rig's last check says: " + rig.last_check->words);
-  for (const auto& words : capture::changedSettings(*source)) logWarning(words);
-  return source;
+constexpr double kSettleRig_s = 8.0;  // a face that is there is measured three times by then
+
+std::string repairOf(const std::string& rig) {
+  const bool is_quoted = rig.find(' ') != std::string::npos;
+  const std::string quote = is_quoted ? "'" : "";
+  return "repair it in two minutes: facenav-gui --set-up --rig " + quote + rig + quote;
+}
+
+void tellStart(const LiveChoice& choice, const workflow::RigStart& found) {
+  const std::string words = "rig " + choice.rig + ": " + found.words();
+  if (found.isWithheld())
+    logWarning(words + "; guidance and alignment are withheld; " + repairOf(choice.rig));
+  else if (!found.differs.empty() || found.state == workflow::RigState::unclear)
+    logWarning(words);
+  else
+    logInfo(words);
+  try {
+    workflow::keepRigStart(capture::RigStore(choice.rigs), choice.rig, found);
+  } catch (const Error& error) {
+    logWarning(error.what());
+  }
 }
 
 }  // namespace
@@ -33,8 +46,24 @@ void addLiveOptions(CLI::App& verb, LiveChoice& choice) {
       ->check(CLI::Range(1.0, 1000.0));
 }
 
-std::unique_ptr<capture::CameraPairSource> openLive(const LiveChoice& choice, const Context& context) {
-  if (!choice.rig.empty()) return openNamed(choice, context);
+std::unique_ptr<workflow::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context) {
+  const auto& methods = context.registrations;
+  const auto rig = capture::RigStore(choice.rigs).read(choice.rig);
+  workflow::RigStartMethods judges{methods.face_detector(),
+                                   methods.coil_trackers.create(methods.coil_trackers.defaultName()),
+                                   choice.coil};
+  return workflow::openVerified(methods.cameras, rig, std::move(judges), repairOf(choice.rig),
+                                [choice](const workflow::RigStart& found) { tellStart(choice, found); });
+}
+
+void requireUnmoved(workflow::VerifiedCameras& cameras, const std::string& rig) {
+  cameras.settle(kSettleRig_s);
+  const auto found = cameras.standing();
+  if (found->isWithheld()) throw Error("not aligned: " + found->words(), rig, repairOf(rig));
+}
+
+std::unique_ptr<capture::FrameSource> openLive(const LiveChoice& choice, const Context& context) {
+  if (!choice.rig.empty()) return openVerifiedRig(choice, context);
   if (choice.left.empty())
     throw Error("it is not said which cameras", "",
                 "give --rig NAME, or --left, --right and --calibration stereo.yml");

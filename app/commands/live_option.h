@@ -8,22 +8,28 @@
 
 #include "context.h"
 #include "facenav/capture/recording.h"
-#include "facenav/capture/rig_store.h"
+#include "facenav/workflow/verified_cameras.h"
 
 namespace facenav::app {
 
 struct LiveChoice {
-  std::string rig, left, right;             // names
-  std::filesystem::path rigs, calibration;  // rigs: empty: the usual folder
-  capture::CameraSettings settings;         // of --left and --right; a rig has its own
+  std::string rig, left, right;                                  // names
+  std::filesystem::path rigs, calibration;                       // rigs: empty: the usual folder
+  capture::CameraSettings settings;                              // of --left and --right; a rig has its own
+  coil_tracking::CoilModel coil = coil_tracking::defaultCoil();  // whose marker verifies a rig
   double frames_per_s() const { return settings.frames_per_s; }
 };
 
 /// --rig, --rigs, --left, --right, --calibration, --rate.
 void addLiveOptions(CLI::App& verb, LiveChoice& choice);
-/// Opens both cameras. Warns of adjustments that are not locked and of a rig whose last check failed. Throws
-/// Error: it is not said which cameras; CameraError as capture::openRig does.
-std::unique_ptr<capture::CameraPairSource> openLive(const LiveChoice& choice, const Context& context);
+/// Opens both cameras. Warns of adjustments that are not locked. A rig is verified while it runs
+/// (openVerifiedRig). Throws Error: it is not said which cameras; CameraError as capture::openRig does.
+std::unique_ptr<capture::FrameSource> openLive(const LiveChoice& choice, const Context& context);
+/// The cameras of choice.rig. What is found is said in one line and kept with the rig; frames of cameras that
+/// have moved carry their fault (StereoFrame::rig_fault). Throws as openLive.
+std::unique_ptr<workflow::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context);
+/// Waits for the first answer, some seconds. Throws Error: the rig has moved, and how it is repaired.
+void requireUnmoved(workflow::VerifiedCameras& cameras, const std::string& rig);
 /// Asks on the terminal for the projector on, then off, and takes a pair each time. Throws Error: standard
 /// input has ended.
 capture::CapturePair askForCapture(capture::FrameSource& source);

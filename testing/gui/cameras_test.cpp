@@ -172,7 +172,7 @@ TEST_F(CamerasTest, ANamedRigBringsItsCamerasSettingsAndCalibration) {
   entry.rig->right = capture::RigCamera{plugged_in_[0].identity, {}};
   entry.rig->last_check = capture::RigCheckNote{"", "holds", "the calibration holds"};
   services_.listRigs = [&] { return std::vector<capture::RigEntry>{entry}; };
-  services_.openRig = [this](const capture::NamedRig& rig) {
+  services_.openRig = [this](const capture::NamedRig& rig, const RigVerifying&) {
     opened_ = {capture::stableName(rig.left->identity), capture::stableName(rig.right->identity)};
     return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
   };

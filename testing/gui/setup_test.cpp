@@ -41,7 +41,7 @@ class SetupTest : public ::testing::Test {
       return cameras;
     };
     services_.listRigs = [this] { return rigs_; };
-    services_.openRig = [this](const capture::NamedRig&) { return source(); };
+    services_.openRig = [this](const capture::NamedRig&, const RigVerifying&) { return source(); };
     services_.keepRig = [this](const capture::NamedRig& rig, Existing existing) {
       if (!rigs_.empty() && existing == Existing::refuse) throw Error("there is a rig of this name");
       rigs_ = {{rig.name, "/rigs/" + rig.name, rig, ""}};

@@ -98,6 +98,7 @@ class LiveSession : public ::testing::Test {
   void align();
   std::string track();
   void guide();
+  void trackMoved();
   void requirePoses(const fs::path& session);
 
   TemporaryFolder folder_;
@@ -219,6 +220,24 @@ void LiveSession::guide() {
   EXPECT_EQ(text, readText(kept.folder / "guidance.csv"));
 }
 
+/// The rig's last check says that it was bumped: no pose is shown, and it is said how it is repaired.
+void LiveSession::trackMoved() {
+  const capture::RigStore store(rigs_);
+  EXPECT_NE(store.read("room").last_check->state, "moved") << store.read("room").last_check->words;
+  store.note("room", {"2020-01-02T08:00:00Z", "moved", "it was bumped"});
+  const fs::path table = folder_.path() / "moved.csv";
+  const auto moved =
+      run("track --live room --rigs " + in(rigs_) + " --case " + in(case_) + " --seconds 6 -o " + in(table));
+  EXPECT_THAT(moved.errors, HasSubstr("a fault that is not repaired: it was bumped"));
+  EXPECT_THAT(moved.errors, HasSubstr("facenav-gui --set-up --rig room"));
+  int rows = 0;
+  for (const auto& row : casefile::readPoses(table)) {
+    ++rows;
+    EXPECT_FALSE(row.pose);
+  }
+  EXPECT_GT(rows, 10);
+}
+
 TEST_F(LiveSession, AlignsTracksOverAnUnpluggedCameraAndGuides) {
   if (IsSkipped() || HasFailure()) return;
   const auto early = live({"track"}, {"--case", case_.string(), "-o", (folder_.path() / "p.csv").string()});
@@ -233,6 +252,7 @@ TEST_F(LiveSession, AlignsTracksOverAnUnpluggedCameraAndGuides) {
   const auto timed = run("track --live room --rigs " + in(rigs_) + " --case " + in(case_) +
                          " --seconds 2 -o " + in(folder_.path() / "timed.csv"));
   EXPECT_THAT(timed.output, HasSubstr("0 pulses on target"));
+  trackMoved();
   EXPECT_THAT(run("track --live room --rigs " + in(rigs_) + " -o " + in(folder_.path() / "x.csv"), 1).errors,
               HasSubstr("a session belongs to a case"));
 }

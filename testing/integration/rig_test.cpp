@@ -7,6 +7,9 @@
 #include <opencv2/videoio.hpp>
 
 #include "facenav/capture/recording.h"
+#include "facenav/capture/rig_store.h"
+#include "facenav/casefile/case_store.h"
+#include "support/ball_case.h"
 #include "support/board_scene.h"
 #include "support/command_line.h"
 #include "unit/coil_tracking/tracked_once.h"
@@ -120,6 +123,87 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
   const auto wrong = runFacenav("cameras --quick --try 0.5 --size 320x240 --left " + pair);
   EXPECT_EQ(wrong.status, 1);
   EXPECT_THAT(wrong.errors, HasSubstr("it has 640 x 480"));
+}
+
+/// Two videos of the coil's marker at rest stand in for the cameras of a kept rig, of which the right one has
+/// turned sideways by `turned_deg` since.
+class KeptRigVerb : public RigVerb {
+ protected:
+  void film(double turned_deg) const {
+    const auto real = turnedRight(rig_, {0, turned_deg * kRadPerDeg, 0});
+    const auto frame =
+        scene::renderMarkers(real, {{scene::id7(), 60, scene::markerPose(580, 20, 40, 10)}}, {});
+    for (const auto& [name, image] :
+         {std::pair("left.avi", frame.left), std::pair("right.avi", frame.right)}) {
+      cv::VideoWriter writer((folder_.path() / name).string(), cv::VideoWriter::fourcc('H', 'F', 'Y', 'U'),
+                             30, image.size(), false);
+      ASSERT_TRUE(writer.isOpened());
+      cv::Mat changing = image.clone();
+      for (int i = 0; i < 150; ++i) {
+        changing(cv::Rect(0, 0, 4, 4)).setTo(i);
+        writer.write(changing);
+      }
+    }
+  }
+  CommandResult record(const std::string& name) const {
+    return runFacenav("record --rig bar" + rigs() + " --seconds 3 -o " + at(name));
+  }
+  std::string caseFolder() const {
+    casefile::CaseStore::create(folder_.path() / "case", ballCase(), {}, false);
+    return at("case");
+  }
+};
+
+TEST_F(KeptRigVerb, IsVerifiedEachTimeItsCamerasOpen) {
+  ASSERT_NO_FATAL_FAILURE(film(0));
+  const auto made = make("--left-camera " + at("left.avi") + " --right-camera " + at("right.avi"));
+  ASSERT_EQ(made.status, 0) << made.errors;
+  const auto holds = record("first");
+  EXPECT_EQ(holds.status, 0) << holds.errors;
+  EXPECT_THAT(holds.errors, HasSubstr("rig bar: cameras, picture size and adjustments are as kept; the "
+                                      "calibration holds: the coil's marker measures"));
+  EXPECT_EQ(list()[0]["last_check"]["state"], "holds");
+  // Somebody bumped the bar.
+  ASSERT_NO_FATAL_FAILURE(film(0.4));
+  const auto moved = record("second");
+  EXPECT_EQ(moved.status, 0) << "a recording is no guidance: " << moved.errors;
+  EXPECT_THAT(moved.errors, HasSubstr("the cameras have moved against each other"));
+  EXPECT_THAT(moved.errors, HasSubstr("repair it in two minutes: facenav-gui --set-up --rig bar"));
+  EXPECT_EQ(list()[0]["last_check"]["state"], "moved");
+  const auto aligned = runFacenav("align " + caseFolder() + " --live bar" + rigs());
+  EXPECT_EQ(aligned.status, 1);
+  EXPECT_THAT(aligned.errors, HasSubstr("not aligned: the cameras have moved against each other"));
+  EXPECT_THAT(aligned.errors, HasSubstr("facenav-gui --set-up --rig bar"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "case" / "alignment.json"));
+  // It was bent back: the marker shows that the calibration holds again.
+  ASSERT_NO_FATAL_FAILURE(film(0));
+  EXPECT_THAT(record("third").errors, HasSubstr("the calibration holds: the coil's marker measures"));
+  EXPECT_EQ(list()[0]["last_check"]["state"], "holds");
+}
+
+TEST_F(KeptRigVerb, AFaultStaysUntilSomethingClearsIt) {
+  ASSERT_NO_FATAL_FAILURE(film(0));
+  ASSERT_EQ(make("--left-camera " + at("left.avi") + " --right-camera " + at("right.avi")).status, 0);
+  capture::RigStore(folder_.path() / "rigs").note("bar", {"2020-01-02T08:00:00Z", "moved", "it was bumped"});
+  // A plain grey picture shows neither face nor marker.
+  const cv::Mat grey(480, 640, CV_8U, cv::Scalar(90));
+  for (const char* name : {"left.avi", "right.avi"}) {
+    cv::VideoWriter writer((folder_.path() / name).string(), cv::VideoWriter::fourcc('H', 'F', 'Y', 'U'), 30,
+                           grey.size(), false);
+    cv::Mat changing = grey.clone();
+    for (int i = 0; i < 120; ++i) {
+      changing(cv::Rect(0, 0, 4, 4)).setTo(i);
+      writer.write(changing);
+    }
+  }
+  const auto recorded = record("first");
+  EXPECT_EQ(recorded.status, 0) << recorded.errors;
+  EXPECT_THAT(
+      recorded.errors,
+      HasSubstr("the check of 2020-01-02T08:00:00Z found a fault that is not repaired: it was bumped"));
+  EXPECT_EQ(list()[0]["last_check"]["utc"], "2020-01-02T08:00:00Z");
+  EXPECT_THAT(runFacenav("align " + caseFolder() + " --live bar" + rigs()).errors,
+              HasSubstr("not aligned: the check of 2020-01-02T08:00:00Z found a fault"));
 }
 
 }  // namespace

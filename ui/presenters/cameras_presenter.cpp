@@ -145,9 +145,33 @@ void CamerasPresenter::chooseRig(const QString& name) {
   emit changed();
 }
 
+/// What is found is read by the window's own thread.
+RigVerifying CamerasPresenter::verifying() const {
+  RigVerifying verifying;
+  if (coil_) verifying.coil = coil_();
+  verifying.told = [start = start_](const workflow::RigStart& found) {
+    start->publish(std::make_shared<const workflow::RigStart>(found));
+  };
+  return verifying;
+}
+
+QString CamerasPresenter::rigFault() const {
+  if (const auto frame = picture(); frame && is_live_ && !frame->rig_fault.empty())
+    return QString::fromStdString(frame->rig_fault);
+  const auto found = start_->latest();
+  return found && found->isWithheld() ? QString::fromStdString(found->words()) : QString();
+}
+
+QString CamerasPresenter::startWords() const {
+  if (!namedRig()) return {};
+  const auto found = start_->latest();
+  return found ? QString::fromStdString(found->words())
+               : tr("the cameras are compared with what was kept: look at them, and hold the coil still");
+}
+
 std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener() const {
   if (const auto named = namedRig(); named && services_.openRig)
-    return [open = services_.openRig, rig = *named] { return open(rig); };
+    return [open = services_.openRig, rig = *named, verifying = verifying()] { return open(rig, verifying); };
   FACENAV_EXPECT(rig_, "a calibration is chosen first");
   return [open = services_.openCameras, rig = *rig_, left = left_.toStdString(),
           right = right_.toStdString()] { return open(rig, left, right); };
@@ -185,7 +209,8 @@ QString CamerasPresenter::rigWords() const {
   if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
   words +=
       tr(", of %1").arg(QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
-  if (const auto named = namedRig()) words += "\n" + checkWords(*named);
+  // While its cameras are open, what was found now says more (words()).
+  if (const auto named = namedRig(); named && !is_live_) words += "\n" + checkWords(*named);
   return words;
 }
 
@@ -195,6 +220,7 @@ bool CamerasPresenter::canOpen() const {
 
 void CamerasPresenter::open() {
   if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
+  forgetStart();
   tasks_.start(tr("Opening the cameras"),
                [this, opens = opener(), old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  old.reset();  // first: a camera can be opened only once
@@ -213,7 +239,10 @@ void CamerasPresenter::retire(std::shared_ptr<capture::LivePreview> preview) {
     retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(0));
 }
 
+void CamerasPresenter::forgetStart() { start_ = std::make_shared<LatestValue<workflow::RigStart>>(); }
+
 void CamerasPresenter::closeCameras() {
+  forgetStart();
   if (auto preview = release())
     retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(500));
   emit changed();
@@ -221,6 +250,7 @@ void CamerasPresenter::closeCameras() {
 
 void CamerasPresenter::show(const capture::Recording& recording) {
   retire(release());
+  forgetStart();
   if (recording.frame_count > 0)
     preview_ = std::make_shared<capture::LivePreview>(capture::makeSource(recording), true);
   emit changed();
@@ -248,6 +278,7 @@ QString CamerasPresenter::words() const {
     if (!is_live_) return preview_->hasEnded() ? tr("recording, at its end") : tr("recording");
     if (preview_->age_s() > kFresh_s) return tr("NO PICTURE from the cameras");
     QString words = tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
+    if (const QString start = startWords(); !start.isEmpty()) words += "\n" + start;
     for (const auto& caution : preview_->cautions()) words += "\n" + QString::fromStdString(caution);
     return words;
   }
@@ -273,7 +304,10 @@ std::optional<cameras::StereoFrame> CamerasPresenter::takeFresh() {
     emit refused(tr("no fresh picture from the cameras: nothing was taken"));
     return std::nullopt;
   }
-  return cameras::StereoFrame{frame->left.clone(), frame->right.clone(), frame->number, frame->captured};
+  cameras::StereoFrame fresh = *frame;
+  fresh.left = frame->left.clone();
+  fresh.right = frame->right.clone();
+  return fresh;
 }
 
 void CamerasPresenter::takeDots() {

@@ -11,6 +11,7 @@
 #include "facenav/capture/camera_backend.h"
 #include "facenav/capture/live_preview.h"
 #include "facenav/capture/recording.h"
+#include "facenav/core/latest_value.h"
 #include "presenters/retirement.h"
 #include "presenters/services.h"
 #include "presenters/task_runner.h"
@@ -50,6 +51,11 @@ class CamerasPresenter : public QObject {
   bool isRigGood() const { return rig_.has_value(); }
 
   bool canOpen() const;
+  /// Whose marker verifies a kept rig when its cameras open; without it the default coil.
+  void useCoilOf(std::function<coil_tracking::CoilModel()> coil) { coil_ = std::move(coil); }
+  /// Why guidance and alignment with the live cameras are withheld: the rig that was kept has moved. Empty:
+  /// nothing is known.
+  QString rigFault() const;
   /// Opens what is chosen now; for another thread.
   std::function<std::unique_ptr<capture::FrameSource>()> opener() const;
   /// Opens both cameras; live images follow.
@@ -98,6 +104,10 @@ class CamerasPresenter : public QObject {
   void readRigs();
   std::optional<capture::NamedRig> namedRig() const;
   void forgetRigName();
+  void forgetStart();
+  RigVerifying verifying() const;
+  /// What the verification of the kept rig found; empty: none is open.
+  QString startWords() const;
   std::optional<cameras::StereoFrame> takeFresh();
 
   const Services& services_;
@@ -110,6 +120,10 @@ class CamerasPresenter : public QObject {
   std::shared_ptr<capture::LivePreview> preview_;
   Retirement retirement_;
   bool is_live_ = false;
+  std::function<coil_tracking::CoilModel()> coil_;
+  /// Of the cameras that were opened last; without a value: no answer yet.
+  std::shared_ptr<LatestValue<workflow::RigStart>> start_ =
+      std::make_shared<LatestValue<workflow::RigStart>>();
   std::optional<cameras::StereoFrame> dots_, plain_;
   Timestamp dots_taken_, plain_taken_;
 };

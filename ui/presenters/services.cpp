@@ -1,12 +1,26 @@
 #include "presenters/services.h"
 
 #include "facenav/capture/camera_pair_source.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
 #include "facenav/dicom/patient.h"
 #include "facenav/workflow/align_case.h"
 #include "facenav/workflow/prepare_case.h"
 #include "facenav/workflow/settle_camera.h"
 
 namespace facenav::ui {
+namespace {
+
+/// The cameras go on where it cannot be kept.
+void keepStart(const std::string& rig, const workflow::RigStart& found) {
+  try {
+    workflow::keepRigStart(capture::RigStore(), rig, found);
+  } catch (const Error& error) {
+    logWarning(error.what());
+  }
+}
+
+}  // namespace
 
 Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   Services services;
@@ -65,8 +79,19 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
                                    capture::openCamera(methods.cameras, capture::findCamera(found, right)));
   };
   services.listRigs = [] { return capture::RigStore().list(); };
-  services.openRig = [makeMethods](const capture::NamedRig& rig) -> std::unique_ptr<capture::FrameSource> {
-    return capture::openRig(makeMethods().cameras, rig);
+  services.openRig = [makeMethods](const capture::NamedRig& rig,
+                                   const RigVerifying& verifying) -> std::unique_ptr<capture::FrameSource> {
+    const auto methods = makeMethods();
+    if (!verifying.told) return capture::openRig(methods.cameras, rig);
+    workflow::RigStartMethods judges{methods.face_detector(),
+                                     methods.coil_trackers.create(methods.coil_trackers.defaultName()),
+                                     verifying.coil};
+    return workflow::openVerified(methods.cameras, rig, std::move(judges),
+                                  "repair them: Check and repair the cameras",
+                                  [name = rig.name, told = verifying.told](const workflow::RigStart& found) {
+                                    keepStart(name, found);
+                                    told(found);
+                                  });
   };
   services.openNewCameras = [makeMethods](const std::string& left, const std::string& right, int width_px,
                                           int height_px) {

@@ -23,6 +23,7 @@
 #include "facenav/workflow/alignment_seen.h"
 #include "facenav/workflow/registrations.h"
 #include "facenav/workflow/rig_setup.h"
+#include "facenav/workflow/verified_cameras.h"
 
 namespace facenav::ui {
 
@@ -36,6 +37,12 @@ struct PrepareOrder {
 struct NewCameras {
   std::unique_ptr<capture::FrameSource> source;
   capture::RigCamera left, right;
+};
+
+/// How a kept rig is verified when its cameras open (workflow/verified_cameras.h).
+struct RigVerifying {
+  coil_tracking::CoilModel coil = coil_tracking::defaultCoil();
+  workflow::VerifiedCameras::Told told = {};  // empty: it is not verified
 };
 
 struct Services {
@@ -69,8 +76,8 @@ struct Services {
       openCameras;
   /// The rigs kept under a name (`facenav rig new`); fast.
   std::function<std::vector<capture::RigEntry>()> listRigs;
-  /// The cameras of such a rig, with their locked settings.
-  std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&)> openRig;
+  /// The cameras of such a rig, with their locked settings. What is found is kept with the rig.
+  std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&, const RigVerifying&)> openRig;
   /// Two cameras by stable names, without a calibration, in this size. Takes some seconds.
   std::function<NewCameras(const std::string& left, const std::string& right, int width_px, int height_px)>
       openNewCameras;

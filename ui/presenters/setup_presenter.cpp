@@ -133,7 +133,7 @@ void SetupPresenter::openKept(const QString& name) {
       tr("Opening the cameras"),
       [this, rig = *rig, old = std::exchange(setup_, nullptr)](TaskMonitor&) mutable -> TaskRunner::Delivery {
         old.reset();
-        auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(services_.openRig(rig));
+        auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(services_.openRig(rig, {}));
         return [this, rig, source] {
           left_camera_ = rig.left;
           right_camera_ = rig.right;

@@ -42,6 +42,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
     target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
     emit changed();
   });
+  cameras_.useCoilOf([this] { return coil_.model(); });
   connect(&cameras_, &CamerasPresenter::opened, this, &TreatPresenter::useCameras);
   connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
     recording_->capture = cameras_.capture();
@@ -103,11 +104,19 @@ void TreatPresenter::chooseCoil(const QString& name) {
 }
 
 bool TreatPresenter::canAlign() const {
-  return recording_ && mayTreat() && !isRunning() && (!is_live_ || recording_->capture);
+  return recording_ && mayTreat() && !isRunning() && (!is_live_ || recording_->capture) &&
+         withheldWords().isEmpty();
+}
+
+bool TreatPresenter::refuseMoved() {
+  const QString fault = withheldWords();
+  if (!fault.isEmpty()) emit refused(fault);
+  return !fault.isEmpty();
 }
 
 void TreatPresenter::align(bool then_start) {
   if (!canAlign()) {  // live cameras need current images, never an old capture
+    if (refuseMoved()) return;
     if (is_live_ && mayTreat()) emit refused(tr("take the two pictures first (step 1)"));
     return;
   }
@@ -130,7 +139,8 @@ void TreatPresenter::use(const AlignedHead& aligned) {
 }
 
 void TreatPresenter::start() {
-  if (recording_ && isAligned() && !isRunning() && !tasks_.isRunning() && mayTreat()) startWith({});
+  if (!recording_ || !isAligned() || isRunning() || tasks_.isRunning() || !mayTreat()) return;
+  if (!refuseMoved()) startWith({});
 }
 
 /// The face as it was at the alignment of that session counts, not as it is now.

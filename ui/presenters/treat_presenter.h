@@ -105,9 +105,14 @@ class TreatPresenter : public QObject {
   bool isLive() const { return is_live_; }
   /// True if everything needed to align is there.
   bool canAlign() const;
-  bool canGoOn() const { return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning(); }
-  /// The fault of the cameras that the last session found, or a motion that it corrected; empty: none.
-  QString rigFault() const { return rig_fault_; }
+  bool canGoOn() const {
+    return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty();
+  }
+  /// The fault of the live cameras, or the one that the last session found, or a motion that it corrected;
+  /// empty: none.
+  QString rigFault() const { return withheldWords().isEmpty() ? rig_fault_ : withheldWords(); }
+  /// Why the live cameras are not aligned or guided with, until they are repaired; empty: they are.
+  QString withheldWords() const { return is_live_ ? cameras_.rigFault() : QString(); }
   bool isAligned() const { return aligned_.outcome != nullptr; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
   /// The recording reached its end, or a fault stopped the session.
@@ -159,6 +164,8 @@ class TreatPresenter : public QObject {
 
  private:
   void startWith(const std::filesystem::path& goes_on);
+  /// With words; false: the cameras are not known to have moved.
+  bool refuseMoved();
   void use(const AlignedHead& aligned);
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();

@@ -32,9 +32,10 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
     : QFrame(parent), presenter_(presenter), cameras_(presenter.cameras()) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
-  addChoice(*column);
+  column->addWidget(label(tr("Cameras"), "heading", this));
   state_ = label({}, "verdict", this);
-  column->addWidget(state_);
+  column->addWidget(state_);  // first: with large text the rest is below the fold
+  addChoice(*column);
   addCapture(*column);
   coil_words_ = label({}, "plain", this);
   column->addWidget(coil_words_);
@@ -61,7 +62,6 @@ QPushButton* CamerasPanel::button(const QString& text, const QString& tip, const
 }
 
 void CamerasPanel::addChoice(QVBoxLayout& column) {
-  column.addWidget(label(tr("Cameras"), "heading", this));
   auto* grid = new QGridLayout;
   left_ = new QComboBox(this);
   right_ = new QComboBox(this);

@@ -235,13 +235,19 @@ ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_
     read_out.level = Level::idle;
     return read_out;
   }
-  read_out.instruction = !model_.isOpen()         ? tr("NO CASE OPEN")
+  const bool has_moved = !presenter_.withheldWords().isEmpty();
+  read_out.instruction = has_moved                ? tr("CAMERAS MOVED: repair them (step 1)")
+                         : !model_.isOpen()       ? tr("NO CASE OPEN")
                          : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
                          : presenter_.isAligned() ? tr("READY: start guidance")
                                                   : tr("NOT ALIGNED");
   read_out.level = Level::idle;
   read_out.timing.clear();
-  read_out.cameras = {presenter_.hasRecording() ? tr("CAMERAS ready") : tr("CAMERAS none"), {}, Level::idle};
+  read_out.cameras = {has_moved                   ? tr("CAMERAS moved")
+                      : presenter_.hasRecording() ? tr("CAMERAS ready")
+                                                  : tr("CAMERAS none"),
+                      {},
+                      has_moved ? Level::lost : Level::idle};
   read_out.face = {tr("FACE idle"), {}, Level::idle};
   read_out.coil = {tr("COIL idle"), {}, Level::idle};
   return read_out;
@@ -252,7 +258,8 @@ void TreatWorkspace::refresh() {
   tools_->refreshPulses();
   check_.follow(*state);
   tip_.follow(*state);
-  if (presenter_.isRunning() != shows_running_) showSteps();
+  // The check of a kept rig answers at any time.
+  if (presenter_.isRunning() != shows_running_ || presenter_.canAlign() != align_->isEnabled()) showSteps();
   const bool was_started = presenter_.isRunning() || state->frame >= 0;
   const ReadOut read_out = readOut(*state, was_started);
   screens_->follow(state, read_out);

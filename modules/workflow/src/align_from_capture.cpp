@@ -215,6 +215,8 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
 AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   AlignedFrom from, const AlignmentSetup& setup, TaskMonitor& monitor) {
   stereo::makeDenseMatcher(setup.matcher);  // refuses an unknown name before any work is done
+  for (const auto* frame : {&capture.pattern, &capture.plain})
+    if (!frame->rig_fault.empty()) throw Error("not aligned: " + frame->rig_fault);
   const Field field = fieldOf(setup);
   AlignmentOutcome outcome;
   outcome.matcher = setup.matcher;

@@ -101,5 +101,23 @@ TEST(CameraAway, TheLogSaysItOnceAndThatItIsBack) {
     }
 }
 
+/// A kept rig that has moved (workflow/verified_cameras.h).
+TEST(CamerasThatMoved, PicturesWhoseSourceKnowsAFaultShowNoPose) {
+  const auto navigator = awayNavigator(std::make_shared<Verdict>(Verdict::agrees));
+  ASSERT_TRUE(navigator->process(fakes::frame(0, 0.0)).camera_T_mri);
+  auto frame = std::make_shared<cameras::StereoFrame>(*fakes::frame(1, 0.02));
+  frame->rig_fault = "the cameras have moved; repair it";
+  const auto doubted = navigator->process(frame);
+  EXPECT_FALSE(doubted.head);
+  EXPECT_FALSE(doubted.camera_T_mri);
+  EXPECT_FALSE(doubted.camera_T_coil);
+  EXPECT_FALSE(doubted.guidance.values);
+  EXPECT_EQ(lossWord(doubted), "cameras_moved");
+  EXPECT_THAT(lossInWords(doubted), HasSubstr("CAMERAS MOVED"));
+  EXPECT_EQ(doubted.rig_fault, "the cameras have moved; repair it");
+  EXPECT_TRUE(doubted.images) << "the pictures can still be shown";
+  EXPECT_TRUE(navigator->process(fakes::frame(2, 0.04)).camera_T_mri) << "the marker has cleared it";
+}
+
 }  // namespace
 }  // namespace facenav::session

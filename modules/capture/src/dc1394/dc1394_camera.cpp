@@ -122,6 +122,7 @@ ControlState Dc1394Camera::lock(const Dc1394Control& control, const CameraSettin
   if (!before) return state;
   state.unit = before->has_unit ? control.unit : "";
   const double scale = before->has_unit ? control.per_unit : 1.0;
+  state.found = before->value * scale;
   std::optional<double> value;
   if (state.wanted) value = std::clamp(*state.wanted / scale, before->minimum, before->maximum);
   device_->write(control.feature, false, value);
@@ -167,7 +168,9 @@ void Dc1394Camera::confirm() {
     if (state_.controls[i].lock == ControlState::Lock::locked) {
       CameraSettings kept = settings_;
       kept.*kDc1394Controls[i].wanted = state_.controls[i].actual;
+      const auto found = state_.controls[i].found;  // before the first setting
       state_.controls[i] = lock(kDc1394Controls[i], kept);
+      state_.controls[i].found = found;
     }
 }
 

@@ -67,6 +67,7 @@ ControlState lockOne(ArvCamera* camera, const GenicamControl& control, std::opti
   GenicamCall call;
   if (!control.is_there(camera, call) || !call.isOk())
     return wanted ? refused(state, "the camera has no such control") : state;
+  state.found = control.get(camera, call) / control.per_unit;
   if (!isSwitchedOff(camera, control)) return refused(state, "the camera stays on automatic");
   if (!wanted) state.wanted = control.get(camera, call) / control.per_unit;
   double least = 0, most = 0;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <ctime>
 
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "rig_json.h"
 
@@ -119,6 +122,30 @@ std::vector<std::string> changedSettings(const CameraPairSource& source) {
     for (const auto& words : unlockedInWords(state))
       changed.push_back(std::string(side) + " camera, " + words);
   return changed;
+}
+
+std::vector<std::string> restoredSettings(const CameraPairSource& source) {
+  constexpr double kSame = 0.01;  // relative: cameras round to their own steps
+  std::vector<std::string> restored;
+  for (const auto& [side, state] :
+       {std::pair("left", source.leftState()), std::pair("right", source.rightState())})
+    for (const auto& control : state.controls) {
+      if (control.lock != ControlState::Lock::locked || !control.found || !control.actual) continue;
+      if (std::abs(*control.found - *control.actual) <= kSame * std::max(1.0, std::abs(*control.actual)))
+        continue;
+      const std::string unit = control.unit.empty() ? "" : " " + control.unit;
+      restored.push_back(std::string(side) + " camera, " + control.name +
+                         formatted(": was %g", *control.found) + unit +
+                         formatted(", is %g", *control.actual) + unit + " again");
+    }
+  return restored;
+}
+
+RigCheckNote noteOfNow(const std::string& state, const std::string& words) {
+  const std::time_t now = std::time(nullptr);
+  char utc[32];
+  std::strftime(utc, sizeof utc, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return {utc, state, words};
 }
 
 }  // namespace facenav::capture

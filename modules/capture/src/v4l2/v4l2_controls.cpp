@@ -104,6 +104,7 @@ ControlState lockControl(V4l2Device& device, const ControlPlan& plan, std::optio
   const auto range = rangeOf(device, plan.value);
   if (!range) return absentState(device, plan, state);
   if (const auto now = readControl(device, plan.value)) state.actual = *now * plan.unit_per_step;
+  state.found = state.actual;
   if (!isManual(device, plan)) {
     refuse(state, "the camera stays on automatic");
     return state;
@@ -140,8 +141,12 @@ void freeControls(V4l2Device& device) {
 }
 
 void confirmControls(V4l2Device& device, std::vector<ControlState>& controls) {
-  for (std::size_t i = 0; i < controls.size(); ++i)
-    if (controls[i].lock == Lock::locked) controls[i] = lockControl(device, kControls[i], controls[i].wanted);
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    if (controls[i].lock != Lock::locked) continue;
+    const auto found = controls[i].found;  // before the first setting
+    controls[i] = lockControl(device, kControls[i], controls[i].wanted);
+    controls[i].found = found;
+  }
 }
 
 }  // namespace facenav::capture

@@ -129,11 +129,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
     if (watchdog_) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
-    if (const auto fault = rig_check_.fault()) {  // measurements with these cameras cannot be trusted
-      state.rig_fault = fault->words;
-      state.rig_fault_detail = fault->detail;
-      state = blanked(state, LostReason::camera);
-    }
+    refuseFaultyRig(state);
   } else {
     noteAbsence(*frame, state);
     state.images = std::move(frame);
@@ -141,6 +137,17 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   }
   state.processing_ms = state.latency_ms = std::max(0.0, (Timestamp::now() - begin) * 1e3 - watching_ms);
   return state;
+}
+
+/// Measurements with cameras that do not fit their calibration cannot be trusted.
+void Navigator::refuseFaultyRig(NavigationState& state) const {
+  auto fault = rig_check_.fault();
+  if (!state.images->rig_fault.empty())
+    fault = {head_tracking::LossDetail::cameras_moved, state.images->rig_fault};
+  if (!fault) return;
+  state.rig_fault = fault->words;
+  state.rig_fault_detail = fault->detail;
+  state = blanked(state, LostReason::camera);
 }
 
 void Navigator::noteAbsence(const cameras::StereoFrame& frame, NavigationState& state) {

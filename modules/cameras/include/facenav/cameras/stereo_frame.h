@@ -18,6 +18,9 @@ struct StereoFrame {
   std::optional<double> right_late_s = std::nullopt;
   /// Why there are no pictures, in words: a live camera is away. Empty: there are.
   std::string absence = {};
+  /// Why no pose of these pictures may be shown, in words: the source knows that its cameras no longer fit
+  /// their calibration. Empty: it knows of no reason.
+  std::string rig_fault = {};
 };
 
 }  // namespace facenav::cameras

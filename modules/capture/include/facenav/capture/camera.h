@@ -74,7 +74,8 @@ struct ControlState {
   std::string name, unit;  // "exposure", "ms"
   std::optional<double> wanted, actual;
   Lock lock = Lock::absent;
-  std::string words;  // why it is not locked: "the camera stays on automatic"
+  std::string words;                 // why it is not locked: "the camera stays on automatic"
+  std::optional<double> found = {};  // the value before it was set; absent: not read
 };
 
 struct CameraState {

@@ -75,5 +75,11 @@ std::unique_ptr<CameraPairSource> openRig(const CameraBackends& backends, const 
 /// Adjustments that are not as the rig keeps them, one line each: "left camera, exposure: 5 ms was asked for,
 /// ..".
 std::vector<std::string> changedSettings(const CameraPairSource& source);
+/// Adjustments that were not as the rig keeps them when the cameras were opened, and are again, one line
+/// each: "left camera, exposure: was 20 ms, is 8 ms again".
+std::vector<std::string> restoredSettings(const CameraPairSource& source);
+
+/// A note of this moment.
+RigCheckNote noteOfNow(const std::string& state, const std::string& words);
 
 }  // namespace facenav::capture

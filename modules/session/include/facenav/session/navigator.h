@@ -64,12 +64,14 @@ class Navigator {
   /// alignment.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
-  /// ("camera"). After cameras were away, the head is withheld until the registration is checked.
+  /// ("camera"), and so is one whose source knows a fault of its cameras (StereoFrame::rig_fault). After
+  /// cameras were away, the head is withheld until the registration is checked.
   NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);
 
  private:
   double track(const cameras::StereoFrame& frame, NavigationState& state);
   void noteAbsence(const cameras::StereoFrame& frame, NavigationState& state);
+  void refuseFaultyRig(NavigationState& state) const;
   void place(NavigationState& state) const;
   void watch(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void check(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);

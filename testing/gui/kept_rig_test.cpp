@@ -1,0 +1,319 @@
+// A kept rig in the window: it is verified when its cameras open, and one that has moved is neither aligned
+// nor guided with. And the first page of the set-up with every kind of connected cameras.
+// FACENAV_GUI_PICTURES=DIR keeps images.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest/QTest>
+#include <cstdlib>
+#include <thread>
+
+#include "appearance.h"
+#include "facenav/scene/display.h"
+#include "home/fitted_words.h"
+#include "main_window.h"
+#include "setup/setup_window.h"
+#include "support/setup_room.h"
+#include "support/v4l2_tree.h"
+#include "treat_fixtures.h"
+#include "widgets/cameras_panel.h"
+#include "workspaces/treat_workspace.h"
+
+namespace facenav::ui {
+namespace {
+
+using namespace treat_fixtures;
+using workflow::RigState;
+
+/// Live pictures that differ from each other, a hundred a second.
+class LivePlain : public capture::FrameSource {
+ public:
+  const cameras::StereoRig& rig() const override { return rig_; }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return fakes::frame(number_++, Timestamp::now().s);
+  }
+
+ private:
+  cameras::StereoRig rig_ = fakes::rig();
+  std::int64_t number_ = 0;
+};
+
+capture::FoundCamera keptCamera(const std::string& number, const std::string& serial) {
+  capture::FoundCamera camera;
+  camera.identity = {"v4l2", "/dev/video" + number, "Webcam", serial, "1-" + number};
+  return camera;
+}
+
+void keepPicture(QWidget& window, const QString& name) {
+  QTest::qWait(400);
+  if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+    window.grab().save(QString("%1/%2.png").arg(pictures, name));
+}
+
+/// The button whose tip contains `tip`.
+QPushButton* buttonOf(const QWidget& panel, const QString& tip) {
+  for (auto* button : panel.findChildren<QPushButton*>())
+    if (button->toolTip().contains(tip)) return button;
+  return nullptr;
+}
+
+class KeptRig : public ::testing::Test {
+ protected:
+  KeptRig() {
+    entry_.name = "room 1";
+    entry_.folder = folder_.path() / "rig";
+    std::filesystem::create_directories(entry_.folder);
+    cameras::writeRig(fakes::rig(), entry_.folder / "stereo.yml");
+    entry_.rig = capture::NamedRig();
+    entry_.rig->name = entry_.name;
+    entry_.rig->rig = fakes::rig();
+    entry_.rig->left = capture::RigCamera{keptCamera("0", "A").identity, {}};
+    entry_.rig->right = capture::RigCamera{keptCamera("2", "B").identity, {}};
+    services_.listRigs = [this] { return std::vector<capture::RigEntry>{entry_}; };
+    services_.listCameras = [](capture::Search) {
+      return std::vector<capture::FoundCamera>{keptCamera("0", "A"), keptCamera("2", "B")};
+    };
+    services_.openCameras = [](const cameras::StereoRig&, const std::string&, const std::string&) {
+      return std::make_unique<LivePlain>();
+    };
+    services_.openRig = [this](const capture::NamedRig& rig, const RigVerifying& verifying) {
+      verifying_ = verifying;
+      workflow::RigStartCheck check(rig, {});
+      return std::make_unique<workflow::VerifiedCameras>(std::make_unique<LivePlain>(), std::move(check),
+                                                         "repair them: Check and repair the cameras",
+                                                         verifying.told);
+    };
+  }
+  /// What the check found.
+  void tell(RigState state, const std::string& geometry) {
+    workflow::RigStart found;
+    found.state = state;
+    found.geometry = geometry;
+    verifying_.told(found);
+  }
+  void noteFault() {
+    entry_.rig->last_check = capture::RigCheckNote{
+        "2026-11-24T16:20:00Z", "moved",
+        "the cameras have moved against each other since their calibration (the right one turned by about "
+        "0.40 "
+        "deg, marker measured 61.30 mm instead of 60.00 mm, rows 0.31 px apart): calibrate again"};
+  }
+  void open(TreatPresenter& treat) {
+    treat.cameras().chooseRig("room 1");
+    treat.cameras().refreshDevices();
+    ASSERT_TRUE(treat.cameras().canOpen());
+    treat.cameras().open();
+    ASSERT_TRUE(fixtures::waitFor([&] { return treat.cameras().isWell(); }));
+  }
+
+  testing::TemporaryFolder folder_;
+  capture::RigEntry entry_;
+  RigVerifying verifying_;
+  Services services_ = fakeServices();
+};
+
+class KeptRigTreat : public KeptRig {
+ protected:
+  KeptRigTreat() {
+    QObject::connect(&treat_, &TreatPresenter::refused, [this](const QString& words) { refused_ = words; });
+    const auto case_folder = plannedCase(folder_.path(), true);
+    TaskMonitor monitor;
+    model_.open(loadCase(case_folder, monitor));
+  }
+  void takeBoth() {
+    treat_.cameras().takeDots();
+    const auto with_dots = treat_.cameras().picture()->number;
+    ASSERT_TRUE(fixtures::waitFor([&] { return treat_.cameras().picture()->number > with_dots; }));
+    treat_.cameras().takePlain();
+  }
+  void settle() {
+    fixtures::waitFor([&] { return !tasks_.isRunning(); });
+  }
+  CaseModel model_;
+  TaskRunner tasks_;
+  TreatPresenter treat_{services_, model_, tasks_};
+  QString refused_;
+};
+
+TEST_F(KeptRigTreat, IsVerifiedWhenItsCamerasOpenAndSaidInOneLine) {
+  ASSERT_NO_FATAL_FAILURE(open(treat_));
+  EXPECT_TRUE(treat_.cameras().words().contains("compared with what was kept"));
+  EXPECT_EQ(verifying_.coil.name, coil_tracking::defaultCoil().name) << "the coil in use";
+  tell(RigState::holds, "the calibration holds: the coil's marker measures 60.02 mm, 60.00 mm true");
+  EXPECT_TRUE(treat_.cameras().words().contains("as kept; the calibration holds: the coil's marker"));
+  EXPECT_TRUE(treat_.rigFault().isEmpty());
+  takeBoth();
+  EXPECT_TRUE(treat_.canAlign());
+}
+
+TEST_F(KeptRigTreat, UnclearBlocksNothing) {
+  ASSERT_NO_FATAL_FAILURE(open(treat_));
+  tell(RigState::unclear, "");
+  EXPECT_TRUE(treat_.cameras().words().contains("not clear yet"));
+  takeBoth();
+  EXPECT_TRUE(treat_.canAlign());
+}
+
+TEST_F(KeptRigTreat, WithCamerasThatMovedNothingIsAlignedOrGuided) {
+  ASSERT_NO_FATAL_FAILURE(open(treat_));
+  takeBoth();
+  ASSERT_TRUE(treat_.canAlign());
+  treat_.align(false);
+  settle();
+  ASSERT_TRUE(treat_.isAligned());
+  tell(RigState::moved, "the cameras have moved against each other since their calibration");
+  EXPECT_TRUE(treat_.rigFault().contains("moved against each other"));
+  EXPECT_FALSE(treat_.canAlign());
+  EXPECT_FALSE(treat_.canGoOn());
+  treat_.align(false);
+  EXPECT_TRUE(refused_.contains("moved against each other")) << refused_.toStdString();
+  refused_.clear();
+  treat_.start();
+  settle();
+  EXPECT_FALSE(treat_.isRunning());
+  EXPECT_TRUE(refused_.contains("moved against each other")) << refused_.toStdString();
+  treat_.cameras().closeCameras();  // for the repair
+  EXPECT_TRUE(treat_.rigFault().isEmpty());
+}
+
+/// A fault of an earlier day is in force from the first picture on.
+TEST_F(KeptRigTreat, AFaultThatWasNotRepairedIsInForceAtOnce) {
+  noteFault();
+  ASSERT_NO_FATAL_FAILURE(open(treat_));
+  EXPECT_TRUE(fixtures::waitFor([&] { return treat_.rigFault().contains("not repaired"); }));
+  EXPECT_TRUE(treat_.rigFault().contains("Check and repair the cameras"));
+  takeBoth();
+  EXPECT_FALSE(treat_.canAlign());
+}
+
+/// The cameras are opened anew for the session: what is found then blanks it.
+TEST_F(KeptRigTreat, ASessionWithCamerasThatMovedShowsNoPose) {
+  ASSERT_NO_FATAL_FAILURE(open(treat_));
+  takeBoth();
+  treat_.align(false);
+  settle();
+  noteFault();
+  treat_.cameras().chooseRig("room 1");  // reads the note
+  treat_.start();
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.isRunning(); }));
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.state()->frame > 5; }));
+  for (int i = 0; i < 20; ++i) {
+    const auto state = treat_.state();
+    EXPECT_FALSE(state->camera_T_mri);
+    EXPECT_FALSE(state->camera_T_coil);
+    EXPECT_FALSE(state->guidance.values);
+    QTest::qWait(20);
+  }
+  EXPECT_TRUE(treat_.rigFault().contains("not repaired"));
+}
+
+TEST_F(KeptRig, TheWindowOffersTheRepairAtEverySize) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto case_folder = plannedCase(folder_.path(), true);
+  TaskRunner tasks;
+  CamerasPresenter(services_, tasks).chooseRig("room 1");  // remembered
+  for (const double scale : {1.0, 2.0}) {
+    applyAppearance(*qApp, scale);
+    entry_.rig->last_check.reset();
+    MainWindow window(services_);
+    window.resize(1366, 768);
+    window.show();
+    window.openCase(QString::fromStdString(case_folder.string()));
+    ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().mayTreat(); }));
+    window.setWorkspace(Workspace::treat);
+    auto* panel = window.findChild<CamerasPanel*>();
+    ASSERT_TRUE(fixtures::waitFor([&] { return buttonOf(*panel, "live pictures")->isEnabled(); }));
+    buttonOf(*panel, "live pictures")->click();
+    ASSERT_TRUE(fixtures::waitFor([&] { return bool(verifying_.told); }));
+    const auto takeAll = [&](const QString& name) {
+      for (const QSize size :
+           scale > 1 ? std::vector<QSize>{{1920, 1080}} : std::vector<QSize>{{1366, 768}, {1920, 1080}}) {
+        window.resize(size);
+        keepPicture(window,
+                    QString("kept_%1_%2%3").arg(name).arg(size.width()).arg(scale > 1 ? "_double" : ""));
+        EXPECT_EQ(window.size(), size);
+      }
+    };
+    tell(RigState::holds, "the calibration holds: the coil's marker measures 60.02 mm, 60.00 mm true");
+    takeAll("holds");
+    tell(RigState::moved,
+         "the cameras have moved against each other since their calibration (the right one turned by about "
+         "0.40 "
+         "deg, marker measured 61.30 mm instead of 60.00 mm, rows 0.31 px apart): calibrate again");
+    takeAll("moved");
+    const auto* repair = buttonOf(*panel, "four steps");
+    EXPECT_TRUE(repair->isEnabled());
+    EXPECT_TRUE(repair->text().contains("repair")) << repair->text().toStdString();
+    verifying_ = {};
+  }
+  applyAppearance(*qApp, 1.0);
+}
+
+struct ConnectedCase {
+  const char* name;
+  std::function<void(testing::V4l2Tree&)> connect;
+  const char* words;  // in the sentence
+  bool can_open;
+};
+
+TEST_F(KeptRig, TheSetUpSaysWhatToDoAboutTheConnectedCameras) {
+  const ConnectedCase cases[] = {
+      {"none", [](testing::V4l2Tree&) {}, "no camera found: plug two cameras in and look again", false},
+      {"one", [](testing::V4l2Tree& tree) { tree.add("video0", "HD Webcam C920", "1-1", "A1"); },
+       "one camera only: two are needed; plug the other in and look again", false},
+      {"equal",
+       [](testing::V4l2Tree& tree) {
+         tree.add("video0", "USB Camera", "1-1", "");
+         tree.add("video2", "USB Camera", "1-2", "");
+       },
+       "only their ports tell them apart; mark cables and ports left and right", true},
+      {"in_use",
+       [](testing::V4l2Tree& tree) {
+         tree.add("video0", "HD Webcam C920", "1-1", "A1");
+         tree.add("video2", "HD Webcam C920", "1-2", "B2");
+         tree.use("video2", "cheese", "4711");
+       },
+       "in use by cheese (process 4711): close that program and look again", true},
+      {"not_allowed",
+       [](testing::V4l2Tree& tree) {
+         tree.add("video0", "HD Webcam C920", "1-1", "A1");
+         tree.add("video2", "HD Webcam C920", "1-2", "B2");
+         tree.kernel().cameras["/dev/video0"]->open_error = EACCES;
+       },
+       "this user may not open it: ask your administrator", true}};
+  services_.openNewCameras = [](const std::string&, const std::string&, int, int) {
+    return NewCameras{std::make_unique<LivePlain>(), {}, {}};
+  };
+  services_.makeSetupMethods = [] { return testing::setupMethods(); };
+  for (const auto& each : cases) {
+    testing::V4l2Tree tree;
+    each.connect(tree);
+    services_.listCameras = [&tree](capture::Search) { return tree.list(); };
+    for (const double scale : {1.0, 2.0}) {
+      applyAppearance(*qApp, scale);
+      SetupWindow window(services_);
+      auto& setup = window.presenter();
+      ASSERT_TRUE(fixtures::waitFor([&] { return setup.sentence().contains(each.words); }))
+          << each.name << ": " << setup.sentence().toStdString();
+      EXPECT_EQ(setup.sentence().count('\n'), 0);
+      QTest::qWait(50);
+      EXPECT_EQ(setup.canOpen(), each.can_open) << each.name;
+      if (!scene::hasDisplay()) continue;
+      for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
+        window.resize(size);
+        window.show();
+        keepPicture(
+            window,
+            QString("first_%1_%2%3").arg(each.name).arg(size.width()).arg(scale > 1 ? "_double" : ""));
+        EXPECT_EQ(window.size(), size);
+      }
+    }
+  }
+  applyAppearance(*qApp, 1.0);
+}
+
+}  // namespace
+}  // namespace facenav::ui
