@@ -12,8 +12,10 @@
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 #include "grown_brain.h"
+#include "prior/averaged_prior.h"
 #include "prior/leaks_and_gaps.h"
 #include "prior/prior_refinement.h"
+#include "prior/stated_doubt.h"
 #include "scan_grid.h"
 
 namespace facenav::segmentation {
@@ -21,8 +23,6 @@ namespace {
 
 using volume::Mask;
 using volume::Volume;
-
-constexpr float kMostStated_mm = 30;
 
 struct Found {
   Mask mask;  // on a part of the working grid
@@ -87,28 +87,16 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
   }
 }
 
-/// What the refined prior's doubts are stated as: calibrated by the contrast.
-std::pair<double, double> scaleAndPower(ContrastKind kind, const PriorUse& use) {
-  switch (kind) {
-    case ContrastKind::t1:
-      return {use.doubt_t1_scale_mm, use.doubt_t1_power};
-    case ContrastKind::weak_t1:
-      return {use.doubt_weak_scale_mm, use.doubt_weak_power};
-    case ContrastKind::t2:
-      return {use.doubt_t2_scale_mm, use.doubt_t2_power};
-    case ContrastKind::flair:
-      return {use.doubt_flair_scale_mm, use.doubt_flair_power};
-    case ContrastKind::proton_density:
-      return {use.doubt_pd_scale_mm, use.doubt_pd_power};
-  }
-  return {1, 1};
+BetSphere sphereOf(const Mask& mask) {
+  const Ball ball = ballLike(mask);
+  return {ball.centre_mm, ball.radius_mm};
 }
 
-Found byPrior(RefinedPrior refined, const BetSphere& sphere, const ContrastSeen& seen) {
+Found byPrior(RefinedPrior refined, const ContrastSeen& seen) {
+  const BetSphere sphere = sphereOf(refined.mask);
   Found found{std::move(refined.mask), std::move(refined.doubts), sphere, {}};
-  const auto [scale, power] = scaleAndPower(seen.kind(), settingsOf<PriorUse>());
   for (auto& doubt : found.doubts)
-    doubt.doubt_mm = std::min(kMostStated_mm, float(scale * std::pow(double(doubt.doubt_mm), power)));
+    doubt.doubt_mm = statedDoubt_mm(doubt.doubt_mm, seen.kind(), settingsOf<PriorUse>());
   found.warnings.push_back(
       seen.isLikeT1()
           ? "grey and white matter alone do not give the brain's outline: check it"
@@ -142,26 +130,24 @@ Found inCt(const Volume& ct, TaskMonitor& monitor) {
 }
 
 /// The growth's outline, which is good to the voxel, where it agrees with the prior's; else the prior's.
-Found withPrior(const Volume& working, const Volume& scan, const BrainPrior& prior, TaskMonitor& monitor) {
+Found withPrior(const PriorNetwork& network, const Volume& working, const Volume& scan,
+                const BrainPrior& prior, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   const ContrastSeen seen = contrastOf(working, prior);
-  RefinedPrior refined =
-      seen.isLikeT1() ? refinedPrior(working, prior, use) : refinedForOtherContrast(working, prior, use);
-  const Ball ball = ballLike(refined.mask);
-  const BetSphere sphere{ball.centre_mm, ball.radius_mm};
-  requireTissueSpread(halved(working), sphere);
   const auto named = [&](Found found) {
     found.contrast = seen.inWords();
     return found;
   };
+  requireTissueSpread(halved(working), sphereOf(prior.mask()));
   if (seen.isLikeT1()) {
+    const RefinedPrior refined = refinedPrior(working, prior, use);
     const auto by_head = [&] { return startFromHead(working, monitor); };
     if (auto found = grownAlike(by_head, refined, false, scan, monitor)) return named(std::move(*found));
     const auto by_prior = [&] { return startFromOutline(working, refined.mask, use.search_mm); };
     if (auto found = grownAlike(by_prior, refined, true, scan, monitor)) return named(std::move(*found));
   }
-  if (seen.kind() == ContrastKind::weak_t1) refined = refinedForOtherContrast(working, prior, use);
-  return named(byPrior(std::move(refined), sphere, seen));
+  monitor.report("fitting the brain's outline", 0.6);
+  return named(byPrior(refinedByTissue(working, averagedPrior(network, working, prior), use), seen));
 }
 
 Found inMr(const Volume& volume, TaskMonitor& monitor) {
@@ -170,7 +156,8 @@ Found inMr(const Volume& volume, TaskMonitor& monitor) {
   std::optional<BrainPrior> prior;
   if (installed.network) prior = findBrainPrior(*installed.network, working);
   monitor.report("looking for the brain", 0.4);
-  Found found = prior ? withPrior(working, volume, *prior, monitor) : byGrowthAlone(working, volume, monitor);
+  Found found = prior ? withPrior(*installed.network, working, volume, *prior, monitor)
+                      : byGrowthAlone(working, volume, monitor);
   if (!installed.network) found.warnings.push_back("without the learned brain prior: " + installed.fault);
   return found;
 }

@@ -7,6 +7,7 @@
 #include "facenav/volume/regrid.h"
 #include "facenav/volume/smoothing.h"
 #include "prior/local_evidence.h"
+#include "prior/tissue_mixture.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -15,7 +16,6 @@ using volume::Mask;
 using volume::Volume;
 
 constexpr double kMargin_mm = 14;
-constexpr float kMostLogit = 6;
 
 Mask whole(const Mask& brain, const PriorUse& use) {
   const Mask closed = fillHoles(close(brain, use.sulcus_mm));
@@ -47,38 +47,55 @@ std::vector<BoundaryDoubt> doubtsOf(const RefinedPrior& refined, const Volume& p
   return doubts;
 }
 
-float logit(float p) { return std::clamp(std::log((p + 1e-6f) / (1 - p + 1e-6f)), -kMostLogit, kMostLogit); }
+/// Grid, outline and shares that every refinement starts from.
+struct Beginning {
+  Volume probability;
+  Mask outline;
+};
+
+Beginning beginningOf(const Volume& working, const BrainPrior& prior) {
+  const volume::VoxelGrid grid =
+      volume::gridAround(prior.mask(), working.grid.spacing_mm().mean(), kMargin_mm);
+  Beginning begun{volume::resample(prior.brain, grid), {grid, std::vector<std::uint8_t>(grid.count())}};
+  for (std::size_t v = 0; v < grid.count(); ++v)
+    begun.outline.voxels[v] = begun.probability.voxels[v] >= 0.5f;
+  begun.outline = fillHoles(largestPart(begun.outline));
+  return begun;
+}
 
 }  // namespace
 
-RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use,
-                          double inwards) {
-  const volume::VoxelGrid grid =
-      volume::gridAround(prior.mask(), working.grid.spacing_mm().mean(), kMargin_mm);
-  const Volume image = volume::smoothed(volume::resample(working, grid));
-  const Volume probability = volume::resample(prior.brain, grid);
-  RefinedPrior refined;
-  refined.outline = {grid, std::vector<std::uint8_t>(grid.count())};
-  for (std::size_t v = 0; v < grid.count(); ++v) refined.outline.voxels[v] = probability.voxels[v] >= 0.5f;
-  refined.outline = fillHoles(largestPart(refined.outline));
-  const std::vector<float> from_outline = depthBelow(refined.outline);
-  refined.mask = refined.outline;
+RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
+  Beginning begun = beginningOf(working, prior);
+  const Volume& probability = begun.probability;
+  const Volume image = volume::smoothed(volume::resample(working, probability.grid));
+  const std::vector<float> from_outline = depthBelow(begun.outline);
+  RefinedPrior refined{begun.outline, begun.outline, {}};
   for (int round = 0; round < use.rounds; ++round) {
     const Volume evidence = localEvidence(image, round ? depthBelow(refined.mask) : from_outline, use);
     Mask next = refined.outline;
     for (std::size_t v = 0; v < next.voxels.size(); ++v)
       if (std::abs(from_outline[v]) < use.band_mm)
-        next.voxels[v] =
-            logit(probability.voxels[v]) + float(use.evidence) * evidence.voxels[v] > float(inwards);
+        next.voxels[v] = logOddsOf(probability.voxels[v]) + float(use.evidence) * evidence.voxels[v] > 0;
     refined.mask = whole(next, use);
   }
   refined.doubts = doubtsOf(refined, probability, use);
   return refined;
 }
 
-RefinedPrior refinedForOtherContrast(const Volume& working, const BrainPrior& prior, PriorUse use) {
-  use.rounds = use.other_rounds;
-  return refinedPrior(working, prior, use, use.other_inwards);
+RefinedPrior refinedByTissue(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
+  Beginning begun = beginningOf(working, prior);
+  const std::vector<float> from_outline = depthBelow(begun.outline);
+  const volume::VoxelGrid& grid = begun.outline.grid;
+  const TissueShares shares{std::move(begun.probability), volume::resample(prior.fluid, grid)};
+  const std::vector<float> log_odds =
+      tissueLogOdds(volume::resample(working, grid), shares, from_outline, use);
+  RefinedPrior refined{begun.outline, begun.outline, {}};
+  for (std::size_t v = 0; v < log_odds.size(); ++v)
+    if (std::abs(from_outline[v]) < use.other_reach_mm) refined.mask.voxels[v] = log_odds[v] > 0;
+  refined.mask = whole(refined.mask, use);
+  refined.doubts = doubtsOf(refined, shares.brain, use);
+  return refined;
 }
 
 }  // namespace facenav::segmentation

@@ -13,11 +13,9 @@ struct RefinedPrior {
   std::vector<BoundaryDoubt> doubts;  // of its surface
 };
 
-/// On the part of the grid of `working` that holds the brain.
-/// `inwards`: log odds that a place needs to be brain.
-RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use,
-                          double inwards = 0);
-/// With the settings for scans that are no T1.
-RefinedPrior refinedForOtherContrast(const volume::Volume& working, const BrainPrior& prior, PriorUse use);
+/// On the part of the grid of `working` that holds the brain: by what lies inside and outside of the outline.
+RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
+/// Likewise, by the classes tissue, fluid and the rest (tissue_mixture.h): for scans that are no clear T1.
+RefinedPrior refinedByTissue(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
 
 }  // namespace facenav::segmentation
