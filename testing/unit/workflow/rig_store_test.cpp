@@ -132,5 +132,43 @@ TEST(RigStore, OpensItsOwnCamerasWithTheirSettings) {
   EXPECT_THAT(errorOf([&] { openRig(backends, of_files); }), HasSubstr("knows no cameras"));
 }
 
+/// Another program changed the exposure meanwhile; the right camera's gain can no longer be set.
+TEST(RigStore, AdjustmentsThatDifferAreSetAgainOrNamed) {
+  const auto kernel = std::make_shared<testing::FakeV4l2>();
+  for (const char* path : {"/dev/video0", "/dev/video2"})
+    kernel->cameras[path] = std::make_shared<testing::FakeV4l2Camera>();
+  CameraBackends backends("kind of camera");
+  backends.add("v4l2", "", [kernel] { return std::make_unique<TwoWebcams>(kernel); });
+  NamedRig rig = webcams("bar");
+  rig.right->settings.gain = 40;
+  auto& left = kernel->cameras["/dev/video0"]->controls;
+  auto& right = kernel->cameras["/dev/video2"]->controls;
+  left[V4L2_CID_EXPOSURE_ABSOLUTE].value = 200;
+  right[V4L2_CID_EXPOSURE_ABSOLUTE].value = 80;
+  right[V4L2_CID_GAIN].value = 33;
+  right[V4L2_CID_GAIN].is_stuck = true;
+  {
+    const auto source = openRig(backends, rig);
+    EXPECT_THAT(restoredSettings(*source),
+                ::testing::ElementsAre("left camera, exposure: was 20 ms, is 8 ms again"));
+    EXPECT_THAT(changedSettings(*source),
+                ::testing::ElementsAre("right camera, gain: 40 was asked for, the camera keeps 33"));
+    EXPECT_EQ(left[V4L2_CID_EXPOSURE_ABSOLUTE].value, 80);
+  }
+  EXPECT_TRUE(restoredSettings(*openRig(backends, rig)).empty()) << "as it was left";
+  // A camera that forgets at its start is set once more; what was found before counts.
+  left[V4L2_CID_EXPOSURE_ABSOLUTE].forgets_at_start = true;
+  left[V4L2_CID_EXPOSURE_ABSOLUTE].at_start = 333;
+  EXPECT_TRUE(restoredSettings(*openRig(backends, rig)).empty());
+  EXPECT_EQ(left[V4L2_CID_EXPOSURE_ABSOLUTE].value, 80);
+}
+
+TEST(RigStore, ANoteOfNowHasTheTime) {
+  const auto note = noteOfNow("holds", "as kept");
+  EXPECT_EQ(note.utc.size(), 20u);
+  EXPECT_EQ(note.utc.back(), 'Z');
+  EXPECT_GT(note.utc, "2020");
+}
+
 }  // namespace
 }  // namespace facenav::capture
