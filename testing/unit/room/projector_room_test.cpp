@@ -87,9 +87,7 @@ TEST_F(ProjectorMistakes, AHeadThatMovesIsSaidAndLeftOut) {
     return frame;
   });
   EXPECT_FALSE(run_->result()) << run_->words();
-  EXPECT_TRUE(run_->words().find("moved while") != std::string::npos ||
-              run_->words().find("lit by the projector") != std::string::npos)
-      << run_->words();
+  EXPECT_THAT(run_->words(), ::testing::HasSubstr("something moved while the pictures were taken"));
 }
 
 TEST_F(ProjectorMistakes, CamerasThatGiveNoPictureEndTheScene) {

@@ -129,6 +129,7 @@ FittedLens fitted(const std::vector<LitPlace>& places, const ProjectorCode& code
   cv::decomposeProjectionMatrix(projection, k, rotation, centre);
   k /= k.at<double>(2, 2);
   k.at<double>(0, 1) = 0;
+  if (!(k.at<double>(0, 0) > 0 && k.at<double>(1, 1) > 0)) throw ProjectorMisfit();
   FittedLens lens{k, cv::Mat::zeros(1, 5, CV_64F), {}, {}, {}};
   std::vector<cv::Mat> turns, shifts;
   cv::calibrateCamera(

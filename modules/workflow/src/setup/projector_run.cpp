@@ -63,17 +63,13 @@ void ProjectorRun::useScene(const std::vector<stereo::LitPlace>& found) {
   places_.insert(places_.end(), found.begin(), found.end());
   try {
     const auto fitted = stereo::calibrateProjector(places_, code_);
-    if (fitted.held_out_px > kMovedScene_px) {
-      places_.resize(before);
-      words_ = formatted(
-          "something moved while the pictures were taken (%.1f px): hold still, and take the scene "
-          "again",
-          fitted.held_out_px);
-      return;
-    }
+    if (fitted.held_out_px > kMovedScene_px) throw stereo::ProjectorMisfit();
     result_ = fitted;
     words_ = formatted("calibrated: %.2f px, from %.0f to %.0f mm; another scene makes it better",
                        result_->rms_px, result_->nearest_mm, result_->farthest_mm);
+  } catch (const stereo::ProjectorMisfit& misfit) {
+    places_.resize(before);  // with them, no further scene would fit
+    words_ = misfit.what();
   } catch (const Error& error) {
     words_ = error.what();
   }

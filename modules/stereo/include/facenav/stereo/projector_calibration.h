@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facenav/cameras/projector_model.h"
+#include "facenav/core/error.h"
 #include "facenav/stereo/projector_code.h"
 
 namespace facenav::stereo {
@@ -30,7 +31,14 @@ struct ProjectorCalibration {
   double nearest_mm = 0, farthest_mm = 0;
 };
 
-/// Throws Error: too few places, or they lie in one plane.
+/// No lens and pose fit the places: something moved while the pictures were taken.
+class ProjectorMisfit : public Error {
+ public:
+  ProjectorMisfit()
+      : Error("something moved while the pictures were taken", "", "hold still, and take the scene again") {}
+};
+
+/// Throws Error: too few places, or they lie in one plane; ProjectorMisfit.
 ProjectorCalibration calibrateProjector(const std::vector<LitPlace>& places, const ProjectorCode& code);
 
 }  // namespace facenav::stereo

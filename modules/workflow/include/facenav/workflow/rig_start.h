@@ -1,8 +1,9 @@
 #pragma once
-// RigStart: a kept rig is verified each time its cameras open: its two adjustments and sizes, and from the
+// RigStart: a kept rig is verified each time its cameras open: its adjustments and sizes, and from the
 // first seconds of pictures whether the calibration still holds. The coil's marker shows every motion of a
-// camera, a face all but a sideways turn. In: NamedRig, opened cameras, stereo frames. Out: one line for the
-// user and for the rig's folder. Used by verified_cameras.h, so by every step that opens a kept rig.
+// camera. A face shows a nod; it shows a roll only away from the picture's middle, and no sideways turn. In:
+// NamedRig, opened cameras, stereo frames. Out: one line for the user and for the rig's folder. Used by
+// verified_cameras.h, so by every step that opens a kept rig.
 
 #include <memory>
 #include <optional>
