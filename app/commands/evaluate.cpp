@@ -158,7 +158,8 @@ struct SharedFlags {
                                               "exposure_ms",     "exposure_step",
                                               "refocus_px",      "clock_ppm",
                                               "dropped",         "doubled",
-                                              "right_late_ms",   "right_time_stamps"};
+                                              "right_late_ms",   "right_time_stamps",
+                                              "stated_row_time"};
     if (shared.count(field.name)) FlagVisitor{verb}(field, value);
   }
 };
