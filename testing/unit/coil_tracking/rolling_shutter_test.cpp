@@ -13,7 +13,7 @@ using namespace testing;
 using facenav::testing::PoseNear;
 
 constexpr double kFrames_per_s = 30.0;
-const Eigen::Vector3d kSwing_mm_s(180, -60, 120); // 224 mm/s
+const Eigen::Vector3d kSwing_mm_s(180, -60, 120);  // 224 mm/s
 
 cameras::StereoRig rollingRig(double row_time_s) {
   cameras::StereoRig rig = roomRig();
@@ -29,7 +29,7 @@ RigidTransform<Camera, Marker> swungTo(double t_s) {
   return RigidTransform<Camera, Marker>::fromIsometry(pose);
 }
 
-cameras::StereoFrame swungFrame(const cameras::StereoRig &rig, int i) {
+cameras::StereoFrame swungFrame(const cameras::StereoRig& rig, int i) {
   SceneOptions options;
   options.seed = unsigned(i + 1);
   const double t_s = i / kFrames_per_s;
@@ -43,29 +43,25 @@ cameras::StereoFrame swungFrame(const cameras::StereoRig &rig, int i) {
 /// The largest error from the third frame on, mm: by then the velocity is
 /// known. Cameras of `truth` film, `stated` is what the tracker is told.
 /// Infinite where the coil is lost.
-double worstError_mm(const cameras::StereoRig &truth,
-                     const cameras::StereoRig &stated) {
+double worstError_mm(const cameras::StereoRig& truth, const cameras::StereoRig& stated) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(stated, defaultCoil());
   double worst_mm = 0.0;
   for (int i = 0; i < 9; ++i) {
     const auto pose = tracker->track(swungFrame(truth, i));
-    if (i < 3)
-      continue;
-    if (!pose)
-      return std::numeric_limits<double>::infinity();
-    worst_mm = std::max(
-        worst_mm, poseError(pose->camera_T_marker, swungTo(i / kFrames_per_s))
-                      .translation_mm);
+    if (i < 3) continue;
+    if (!pose) return std::numeric_limits<double>::infinity();
+    worst_mm =
+        std::max(worst_mm, poseError(pose->camera_T_marker, swungTo(i / kFrames_per_s)).translation_mm);
   }
   return worst_mm;
 }
 
 TEST(RollingShutter, TheRowTimePutsASwungCoilWhereItIsInTheMiddleRowsMoment) {
-  const auto rolling = rollingRig(42e-6); // 20 ms a picture
+  const auto rolling = rollingRig(42e-6);  // 20 ms a picture
   EXPECT_LT(worstError_mm(rolling, rolling), 0.3);
   EXPECT_GT(worstError_mm(rolling, rollingRig(0)),
-            0.9); // what it costs not to know it
+            0.9);  // what it costs not to know it
 }
 
 TEST(RollingShutter, ACameraThatReadsFromBelowHasANegativeRowTime) {
@@ -75,15 +71,13 @@ TEST(RollingShutter, ACameraThatReadsFromBelowHasANegativeRowTime) {
 
 TEST(RollingShutter, CamerasOfDifferentKindShareNoRowTime) {
   auto rig = rollingRig(42e-6);
-  rig.right.row_time_s =
-      15e-6; // 7 ms a picture; without it the same rows are 5 ms apart
+  rig.right.row_time_s = 15e-6;  // 7 ms a picture; without it the same rows are 5 ms apart
   EXPECT_LT(worstError_mm(rig, rig), 0.4);
 }
 
 TEST(RollingShutter, TheRowTimeDoesNotMoveAStillCoil) {
   const auto rig = roomRig(), stated = rollingRig(42e-6);
-  const auto pose_of = [](const cameras::StereoRig &as_stated,
-                          const cameras::StereoFrame &frame) {
+  const auto pose_of = [](const cameras::StereoRig& as_stated, const cameras::StereoFrame& frame) {
     const auto tracker = makeMarkerCoilTracker();
     tracker->start(as_stated, defaultCoil());
     auto again = frame;
@@ -92,21 +86,17 @@ TEST(RollingShutter, TheRowTimeDoesNotMoveAStillCoil) {
     return tracker->track(again)->camera_T_marker;
   };
   const auto frame = renderMarkers(rig, {{id7(), 60, swungTo(0)}});
-  EXPECT_THAT(pose_of(stated, frame),
-              PoseNear(pose_of(rig, frame), 1e-6, 1e-6));
+  EXPECT_THAT(pose_of(stated, frame), PoseNear(pose_of(rig, frame), 1e-6, 1e-6));
 }
 
 /// Waved to and fro in front of the cameras, as a hand does: at up to 250 mm/s.
 PlacedPrint waved(double t_s) {
-  const Eigen::Vector3d reach_mm(30, 22, 25),
-      turn_rad_s(2 * M_PI * 1.2, 2 * M_PI * 0.9, 2 * M_PI * 0.7);
+  const Eigen::Vector3d reach_mm(30, 22, 25), turn_rad_s(2 * M_PI * 1.2, 2 * M_PI * 0.9, 2 * M_PI * 0.7);
   auto pose = markerPose(600, 20, 70, 10, {-40, 60}).isometry();
   PlacedPrint print{id7(), 60, {}};
   for (int axis = 0; axis < 3; ++axis) {
-    pose.translation()[axis] +=
-        reach_mm[axis] * std::sin(turn_rad_s[axis] * t_s);
-    print.moving_mm_s[axis] =
-        reach_mm[axis] * turn_rad_s[axis] * std::cos(turn_rad_s[axis] * t_s);
+    pose.translation()[axis] += reach_mm[axis] * std::sin(turn_rad_s[axis] * t_s);
+    print.moving_mm_s[axis] = reach_mm[axis] * turn_rad_s[axis] * std::cos(turn_rad_s[axis] * t_s);
   }
   print.camera_T_marker = RigidTransform<Camera, Marker>::fromIsometry(pose);
   return print;
@@ -114,9 +104,8 @@ PlacedPrint waved(double t_s) {
 
 /// Root mean square error of the second second, mm. Infinite where the coil is
 /// lost then.
-double errorOfWaving_mm(const cameras::StereoRig &truth,
-                        const cameras::StereoRig &stated, double late_s = 0.0,
-                        int known_from = 0) {
+double errorOfWaving_mm(const cameras::StereoRig& truth, const cameras::StereoRig& stated,
+                        double late_s = 0.0, int known_from = 0) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(stated, defaultCoil());
   double squares = 0.0;
@@ -126,22 +115,16 @@ double errorOfWaving_mm(const cameras::StereoRig &truth,
     options.seed = unsigned(i + 1);
     const PlacedPrint print = waved(i / kFrames_per_s);
     auto frame = renderMarkers(truth, {print}, options);
-    if (late_s != 0.0)
-      frame.right =
-          renderMarkers(truth, {waved(i / kFrames_per_s + late_s)}, options)
-              .right;
+    if (late_s != 0.0) frame.right = renderMarkers(truth, {waved(i / kFrames_per_s + late_s)}, options).right;
     frame.captured.s = i / kFrames_per_s;
     CoilContext context;
-    if (late_s != 0.0 && i >= known_from)
-      context.exposure_offset = {late_s, 3e-4};
+    if (late_s != 0.0 && i >= known_from) context.exposure_offset = {late_s, 3e-4};
     const auto pose = tracker->track(frame, context);
     if (i < 30)
-      continue; // a shear that nothing explains yet may look like a turned
-                // camera: lost
-    if (!pose)
-      return std::numeric_limits<double>::infinity();
-    const double error_mm =
-        poseError(pose->camera_T_marker, print.camera_T_marker).translation_mm;
+      continue;  // a shear that nothing explains yet may look like a turned
+                 // camera: lost
+    if (!pose) return std::numeric_limits<double>::infinity();
+    const double error_mm = poseError(pose->camera_T_marker, print.camera_T_marker).translation_mm;
     squares += error_mm * error_mm;
     ++count;
   }
@@ -171,18 +154,14 @@ TEST(RollingShutter, APairThatComesAgainUnderANewTimeIsStaleWhileTheCoilMoves) {
   tracker->start(rig, defaultCoil());
   for (int i = 0; i < 8; ++i) {
     auto frame = swungFrame(rig, i == 5 ? 4 : i);
-    if (i == 5)
-      frame.right =
-          swungFrame(rig, 5).right; // one picture of the pair is enough
+    if (i == 5) frame.right = swungFrame(rig, 5).right;  // one picture of the pair is enough
     frame.captured.s = i / kFrames_per_s;
     const auto pose = tracker->track(frame);
     ASSERT_EQ(pose.isTracked(), i != 5) << i;
     if (i == 5) {
       EXPECT_EQ(pose.reason(), LostReason::stale);
     } else if (i > 2) {
-      EXPECT_THAT(pose->camera_T_marker,
-                  PoseNear(swungTo(i / kFrames_per_s), 0.3, 0.3))
-          << i;
+      EXPECT_THAT(pose->camera_T_marker, PoseNear(swungTo(i / kFrames_per_s), 0.3, 0.3)) << i;
     }
   }
 }
@@ -197,5 +176,5 @@ TEST(RollingShutter, ACoilAtRestMayBeShownByTheSamePairTwice) {
   }
 }
 
-} // namespace
-} // namespace facenav::coil_tracking
+}  // namespace
+}  // namespace facenav::coil_tracking
