@@ -134,6 +134,7 @@ void addAlign(CLI::App& app, Context& context) {
       "--live", request->live.rig,
       "a rig by its name, instead of RECORDING: takes the pictures now, and asks for the projector");
   verb->add_option("--rigs", request->live.rigs, "with --live: folder of the rigs");
+  addVerifyingCoilOptions(*verb, request->live);
   verb->add_option("--left", request->left, "left image with dots, then the one without");
   verb->add_option("--right", request->right, "right image with dots, then the one without");
   verb->add_option("-o,--output", request->output, "also write alignment.json here");

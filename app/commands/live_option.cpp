@@ -14,6 +14,11 @@ std::string repairOf(const std::string& rig) {
   return "repair it in two minutes: facenav-gui --set-up --rig " + quote + rig + quote;
 }
 
+coil_tracking::CoilModel coilOf(const CoilChoice& choice) {
+  if (choice.words.empty()) return coil_tracking::defaultCoil();
+  return coil_tracking::readCoil(workflow::coilFileOf(choice.words, workflow::coilLibrary(choice.library)));
+}
+
 void tellStart(const LiveChoice& choice, const workflow::RigStart& found) {
   const std::string words = "rig " + choice.rig + ": " + found.words();
   if (found.isWithheld())
@@ -46,12 +51,18 @@ void addLiveOptions(CLI::App& verb, LiveChoice& choice) {
       ->check(CLI::Range(1.0, 1000.0));
 }
 
+void addVerifyingCoilOptions(CLI::App& verb, LiveChoice& choice) {
+  verb.add_option("--coil", choice.coil.words,
+                  "with a rig: the coil in view, by name or its coil.json; its marker verifies the cameras");
+  addCoilLibraryOption(verb, choice.coil.library);
+}
+
 std::unique_ptr<workflow::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context) {
   const auto& methods = context.registrations;
   const auto rig = capture::RigStore(choice.rigs).read(choice.rig);
   workflow::RigStartMethods judges{methods.face_detector(),
                                    methods.coil_trackers.create(methods.coil_trackers.defaultName()),
-                                   choice.coil};
+                                   coilOf(choice.coil)};
   return workflow::openVerified(methods.cameras, rig, std::move(judges), repairOf(choice.rig),
                                 [choice](const workflow::RigStart& found) { tellStart(choice, found); });
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "commands/coil_option.h"
 #include "context.h"
 #include "facenav/capture/recording.h"
 #include "facenav/workflow/verified_cameras.h"
@@ -13,15 +14,17 @@
 namespace facenav::app {
 
 struct LiveChoice {
-  std::string rig, left, right;                                  // names
-  std::filesystem::path rigs, calibration;                       // rigs: empty: the usual folder
-  capture::CameraSettings settings;                              // of --left and --right; a rig has its own
-  coil_tracking::CoilModel coil = coil_tracking::defaultCoil();  // whose marker verifies a rig
+  std::string rig, left, right;             // names
+  std::filesystem::path rigs, calibration;  // rigs: empty: the usual folder
+  capture::CameraSettings settings;         // of --left and --right; a rig has its own
+  CoilChoice coil;                          // whose marker verifies a rig; none: the default coil
   double frames_per_s() const { return settings.frames_per_s; }
 };
 
 /// --rig, --rigs, --left, --right, --calibration, --rate.
 void addLiveOptions(CLI::App& verb, LiveChoice& choice);
+/// --coil, --coils, of a verb that has no other use for a coil.
+void addVerifyingCoilOptions(CLI::App& verb, LiveChoice& choice);
 /// Opens both cameras. Warns of adjustments that are not locked. A rig is verified while it runs
 /// (openVerifiedRig). Throws Error: it is not said which cameras; CameraError as capture::openRig does.
 std::unique_ptr<capture::FrameSource> openLive(const LiveChoice& choice, const Context& context);

@@ -51,6 +51,7 @@ void addRecord(CLI::App& app, Context& context) {
       "record", "live cameras -> a recording that align, track, calibrate-coil and rig check read");
   const auto request = std::make_shared<RecordVerb>();
   addLiveOptions(*verb, request->cameras);
+  addVerifyingCoilOptions(*verb, request->cameras);
   verb->add_option("--seconds", request->request.seconds, "how long; Ctrl-C ends it earlier and keeps it")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 7200.0));

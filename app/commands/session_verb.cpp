@@ -24,10 +24,9 @@ void noteInterrupted(const SessionVerb& verb, const Context& context) {
 }
 
 /// The cameras are opened by the session, and again whenever they were away.
-workflow::LiveCameras liveOf(const SessionVerb& verb, const workflow::TreatRecordingRequest& request,
-                             const Context& context) {
+workflow::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
   LiveChoice choice = verb.live;
-  if (request.coil_file) choice.coil = coil_tracking::readCoil(*request.coil_file);
+  choice.coil = verb.coil;
   workflow::LiveCameras live;
   live.rig = capture::RigStore(verb.live.rigs).read(verb.live.rig).rig;
   live.seconds = verb.seconds;
@@ -53,7 +52,7 @@ workflow::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context
   request.session = verb.session;
   request.speed = verb.speed;
   request.passes = verb.passes;
-  if (!verb.live.rig.empty()) request.live = liveOf(verb, request, context);
+  if (!verb.live.rig.empty()) request.live = liveOf(verb, context);
   return request;
 }
 

@@ -26,6 +26,15 @@ QLabel* label(const QString& text, const char* name, QWidget* parent) {
   return made;
 }
 
+/// The button that is to be pressed next stands out.
+void setPrimary(QPushButton& button, bool is_primary) {
+  const QString name = is_primary ? QStringLiteral("primary") : QString();
+  if (button.objectName() == name) return;
+  button.setObjectName(name);
+  button.style()->unpolish(&button);
+  button.style()->polish(&button);
+}
+
 }  // namespace
 
 CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
@@ -76,7 +85,6 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   auto* choose_rig =
       button(tr("Calibration\u2026"), tr("the stereo.yml of these two cameras"), Qt::CTRL + Qt::Key_K);
   open_ = button(tr("Open the cameras"), tr("live pictures"), Qt::CTRL + Qt::Key_Return);
-  open_->setObjectName("primary");
   rig_ = label({}, "plain", this);
   grid->addWidget(new QLabel(tr("left"), this), 0, 0);
   grid->addWidget(left_, 0, 1);
@@ -174,11 +182,15 @@ void CamerasPanel::showState() {
                      : cameras_.rigName().isEmpty() ? tr("Set up the cameras\u2026")
                                                     : tr("Check the cameras\u2026"));
   setWords(*open_, cameras_.isLive() ? tr("Open the cameras again") : tr("Open the cameras"));
-  const bool is_live = cameras_.isLive() && !presenter_.isRunning();
+  const bool is_withheld = !presenter_.withheldWords().isEmpty();
+  setPrimary(*open_, !is_withheld);
+  setPrimary(*set_up_, is_withheld);
+  const bool is_live = cameras_.isLive() && !presenter_.isRunning() && !is_withheld;
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());
-  capture_words_->setText(is_live ? cameras_.captureWords()
-                                  : tr("with live cameras: one picture with the dots, one without"));
+  capture_words_->setText(is_live       ? cameras_.captureWords()
+                          : is_withheld ? tr("after the cameras are repaired")
+                                        : tr("with live cameras: one picture with the dots, one without"));
 }
 
 void CamerasPanel::chooseRig() {

@@ -182,8 +182,11 @@ void TreatWorkspace::showPreview() {
 }
 
 void TreatWorkspace::showSteps() {
-  const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf));
-  setWords(*cameras_, tr("1 Cameras %1").arg(presenter_.hasRecording() ? done : open));
+  const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf)), wrong(QChar(0x2715));
+  setWords(*cameras_, tr("1 Cameras %1")
+                          .arg(!presenter_.withheldWords().isEmpty() ? wrong
+                               : presenter_.hasRecording()           ? done
+                                                                     : open));
   setWords(*align_, tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
   const bool has_begun = presenter_.isRunning() && !shows_running_;
   shows_running_ = presenter_.isRunning();

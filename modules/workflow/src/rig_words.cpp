@@ -114,7 +114,12 @@ std::string RigVerification::words() const {
     if (length.contradicts())
       words += formatted("%s measured %.2f mm instead of %.2f mm, ", length.what.c_str(), length.measured_mm,
                          length.true_mm);
-  return words + formatted("rows %.2f px apart): calibrate again", row_error_px);
+  words += formatted("rows %.2f px apart)", row_error_px);
+  // A print of another size changes a marker's length as a turned camera does.
+  return words + (board_frames == 0 && marker_frames > 0
+                      ? ", or the coil's marker has another size than its file says: measure the print, or "
+                        "calibrate again"
+                      : ": calibrate again");
 }
 
 }  // namespace facenav::workflow

@@ -139,8 +139,8 @@ std::string StartFace::words() const {
   const auto& diagnosis = agreeing().front()->diagnosis;
   if (now == RigState::holds)
     return formatted(
-        "the calibration holds as far as a face shows it (rows %.2f px apart); the coil's marker shows a "
-        "sideways turn, too",
+        "the calibration holds as far as a face shows it (rows %.2f px apart); only the coil's "
+        "marker shows a sideways turn, and a roll where the face is in the pictures' middle",
         diagnosis.residual_px);
   if (now == RigState::moved)
     return formatted(

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kSaidUnclear_s = 6.0;  // a person has sat down and looked up by then
 constexpr std::chrono::milliseconds kVerifyWait(100);
+// Once something was said, what is still looked for (a marker that is not in view) must not keep a core busy.
+constexpr std::chrono::milliseconds kBetweenLater(100);
 
 bool saysTheSame(const RigStart& a, const RigStart& b) {
   return a.state == b.state && a.by == b.by && a.isWithheld() == b.isWithheld();
@@ -69,6 +71,7 @@ void VerifiedCameras::Implementation::run() {
       if (!frame) continue;
       if (!first_s) first_s = frame->captured.s;
       judge(*frame, frame->captured.s - *first_s);
+      if (has_told) std::this_thread::sleep_for(kBetweenLater);
     }
   } catch (const std::exception& error) {
     logWarning(std::string("the cameras could not be verified: ") + error.what());
