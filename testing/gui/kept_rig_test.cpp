@@ -60,6 +60,12 @@ QPushButton* buttonOf(const QWidget& panel, const QString& tip) {
   return nullptr;
 }
 
+QPushButton* stepOf(const QWidget& window, const QString& words) {
+  for (auto* button : window.findChildren<QPushButton*>())
+    if (button->text().startsWith(words)) return button;
+  return nullptr;
+}
+
 class KeptRig : public ::testing::Test {
  protected:
   KeptRig() {
@@ -247,6 +253,10 @@ TEST_F(KeptRig, TheWindowOffersTheRepairAtEverySize) {
     const auto* repair = buttonOf(*panel, "four steps");
     EXPECT_TRUE(repair->isEnabled());
     EXPECT_TRUE(repair->text().contains("repair")) << repair->text().toStdString();
+    EXPECT_EQ(repair->objectName(), "primary");
+    const auto* step = stepOf(window, "1 Cameras");
+    ASSERT_TRUE(step);
+    EXPECT_TRUE(step->text().contains(QChar(0x2715))) << step->text().toStdString();
     verifying_ = {};
   }
   applyAppearance(*qApp, 1.0);

@@ -183,10 +183,8 @@ void TreatWorkspace::showPreview() {
 
 void TreatWorkspace::showSteps() {
   const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf)), wrong(QChar(0x2715));
-  setWords(*cameras_, tr("1 Cameras %1")
-                          .arg(!presenter_.withheldWords().isEmpty() ? wrong
-                               : presenter_.hasRecording()           ? done
-                                                                     : open));
+  shows_moved_ = hasMoved();
+  setWords(*cameras_, tr("1 Cameras %1").arg(shows_moved_ ? wrong : presenter_.hasRecording() ? done : open));
   setWords(*align_, tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
   const bool has_begun = presenter_.isRunning() && !shows_running_;
   shows_running_ = presenter_.isRunning();
@@ -229,6 +227,8 @@ void TreatWorkspace::showCase() {
   showSteps();
 }
 
+bool TreatWorkspace::hasMoved() const { return !presenter_.withheldWords().isEmpty(); }
+
 /// The newest state in words; before guidance: what is missing for it.
 ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_started) const {
   ReadOut read_out = makeReadOut(state);
@@ -238,7 +238,7 @@ ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_
     read_out.level = Level::idle;
     return read_out;
   }
-  const bool has_moved = !presenter_.withheldWords().isEmpty();
+  const bool has_moved = hasMoved();
   read_out.instruction = has_moved                ? tr("CAMERAS MOVED: repair them (step 1)")
                          : !model_.isOpen()       ? tr("NO CASE OPEN")
                          : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
@@ -262,7 +262,9 @@ void TreatWorkspace::refresh() {
   check_.follow(*state);
   tip_.follow(*state);
   // The check of a kept rig answers at any time.
-  if (presenter_.isRunning() != shows_running_ || presenter_.canAlign() != align_->isEnabled()) showSteps();
+  if (presenter_.isRunning() != shows_running_ || presenter_.canAlign() != align_->isEnabled() ||
+      hasMoved() != shows_moved_)
+    showSteps();
   const bool was_started = presenter_.isRunning() || state->frame >= 0;
   const ReadOut read_out = readOut(*state, was_started);
   screens_->follow(state, read_out);

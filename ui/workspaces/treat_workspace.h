@@ -52,6 +52,7 @@ class TreatWorkspace : public QWidget {
   QWidget* makeSide();
   QWidget* makeSteps();
   void showCase();
+  bool hasMoved() const;  // the cameras of a kept rig: nothing is aligned or guided with them
   void showSteps();
   void showCoils();
   void refresh();
@@ -82,7 +83,7 @@ class TreatWorkspace : public QWidget {
   QPushButton *cameras_, *align_, *guide_, *show_slices_, *slices_in_scene_;
   ElidedLabel* words_;
   QTimer timer_;
-  bool is_outdated_ = false, shows_running_ = false;
+  bool is_outdated_ = false, shows_running_ = false, shows_moved_ = false;
   std::int64_t previewed_ = -1;
   QString signature_;
 };
