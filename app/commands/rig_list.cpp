@@ -33,6 +33,10 @@ RigJson entryJson(const capture::RigEntry& entry) {
   if (rig.last_check)
     json["last_check"] = {
         {"utc", rig.last_check->utc}, {"state", rig.last_check->state}, {"words", rig.last_check->words}};
+  if (rig.row_times)
+    json["row_times"] = {{"utc", rig.row_times->utc},
+                         {"left_us", 1e6 * rig.row_times->left_s},
+                         {"right_us", 1e6 * rig.row_times->right_s}};
   return json;
 }
 
@@ -45,6 +49,10 @@ void printEntry(const capture::RigEntry& entry) {
   for (const auto& [side, camera] : {std::pair("left", &rig.left), std::pair("right", &rig.right)})
     std::printf("  %-5s %s\n", side,
                 *camera ? capture::inWords((*camera)->identity).c_str() : "no camera: made from files");
+  if (rig.row_times)
+    std::printf("  rolling shutter, measured %s: a picture is read in %.1f ms (left), %.1f ms (right)\n",
+                rig.row_times->utc.c_str(), 1e3 * rig.row_times->left_s * rig.rig.height_px,
+                1e3 * rig.row_times->right_s * rig.rig.height_px);
   if (rig.last_check)
     std::printf("  checked %s: %s\n", rig.last_check->utc.c_str(), rig.last_check->words.c_str());
   else

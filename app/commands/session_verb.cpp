@@ -28,7 +28,11 @@ workflow::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
   LiveChoice choice = verb.live;
   choice.coil = verb.coil;
   workflow::LiveCameras live;
-  live.rig = capture::RigStore(verb.live.rigs).read(verb.live.rig).rig;
+  const capture::RigStore store(verb.live.rigs);
+  live.rig = store.read(verb.live.rig).rig;
+  live.keepLearnt = [store, name = verb.live.rig](const workflow::CamerasLearnt& learnt) {
+    workflow::keepLearnt(store, name, learnt);
+  };
   live.seconds = verb.seconds;
   live.open = [choice, &context] { return openLive(choice, context); };
   return live;

@@ -141,6 +141,7 @@ void CamerasPresenter::chooseRig(const QString& name) {
     choose(QString::fromStdString(capture::stableName(at->rig->left->identity)),
            QString::fromStdString(capture::stableName(at->rig->right->identity)));
   rig_name_ = name;
+  rig_ = at->rig->rig;  // with the row times that were measured
   QSettings().setValue(kRigName, name);
   emit changed();
 }
@@ -177,12 +178,19 @@ std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener(
           right = right_.toStdString()] { return open(rig, left, right); };
 }
 
+std::function<void(const workflow::CamerasLearnt&)> CamerasPresenter::keeper() const {
+  if (!namedRig() || !services_.keepLearnt) return nullptr;
+  return [keep = services_.keepLearnt,
+          name = rig_name_.toStdString()](const workflow::CamerasLearnt& learnt) { keep(name, learnt); };
+}
+
 void CamerasPresenter::readRig() {
   rig_.reset();
   rig_problem_.clear();
   if (rig_file_.isEmpty()) return;
   try {
     rig_ = cameras::readRig(rig_file_.toStdString());
+    if (const auto named = namedRig()) rig_ = named->rig;  // with the row times that were measured
   } catch (const Error& error) {
     rig_problem_ = QString::fromUtf8(error.what());
   }
@@ -221,6 +229,11 @@ bool CamerasPresenter::canOpen() const {
 void CamerasPresenter::open() {
   if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   forgetStart();
+  if (!rig_name_.isEmpty()) {  // with what the last session kept with it
+    readRigs();
+    readRig();
+  }
+  if (!canOpen()) return emit changed();
   tasks_.start(tr("Opening the cameras"),
                [this, opens = opener(), old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  old.reset();  // first: a camera can be opened only once

@@ -58,6 +58,8 @@ class CamerasPresenter : public QObject {
   QString rigFault() const;
   /// Opens what is chosen now; for another thread.
   std::function<std::unique_ptr<capture::FrameSource>()> opener() const;
+  /// Keeps what a session learnt with the chosen rig; null: none is chosen, or it cannot be kept.
+  std::function<void(const workflow::CamerasLearnt&)> keeper() const;
   /// Opens both cameras; live images follow.
   void open();
   /// Plays a recording as a preview.

@@ -107,6 +107,9 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   services.noteRig = [](const std::string& name, const capture::RigCheckNote& note) {
     capture::RigStore().note(name, note);
   };
+  services.keepLearnt = [](const std::string& name, const workflow::CamerasLearnt& learnt) {
+    workflow::keepLearnt(capture::RigStore(), name, learnt);
+  };
   services.makeSetupMethods = [makeMethods] {
     const auto methods = std::make_shared<workflow::Registrations>(makeMethods());
     return workflow::SetupMethods{

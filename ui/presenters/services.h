@@ -21,6 +21,7 @@
 #include "facenav/pacs/pacs.h"
 #include "facenav/session/session.h"
 #include "facenav/workflow/alignment_seen.h"
+#include "facenav/workflow/cameras_learnt.h"
 #include "facenav/workflow/registrations.h"
 #include "facenav/workflow/rig_setup.h"
 #include "facenav/workflow/verified_cameras.h"
@@ -84,6 +85,8 @@ struct Services {
   std::function<void(const capture::NamedRig&, Existing)> keepRig;
   /// The result of a kept rig's check, into the store.
   std::function<void(const std::string& name, const capture::RigCheckNote&)> noteRig;
+  /// What a session learnt about a kept rig, into the store; from any thread.
+  std::function<void(const std::string& name, const workflow::CamerasLearnt&)> keepLearnt;
   /// What the set-up of a camera pair judges pictures with.
   std::function<workflow::SetupMethods()> makeSetupMethods;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;

@@ -169,6 +169,7 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
                                      aligned_.outcome};
   coil_.noteIn(request);
   request.goes_on = goes_on;
+  if (is_live_) request.keepLearnt = cameras_.keeper();
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
   workflow::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};

@@ -71,6 +71,7 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
       alignRecording(methods, store, film.recording, orderOf(store, request), monitor).outcome);
   TreatmentRequest treatment{store, film.recording, request.live.has_value(), film.coil, alignment, reminder};
   treatment.is_checked_first = request.live.has_value();
+  if (request.live) treatment.keepLearnt = request.live->keepLearnt;
   treatment.override = request.override;
   treatment.focus_caution = focus;
   treatment.goes_on = goes_on;

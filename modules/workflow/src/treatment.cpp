@@ -117,6 +117,7 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
     : case_folder_(prepared.request.store.folder()),
       rig_(prepared.request.recording.rig),
       coil_(prepared.request.coil),
+      keepLearnt_(prepared.request.keepLearnt),
       alignment_(prepared.request.alignment) {
   prepared.navigator->setTarget(target);
   session::SessionOptions options;
@@ -261,7 +262,9 @@ void Treatment::end() {
   if (!session_) return;
   keyboard_.stop();
   sources_.clear();
+  const CamerasLearnt learnt = learntOf(*session_->latest(), rig_);
   session_->stop();
+  if (keepLearnt_ && !learnt.isEmpty()) keepLearnt_(learnt);
   keepKeyFrames(*session_, case_folder_);
   log_.reset();  // before the session: its thread reads it
   session_.reset();

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/workflow/cameras_learnt.h"
 #include "facenav/workflow/verified_cameras.h"
 #include "support/setup_room.h"
 #include "support/test_data.h"
@@ -267,6 +268,55 @@ TEST(KeepRigStart, LeavesAFaultThatNothingCleared) {
   keepRigStart(store, "bar", found);
   EXPECT_EQ(store.read("bar").last_check->state, "holds");
   EXPECT_GT(store.read("bar").last_check->utc, "2020-01-02T08:00:00Z");
+}
+
+session::NavigationState lastState(double left_us, double right_us) {
+  session::NavigationState state;
+  state.row_times_s = {1e-6 * left_us, 1e-6 * right_us};
+  return state;
+}
+
+TEST(CamerasLearnt, RowTimesThatTheRigDoesNotState) {
+  auto rig = rooms::roomRig();
+  EXPECT_TRUE(learntOf(lastState(0, 0), rig).isEmpty());
+  const auto learnt = learntOf(lastState(42, 41), rig);
+  ASSERT_TRUE(learnt.row_times_s);
+  EXPECT_NEAR((*learnt.row_times_s)[1], 41e-6, 1e-12);
+  rig.left.row_time_s = 42e-6, rig.right.row_time_s = 41.2e-6;
+  EXPECT_TRUE(learntOf(lastState(42, 41), rig).isEmpty());
+  EXPECT_TRUE(learntOf(lastState(42, 20), rig).row_times_s);
+}
+
+TEST(CamerasLearnt, OfCamerasThatMovedOnlyThat) {
+  const auto rig = rooms::roomRig();
+  auto state = lastState(42, 41);
+  state.rig_correction = "a camera has moved by 0.12 deg";
+  EXPECT_EQ(learntOf(state, rig).moved, "a camera has moved by 0.12 deg");
+  EXPECT_FALSE(learntOf(state, rig).row_times_s);
+  state.rig_correction.clear();
+  state.rig_fault = "the cameras were moved";
+  state.rig_fault_detail = head_tracking::LossDetail::cameras_moved;
+  EXPECT_EQ(learntOf(state, rig).moved, "the cameras were moved");
+  for (const auto other : {head_tracking::LossDetail::camera_away, head_tracking::LossDetail::out_of_step}) {
+    state.rig_fault_detail = other;
+    EXPECT_TRUE(learntOf(state, rig).isEmpty());
+  }
+}
+
+TEST(CamerasLearnt, AreKeptWithTheRig) {
+  const testing::TemporaryFolder folder;
+  const capture::RigStore store(folder.path());
+  store.write(keptRig(rooms::roomRig(), "holds"), Existing::refuse);
+  CamerasLearnt learnt;
+  learnt.row_times_s = {42e-6, 41e-6};
+  keepLearnt(store, "bar", learnt);
+  EXPECT_NEAR(store.read("bar").rig.left.row_time_s, 42e-6, 1e-12);
+  EXPECT_EQ(store.read("bar").last_check->state, "holds");
+  learnt = {};
+  learnt.moved = "a camera has moved by 0.12 deg";
+  keepLearnt(store, "bar", learnt);
+  EXPECT_TRUE(RigStartCheck(store.read("bar"), markerAlone()).result().isWithheld());
+  EXPECT_NO_THROW(keepLearnt(store, "gone", learnt));
 }
 
 }  // namespace

@@ -57,6 +57,34 @@ TEST(RigStore, GivesBackWhatWasWritten) {
   EXPECT_NEAR(rig.rig.baseline_mm(), testing::smallRig().baseline_mm(), 1e-9);
 }
 
+TEST(RigStore, KeepsMeasuredRowTimes) {
+  const testing::TemporaryFolder folder;
+  const RigStore store(folder.path());
+  store.write(webcams("bar"), Existing::refuse);
+  EXPECT_EQ(store.read("bar").rig.left.row_time_s, 0.0);
+  store.noteRowTimes("bar", {"2026-11-25T08:00:00Z", 42e-6, 41e-6});
+  store.note("bar", {"2026-11-25T09:00:00Z", "holds", "the calibration holds"});
+  const NamedRig rig = store.read("bar");
+  EXPECT_NEAR(rig.rig.left.row_time_s, 42e-6, 1e-12);
+  EXPECT_NEAR(rig.rig.right.row_time_s, 41e-6, 1e-12);
+  ASSERT_TRUE(rig.row_times);
+  EXPECT_EQ(rig.row_times->utc, "2026-11-25T08:00:00Z");
+
+  store.write(webcams("bar"), Existing::replace);  // calibrated again: the same cameras
+  EXPECT_NEAR(store.read("bar").rig.right.row_time_s, 41e-6, 1e-12);
+  NamedRig other = webcams("bar");
+  other.left->identity.serial = "C";
+  store.write(other, Existing::replace);
+  EXPECT_EQ(store.read("bar").rig.right.row_time_s, 0.0);
+  other.left->settings.frames_per_s = 50;  // another mode of the sensor
+  store.noteRowTimes("bar", {"2026-11-25T08:00:00Z", 42e-6, 41e-6});
+  store.write(other, Existing::replace);
+  EXPECT_FALSE(store.read("bar").row_times);
+  EXPECT_THAT(errorOf([&] { store.noteRowTimes("foo", {}); }), HasSubstr("there are: bar"));
+  store.noteRowTimes("bar", {"2026-11-25T08:00:00Z", 1.0, 41e-6});
+  EXPECT_THAT(errorOf([&] { store.read("bar"); }), HasSubstr("longer than 100 ms"));
+}
+
 TEST(RigStore, RefusesInOneClearLine) {
   const testing::TemporaryFolder folder;
   const RigStore store(folder.path());

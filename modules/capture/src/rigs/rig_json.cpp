@@ -17,6 +17,7 @@ constexpr SettingKey kSettingKeys[] = {{"exposure_ms", &CameraSettings::exposure
                                        {"gain", &CameraSettings::gain},
                                        {"focus", &CameraSettings::focus},
                                        {"white_balance_k", &CameraSettings::white_balance_k}};
+constexpr double kMicro = 1e6;  // us per s
 constexpr const char* kTriggers[] = {"free_run", "software", "hardware"};
 
 Json cameraJson(const RigCamera& camera) {
@@ -64,6 +65,10 @@ std::string toRigJson(const NamedRig& rig) {
   if (rig.last_check)
     json["last_check"] = {
         {"utc", rig.last_check->utc}, {"state", rig.last_check->state}, {"words", rig.last_check->words}};
+  if (rig.row_times)
+    json["row_times"] = {{"utc", rig.row_times->utc},
+                         {"left_us", kMicro * rig.row_times->left_s},
+                         {"right_us", kMicro * rig.row_times->right_s}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -84,6 +89,11 @@ NamedRig readRigJson(const std::filesystem::path& path) {
   if (json.has("last_check")) {
     const JsonReader check = json.at("last_check");
     rig.last_check = RigCheckNote{check.at("utc").text(), check.at("state").text(), check.at("words").text()};
+  }
+  if (json.has("row_times")) {
+    const JsonReader times = json.at("row_times");
+    rig.row_times = MeasuredRowTimes{times.at("utc").text(), times.at("left_us").number() / kMicro,
+                                     times.at("right_us").number() / kMicro};
   }
   return rig;
 }

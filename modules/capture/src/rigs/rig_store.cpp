@@ -32,14 +32,45 @@ bool isGoodName(const std::string& name) {
          name.back() != ' ' && std::all_of(name.begin(), name.end(), isGood);
 }
 
+void useRowTimes(NamedRig& rig, const fs::path& file) {
+  for (const double row_s : {rig.row_times->left_s, rig.row_times->right_s})
+    if (!(std::abs(row_s) * rig.rig.height_px <= cameras::kLongestReadout_s))
+      throw Error("row_times: a picture would take longer than 100 ms", file.string(),
+                  "remove row_times: they are measured anew");
+  rig.rig.left.row_time_s = rig.row_times->left_s;
+  rig.rig.right.row_time_s = rig.row_times->right_s;
+}
+
+bool takesAlike(const std::optional<RigCamera>& a, const std::optional<RigCamera>& b) {
+  return a && b && isSameCamera(a->identity, b->identity) && a->settings.format == b->settings.format &&
+         a->settings.frames_per_s == b->settings.frames_per_s;
+}
+
+bool takesTheSamePictures(const NamedRig& a, const NamedRig& b) {
+  return takesAlike(a.left, b.left) && takesAlike(a.right, b.right) && a.rig.width_px == b.rig.width_px &&
+         a.rig.height_px == b.rig.height_px;
+}
+
 NamedRig readRigFolder(const fs::path& folder) {
   NamedRig rig = readRigJson(folder / "rig.json");
   rig.name = folder.filename();  // a folder that was renamed has its new name
   rig.rig = cameras::readRig(folder / "stereo.yml");
+  if (rig.row_times) useRowTimes(rig, folder / "rig.json");
   for (auto* side : {&rig.left, &rig.right}) {
     if (!*side) continue;
     (*side)->settings.width_px = rig.rig.width_px;
     (*side)->settings.height_px = rig.rig.height_px;
+  }
+  return rig;
+}
+
+/// With the row times of the rig in `folder`, if it takes the same pictures.
+NamedRig withKnownRowTimes(NamedRig rig, const fs::path& folder) {
+  if (rig.row_times || !fs::is_directory(folder)) return rig;
+  try {
+    const NamedRig before = readRigFolder(folder);
+    if (takesTheSamePictures(rig, before)) rig.row_times = before.row_times;
+  } catch (const Error&) {  // a damaged rig is replaced as a whole
   }
   return rig;
 }
@@ -92,7 +123,7 @@ void RigStore::write(const NamedRig& rig, Existing existing) const {
     throw Error("the folder for rigs cannot be made (" + error.message() + ")", folder_.string(),
                 "choose another");
   WholeFolder whole(folder, FileAccess::by_umask, existing);
-  writeWholeFile(whole.temporaryPath() / "rig.json", toRigJson(rig));
+  writeWholeFile(whole.temporaryPath() / "rig.json", toRigJson(withKnownRowTimes(rig, folder)));
   cameras::writeRig(rig.rig, whole.temporaryPath() / "stereo.yml");
   whole.commit();
 }
@@ -100,6 +131,12 @@ void RigStore::write(const NamedRig& rig, Existing existing) const {
 void RigStore::note(const std::string& name, const RigCheckNote& check) const {
   NamedRig rig = read(name);
   rig.last_check = check;
+  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig));
+}
+
+void RigStore::noteRowTimes(const std::string& name, const MeasuredRowTimes& row_times) const {
+  NamedRig rig = read(name);
+  rig.row_times = row_times;
   writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig));
 }
 

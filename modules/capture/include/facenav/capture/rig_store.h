@@ -33,12 +33,19 @@ struct RigCheckNote {
   std::string words;
 };
 
+/// Rolling shutter as a session measured it: the time from one row to the row below, s.
+struct MeasuredRowTimes {
+  std::string utc;  // ISO 8601
+  double left_s = 0, right_s = 0;
+};
+
 struct NamedRig {
   std::string name, created_utc;
   std::optional<RigCamera> left, right;  // both or none: a rig made from files alone knows no cameras
   cameras::StereoRig rig;
   std::optional<RigUncertainty_mm> uncertainty;
   std::optional<RigCheckNote> last_check;
+  std::optional<MeasuredRowTimes> row_times;  // in `rig` they stand in place of the calibration's own
 };
 
 /// A folder of the store; `problem` says why it cannot be read.
@@ -60,10 +67,13 @@ class RigStore {
   /// Throws Error: there is no such rig (the message lists those there are), or a file of it is damaged.
   NamedRig read(const std::string& name) const;
   /// Writes the whole folder or nothing. Throws Error: the name has other signs than letters, digits, blank,
-  /// '-', '_' and '.', or it is taken and `existing` is refuse.
+  /// '-', '_' and '.', or it is taken and `existing` is refuse. Row times that were measured with a rig that
+  /// is replaced stay, where cameras, their formats and the picture size are the same.
   void write(const NamedRig& rig, Existing existing) const;
   /// Replaces the note of the last check. Throws Error as read().
   void note(const std::string& name, const RigCheckNote& check) const;
+  /// Replaces the measured row times; they are in read().rig from then on. Throws Error as read().
+  void noteRowTimes(const std::string& name, const MeasuredRowTimes& row_times) const;
 
  private:
   std::filesystem::path folder_;

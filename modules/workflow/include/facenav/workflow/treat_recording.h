@@ -20,6 +20,7 @@ struct LiveCameras {
   cameras::StereoRig rig;
   std::function<std::unique_ptr<capture::FrameSource>()> open;  // called again after they were away
   double seconds = 0;                                           // 0: without end
+  std::function<void(const CamerasLearnt&)> keepLearnt;         // with the rig, at the end; may be null
 };
 
 struct TreatRecordingRequest {

@@ -17,6 +17,7 @@
 #include "facenav/session/treatment_log.h"
 #include "facenav/workflow/align_from_capture.h"
 #include "facenav/workflow/alignment_seen.h"
+#include "facenav/workflow/cameras_learnt.h"
 #include "facenav/workflow/session_notes.h"
 
 namespace facenav::workflow {
@@ -52,6 +53,8 @@ struct TreatmentRequest {
   std::optional<std::string> focus_caution = {};  // coil_library.h; logged
   /// The alignment is of an earlier moment: guidance is withheld until it is checked.
   bool is_checked_first = false;
+  /// Called at the end with what is worth keeping with a kept rig; may be null. On the thread of end().
+  std::function<void(const CamerasLearnt&)> keepLearnt = nullptr;
 };
 
 /// How trackers and frames are opened; a test replaces them.
@@ -159,6 +162,7 @@ class Treatment {
   cameras::StereoRig rig_;
   coil_tracking::CoilModel coil_;
   std::optional<guidance::Target> target_;
+  std::function<void(const CamerasLearnt&)> keepLearnt_;
   std::shared_ptr<const AlignmentOutcome> alignment_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;

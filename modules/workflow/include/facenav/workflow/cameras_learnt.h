@@ -1,0 +1,30 @@
+#pragma once
+// CamerasLearnt: what a session found out about its cameras, and what is kept of it with the rig, so that the
+// next session starts with it: the rolling shutter that a fast coil showed, and that a camera has moved.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "facenav/cameras/stereo_rig.h"
+#include "facenav/capture/rig_store.h"
+#include "facenav/session/navigation_state.h"
+
+namespace facenav::workflow {
+
+struct CamerasLearnt {
+  /// Left and right, s from one row to the row below, where they differ from what the rig states.
+  std::optional<std::array<double, 2>> row_times_s;
+  std::string moved;  // what to know about a camera that moved, one line; empty: none is known to have moved
+  bool isEmpty() const { return !row_times_s && moved.empty(); }
+};
+
+/// `last`: newest state of a session. `rig`: that it was started with. Row times are not kept from cameras
+/// that moved or are not in step: they falsify them.
+CamerasLearnt learntOf(const session::NavigationState& last, const cameras::StereoRig& rig);
+
+/// Into the store. A camera that moved withholds the rig until its next check holds (rig_start.h). What
+/// cannot be written is a warning in the log.
+void keepLearnt(const capture::RigStore& store, const std::string& name, const CamerasLearnt& learnt);
+
+}  // namespace facenav::workflow
