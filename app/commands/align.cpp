@@ -24,6 +24,12 @@ struct AlignRequest {
   LiveChoice live;  // its rig alone
 };
 
+/// What is aligned, and the coil's marker as it was seen when live pictures of it were taken.
+struct Pictures {
+  capture::Recording recording;
+  std::optional<workflow::LengthSeen> marker = {};
+};
+
 cv::Mat readGrey(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
   cv::Mat image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
@@ -54,27 +60,27 @@ capture::Recording fromFiles(const AlignRequest& request) {
   return recording;
 }
 
-/// Pictures of now: with the projector on and off, or a single pair where no dots are asked for.
-capture::Recording fromCameras(const AlignRequest& request, const Context& context) {
+/// Pictures of now: one pair with the coil's marker beside the face, or two with the projector on and off.
+Pictures fromCameras(const AlignRequest& request, const Context& context) {
   if (request.from == "film")
     throw Error("a film is not aligned from live cameras", "--using film",
                 "record it first: facenav record --rig NAME");
   const auto source = openVerifiedRig(request.live, context);
   requireUnmoved(*source, request.live.rig);
-  capture::Recording recording;
-  recording.rig = source->rig();
-  capture::CapturePair pair;
-  if (request.from == "plain")
-    pair.pattern = pair.plain = workflow::takeStill(*source);
-  else
-    pair = askForCapture(*source);
-  recording.capture = pair;
-  return recording;
+  Pictures pictures;
+  pictures.recording.rig = source->rig();
+  if (request.from == "dots") pictures.recording.capture = askForCapture(*source);
+  if (request.from.empty()) pictures.recording.capture = askForCaptureIfProjector(*source);
+  if (pictures.recording.capture) return pictures;
+  const auto still = takeMarked(*source, request.live, context);
+  pictures.recording.capture = capture::CapturePair{still->still(), still->still()};
+  pictures.marker = still->marker();
+  return pictures;
 }
 
-capture::Recording openWhatIsAligned(const AlignRequest& request, const Context& context) {
+Pictures openWhatIsAligned(const AlignRequest& request, const Context& context) {
   if (!request.live.rig.empty()) return fromCameras(request, context);
-  return request.recording ? capture::openCapture(*request.recording) : fromFiles(request);
+  return {request.recording ? capture::openCapture(*request.recording) : fromFiles(request)};
 }
 
 /// Prints the parts of the face that fit worse than expected of a good skin model and a still face.
@@ -97,10 +103,14 @@ void writePicture(const std::filesystem::path& path, const casefile::CaseStore& 
 
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
-  const auto recording = openWhatIsAligned(request, context);
+  const auto [recording, marker] = openWhatIsAligned(request, context);
   workflow::AlignOrder order{request.aligner};
   order.matcher = request.matcher;
-  order.from = workflow::alignedFrom(request.from);
+  order.marker = marker;
+  order.tries_all = true;
+  if (!request.live.coil.words.empty()) order.coil = coilOf(request.live.coil);
+  order.may_be_unsure = request.live.rig.empty();
+  if (request.live.rig.empty()) order.from = workflow::alignedFrom(request.from);
   const auto aligned =
       workflow::alignRecording(context.registrations, store, recording, order, context.monitor);
   const auto& outcome = aligned.outcome;
@@ -132,7 +142,7 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("--rig", request->rig, "stereo.yml, instead of RECORDING");
   verb->add_option(
       "--live", request->live.rig,
-      "a rig by its name, instead of RECORDING: takes the pictures now, and asks for the projector");
+      "a rig by its name, instead of RECORDING: takes the pictures now, with a projector or without");
   verb->add_option("--rigs", request->live.rigs, "with --live: folder of the rigs");
   addVerifyingCoilOptions(*verb, request->live);
   verb->add_option("--left", request->left, "left image with dots, then the one without");
@@ -145,9 +155,9 @@ void addAlign(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->add_option(
           "--using", request->from,
-          "align from this: dots, plain (the pair without dots) or film (its first two seconds, in "
-          "which the head turns to both sides); default: dots. Without dots a camera that turned about its "
-          "vertical axis is not noticed: for trials, not for treatment")
+          "align from this alone: dots, plain (the pair without dots) or film (its first two seconds, in "
+          "which the head turns to both sides); default: dots, else what predicts less error. With --live: "
+          "plain takes one picture, with the coil held still beside the face")
       ->check(CLI::IsMember({"dots", "plain", "film"}));
   verb->add_option("--matcher", request->matcher,
                    "measures a face with dots by: " + stereo::denseMatcherList())

@@ -14,6 +14,12 @@ struct CoilChoice {
   std::filesystem::path library;  // empty: the usual one
 };
 
+/// The chosen coil; none chosen: the default one. Throws Error: there is no such coil.
+inline coil_tracking::CoilModel coilOf(const CoilChoice& choice) {
+  if (choice.words.empty()) return coil_tracking::defaultCoil();
+  return coil_tracking::readCoil(workflow::coilFileOf(choice.words, workflow::coilLibrary(choice.library)));
+}
+
 inline void addCoilLibraryOption(CLI::App& verb, std::filesystem::path& library) {
   verb.add_option("--coils", library,
                   "folder of the library of coils (default: FACENAV_COILS, else " +

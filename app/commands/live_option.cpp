@@ -1,7 +1,11 @@
 #include "commands/live_option.h"
 
+#include <cstdio>
+#include <iostream>
+
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/workflow/record_live.h"
 
 namespace facenav::app {
 namespace {
@@ -12,11 +16,6 @@ std::string repairOf(const std::string& rig) {
   const bool is_quoted = rig.find(' ') != std::string::npos;
   const std::string quote = is_quoted ? "'" : "";
   return "repair it in two minutes: facenav-gui --set-up --rig " + quote + rig + quote;
-}
-
-coil_tracking::CoilModel coilOf(const CoilChoice& choice) {
-  if (choice.words.empty()) return coil_tracking::defaultCoil();
-  return coil_tracking::readCoil(workflow::coilFileOf(choice.words, workflow::coilLibrary(choice.library)));
 }
 
 void tellStart(const LiveChoice& choice, const workflow::RigStart& found) {
@@ -32,6 +31,22 @@ void tellStart(const LiveChoice& choice, const workflow::RigStart& found) {
   } catch (const Error& error) {
     logWarning(error.what());
   }
+}
+
+/// The answer on the terminal.
+std::string ask(const char* words) {
+  std::fprintf(stderr, "%s: ", words);
+  std::string line;
+  if (!std::getline(std::cin, line)) throw Error("no answer on standard input: nothing was taken");
+  return line;
+}
+
+capture::CapturePair withDots(capture::FrameSource& source) {
+  capture::CapturePair pair;
+  pair.pattern = workflow::takeStill(source);
+  ask("projector off, the head still, then press Return");
+  pair.plain = workflow::takeStill(source);
+  return pair;
 }
 
 }  // namespace
@@ -87,6 +102,32 @@ std::unique_ptr<capture::FrameSource> openLive(const LiveChoice& choice, const C
       capture::openCameraPair(rig, std::move(left), std::move(right), {choice.settings, choice.settings});
   for (const auto& words : capture::changedSettings(*source)) logWarning(words);
   return source;
+}
+
+capture::CapturePair askForCapture(capture::FrameSource& source) {
+  ask("projector on, the head still, then press Return");
+  return withDots(source);
+}
+
+std::optional<capture::CapturePair> askForCaptureIfProjector(capture::FrameSource& source) {
+  if (ask("projector on, the head still, then press Return (n and Return: there is no projector)") == "n")
+    return std::nullopt;
+  return withDots(source);
+}
+
+std::unique_ptr<workflow::MarkedStill> takeMarked(capture::FrameSource& source, const LiveChoice& choice,
+                                                  const Context& context) {
+  constexpr double kLimit_s = 30;
+  const auto& methods = context.registrations;
+  auto still = std::make_unique<workflow::MarkedStill>(
+      source.rig(),
+      workflow::MarkedStillMethods{methods.face_detector(),
+                                   methods.coil_trackers.create(methods.coil_trackers.defaultName()),
+                                   coilOf(choice.coil)});
+  if (!context.is_quiet)
+    std::fprintf(stderr, "look at the cameras; %s; the picture is taken by itself\n", still->words().c_str());
+  workflow::takeMarkedStill(source, *still, kLimit_s, context.monitor);
+  return still;
 }
 
 }  // namespace facenav::app

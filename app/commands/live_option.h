@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands/coil_option.h"
 #include "context.h"
 #include "facenav/capture/recording.h"
+#include "facenav/workflow/marked_still.h"
 #include "facenav/workflow/verified_cameras.h"
 
 namespace facenav::app {
@@ -36,5 +38,11 @@ void requireUnmoved(workflow::VerifiedCameras& cameras, const std::string& rig);
 /// Asks on the terminal for the projector on, then off, and takes a pair each time. Throws Error: standard
 /// input has ended.
 capture::CapturePair askForCapture(capture::FrameSource& source);
+/// The same where there may be no projector: nothing where the user says so.
+std::optional<capture::CapturePair> askForCaptureIfProjector(capture::FrameSource& source);
+/// Waits until both cameras see the face and, at rest, the coil's marker (marked_still.h), half a minute at
+/// most. Throws Error.
+std::unique_ptr<workflow::MarkedStill> takeMarked(capture::FrameSource& source, const LiveChoice& choice,
+                                                  const Context& context);
 
 }  // namespace facenav::app

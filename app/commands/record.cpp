@@ -1,7 +1,6 @@
 // facenav record --rig NAME --seconds S -o RECORDING: live cameras -> a recording.
 
 #include <cstdio>
-#include <iostream>
 
 #include "commands/commands.h"
 #include "commands/live_option.h"
@@ -32,19 +31,6 @@ void runRecord(Context& context, RecordVerb verb) {
 }
 
 }  // namespace
-
-capture::CapturePair askForCapture(capture::FrameSource& source) {
-  const auto ask = [&](const char* words) {
-    std::fprintf(stderr, "%s, then press Return: ", words);
-    std::string line;
-    if (!std::getline(std::cin, line)) throw Error("no answer on standard input: nothing was taken");
-    return workflow::takeStill(source);
-  };
-  capture::CapturePair pair;
-  pair.pattern = ask("projector on, the head still");
-  pair.plain = ask("projector off, the head still");
-  return pair;
-}
 
 void addRecord(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(

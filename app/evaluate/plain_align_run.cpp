@@ -14,10 +14,13 @@ namespace {
 using workflow::AlignedFrom;
 
 constexpr double kMoved_deg = 0.3;  // of the right camera on its mount
-/// Dense dots; the plain picture beside them shows the coil's marker too.
-constexpr const char* kWithMarker = "dots and marker";
-
-AlignedFrom fromOf(const std::string& way) { return way == "plain" ? AlignedFrom::plain : AlignedFrom::dots; }
+/// One way to align with its pictures.
+struct Way {
+  std::string name;
+  AlignedFrom from;
+  capture::CapturePair pair;
+  bool has_marker = false;  // the plain picture shows the coil's marker too
+};
 
 /// What is common to all alignments of one patient.
 struct Sitting {
@@ -143,17 +146,17 @@ cameras::StereoRig beforeATurn(cameras::StereoRig rig, double turn_deg) {
 }
 
 /// Each must be refused, corrected, or lie inside its stated bound.
-void addTurned(const Sitting& sitting, const std::vector<std::pair<std::string, capture::CapturePair>>& ways,
+void addTurned(const Sitting& sitting, const std::vector<Way>& ways,
                std::vector<evaluation::RunRecord>& runs) {
   const double sign = sitting.names.seed % 2 ? 1.0 : -1.0;
   for (const double turn_deg : {0.05, 0.1, 0.2, 0.3})
-    for (const auto& [way, pair] : ways) {
+    for (const auto& way : ways) {
       const auto rig = beforeATurn(sitting.room->rig(), sign * turn_deg);
       char name[64];
-      std::snprintf(name, sizeof name, "%s: turned sideways by %.2f deg", way.c_str(), sign * turn_deg);
-      runs.push_back(recordOf(sitting, name, rig, [&, way = way, pair = pair] {
-        return workflow::alignFromCapture(rig, pair, fromOf(way),
-                                          sitting.setup(sitting.head.scalp, way == kWithMarker),
+      std::snprintf(name, sizeof name, "%s: turned sideways by %.2f deg", way.name.c_str(), sign * turn_deg);
+      runs.push_back(recordOf(sitting, name, rig, [&] {
+        return workflow::alignFromCapture(rig, way.pair, way.from,
+                                          sitting.setup(sitting.head.scalp, way.has_marker),
                                           sitting.context.monitor);
       }));
     }
@@ -199,19 +202,22 @@ std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::S
       plain{dense.plain, dense.plain};
   sitting.with_coil = room.captureWithCoil();
   sitting.coil = coilOf(room.coil());
-  const capture::CapturePair marked{dense.pattern, sitting.with_coil};
   room.captureWith(std::nullopt);  // the room's depth is that of the last picture
   const room::DepthMaps depth = room.depth();
   sitting.depth = {depth.left_mm, depth.right_mm, depth.left_object == 1};
   sitting.visible =
       evaluation::visibleFace(room.rig(), sitting.depth, room.captureTruth() * head.patient->face_middle);
   std::vector<evaluation::RunRecord> runs;
-  const std::vector<std::pair<std::string, capture::CapturePair>> ways{
-      {"dots", dense}, {kWithMarker, marked}, {"sparse dots", sparse}, {"plain", plain}};
-  for (const auto& [way, pair] : ways)
-    runs.push_back(recordOf(sitting, way, room.rig(), [&, way = way, pair = pair] {
-      return workflow::alignFromCapture(room.rig(), pair, fromOf(way),
-                                        sitting.setup(head.scalp, way == kWithMarker), context.monitor);
+  const std::vector<Way> ways{
+      {"dots", AlignedFrom::dots, dense},
+      {"dots and marker", AlignedFrom::dots, {dense.pattern, sitting.with_coil}, true},
+      {"sparse dots", AlignedFrom::dots, sparse},
+      {"plain", AlignedFrom::plain, plain},
+      {"plain and marker", AlignedFrom::plain, {sitting.with_coil, sitting.with_coil}, true}};
+  for (const auto& way : ways)
+    runs.push_back(recordOf(sitting, way.name, room.rig(), [&] {
+      return workflow::alignFromCapture(room.rig(), way.pair, way.from,
+                                        sitting.setup(head.scalp, way.has_marker), context.monitor);
     }));
   if (room.frameCount().value_or(0) > 1)
     runs.push_back(recordOf(sitting, "film", room.rig(), [&] {

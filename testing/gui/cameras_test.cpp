@@ -60,7 +60,8 @@ class CamerasTest : public ::testing::Test {
       opened_ = {left, right};
       return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
     };
-    services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording, TaskMonitor&) {
+    services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording,
+                             const coil_tracking::CoilModel*, TaskMonitor&) {
       aligned_with_ = recording;
       workflow::AlignmentOutcome outcome;
       outcome.result.camera_T_mri = fakes::cameraAtReference();
@@ -204,7 +205,7 @@ TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   EXPECT_TRUE(cameras().words().contains("live"));
   EXPECT_FALSE(treat_->canAlign());
   treat_->align(false);  // never with an old capture
-  EXPECT_TRUE(refused_.contains("take the two pictures"));
+  EXPECT_TRUE(refused_.contains("take the picture"));
   cameras().takePlain();  // refused: the image with dots comes first
   EXPECT_FALSE(cameras().capture());
   ASSERT_NO_FATAL_FAILURE(guide());

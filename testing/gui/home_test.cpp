@@ -54,6 +54,7 @@ Services homeServices(std::shared_ptr<Seen> seen, const Eigen::Vector3d& off_mm 
   Services services = fakeServices();
   if (!refusal.empty())
     services.align = [refusal](const casefile::CaseStore&, const capture::Recording&,
+                               const coil_tracking::CoilModel*,
                                TaskMonitor&) -> workflow::AlignmentOutcome { throw Error(refusal); };
   services.makeNavigator = [seen, off_mm](const session::NavigatorSetup& setup) {
     const RigidTransform<Marker, Marker> off(Eigen::Quaterniond::Identity(), off_mm);

@@ -3,10 +3,11 @@
 namespace facenav::ui {
 
 AlignedHead alignHead(const Services& services, const casefile::CaseStore& store,
-                      const capture::Recording& recording, TaskMonitor& monitor) {
+                      const capture::Recording& recording, const coil_tracking::CoilModel& coil,
+                      TaskMonitor& monitor) {
   AlignedHead aligned;
   aligned.outcome =
-      std::make_shared<const workflow::AlignmentOutcome>(services.align(store, recording, monitor));
+      std::make_shared<const workflow::AlignmentOutcome>(services.align(store, recording, &coil, monitor));
   if (!services.seeAlignment) return aligned;
   aligned.seen = services.seeAlignment(store, *aligned.outcome);
   aligned.picture = std::make_shared<const pictures::CameraOverlay>(

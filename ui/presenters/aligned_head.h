@@ -16,6 +16,7 @@ struct AlignedHead {
 
 /// On a worker thread. Throws Error when the head cannot be aligned.
 AlignedHead alignHead(const Services& services, const casefile::CaseStore& store,
-                      const capture::Recording& recording, TaskMonitor& monitor);
+                      const capture::Recording& recording, const coil_tracking::CoilModel& coil,
+                      TaskMonitor& monitor);
 
 }  // namespace facenav::ui

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/workflow/marked_still.h"
+#include "presenters/preview_frames.h"
 
 namespace facenav::ui {
 namespace {
@@ -20,6 +22,7 @@ bool isOfNetwork(const QString& name) { return name.startsWith("genicam:"); }
 
 constexpr double kFresh_s = 0.5;        // an older image does not show the present
 constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
+constexpr double kMarkedWithin_s = 60.0;
 const char* const kLeft = "cameras/left_name";
 const char* const kRight = "cameras/right_name";
 const char* const kRig = "cameras/rig";
@@ -346,15 +349,42 @@ void CamerasPresenter::takePlain() {
   if (capture()) emit captureTaken();
 }
 
+void CamerasPresenter::takeMarked() {
+  if (!isLive() || !isWell() || !rig_ || tasks_.isRunning()) {
+    emit refused(tr("no fresh picture from the cameras: nothing was taken"));
+    return;
+  }
+  dots_.reset();
+  plain_.reset();
+  emit changed();
+  tasks_.start(tr("Taking the picture"),
+               [this, rig = *rig_, preview = preview_, coil = coil_ ? coil_() : coil_tracking::defaultCoil(),
+                make = services_.makeSetupMethods](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                 const auto methods = make();
+                 PreviewFrames frames(rig, preview);
+                 workflow::MarkedStill still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
+                 workflow::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
+                 return [this, preview, taken = still.still()] {
+                   if (preview != preview_) return;  // other cameras meanwhile
+                   dots_ = plain_ = taken;
+                   dots_taken_ = plain_taken_ = Timestamp::now();
+                   emit changed();
+                   emit captureTaken();
+                 };
+               });
+}
+
 std::optional<capture::CapturePair> CamerasPresenter::capture() const {
   if (!dots_ || !plain_ || std::abs(plain_taken_.s - dots_taken_.s) > kPairWithin_s) return std::nullopt;
   return capture::CapturePair{*dots_, *plain_};
 }
 
 QString CamerasPresenter::captureWords() const {
-  if (capture()) return tr("both pictures taken: align now, the head as it is");
+  if (capture()) return tr("taken: align now, the head as it is");
   if (dots_) return tr("now the projector off, the head still, and take the second picture");
-  return tr("projector on, look at the cameras, hold still, and take the first picture");
+  return tr(
+      "look at the cameras, and hold the coil still beside the face, its marker to both cameras: the picture "
+      "is taken by itself");
 }
 
 }  // namespace facenav::ui

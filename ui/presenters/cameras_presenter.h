@@ -83,6 +83,9 @@ class CamerasPresenter : public QObject {
   /// Keeps the newest live pair as the one with dots, or without. Refused if there is no fresh image.
   void takeDots();
   void takePlain();
+  /// Without a projector: the pair is taken by itself when both cameras see the face and, at rest beside it,
+  /// the coil's marker (workflow/marked_still.h). It can be cancelled as a task.
+  void takeMarked();
   bool hasDots() const { return dots_.has_value(); }
   /// Both pairs, if taken within 20 s of each other.
   std::optional<capture::CapturePair> capture() const;

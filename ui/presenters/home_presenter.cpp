@@ -125,8 +125,8 @@ void HomePresenter::align() {
   set(Stage::starting);
   tasks_.start(tr("Measuring the face"),
                [this, store = home_->store, seen](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto outcome =
-                     std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, monitor));
+                 auto outcome = std::make_shared<workflow::AlignmentOutcome>(
+                     services_.align(store, seen, nullptr, monitor));
                  return [this, outcome] { startTrackers(outcome); };
                });
 }

@@ -54,10 +54,11 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
     workflow::prepareCase(methods, request, monitor);
   };
   services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
-                                 TaskMonitor& monitor) {
+                                 const coil_tracking::CoilModel* coil, TaskMonitor& monitor) {
     const auto methods = makeMethods();
     workflow::AlignOrder order{methods.aligners.defaultName()};
     order.stored_pair_stands_in = true;
+    if (coil) order.coil = *coil;
     return workflow::alignRecording(methods, store, recording, order, monitor).outcome;
   };
   services.seeAlignment = workflow::seeAlignment;

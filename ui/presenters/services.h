@@ -61,10 +61,10 @@ struct Services {
       fetchFromArchive;
   /// Makes the case folder, or replaces the model of an existing case.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
-  /// Aligns from a recording's capture pair, or from the one stored with the case. Stores the result in the
-  /// case.
+  /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: whose marker the
+  /// pictures may show; null: as the case says. Stores the result in the case.
   std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
-                                           TaskMonitor&)>
+                                           const coil_tracking::CoilModel* coil, TaskMonitor&)>
       align;
   /// What a person judges the alignment by. Empty: nothing is shown.
   std::function<workflow::AlignmentSeen(const casefile::CaseStore&, const workflow::AlignmentOutcome&)>

@@ -117,15 +117,15 @@ bool TreatPresenter::refuseMoved() {
 void TreatPresenter::align(bool then_start) {
   if (!canAlign()) {  // live cameras need current images, never an old capture
     if (refuseMoved()) return;
-    if (is_live_ && mayTreat()) emit refused(tr("take the two pictures first (step 1)"));
+    if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
     return;
   }
   tasks_.start(
       tr("Aligning the head"),
       [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
-       recording = *recording_](TaskMonitor& monitor) -> TaskRunner::Delivery {
+       recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
         workflow::requireSignOff(store, is_overridden);
-        return [this, aligned = alignHead(services_, store, recording, monitor), then_start] {
+        return [this, aligned = alignHead(services_, store, recording, coil, monitor), then_start] {
           use(aligned);
           emit changed();
           if (then_start) start();
@@ -149,11 +149,11 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
   auto recording = *recording_;
   recording.capture.reset();
   tasks_.start(tr("Going on with the session"),
-               [this, session, recording, store = model_.current().store,
+               [this, session, recording, store = model_.current().store, coil = coil_.model(),
                 is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
                  workflow::requireSignOff(store, is_overridden);
                  const auto folder = workflow::sessionToGoOnWith(store.folder(), session.name).folder;
-                 return [this, aligned = alignHead(services_, store, recording, monitor), folder,
+                 return [this, aligned = alignHead(services_, store, recording, coil, monitor), folder,
                          target = QString::fromStdString(session.target)] {
                    use(aligned);
                    chooseTarget(target);

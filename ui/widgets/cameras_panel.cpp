@@ -109,11 +109,13 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   column.addWidget(open_);
   set_up_ = button(tr("Set up the cameras\u2026"), tr("place, calibrate and check a pair in four steps"),
                    Qt::CTRL + Qt::SHIFT + Qt::Key_U);
-  column.addWidget(set_up_);
   latency_ = button(tr("Measure the delay\u2026"),
                     tr("from the left camera to the screen: it films a flashing field"),
                     Qt::CTRL + Qt::SHIFT + Qt::Key_L);
-  column.addWidget(latency_);
+  auto* seldom = new QHBoxLayout;
+  seldom->addWidget(set_up_);
+  seldom->addWidget(latency_);
+  column.addLayout(seldom);
   connect(latency_, &QPushButton::clicked, this, [this] {
     auto* screen = new LatencyScreen([this] { return cameras_.picture(); }, window());
     screen->setAttribute(Qt::WA_DeleteOnClose);
@@ -131,16 +133,21 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
 }
 
 void CamerasPanel::addCapture(QVBoxLayout& column) {
-  column.addWidget(label(tr("Pictures for the alignment"), "heading", this));
+  column.addWidget(label(tr("Picture for the alignment"), "heading", this));
   capture_words_ = label({}, "plain", this);
-  dots_ = button(tr("1 Take with dots"), tr("the face with the projector on"), Qt::CTRL + Qt::Key_D);
-  plain_ =
-      button(tr("2 Take without dots"), tr("the face as it was, the projector off"), Qt::CTRL + Qt::Key_P);
   column.addWidget(capture_words_);
+  marked_ =
+      button(tr("Take the picture"), tr("the face with the coil's marker beside it; no projector is needed"),
+             Qt::CTRL + Qt::Key_T);
+  column.addWidget(marked_);
+  dots_ = button(tr("1 With dots"), tr("the face with the projector on"), Qt::CTRL + Qt::Key_D);
+  plain_ = button(tr("2 Without dots"), tr("the face as it was, the projector off"), Qt::CTRL + Qt::Key_P);
   auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("or with a projector"), this));
   row->addWidget(dots_);
   row->addWidget(plain_);
   column.addLayout(row);
+  connect(marked_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takeMarked);
   connect(dots_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takeDots);
   connect(plain_, &QPushButton::clicked, &cameras_, &CamerasPresenter::takePlain);
 }
@@ -183,14 +190,16 @@ void CamerasPanel::showState() {
                                                     : tr("Check the cameras\u2026"));
   setWords(*open_, cameras_.isLive() ? tr("Open the cameras again") : tr("Open the cameras"));
   const bool is_withheld = !presenter_.withheldWords().isEmpty();
-  setPrimary(*open_, !is_withheld);
-  setPrimary(*set_up_, is_withheld);
   const bool is_live = cameras_.isLive() && !presenter_.isRunning() && !is_withheld;
+  setPrimary(*set_up_, is_withheld);
+  setPrimary(*marked_, is_live);
+  setPrimary(*open_, !is_withheld && !is_live);
+  marked_->setEnabled(is_live);
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());
   capture_words_->setText(is_live       ? cameras_.captureWords()
                           : is_withheld ? tr("after the cameras are repaired")
-                                        : tr("with live cameras: one picture with the dots, one without"));
+                                        : tr("with live cameras: the face, and the coil's marker beside it"));
 }
 
 void CamerasPanel::chooseRig() {

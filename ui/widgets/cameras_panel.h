@@ -37,7 +37,7 @@ class CamerasPanel : public QFrame {
   CamerasPresenter& cameras_;
   QComboBox *left_, *right_, *named_rig_;
   QLabel *rig_, *state_, *capture_words_, *coil_words_;
-  QPushButton *open_, *set_up_, *latency_, *dots_, *plain_;
+  QPushButton *open_, *set_up_, *latency_, *marked_, *dots_, *plain_;
   QTimer timer_;
   bool is_filling_ = false;
 };

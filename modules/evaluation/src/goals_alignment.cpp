@@ -107,7 +107,7 @@ void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
     ++tried;
     accepted += one.run->alignment->refusal.empty();
   }
-  for (const char* from : {"dots", "dots and marker", "sparse dots", "plain", "film"}) {
+  for (const char* from : {"dots", "dots and marker", "sparse dots", "plain", "plain and marker", "film"}) {
     const auto is_from = [from](const RunRecord& run) { return run.from == from; };
     rows.push_back(alignmentGoal(("from " + std::string(from)).c_str(), all, is_from, 0.5, 1.0, 0.5,
                                  "median <= 0.5, max <= 1.0 mm, <= 0.5 deg"));

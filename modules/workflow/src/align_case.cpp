@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "facenav/casefile/file_group.h"
 #include "facenav/casefile/skin_fit_file.h"
@@ -10,6 +11,7 @@
 #include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/workflow/case_pictures.h"
 #include "facenav/workflow/stored_capture.h"
+#include "known_lengths.h"
 
 namespace facenav::workflow {
 namespace {
@@ -18,6 +20,8 @@ namespace {
 constexpr double kClearlyBetter = 0.85;
 /// The head turns to both sides in this time; later frames add little.
 constexpr double kFilm_s = 2.0;
+// Bound (95 %) of an alignment without dots and without a marker: what counts as a wrong pose.
+constexpr double kMostUnknown_mm = 3.0;
 
 /// A way to align with the pictures that go with it into the case.
 struct Aligned {
@@ -25,17 +29,33 @@ struct Aligned {
   capture::CapturePair pictures;
 };
 
+/// Frame numbers of the film's first seconds.
+std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording) {
+  const auto frame = capture::makeSource(recording)->next();
+  const std::int64_t first = frame ? frame->number : 0;
+  return {first, first + std::int64_t(std::lround(kFilm_s * recording.frames_per_s))};
+}
+
+/// The capture has another picture for the dots, whether they are seen there or not.
+bool hasPattern(const capture::CapturePair& capture) {
+  const cv::Mat &dots = capture.pattern.left, &plain = capture.plain.left;
+  return !dots.empty() && (dots.size() != plain.size() || cv::norm(dots, plain, cv::NORM_INF) > 0);
+}
+
 /// Those that the recording has pictures for.
-std::vector<AlignedFrom> waysOf(const capture::Recording& recording, bool may_lack_dots) {
+std::vector<AlignedFrom> waysOf(const capture::Recording& recording) {
   std::vector<AlignedFrom> ways;
-  if (!may_lack_dots) {
-    if (recording.capture) ways.push_back(AlignedFrom::dots);
-    return ways;
-  }
-  if (recording.capture && showsDots(*recording.capture)) ways.push_back(AlignedFrom::dots);
+  if (recording.capture && hasPattern(*recording.capture)) ways.push_back(AlignedFrom::dots);
   if (recording.capture) ways.push_back(AlignedFrom::plain);
   if (recording.frame_count > 1) ways.push_back(AlignedFrom::film);
   return ways;
+}
+
+/// The coil's marker while it rests in the film's beginning.
+std::optional<LengthSeen> markerIn(const capture::Recording& recording, const AlignmentSetup& setup) {
+  if (!setup.coil_tracker || recording.frame_count < 2) return std::nullopt;
+  const auto [first, last] = beginningOf(recording);
+  return markerLengthIn(*capture::makeSource(recording), first, last, setup.coil, *setup.coil_tracker);
 }
 
 std::string inWords(AlignedFrom from) {
@@ -55,13 +75,6 @@ void requirePictures(const capture::Recording& recording, AlignedFrom from) {
   throw Error("not aligned: the recording has no " +
                   std::string(from == AlignedFrom::film ? "film" : "capture/ pair"),
               recording.folder.string(), "choose another way (dots, plain, film), or record one");
-}
-
-/// Frame numbers of the film's first seconds.
-std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording) {
-  const auto frame = capture::makeSource(recording)->next();
-  const std::int64_t first = frame ? frame->number : 0;
-  return {first, first + std::int64_t(std::lround(kFilm_s * recording.frames_per_s))};
 }
 
 Aligned align(const Registrations& methods, const capture::Recording& recording, AlignedFrom from,
@@ -101,6 +114,24 @@ double worstBound_mm(const AlignmentOutcome& outcome) {
   return outcome.result.errorBound_mm(Point<Mri>(outcome.scalp->middle_mm()));
 }
 
+/// Nothing tells well enough that no camera turned sideways since the calibration.
+class UnknownTurn : public NotMeasured {
+ public:
+  using NotMeasured::NotMeasured;
+};
+
+void requireKnownCameras(const AlignmentOutcome& outcome) {
+  const double bound_mm = worstBound_mm(outcome);
+  if (outcome.is_marker_seen || (outcome.result.right_turn && bound_mm <= kMostUnknown_mm)) return;
+  throw UnknownTurn(
+      "not aligned: without dots the face alone does not show whether a camera has turned sideways since the "
+      "calibration" +
+      (outcome.result.right_turn ? formatted(": the coil could lie %.0f mm from where it is shown", bound_mm)
+                                 : std::string()) +
+      "; hold the coil still beside the face, its marker to both cameras, and take the pictures again (or "
+      "with a projector's dots)");
+}
+
 bool isBetter(const AlignmentTry& other, const AlignmentTry& than) {
   return *other.predicted_mm < kClearlyBetter * *than.predicted_mm;
 }
@@ -134,6 +165,63 @@ std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
   return words;
 }
 
+/// The ways tried so far.
+struct Attempts {
+  std::vector<AlignmentTry> tries;
+  bool hasDots() const { return best_ && best_->outcome.from == AlignedFrom::dots; }
+  /// `may_fail`: the pictures may not show what this way needs; what it says then stops no other way.
+  void add(AlignedFrom from, bool may_fail, const casefile::CaseStore& store,
+           const std::function<Aligned()>& align);
+  /// Throws the error that says most where no way stands.
+  Aligned best(const casefile::CaseStore& store, const capture::Recording& recording);
+
+ private:
+  void take(Aligned aligned);
+  std::optional<Aligned> best_;
+  std::size_t used_ = 0;
+  std::optional<Error> error_;
+};
+
+void Attempts::take(Aligned aligned) {
+  AlignmentTry& now = tries.back();
+  now.predicted_mm = aligned.outcome.worstPredicted_mm(), now.bound_mm = worstBound_mm(aligned.outcome);
+  now.camera_T_mri = aligned.outcome.result.camera_T_mri;
+  if (best_ && !isBetter(now, tries[used_])) return;
+  used_ = tries.size() - 1;
+  best_ = std::move(aligned);
+}
+
+void Attempts::add(AlignedFrom from, bool may_fail, const casefile::CaseStore& store,
+                   const std::function<Aligned()>& align) {
+  tries.push_back({from, {}, {}, {}});
+  AlignmentTry& now = tries.back();
+  try {
+    take(align());
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const UnknownTurn& error) {  // it says what to do with or without a projector
+    error_ = error;
+    now.refusal = error.what();
+  } catch (const NotMeasured& error) {
+    if (!error_) error_ = error;
+    now.refusal = error.what();
+  } catch (const Error& error) {
+    const std::string words = inWordsOf(store, error.what());
+    if (!best_ && !may_fail && words != error.what()) throw Error(words);
+    // Another head, or moved cameras: no other pictures of them may be accepted instead.
+    if (!best_ && !may_fail) throw;
+    if (!error_) error_ = error;
+    now.refusal = error.what();
+  }
+}
+
+Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
+  if (best_) return std::move(*best_);
+  if (error_) throw Error(inWordsOf(store, error_->what()));
+  throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),
+              "record a still pair (facenav record --capture) or a film of the face");
+}
+
 }  // namespace
 
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
@@ -158,55 +246,36 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;  // a program may have none
   if (!methods.coil_trackers.entries().empty())
     coil_tracker = methods.coil_trackers.create(methods.coil_trackers.defaultName());
-  const AlignmentSetup setup{scalp,
-                             *aligner,
-                             *detector,
-                             targets,
-                             store.scalpField(),
-                             order.matcher,
-                             coilFor(store, recording),
-                             coil_tracker.get()};
+  AlignmentSetup setup{scalp,
+                       *aligner,
+                       *detector,
+                       targets,
+                       store.scalpField(),
+                       order.matcher,
+                       order.coil ? *order.coil : coilFor(store, recording),
+                       coil_tracker.get(),
+                       order.marker};
   if (order.from) requirePictures(recording, *order.from);
-  const auto ways = order.from ? std::vector{*order.from} : waysOf(recording, order.may_lack_dots);
-  std::optional<Aligned> best;
-  std::optional<Error> first_error;
-  CaseAlignment result;
-  std::size_t used = 0;
-  for (const AlignedFrom from : ways) {
-    if (from == AlignedFrom::film && best && best->outcome.from == AlignedFrom::dots && !order.from) break;
-    result.tries.push_back({from, {}, {}, {}});
-    AlignmentTry& now = result.tries.back();
-    try {
+  Attempts attempts;
+  for (const AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
+    if (attempts.hasDots() && (!order.tries_all || from == AlignedFrom::film)) break;
+    if (from != AlignedFrom::dots && !setup.marker) setup.marker = markerIn(recording, setup);
+    const bool may_show_no_dots = from == AlignedFrom::dots && !order.from && !showsDots(*recording.capture);
+    attempts.add(from, may_show_no_dots, store, [&] {
       Aligned aligned = align(methods, recording, from, order, setup, monitor);
-      now.predicted_mm = aligned.outcome.worstPredicted_mm(), now.bound_mm = worstBound_mm(aligned.outcome);
-      now.camera_T_mri = aligned.outcome.result.camera_T_mri;
-      if (best && !isBetter(now, result.tries[used])) continue;
-      used = result.tries.size() - 1;
-      best = std::move(aligned);
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const NotMeasured& error) {
-      if (!first_error) first_error = error;
-      now.refusal = error.what();
-    } catch (const Error& error) {
-      const std::string words = inWordsOf(store, error.what());
-      if (!best && words != error.what()) throw Error(words);
-      // Another head, or moved cameras: no other pictures of them may be accepted instead.
-      if (!best) throw;
-      now.refusal = error.what();
-    }
+      if (from != AlignedFrom::dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome);
+      return aligned;
+    });
   }
-  if (!best && first_error) throw Error(inWordsOf(store, first_error->what()));
-  if (!best)
-    throw Error("not aligned: the recording has no capture/ pair with projected dots",
-                recording.folder.string(),
-                "record one; --using plain or film tries the bare face, but does not notice a turned camera");
-  result.outcome = std::move(best->outcome);
+  Aligned best = attempts.best(store, recording);
+  CaseAlignment result{std::move(best.outcome), std::move(attempts.tries)};
   const Point<Mri> at =
       targets.empty() ? Point<Mri>(result.outcome.scalp->middle_mm()) : targets.front().cortex_point;
-  if (result.outcome.from != AlignedFrom::dots) result.outcome.result.cautions.push_back(kWithoutDotsCaution);
+  if (result.outcome.from != AlignedFrom::dots && !result.outcome.is_marker_seen &&
+      !result.outcome.result.right_turn)
+    result.outcome.result.cautions.push_back(kWithoutDotsCaution);
   if (const auto words = contradiction(result, at)) result.outcome.result.cautions.push_back(*words);
-  storeAlignment(store, recording.rig, best->pictures, result.outcome);
+  storeAlignment(store, recording.rig, best.pictures, result.outcome);
   return result;
 }
 
@@ -216,7 +285,9 @@ AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseSto
   capture::Recording recording;
   recording.rig = rig;
   recording.capture = capture;
-  return alignRecording(methods, store, recording, {aligner}, monitor).outcome;
+  AlignOrder order{aligner};
+  order.may_be_unsure = true;
+  return alignRecording(methods, store, recording, order, monitor).outcome;
 }
 
 std::string inWords(const CaseAlignment& alignment) {

@@ -104,8 +104,8 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
          AlignmentOutcome& outcome) {
   requireUnmovedCameras(rig, measured, plain, outcome.face);
   outcome.scalp = field.get();
-  std::optional<LengthSeen> marker;
-  if (setup.coil_tracker) marker = markerLength(rig, plain, setup.coil, *setup.coil_tracker);
+  std::optional<LengthSeen> marker = setup.marker;
+  if (!marker && setup.coil_tracker) marker = markerLength(rig, plain, setup.coil, *setup.coil_tracker);
   outcome.is_marker_seen = marker.has_value();
   outcome.result =
       setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, marker, outcome), monitor);
@@ -224,7 +224,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   outcome.landmarks = findFace(rig, capture.plain, setup.detector);
   outcome.from = from;
   const bool has_dots = from == AlignedFrom::dots;
-  outcome.has_dense_dots = has_dots && !areDotsSparse(capture);
+  outcome.has_dense_dots = has_dots && showsDots(capture) && !areDotsSparse(capture);
   const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   bool is_measured = false;
   const auto measureAndFit = [&] {

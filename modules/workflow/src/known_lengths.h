@@ -1,26 +1,54 @@
 #pragma once
-// What a marker of known size says about the right camera: a camera that turned sideways since the
-// calibration measures every length too long or too short, as it measures every distance.
+// What a marker of known size says about the right camera (LengthSeen).
 
 #include <optional>
+#include <vector>
 
 #include "facenav/cameras/stereo_frame.h"
+#include "facenav/capture/frame_source.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/registration/aligner.h"
+#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::workflow {
 
-/// A length, as both cameras measure it over its true one, with the standard error of that ratio.
-struct LengthSeen {
-  Point<Camera> at;
-  double ratio = 1.0, sigma = 0.0;
-};
-
-/// The coil's marker in a still pair. Nothing where it is not seen well in both pictures. The error holds
-/// that of the print, of the pictures and of the calibration.
+/// The coil's marker in a still pair. Nothing where it is not seen well in both pictures, and where the
+/// cameras' time stamps say that they did not expose at the same time: one pair does not tell whether the
+/// marker moved in between. The error holds that of the print, of the pictures and of the calibration.
 std::optional<LengthSeen> markerLength(const cameras::StereoRig& rig, const cameras::StereoFrame& pair,
                                        const coil_tracking::CoilModel& coil,
                                        coil_tracking::CoilTracker& tracker);
+
+/// Follows the marker frame by frame and measures it while it rests.
+class RestingMarker {
+ public:
+  RestingMarker(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil,
+                coil_tracking::CoilTracker& tracker);
+  /// In the order of their times. True where the marker is seen at rest.
+  bool add(const cameras::StereoFrame& frame);
+  /// In the last frame, whether at rest or not.
+  bool isSeen() const { return is_seen_; }
+  /// Frames at rest, one after the other, up to now.
+  int restingFrames() const { return in_a_row_; }
+  /// The mean over all frames in which it rested; nothing where those are too few.
+  std::optional<LengthSeen> length() const;
+
+ private:
+  double speed_mm_s(const coil_tracking::MarkerObservation& now, double now_s) const;
+
+  const cameras::StereoRig rig_;
+  coil_tracking::CoilTracker& tracker_;
+  std::optional<coil_tracking::MarkerObservation> last_;
+  double last_s_ = 0;
+  bool is_seen_ = false;
+  int in_a_row_ = 0;
+  std::vector<LengthSeen> seen_;
+};
+
+/// The same of a film's frames `first` to `last`.
+std::optional<LengthSeen> markerLengthIn(capture::FrameSource& film, std::int64_t first, std::int64_t last,
+                                         const coil_tracking::CoilModel& coil,
+                                         coil_tracking::CoilTracker& tracker);
 
 /// The turn of the right camera that explains it.
 registration::CameraTurn turnBy(const LengthSeen& length, const registration::TurnableCamera& right);

@@ -15,13 +15,15 @@ namespace facenav::workflow {
 namespace {
 
 using facenav::testing::SyntheticFace;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
 /// Standard errors that are given out in turn; a negative one refuses: another head.
 struct Answers {
   std::vector<double> sigmas_mm;
-  double apart_mm = 0;  // from answer to answer
+  double apart_mm = 0;   // from answer to answer
+  bool has_turn = true;  // how far a camera turned is estimated, and none did
   std::size_t asked = 0;
 };
 
@@ -34,6 +36,7 @@ class FakeAligner : public registration::Aligner {
     if (sigma_mm < 0) throw Error("not aligned: the face does not fit this MRI");
     registration::AlignmentResult result;
     result.covariance.diagonal().tail<3>().setConstant(sigma_mm * sigma_mm / 3);
+    if (answers_.has_turn) result.right_turn = registration::CameraTurn{0.0, 1e-4};
     result.points = int(face.size());
     result.residual_mm.assign(face.size(), 0.0);
     result.is_inlier.assign(face.size(), true);
@@ -104,8 +107,18 @@ class AlignRecording : public ::testing::Test {
     TaskMonitor monitor;
     AlignOrder order{"fake"};
     order.from = from;
-    order.may_lack_dots = true;
+    order.tries_all = true;
+    order.marker = marker_;
+    order.may_be_unsure = may_be_unsure_;
     return alignRecording(methods_, *store_, recording, order, monitor);
+  }
+  std::string refusal(const capture::Recording& recording) {
+    try {
+      align(recording);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
   }
 
   facenav::testing::TemporaryFolder folder_;
@@ -113,6 +126,8 @@ class AlignRecording : public ::testing::Test {
   std::shared_ptr<const face::FaceDetector> detector_;
   std::optional<casefile::CaseStore> store_;
   Answers answers_;
+  std::optional<LengthSeen> marker_;
+  bool may_be_unsure_ = false;
   const cameras::StereoRig rig_ = facenav::testing::faceRig();
   capture::Recording recording_;
 };
@@ -151,20 +166,42 @@ TEST_F(AlignRecording, APlainPairIsEnough) {
   EXPECT_EQ(aligned.outcome.reference.surface.size(), aligned.outcome.reference.surface_left_px.size());
 }
 
-TEST_F(AlignRecording, TakesNoPicturesWithoutDotsUnlessToldTo) {
+TEST_F(AlignRecording, DotsThatStandAreEnough) {
   TaskMonitor monitor;
-  EXPECT_THROW(alignRecording(methods_, *store_, film(8), {"fake"}, monitor), Error);
   recording_.capture = dotted();
   answers_.sigmas_mm = {0.6, 0.1};
   EXPECT_EQ(alignRecording(methods_, *store_, recording_, {"fake"}, monitor).outcome.from, AlignedFrom::dots);
   EXPECT_EQ(answers_.asked, 1u);
 }
 
-TEST_F(AlignRecording, WithoutDotsACautionGoesWithIt) {
+TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {
   recording_.capture = plain();
-  answers_.sigmas_mm = {0.5};
-  align(recording_);
+  answers_.sigmas_mm = {3.0, 0.5, 0.5, 0.5, 0.5};
+  EXPECT_THAT(refusal(recording_), AllOf(HasSubstr("the coil could lie 5 mm from where it is shown"),
+                                         HasSubstr("hold the coil still beside the face")));
+  answers_.has_turn = false;
+  EXPECT_THAT(refusal(recording_), HasSubstr("hold the coil still beside the face"));
+  EXPECT_FALSE(store_->alignment());
+  EXPECT_THROW(align(recording_, AlignedFrom::plain), Error) << "asked for, but not for trials";
+  may_be_unsure_ = true;
+  EXPECT_EQ(align(recording_).outcome.from, AlignedFrom::plain);
   EXPECT_THAT(store_->alignment()->cautions, ::testing::Contains(std::string(kWithoutDotsCaution)));
+  may_be_unsure_ = false;
+  marker_ = LengthSeen{Point<Camera>(Eigen::Vector3d(0, 0, 600)), 1.0, 0.001};
+  EXPECT_TRUE(align(recording_).outcome.is_marker_seen);
+  EXPECT_TRUE(store_->alignment()->cautions.empty());
+}
+
+TEST_F(AlignRecording, AProjectorThatWasOffDoesNotKeepThePlainPairFromAligning) {
+  recording_.capture = plain();
+  facenav::testing::SyntheticView other;
+  other.seed = 5;
+  recording_.capture->pattern = SyntheticFace::astronaut().render(rig_, other);
+  answers_.sigmas_mm = {-1, -1, 0.5};
+  marker_ = LengthSeen{Point<Camera>(Eigen::Vector3d(0, 0, 600)), 1.0, 0.001};
+  const auto aligned = align(recording_);
+  EXPECT_EQ(aligned.outcome.from, AlignedFrom::plain);
+  EXPECT_THAT(inWords(aligned), HasSubstr("the pair with dots was refused"));
 }
 
 TEST_F(AlignRecording, WhatTheDotsRefuseNoOtherPictureMayAccept) {

@@ -49,5 +49,43 @@ TEST(KnownLengths, ATurnOfTheWholeRayChangesTheLengthAsItChangesTheDistance) {
   EXPECT_NEAR(turn.rad, rad, 1e-9);
 }
 
+/// The marker while it moves sideways; the right camera exposes `late_s` after the left one.
+cameras::StereoFrame movingMarker(const cameras::StereoRig& rig, double t_s, double speed_mm_s,
+                                  double late_s) {
+  const auto at = [&](double time_s) {
+    return RigidTransform<Camera, Marker>::fromIsometry(Eigen::Translation3d(speed_mm_s * time_s, 0, 0) *
+                                                        scene::markerPose(600, 20, 30, 10).isometry());
+  };
+  auto frame = scene::renderMarkers(rig, {{scene::id7(), 60, at(t_s)}}, {});
+  frame.right = scene::renderMarkers(rig, {{scene::id7(), 60, at(t_s + late_s)}}, {}).right;
+  frame.captured = {t_s};
+  return frame;
+}
+
+TEST(RestingMarker, IsMeasuredWhileItRestsAlone) {
+  const cameras::StereoRig rig = scene::roomRig();
+  for (const double speed_mm_s : {0.0, 40.0}) {
+    const auto tracker = coil_tracking::makeMarkerCoilTracker();
+    RestingMarker marker(rig, coil_tracking::defaultCoil(), *tracker);
+    for (int i = 0; i < 12; ++i) marker.add(movingMarker(rig, i / 30.0, speed_mm_s, 0.009));
+    EXPECT_TRUE(marker.isSeen());
+    const auto length = marker.length();
+    ASSERT_EQ(length.has_value(), speed_mm_s == 0) << speed_mm_s;
+    if (!length) continue;
+    EXPECT_GE(marker.restingFrames(), 8);
+    EXPECT_NEAR(length->ratio, 1.0, 2 * length->sigma);
+    EXPECT_NEAR(length->at.mm.z(), 600, 5);
+  }
+}
+
+TEST(RestingMarker, OnePairOfCamerasThatAreNotInStepSaysNothing) {
+  const cameras::StereoRig rig = scene::roomRig();
+  const auto tracker = coil_tracking::makeMarkerCoilTracker();
+  auto frame = movingMarker(rig, 0, 0, 0);
+  EXPECT_TRUE(markerLength(rig, frame, coil_tracking::defaultCoil(), *tracker));
+  frame.right_late_s = 0.009;
+  EXPECT_FALSE(markerLength(rig, frame, coil_tracking::defaultCoil(), *tracker));
+}
+
 }  // namespace
 }  // namespace facenav::workflow

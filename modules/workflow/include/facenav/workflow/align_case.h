@@ -18,19 +18,24 @@ struct AlignOrder {
   std::string head_tracker = {};  // follows the head in a film; empty: the default
   std::string matcher = stereo::kDefaultMatcher;
   std::optional<AlignedFrom> from = {};  // only this way; nothing: the best
-  /// Without `from`: the plain pair and the film are tried too. Off, because without dots a camera that
-  /// turned about its vertical axis goes unnoticed: in 1 of 7 trials (head 02, 0.3 deg, baseline 75 mm) the
-  /// alignment stood, 19 mm off.
-  bool may_lack_dots = false;
+  /// The plain pair and the film are tried beside dots that stand, and what they would give is told.
+  bool tries_all = false;
+  /// Without dots the face alone hardly shows that a camera turned sideways. Where no marker shows it either
+  /// and the bound is wide, the alignment stands with a caution. Never for guidance.
+  bool may_be_unsure = false;
+  /// Whose marker the pictures may show; empty: the recording's, else the case's (coil.json), else the
+  /// default one.
+  std::optional<coil_tracking::CoilModel> coil = {};
+  /// The coil's marker as it was seen at rest when the pictures were taken (marked_still.h).
+  std::optional<LengthSeen> marker = {};
   /// A recording without a capture pair gets the one that the case was aligned with before.
   bool stored_pair_stands_in = false;
 };
 
-/// What goes with every alignment without dots.
+/// What goes with an alignment without dots that knows nothing of a turned camera.
 inline constexpr const char* kWithoutDotsCaution =
-    "aligned without dots: a camera that turned about its vertical axis is not noticed; check before each "
-    "use "
-    "that the coil's tip, held to nose and ears, shows there";
+    "aligned without dots and without the coil's marker: a camera that turned about its vertical axis is not "
+    "noticed; check before each use that the coil's tip, held to nose and ears, shows there";
 
 /// One way to align, as tried: an alignment, or why not.
 struct AlignmentTry {
@@ -45,16 +50,17 @@ struct CaseAlignment {
   std::vector<AlignmentTry> tries;  // dots, plain, film: those that the recording has pictures for
 };
 
-/// Aligns from the pair with dots, or from what `order` allows beside it. A film is tried where no dots were
-/// seen, or where it is asked for. Where the best pictures show another head or moved cameras, no other
-/// pictures are tried. Writes alignment.json, the map of the skin's fit and the pictures into the case.
-/// Throws Error ("not aligned: ..") where no way stands, or where `order.from` names pictures that are not
-/// there; the previous alignment is then unchanged.
+/// Aligns from what the recording holds: the pair with dots, else the plain pair or the film, whichever
+/// predicts less error. Without dots it stands where the coil's marker, at rest in the same pictures, tells
+/// how the cameras stand, where its bound with all that is unknown is small, or where it may be unsure. Where
+/// the best pictures show another head or moved cameras, no other pictures are tried. Writes alignment.json,
+/// the map of the skin's fit and the pictures into the case. Throws Error ("not aligned: ..") where no way
+/// stands, or where `order.from` names pictures that are not there; the previous alignment is then unchanged.
 CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
                              const capture::Recording& recording, const AlignOrder& order,
                              TaskMonitor& monitor);
 
-/// The same from a capture pair alone.
+/// The same from a capture pair alone; it may be unsure.
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const cameras::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor);

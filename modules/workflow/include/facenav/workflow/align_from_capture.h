@@ -53,6 +53,14 @@ bool areDotsSparse(const capture::CapturePair& capture);
 
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);
 
+/// A known length (the coil's marker), as both cameras measure it over its true one, with the standard error
+/// of that ratio. A camera that turned sideways since the calibration measures every length too long or too
+/// short, as it measures every distance.
+struct LengthSeen {
+  Point<Camera> at;
+  double ratio = 1.0, sigma = 0.0;
+};
+
 struct AlignmentOutcome {
   registration::AlignmentResult result;
   bool has_dense_dots = false;  // the face was measured with them: its size is known well
@@ -61,7 +69,7 @@ struct AlignmentOutcome {
   FaceInSpace landmarks;
   head_tracking::HeadReference
       reference;                // for the head tracker: plain frame, inlier points with their pixels
-  bool is_marker_seen = false;  // the turn of a camera was measured by it too
+  bool is_marker_seen = false;  // a marker of known size tells how far a camera turned since the calibration
   // Per target: standard error, and the 95th percentile of the error, of the coil held there against the
   // head. A camera that turned before the capture moves both alike.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
@@ -100,6 +108,9 @@ struct AlignmentSetup {
   std::string matcher = stereo::kDefaultMatcher;
   coil_tracking::CoilModel coil = coil_tracking::defaultCoil();
   coil_tracking::CoilTracker* coil_tracker = nullptr;
+  /// The marker as it was seen at rest at the same time, where that is known. Else the still pair is searched
+  /// for it.
+  std::optional<LengthSeen> marker = {};
 };
 
 /// The corners of the coil's first marker while it is held at the target.

@@ -1,0 +1,86 @@
+#include "facenav/workflow/marked_still.h"
+
+#include "../known_lengths.h"
+#include "facenav/core/error.h"
+
+namespace facenav::workflow {
+namespace {
+
+constexpr int kRestingFrames =
+    8;  // a quarter of a second: a hand that only passes a turning point is no rest
+constexpr double kFaceAgain_s = 0.5;  // a face that is not found is looked for again after this time
+
+}  // namespace
+
+struct MarkedStill::Implementation {
+  Implementation(const cameras::StereoRig& calibrated, MarkedStillMethods with)
+      : rig(calibrated), methods(std::move(with)), resting(rig, methods.coil, *methods.coil_tracker) {}
+  const cameras::StereoRig rig;
+  MarkedStillMethods methods;
+  RestingMarker resting;
+  std::optional<double> face_missed_s;
+  std::optional<cameras::StereoFrame> still;
+  std::optional<LengthSeen> marker;
+
+  bool showsFace(const cameras::StereoFrame& frame) {
+    const auto face = findFace(rig, frame, *methods.face_detector);
+    if (face.left && face.right) return true;
+    face_missed_s = frame.captured.s;
+    return false;
+  }
+};
+
+MarkedStill::MarkedStill(const cameras::StereoRig& rig, MarkedStillMethods methods) {
+  FACENAV_EXPECT(methods.face_detector && methods.coil_tracker, "a face and a marker are looked for");
+  implementation_ = std::make_unique<Implementation>(rig, std::move(methods));
+}
+MarkedStill::~MarkedStill() = default;
+
+bool MarkedStill::add(const cameras::StereoFrame& frame) {
+  Implementation& self = *implementation_;
+  if (self.still) return true;
+  if (!self.resting.add(frame) || self.resting.restingFrames() < kRestingFrames) return false;
+  if (self.face_missed_s && frame.captured.s - *self.face_missed_s < kFaceAgain_s) return false;
+  if (!self.showsFace(frame)) return false;
+  self.marker = self.resting.length();
+  if (!self.marker) return false;
+  self.still = frame;
+  self.still->left = frame.left.clone();
+  self.still->right = frame.right.clone();
+  self.still->right_late_s.reset();  // nothing moved: the delay plays no part
+  return true;
+}
+
+std::string MarkedStill::words() const {
+  const Implementation& self = *implementation_;
+  if (self.still) return "the picture is taken";
+  if (!self.resting.isSeen()) return "hold the coil beside the face, its marker to both cameras";
+  if (self.resting.restingFrames() < kRestingFrames) return "hold the coil still";
+  return "both cameras must see the whole face: look at them, nothing before the face";
+}
+
+const cameras::StereoFrame& MarkedStill::still() const {
+  FACENAV_EXPECT(implementation_->still, "the picture is not taken yet");
+  return *implementation_->still;
+}
+
+const LengthSeen& MarkedStill::marker() const {
+  FACENAV_EXPECT(implementation_->marker, "the picture is not taken yet");
+  return *implementation_->marker;
+}
+
+void takeMarkedStill(capture::FrameSource& source, MarkedStill& still, double limit_s, TaskMonitor& monitor) {
+  std::optional<double> first_s;
+  while (const auto frame = source.next()) {
+    if (!frame->rig_fault.empty()) throw Error("not aligned: " + frame->rig_fault);
+    if (!frame->absence.empty()) continue;
+    if (!first_s) first_s = frame->captured.s;
+    if (still.add(*frame)) return;
+    const double waited_s = frame->captured.s - *first_s;
+    monitor.report(still.words(), std::min(1.0, waited_s / limit_s));
+    if (waited_s > limit_s) throw Error("no picture was taken: " + still.words());
+  }
+  throw Error("no picture was taken before the cameras ended: " + still.words());
+}
+
+}  // namespace facenav::workflow

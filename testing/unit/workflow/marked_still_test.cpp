@@ -1,0 +1,77 @@
+// The picture for an alignment without a projector: taken when face and resting marker are seen.
+
+#include "facenav/workflow/marked_still.h"
+
+#include <gmock/gmock.h>
+
+#include "facenav/core/error.h"
+#include "support/setup_room.h"
+
+namespace facenav::workflow {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::RoomShows;
+namespace rooms = coil_tracking::testing;
+
+struct Attempt {
+  std::string refusal;
+  double ratio = 0;
+};
+
+/// Three seconds of a room that shows this.
+Attempt take(RoomShows shows, bool has_face, double turned_deg = 0) {
+  const auto rig = rooms::roomRig();
+  const auto room = std::make_shared<testing::SetupRoom>();
+  room->shows = shows;
+  room->turned_deg = turned_deg;
+  testing::SetupRoomSource source(room, rig);
+  const auto face = has_face ? std::optional(cv::Rect(220, 130, 200, 200)) : std::nullopt;
+  MarkedStill still(rig,
+                    {std::make_shared<testing::FixedFace>(face), coil_tracking::makeMarkerCoilTracker()});
+  TaskMonitor monitor;
+  try {
+    takeMarkedStill(source, still, 3.0, monitor);
+  } catch (const Error& error) {
+    return {error.what(), 0};
+  }
+  EXPECT_EQ(still.still().left.cols, rig.width_px);
+  EXPECT_EQ(still.words(), "the picture is taken");
+  return {{}, still.marker().ratio};
+}
+
+TEST(MarkedStill, IsTakenWhenFaceAndRestingMarkerAreSeen) {
+  const auto taken = take(RoomShows::marker, true);
+  EXPECT_EQ(taken.refusal, "");
+  EXPECT_NEAR(taken.ratio, 1.0, 0.005);
+}
+
+TEST(MarkedStill, TellsHowFarACameraTurned) {
+  EXPECT_GT(std::abs(take(RoomShows::marker, true, 0.4).ratio - 1.0), 0.01);
+}
+
+TEST(MarkedStill, SaysWhatIsMissing) {
+  EXPECT_THAT(take(RoomShows::nothing, true).refusal, HasSubstr("hold the coil beside the face"));
+  EXPECT_THAT(take(RoomShows::marker, false).refusal, HasSubstr("both cameras must see the whole face"));
+}
+
+TEST(MarkedStill, OfCamerasThatMovedIsNone) {
+  const auto rig = rooms::roomRig();
+  struct Faulty : capture::FrameSource {
+    const cameras::StereoRig& rig() const override { return rig_; }
+    std::shared_ptr<const cameras::StereoFrame> next() override {
+      auto frame = std::make_shared<cameras::StereoFrame>();
+      frame->rig_fault = "the cameras have moved";
+      return frame;
+    }
+    cameras::StereoRig rig_ = rooms::roomRig();
+  } source;
+  MarkedStill still(
+      rig, {std::make_shared<testing::FixedFace>(std::nullopt), coil_tracking::makeMarkerCoilTracker()});
+  TaskMonitor monitor;
+  EXPECT_THROW(takeMarkedStill(source, still, 1.0, monitor), Error);
+  EXPECT_THROW(still.still(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace facenav::workflow
