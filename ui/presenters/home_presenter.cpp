@@ -14,9 +14,14 @@ HomePresenter::HomePresenter(const Services& services, TaskRunner& tasks, QObjec
   connect(&tasks_, &TaskRunner::failed, this, &HomePresenter::refuse);
   connect(&cameras_, &CamerasPresenter::changed, this, &HomePresenter::changed);
   connect(&cameras_, &CamerasPresenter::refused, this, &HomePresenter::refuse);
-  connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
-    if (cameras_.capture()) align();
-  });
+  cameras_.useCoilOf([this] { return home_ ? home_->coil : coil_tracking::defaultCoil(); });
+  // After the task that took it.
+  connect(
+      &cameras_, &CamerasPresenter::captureTaken, this,
+      [this] {
+        if (cameras_.capture()) align();
+      },
+      Qt::QueuedConnection);
 }
 
 HomePresenter::~HomePresenter() {
@@ -53,7 +58,7 @@ void HomePresenter::play(const QString& recording) {
   try {
     recording_ = capture::openRecording(std::filesystem::path(recording.toStdString()));
     if (!recording_->capture)
-      throw Error("the recording has no pictures with dots to know the face by", recording.toStdString());
+      throw Error("the recording has no pictures to know the face by", recording.toStdString());
     emit changed();
   } catch (const Error& error) {
     recording_.reset();
@@ -68,7 +73,7 @@ QString HomePresenter::actionWords() const {
     case Stage::sit:
       if (recording_) return refusal_.isEmpty() ? tr("START") : tr("TRY AGAIN");
       if (!cameras_.isLive()) return tr("OPEN THE CAMERAS");
-      return cameras_.hasDots() ? tr("TAKE THE SECOND PICTURE") : tr("TAKE THE FIRST PICTURE");
+      return refusal_.isEmpty() ? tr("TAKE THE PICTURE") : tr("TRY AGAIN");
     case Stage::guiding:
       return tr("FINISH");
     case Stage::ended:
@@ -88,8 +93,9 @@ QString HomePresenter::words() const {
     case Stage::sit:
       if (recording_) return tr("Sit still, look at the cameras, and press START.");
       if (!cameras_.isLive()) return cameras_.words();
-      return cameras_.hasDots() ? tr("Switch the dots off, keep still, and press the button.")
-                                : tr("Switch the dots on, look at the cameras, and press the button.");
+      return tasks_.isRunning()
+                 ? tr("Look at the cameras, and hold the coil still beside the face, its marker to them.")
+                 : tr("Press the button, look at the cameras, and hold the coil still beside the face.");
     case Stage::starting:
       return tr("Sit still: your face is being measured.");
     case Stage::ending:
@@ -111,7 +117,7 @@ void HomePresenter::act() {
   if (recording_) return align();
   if (!cameras_.isLive()) return cameras_.open();
   refusal_.clear();
-  cameras_.hasDots() ? cameras_.takePlain() : cameras_.takeDots();
+  cameras_.takeMarked();
 }
 
 void HomePresenter::align() {
@@ -123,12 +129,13 @@ void HomePresenter::align() {
     seen.capture = cameras_.capture();
   }
   set(Stage::starting);
-  tasks_.start(tr("Measuring the face"),
-               [this, store = home_->store, seen](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto outcome = std::make_shared<workflow::AlignmentOutcome>(
-                     services_.align(store, seen, nullptr, monitor));
-                 return [this, outcome] { startTrackers(outcome); };
-               });
+  tasks_.start(
+      tr("Measuring the face"),
+      [this, store = home_->store, seen, coil = home_->coil](TaskMonitor& monitor) -> TaskRunner::Delivery {
+        auto outcome =
+            std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, &coil, monitor));
+        return [this, outcome] { startTrackers(outcome); };
+      });
 }
 
 void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutcome> outcome) {

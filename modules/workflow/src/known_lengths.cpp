@@ -63,6 +63,7 @@ bool RestingMarker::add(const cameras::StereoFrame& frame) {
   const auto found = tracker_.track(frame, {});
   const auto& seen = found.observation;
   is_seen_ = found || seen;
+  is_contradicted_ = !is_seen_ && found.reason() == LostReason::high_residual;
   const double now_s = frame.captured.s;
   const bool rests = seen && last_ && now_s > last_s_ && speed_mm_s(*seen, now_s) < kResting_mm_s;
   const auto length = rests ? lengthOf(*seen, rig_) : std::nullopt;

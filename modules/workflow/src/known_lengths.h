@@ -28,6 +28,8 @@ class RestingMarker {
   bool add(const cameras::StereoFrame& frame);
   /// In the last frame, whether at rest or not.
   bool isSeen() const { return is_seen_; }
+  /// In the last frame: each camera sees a marker, and together they do not fit calibration and size.
+  bool isContradicted() const { return is_contradicted_; }
   /// Frames at rest, one after the other, up to now.
   int restingFrames() const { return in_a_row_; }
   /// The mean over all frames in which it rested; nothing where those are too few.
@@ -40,7 +42,7 @@ class RestingMarker {
   coil_tracking::CoilTracker& tracker_;
   std::optional<coil_tracking::MarkerObservation> last_;
   double last_s_ = 0;
-  bool is_seen_ = false;
+  bool is_seen_ = false, is_contradicted_ = false;
   int in_a_row_ = 0;
   std::vector<LengthSeen> seen_;
 };

@@ -52,6 +52,7 @@ TEST(MarkedStill, TellsHowFarACameraTurned) {
 
 TEST(MarkedStill, SaysWhatIsMissing) {
   EXPECT_THAT(take(RoomShows::nothing, true).refusal, HasSubstr("hold the coil beside the face"));
+  EXPECT_THAT(take(RoomShows::marker, true, 3.0).refusal, HasSubstr("does not fit the cameras' calibration"));
   EXPECT_THAT(take(RoomShows::marker, false).refusal, HasSubstr("both cameras must see the whole face"));
 }
 

@@ -154,7 +154,10 @@ HomeAdvice homeAdvice(const session::NavigationState& state, bool sees_other_coi
 
 std::string homeRefusal(const Error& error) {
   const std::string words = error.what();
-  if (has(words, "does not fit") || has(words, "mirror"))
+  const bool lacks_marker = has(words, "no picture was taken") || has(words, "without dots the face alone");
+  if (lacks_marker && !has(words, "does not fit"))
+    return "Hold the coil still beside the face, its printed marker to both cameras, and try again.";
+  if (!lacks_marker && (has(words, "does not fit") || has(words, "mirror")))
     return "This face is not the stored one: only that person can be treated.";
   if (has(words, "shows none") || has(words, "no dots"))
     return "The dots are not seen on the face: switch the projector on, and try again.";

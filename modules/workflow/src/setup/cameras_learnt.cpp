@@ -18,6 +18,12 @@ bool haveMoved(head_tracking::LossDetail detail) {
          detail == LossDetail::swapped;
 }
 
+bool isFaulty(const capture::NamedRig& rig) {
+  for (const auto state : {RigState::moved, RigState::other_cameras, RigState::swapped})
+    if (rig.last_check && rig.last_check->state == toString(state)) return true;
+  return false;
+}
+
 }  // namespace
 
 CamerasLearnt learntOf(const session::NavigationState& last, const cameras::StereoRig& rig) {
@@ -26,8 +32,8 @@ CamerasLearnt learntOf(const session::NavigationState& last, const cameras::Ster
     if (haveMoved(last.rig_fault_detail)) learnt.moved = last.rig_fault;
     return learnt;
   }
-  learnt.moved = last.rig_correction;
-  if (!learnt.moved.empty() || last.row_times_s == std::array<double, 2>{0.0, 0.0}) return learnt;
+  learnt.corrected = last.rig_correction;
+  if (!learnt.corrected.empty() || last.row_times_s == std::array<double, 2>{0.0, 0.0}) return learnt;
   const double off_s = std::max(std::abs(last.row_times_s[0] - rig.left.row_time_s),
                                 std::abs(last.row_times_s[1] - rig.right.row_time_s));
   if (off_s * rig.height_px > kSameReadout_s) learnt.row_times_s = last.row_times_s;
@@ -37,6 +43,8 @@ CamerasLearnt learntOf(const session::NavigationState& last, const cameras::Ster
 void keepLearnt(const capture::RigStore& store, const std::string& name, const CamerasLearnt& learnt) {
   try {
     if (!learnt.moved.empty()) store.note(name, capture::noteOfNow(toString(RigState::moved), learnt.moved));
+    if (!learnt.corrected.empty() && !isFaulty(store.read(name)))
+      store.note(name, capture::noteOfNow(toString(RigState::unclear), learnt.corrected));
     if (const auto& times = learnt.row_times_s)
       store.noteRowTimes(name, {capture::noteOfNow({}, {}).utc, (*times)[0], (*times)[1]});
   } catch (const Error& error) {
