@@ -114,11 +114,11 @@ class LiveSession : public ::testing::Test {
 
 /// The projector is switched off between the two answers.
 void LiveSession::align() {
-  Conversation facenav(
-      live({"align", case_.string()}, {"--picture", (folder_.path() / "skin.png").string()}));
-  std::this_thread::sleep_for(4s);  // both cameras are open
+  Conversation facenav(live({"align", case_.string()}, {"--picture", (folder_.path() / "skin.png").string()}),
+                       Conversation::Hears::output_and_errors);
+  ASSERT_TRUE(facenav.hearWords("projector on", 60));
   facenav.say("");
-  std::this_thread::sleep_for(1500ms);
+  ASSERT_TRUE(facenav.hearWords("projector off", 60));
   scene_.show({pair_.plain});
   std::this_thread::sleep_for(1500ms);
   facenav.say("");

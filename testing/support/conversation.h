@@ -17,13 +17,15 @@ namespace facenav::testing {
 
 class Conversation {
  public:
-  explicit Conversation(const std::vector<std::string>& arguments) {
+  enum class Hears { output, output_and_errors };
+  explicit Conversation(const std::vector<std::string>& arguments, Hears hears = Hears::output) {
     int in[2], out[2];
     if (::pipe(in) != 0 || ::pipe(out) != 0) throw std::runtime_error("no pipe");
     process_ = ::fork();
     if (process_ == 0) {
       ::dup2(in[0], STDIN_FILENO);
       ::dup2(out[1], STDOUT_FILENO);
+      if (hears == Hears::output_and_errors) ::dup2(out[1], STDERR_FILENO);
       for (const int end : {in[0], in[1], out[0], out[1]}) ::close(end);
       std::vector<char*> words{const_cast<char*>(FACENAV_CLI)};
       for (const auto& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
@@ -54,21 +56,25 @@ class Conversation {
   }
   /// The next line, if one comes in this time.
   std::optional<nlohmann::json> hearWithin(double seconds) {
-    using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto until = endOf(seconds);
     for (;;) {
       if (const auto newline = heard_.find('\n'); newline != std::string::npos) {
         auto line = nlohmann::json::parse(heard_.substr(0, newline), nullptr, false);
         heard_.erase(0, newline + 1);
         return line;
       }
-      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-      pollfd waiting{output_, POLLIN, 0};
-      if (::poll(&waiting, 1, int(std::max<long>(0, left))) <= 0) return std::nullopt;
-      char buffer[4096];
-      const ssize_t size = ::read(output_, buffer, sizeof buffer);
-      if (size <= 0) return std::nullopt;
-      heard_.append(buffer, std::size_t(size));
+      if (!listen(until)) return std::nullopt;
+    }
+  }
+  /// Until these words come, a question for example; what was said before them is forgotten.
+  bool hearWords(const std::string& words, double seconds) {
+    const auto until = endOf(seconds);
+    for (;;) {
+      if (const auto at = heard_.find(words); at != std::string::npos) {
+        heard_.erase(0, at + words.size());
+        return true;
+      }
+      if (!listen(until)) return false;
     }
   }
   /// As Ctrl-C.
@@ -84,6 +90,22 @@ class Conversation {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static Clock::time_point endOf(double seconds) {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
+  /// More of what it says; false: nothing came in time, or it has ended.
+  bool listen(Clock::time_point until) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    pollfd waiting{output_, POLLIN, 0};
+    if (::poll(&waiting, 1, int(std::max<long>(0, left))) <= 0) return false;
+    char buffer[4096];
+    const ssize_t size = ::read(output_, buffer, sizeof buffer);
+    if (size <= 0) return false;
+    heard_.append(buffer, std::size_t(size));
+    return true;
+  }
+
   pid_t process_ = -1;
   int input_ = -1, output_ = -1;
   std::string heard_;

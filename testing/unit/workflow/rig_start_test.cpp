@@ -291,8 +291,7 @@ TEST(CamerasLearnt, OfCamerasThatMovedOnlyThat) {
   const auto rig = rooms::roomRig();
   auto state = lastState(42, 41);
   state.rig_correction = "a camera has moved by 0.12 deg";
-  EXPECT_EQ(learntOf(state, rig).corrected, "a camera has moved by 0.12 deg");
-  EXPECT_EQ(learntOf(state, rig).moved, "");
+  EXPECT_EQ(learntOf(state, rig).moved, "a camera has moved by 0.12 deg");
   EXPECT_FALSE(learntOf(state, rig).row_times_s);
   state.rig_correction.clear();
   state.rig_fault = "the cameras were moved";
@@ -314,18 +313,14 @@ TEST(CamerasLearnt, AreKeptWithTheRig) {
   EXPECT_NEAR(store.read("bar").rig.left.row_time_s, 42e-6, 1e-12);
   EXPECT_EQ(store.read("bar").last_check->state, "holds");
   learnt = {};
-  learnt.corrected = "a camera has moved by 0.12 deg";
+  learnt.moved = "a camera has moved by 0.12 deg";
   keepLearnt(store, "bar", learnt);
   EXPECT_EQ(store.read("bar").last_check->state, "unclear");
+  EXPECT_THAT(store.read("bar").last_check->words, HasSubstr("in the last session: a camera has moved"));
   EXPECT_FALSE(RigStartCheck(store.read("bar"), markerAlone()).result().isWithheld());
-  learnt = {};
-  learnt.moved = "the cameras were moved";
+  store.note("bar", {"2020-01-02T08:00:00Z", "moved", "as it was found"});
   keepLearnt(store, "bar", learnt);
-  learnt = {};
-  learnt.corrected = "a camera has moved by 0.12 deg";
-  keepLearnt(store, "bar", learnt);
-  EXPECT_EQ(store.read("bar").last_check->words, "the cameras were moved") << "the worse stays";
-  EXPECT_TRUE(RigStartCheck(store.read("bar"), markerAlone()).result().isWithheld());
+  EXPECT_EQ(store.read("bar").last_check->words, "as it was found") << "the worse stays";
   EXPECT_NO_THROW(keepLearnt(store, "gone", learnt));
 }
 

@@ -32,8 +32,8 @@ CamerasLearnt learntOf(const session::NavigationState& last, const cameras::Ster
     if (haveMoved(last.rig_fault_detail)) learnt.moved = last.rig_fault;
     return learnt;
   }
-  learnt.corrected = last.rig_correction;
-  if (!learnt.corrected.empty() || last.row_times_s == std::array<double, 2>{0.0, 0.0}) return learnt;
+  learnt.moved = last.rig_correction;
+  if (!learnt.moved.empty() || last.row_times_s == std::array<double, 2>{0.0, 0.0}) return learnt;
   const double off_s = std::max(std::abs(last.row_times_s[0] - rig.left.row_time_s),
                                 std::abs(last.row_times_s[1] - rig.right.row_time_s));
   if (off_s * rig.height_px > kSameReadout_s) learnt.row_times_s = last.row_times_s;
@@ -42,9 +42,9 @@ CamerasLearnt learntOf(const session::NavigationState& last, const cameras::Ster
 
 void keepLearnt(const capture::RigStore& store, const std::string& name, const CamerasLearnt& learnt) {
   try {
-    if (!learnt.moved.empty()) store.note(name, capture::noteOfNow(toString(RigState::moved), learnt.moved));
-    if (!learnt.corrected.empty() && !isFaulty(store.read(name)))
-      store.note(name, capture::noteOfNow(toString(RigState::unclear), learnt.corrected));
+    if (!learnt.moved.empty() && !isFaulty(store.read(name)))
+      store.note(name,
+                 capture::noteOfNow(toString(RigState::unclear), "in the last session: " + learnt.moved));
     if (const auto& times = learnt.row_times_s)
       store.noteRowTimes(name, {capture::noteOfNow({}, {}).utc, (*times)[0], (*times)[1]});
   } catch (const Error& error) {

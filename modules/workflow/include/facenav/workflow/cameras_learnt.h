@@ -15,18 +15,19 @@ namespace facenav::workflow {
 struct CamerasLearnt {
   /// Left and right, s from one row to the row below, where they differ from what the rig states.
   std::optional<std::array<double, 2>> row_times_s;
-  std::string moved;      // a fault that withheld every pose to the end, one line; empty: there was none
-  std::string corrected;  // a small motion that the session followed, one line; cameras that are not in step
-                          // can look like one
-  bool isEmpty() const { return !row_times_s && moved.empty() && corrected.empty(); }
+  /// That a camera seems to have moved: a fault that withheld every pose to the end, or a small motion that
+  /// was corrected. One line; empty: nothing of it.
+  std::string moved;
+  bool isEmpty() const { return !row_times_s && moved.empty(); }
 };
 
 /// `last`: newest state of a session. `rig`: that it was started with. Row times are not kept from cameras
 /// that moved or are not in step: they falsify them.
 CamerasLearnt learntOf(const session::NavigationState& last, const cameras::StereoRig& rig);
 
-/// Into the store. A camera that moved withholds the rig until its next check holds (rig_start.h); a motion
-/// that was corrected leaves it unclear. What cannot be written is a warning in the log.
+/// Into the store. A rig whose camera seems to have moved becomes unclear, unless a fault is noted already:
+/// cameras that are not in step can look like it, and the next opening verifies it (rig_start.h). What cannot
+/// be written is a warning in the log.
 void keepLearnt(const capture::RigStore& store, const std::string& name, const CamerasLearnt& learnt);
 
 }  // namespace facenav::workflow
