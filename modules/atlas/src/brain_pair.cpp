@@ -12,12 +12,20 @@ constexpr double kMargin_mm = 12.0;  // around the template's brain
 constexpr double kWindow_mm = 9.0;   // half width of the local normalisation: a gyrus and its neighbours
 constexpr float kInside = 0.5f;
 
-Eigen::AlignedBox3d boxOf(const volume::Volume& brain) {
+/// Of the voxels above 0 of a Volume or Mask.
+template <class Image>
+Eigen::AlignedBox3d boxOf(const Image& brain) {
   Eigen::AlignedBox3d box;
   for (int k = 0; k < brain.grid.size[2]; ++k)
-    for (int j = 0; j < brain.grid.size[1]; ++j)
-      for (int i = 0; i < brain.grid.size[0]; ++i)
-        if (brain.at(i, j, k) > 0) box.extend(brain.grid.mri_from_voxel * Eigen::Vector3d(i, j, k));
+    for (int j = 0; j < brain.grid.size[1]; ++j) {
+      // The ends of a row bound all that lies between them.
+      const auto* row = &brain.voxels[brain.grid.index(0, j, k)];
+      int first = 0, last = brain.grid.size[0] - 1;
+      while (first <= last && !(row[first] > 0)) ++first;
+      while (last > first && !(row[last] > 0)) --last;
+      if (first > last) continue;
+      for (const int i : {first, last}) box.extend(brain.grid.mri_from_voxel * Eigen::Vector3d(i, j, k));
+    }
   if (box.isEmpty()) throw Error("the brain is empty, nothing to register the atlas to");
   return box;
 }
@@ -32,15 +40,10 @@ volume::VoxelGrid gridAround(const Eigen::AlignedBox3d& box, double spacing_mm) 
   return grid;
 }
 
-volume::Volume asVolume(const volume::Mask& mask) {
-  volume::Volume volume;
-  volume.grid = mask.grid;
-  volume.voxels.assign(mask.voxels.begin(), mask.voxels.end());
-  return volume;
-}
-
-/// Samples onto `grid`, band-limited to it: sampled at about the source's own spacing, then averaged.
-ScalarField sampledOn(const volume::Volume& source, const volume::VoxelGrid& grid) {
+/// Samples a Volume or Mask onto `grid`, band-limited to it: sampled at about the source's own spacing, then
+/// averaged.
+template <class Image>
+ScalarField sampledOn(const Image& source, const volume::VoxelGrid& grid) {
   const double ratio = grid.spacing_mm().minCoeff() / source.grid.spacing_mm().minCoeff();
   const int fine = std::clamp(int(std::lround(ratio)), 1, 8), parts = fine * fine * fine;
   const Eigen::Affine3d to_source = source.grid.mri_from_voxel.inverse() * grid.mri_from_voxel;
@@ -63,8 +66,9 @@ ScalarField sampledOn(const volume::Volume& source, const volume::VoxelGrid& gri
   return mean;
 }
 
-volume::Volume reduced(const volume::Volume& source, const volume::VoxelGrid& grid) {
-  return {grid, sampledOn(source, grid).values, source.modality, source.orientation_source};
+template <class Image>
+volume::Volume reduced(const Image& source, const volume::VoxelGrid& grid) {
+  return {grid, sampledOn(source, grid).values, {}, {}};
 }
 
 BrainPair::Moments momentsOf(const ScalarField& brain, const volume::VoxelGrid& grid) {
@@ -118,16 +122,17 @@ Channels channelsOf(const ScalarField& t1, ScalarField brain, double spacing_mm)
 BrainImages::BrainImages(const volume::Volume& template_t1_fine, const volume::Volume& mri,
                          const volume::Mask& brain, double finest_mm)
     : template_box_mm(boxOf(template_t1_fine)) {
-  const volume::Volume mask = asVolume(brain);
-  patient_box_mm = boxOf(mask);
-  volume::Volume template_mask = template_t1_fine;
-  for (float& v : template_mask.voxels) v = v > 0;
+  patient_box_mm = boxOf(brain);
+  volume::Mask template_mask{template_t1_fine.grid,
+                             std::vector<std::uint8_t>(template_t1_fine.voxels.size())};
+  for (std::size_t v = 0; v < template_mask.voxels.size(); ++v)
+    template_mask.voxels[v] = template_t1_fine.voxels[v] > 0;
   const auto template_grid = gridAround(template_box_mm, finest_mm),
              patient_grid = gridAround(patient_box_mm, finest_mm);
   template_t1 = reduced(template_t1_fine, template_grid);
   template_brain = reduced(template_mask, template_grid);
   patient_t1 = reduced(mri, patient_grid);
-  patient_brain = reduced(mask, patient_grid);
+  patient_brain = reduced(brain, patient_grid);
 }
 
 BrainPair::BrainPair(const BrainImages& images, double spacing_mm)

@@ -15,6 +15,7 @@
 #include "prior/averaged_prior.h"
 #include "prior/leaks_and_gaps.h"
 #include "prior/prior_refinement.h"
+#include "prior/scan_prior.h"
 #include "prior/stated_doubt.h"
 #include "scan_grid.h"
 
@@ -33,9 +34,10 @@ struct Found {
 };
 
 Found byGrowthAlone(const Volume& working, const Volume& scan, TaskMonitor& monitor) {
-  const GrowthStart start = startFromHead(working, monitor);
-  GrownBrain grown = growBrain(start, scan.grid, monitor);
-  return {std::move(grown.mask), std::move(grown.doubts), start.sphere, {}};
+  GrowthStart start = startFromHead(working, monitor);
+  const BetSphere sphere = start.sphere;
+  GrownBrain grown = growBrain(std::move(start), scan.grid, monitor);
+  return {std::move(grown.mask), std::move(grown.doubts), sphere, {}};
 }
 
 /// What lies deep within the prior's outline is brain, whatever its intensity (lesions).
@@ -75,11 +77,12 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
                                 const Volume& scan, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   try {
-    const GrowthStart start = makeStart();
-    GrownBrain grown = growBrain(start, scan.grid, monitor);
+    GrowthStart start = makeStart();
+    const BetSphere sphere = start.sphere;
+    GrownBrain grown = growBrain(std::move(start), scan.grid, monitor);
     if (!isAlike(grown.mask, refined, is_by_prior, use)) return std::nullopt;
     raiseDoubts(grown.doubts, refined.mask);
-    return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), start.sphere, {}};
+    return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), sphere, {}};
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {  // grey and white matter do not differ, or no head is found by its shape
@@ -151,15 +154,16 @@ Found withPrior(const PriorNetwork& network, const Volume& working, const Volume
 }
 
 Found inMr(const Volume& volume, TaskMonitor& monitor) {
-  const Volume working = workingVolume(volume, 1.0);
   const InstalledPrior& installed = installedPrior();
-  std::optional<BrainPrior> prior;
-  if (installed.network) prior = findBrainPrior(*installed.network, working);
+  if (!installed.network) {
+    Found found = byGrowthAlone(workingVolume(volume, 1.0), volume, monitor);
+    found.warnings.push_back("without the learned brain prior: " + installed.fault);
+    return found;
+  }
+  const auto seen = scanPrior(*installed.network, volume);
   monitor.report("looking for the brain", 0.4);
-  Found found = prior ? withPrior(*installed.network, working, volume, *prior, monitor)
-                      : byGrowthAlone(working, volume, monitor);
-  if (!installed.network) found.warnings.push_back("without the learned brain prior: " + installed.fault);
-  return found;
+  if (!seen->prior) return byGrowthAlone(seen->working, volume, monitor);
+  return withPrior(*installed.network, seen->working, volume, *seen->prior, monitor);
 }
 
 class BrainSegmenter : public Segmenter {

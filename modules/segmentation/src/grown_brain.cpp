@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <utility>
 
 #include "brain_checks.h"
 #include "brain_refinement.h"
@@ -135,10 +136,11 @@ GrowthStart startFromOutline(const Volume& working, const Mask& outline, double 
   return out;
 }
 
-GrownBrain growBrain(const GrowthStart& start, const VoxelGrid& scan, TaskMonitor& monitor) {
+GrownBrain growBrain(GrowthStart start, const VoxelGrid& scan, TaskMonitor& monitor) {
   const VoxelGrid& grid = start.first.grid;
   const Mask core = erode(start.first, start.core_mm);
-  const Volume image = atCommonSharpness(volume::resample(start.working, grid), scan, core, start.rough);
+  const Volume part = volume::resample(std::exchange(start.working, {}), grid);
+  const Volume image = atCommonSharpness(part, scan, core, start.rough);
   monitor.report("measuring grey and white matter", 0.6);
   // Without the voxels' noise, which would spread the fluid's class down into air and with it the limit of
   // tissue.

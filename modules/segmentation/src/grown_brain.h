@@ -31,8 +31,8 @@ struct GrownBrain {
   std::vector<BoundaryDoubt> doubts;
 };
 /// `scan`: the grid of the scan, whose voxel size tells its sharpness. Throws Error "no brain can be
-/// modelled:
-/// ..." where grey and white matter do not differ.
-GrownBrain growBrain(const GrowthStart& start, const volume::VoxelGrid& scan, TaskMonitor& monitor);
+/// modelled: ..." where grey and white matter do not differ. Move `start` in: its working volume is given
+/// back before most memory is needed.
+GrownBrain growBrain(GrowthStart start, const volume::VoxelGrid& scan, TaskMonitor& monitor);
 
 }  // namespace facenav::segmentation

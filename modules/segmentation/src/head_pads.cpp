@@ -2,11 +2,10 @@
 
 #include <cmath>
 
-#include "brain_start.h"
 #include "facenav/volume/for_slices.h"
 #include "facenav/volume/mask_morphology.h"
 #include "head_morphology.h"
-#include "prior/brain_prior.h"
+#include "prior/scan_prior.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -25,7 +24,8 @@ constexpr double kUnsure = 4;  // voxels at the window's end, where one of the t
 std::optional<Volume> airByPrior(const Volume& scan, const volume::VoxelGrid& grid) {
   const InstalledPrior& installed = installedPrior();
   if (!installed.network) return std::nullopt;
-  const auto prior = findBrainPrior(*installed.network, workingVolume(scan, 1.0));
+  const auto found = scanPrior(*installed.network, scan);
+  const auto& prior = found->prior;
   if (!prior) return std::nullopt;
   Volume air{grid, std::vector<float>(grid.count()), {}, {}};
   const Eigen::Affine3d window_from_voxel = prior->air.grid.mri_from_voxel.inverse() * grid.mri_from_voxel;

@@ -31,10 +31,7 @@ VoxelGrid partAround(const Mask& mask, double margin_mm) {
 
 Mask onScanGrid(const Mask& brain, const VoxelGrid& grid) {
   const Volume level = volume::smoothed({brain.grid, {brain.voxels.begin(), brain.voxels.end()}, {}, {}});
-  Mask out{grid, std::vector<std::uint8_t>(grid.count())};
-  const Volume there = volume::resample(level, grid);
-  for (std::size_t v = 0; v < out.voxels.size(); ++v) out.voxels[v] = there.voxels[v] >= 0.5f;
-  return out;
+  return volume::resampledAbove(level, 0.5f, grid);
 }
 
 Ball ballLike(const Mask& mask) {

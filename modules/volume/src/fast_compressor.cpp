@@ -45,10 +45,11 @@ vtkSmartPointer<vtkDataCompressor> fastCompressor() {
 std::vector<unsigned char> gzipped(const void* bytes, std::size_t size) {
   const CompressorPtr compressor(libdeflate_alloc_compressor(kLevel));
   if (!compressor) throw Error("not enough memory to compress a file");
-  std::vector<unsigned char> out(libdeflate_gzip_compress_bound(compressor.get(), size));
-  out.resize(libdeflate_gzip_compress(compressor.get(), bytes, size, out.data(), out.size()));
-  FACENAV_EXPECT(!out.empty(), "the bound holds every input");
-  return out;
+  const std::size_t most = libdeflate_gzip_compress_bound(compressor.get(), size);
+  const std::unique_ptr<unsigned char[]> space(new unsigned char[most]);  // untouched pages take no memory
+  const std::size_t written = libdeflate_gzip_compress(compressor.get(), bytes, size, space.get(), most);
+  FACENAV_EXPECT(written > 0, "the bound holds every input");
+  return {space.get(), space.get() + written};
 }
 
 }  // namespace facenav::volume

@@ -1,35 +1,70 @@
 #include "facenav/volume/local_mean.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "facenav/volume/for_slices.h"
 
 namespace facenav::volume {
 namespace {
 
 constexpr float kLeastWeight = 1e-3f;  // of the voxels about a place
 
-/// Running mean over 2 * half + 1 voxels along one line, fewer at its ends.
-void boxAlong(float* line, std::size_t stride, int n, int half, std::vector<double>& sums) {
-  sums.assign(std::size_t(n) + 1, 0);
-  for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + line[i * stride];
-  for (int i = 0; i < n; ++i) {
-    const int begin = std::max(0, i - half), end = std::min(n, i + half + 1);
-    line[i * stride] = float((sums[end] - sums[begin]) / (end - begin));
+constexpr int kLines = 16;  // done side by side: a cache line of floats
+constexpr int kPasses = 3;
+
+/// Neighbouring lines of equal length, value by value: `values[q * kLines + line]`.
+struct LineBlock {
+  explicit LineBlock(int longest)
+      : values(std::size_t(longest) * kLines), sums(std::size_t(longest + 1) * kLines) {}
+  std::vector<float> values;
+  std::vector<double> sums;
+
+  /// Running mean over 2 * half + 1 values along each line, fewer at its ends.
+  void box(int n, int half) {
+    for (int i = 0; i < n; ++i)
+      for (int l = 0; l < kLines; ++l)
+        sums[std::size_t(i + 1) * kLines + l] =
+            sums[std::size_t(i) * kLines + l] + values[std::size_t(i) * kLines + l];
+    for (int i = 0; i < n; ++i) {
+      const int begin = std::max(0, i - half), end = std::min(n, i + half + 1);
+      const double *low = &sums[std::size_t(begin) * kLines], *high = &sums[std::size_t(end) * kLines];
+      for (int l = 0; l < kLines; ++l)
+        values[std::size_t(i) * kLines + l] = float((high[l] - low[l]) / (end - begin));
+    }
   }
+};
+
+/// Blurs up to kLines lines of `n` values (distance `stride`) whose first values lie `apart` from each other.
+void blurLines(float* first, std::size_t apart, int lines, std::size_t stride, int n, int half,
+               LineBlock& block) {
+  for (int q = 0; q < n; ++q)
+    for (int l = 0; l < lines; ++l) block.values[std::size_t(q) * kLines + l] = first[l * apart + q * stride];
+  for (int pass = 0; pass < kPasses; ++pass) block.box(n, half);
+  for (int q = 0; q < n; ++q)
+    for (int l = 0; l < lines; ++l) first[l * apart + q * stride] = block.values[std::size_t(q) * kLines + l];
 }
 
 void blurredInPlace(const VoxelGrid& grid, std::vector<float>& values, double reach_mm) {
   const auto& n = grid.size;
-  const std::size_t stride[3] = {1, std::size_t(n[0]), std::size_t(n[0]) * n[1]};
-  std::vector<double> sums;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int half = std::max(1, int(std::lround(0.5 * reach_mm / grid.spacing_mm()[axis])));
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    for (int u = 0; u < n[a]; ++u)
-      for (int v = 0; v < n[b]; ++v)
-        for (int pass = 0; pass < 3; ++pass)
-          boxAlong(&values[u * stride[a] + v * stride[b]], stride[axis], n[axis], half, sums);
-  }
+  const std::size_t row = n[0], slab = row * n[1];
+  std::array<int, 3> half;
+  for (int a = 0; a < 3; ++a) half[a] = std::max(1, int(std::lround(0.5 * reach_mm / grid.spacing_mm()[a])));
+  const int longest = *std::max_element(n.begin(), n.end());
+  forSlices(n[2], [&](int k) {
+    LineBlock block(longest);
+    float* slice = &values[k * slab];
+    for (int j = 0; j < n[1]; j += kLines)
+      blurLines(slice + j * row, row, std::min(kLines, n[1] - j), 1, n[0], half[0], block);
+    for (int i = 0; i < n[0]; i += kLines)
+      blurLines(slice + i, 1, std::min(kLines, n[0] - i), row, n[1], half[1], block);
+  });
+  forSlices(n[1], [&](int j) {
+    LineBlock block(longest);
+    for (int i = 0; i < n[0]; i += kLines)
+      blurLines(&values[j * row + i], 1, std::min(kLines, n[0] - i), slab, n[2], half[2], block);
+  });
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ struct LineTransform {
 
   /// `w`: the squared step in mm^2.
   void run(float* line, std::size_t stride, int n, float w) {
-    for (int i = 0; i < n; ++i) f[i] = line[i * stride];
+    float highest = 0;
+    for (int i = 0; i < n; ++i) f[i] = line[i * stride], highest = std::max(highest, f[i]);
+    if (highest == 0) return;  // the whole line lies in the target
     int k = -1;
     for (int q = 0; q < n; ++q) {
       if (f[q] >= kFar) continue;
@@ -47,6 +49,19 @@ struct LineTransform {
   }
 };
 
+/// Along one line of voxels: the squared distance to the nearest voxel of the target.
+void nearestAlong(const std::uint8_t* mask, bool target, int n, float w, float* line) {
+  const auto sweep = [&](int from, int end, int step, auto&& keep) {
+    int steps = -1;  // since the last voxel of the target
+    for (int i = from; i != end; i += step) {
+      steps = (mask[i] != 0) == target ? 0 : steps < 0 ? -1 : steps + 1;
+      keep(line[i], steps < 0 ? kFar : w * float(steps) * float(steps));
+    }
+  };
+  sweep(0, n, 1, [](float& value, float here) { value = here; });
+  sweep(n - 1, -1, -1, [](float& value, float here) { value = std::min(value, here); });
+}
+
 /// Transforms all lines of `n` values (distance `stride`) that start at `first` + 0 .. `lines` - 1.
 /// Neighbouring lines are done in blocks, so that each cache line is used completely.
 void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t stride, int n, float w,
@@ -66,12 +81,14 @@ void runLines(std::vector<float>& d, std::size_t first, int lines, std::size_t s
 std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
   const auto& n = mask.grid.size;
   std::vector<float> d(mask.voxels.size());
-  for (std::size_t i = 0; i < d.size(); ++i) d[i] = (mask.voxels[i] != 0) == (target != 0) ? 0.f : kFar;
   const int longest = *std::max_element(n.begin(), n.end());
   const Eigen::Array3f w = mask.grid.spacing_mm().array().square().cast<float>();
   forSlices(n[2], [&](int k) {
     LineTransform line(longest);
-    for (int j = 0; j < n[1]; ++j) line.run(&d[mask.grid.index(0, j, k)], 1, n[0], w[0]);
+    for (int j = 0; j < n[1]; ++j) {
+      const std::size_t row = mask.grid.index(0, j, k);
+      nearestAlong(&mask.voxels[row], target != 0, n[0], w[0], &d[row]);
+    }
     runLines(d, mask.grid.index(0, 0, k), n[0], n[0], n[1], w[1], line);
   });
   forSlices(n[1], [&](int j) {

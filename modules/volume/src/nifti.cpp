@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -161,6 +162,7 @@ ImagePtr makeImage(const VoxelGrid& grid, int datatype) {
   return image;
 }
 
+/// Gives the voxels of `image` back as soon as they are copied.
 void writeImage(nifti_image& image, const std::filesystem::path& path, FileAccess access) {
   const std::string name = path.filename().string();
   const bool is_gz = name.size() > 7 && name.substr(name.size() - 7) == ".nii.gz";
@@ -172,6 +174,7 @@ void writeImage(nifti_image& image, const std::filesystem::path& path, FileAcces
   std::vector<unsigned char> content(kDataOffset + image.nvox * std::size_t(image.nbyper));
   std::memcpy(content.data(), &header, sizeof header);
   std::memcpy(content.data() + kDataOffset, image.data, content.size() - kDataOffset);
+  std::free(std::exchange(image.data, nullptr));
   if (is_gz) content = gzipped(content.data(), content.size());
   WholeFile file(path, access);
   std::ofstream stream(file.temporaryPath(), std::ios::binary);

@@ -221,6 +221,13 @@ Volume resampleCubic(const Volume& volume, const VoxelGrid& grid) {
   return out;
 }
 
+Mask resampledAbove(const Volume& volume, float least, const VoxelGrid& grid) {
+  Mask out{grid, std::vector<std::uint8_t>(grid.count(), 0 >= least)};
+  const Linear<float> sample(volume.voxels, volume.grid);
+  forRows(volume.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = sample(at) >= least; });
+  return out;
+}
+
 Mask resample(const Mask& mask, const VoxelGrid& grid) {
   Mask out{grid, std::vector<std::uint8_t>(grid.count())};
   const Linear<std::uint8_t> sample(mask.voxels, mask.grid);

@@ -14,20 +14,36 @@ double Mask::volume_ml() const {
   return double(count) * grid.voxelVolume_mm3() / 1000.0;
 }
 
-float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside) {
+namespace {
+
+template <class Value>
+float linearAt(const VoxelGrid& grid, const std::vector<Value>& voxels, const Eigen::Vector3d& ijk,
+               float outside) {
   constexpr double kRounding = 1e-6;  // voxels: keeps the border when a grid is resampled onto itself
-  const auto& n = volume.grid.size;
+  const auto& n = grid.size;
   for (int a = 0; a < 3; ++a)
     if (!(ijk[a] >= -kRounding && ijk[a] <= n[a] - 1 + kRounding)) return outside;
   const int i = std::min(int(ijk[0]), std::max(0, n[0] - 2)),
             j = std::min(int(ijk[1]), std::max(0, n[1] - 2)),
             k = std::min(int(ijk[2]), std::max(0, n[2] - 2));
-  const int di = n[0] > 1, dj = n[1] > 1, dk = n[2] > 1;
+  const std::size_t di = n[0] > 1, dj = n[1] > 1 ? std::size_t(n[0]) : 0,
+                    dk = n[2] > 1 ? std::size_t(n[0]) * std::size_t(n[1]) : 0;
   const auto within = [](double t) { return float(std::clamp(t, 0.0, 1.0)); };
   const float x = within(ijk[0] - i), y = within(ijk[1] - j), z = within(ijk[2] - k);
   const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
-  const auto row = [&](int jj, int kk) { return mix(volume.at(i, jj, kk), volume.at(i + di, jj, kk), x); };
-  return mix(mix(row(j, k), row(j + dj, k), y), mix(row(j, k + dk), row(j + dj, k + dk), y), z);
+  const Value* first = &voxels[grid.index(i, j, k)];
+  const auto row = [&](const Value* v) { return mix(float(v[0]), float(v[di]), x); };
+  return mix(mix(row(first), row(first + dj), y), mix(row(first + dk), row(first + dj + dk), y), z);
+}
+
+}  // namespace
+
+float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside) {
+  return linearAt(volume.grid, volume.voxels, ijk, outside);
+}
+
+float sampleLinear(const Mask& mask, const Eigen::Vector3d& ijk, float outside) {
+  return linearAt(mask.grid, mask.voxels, ijk, outside);
 }
 
 std::optional<float> valueAt(const Volume& volume, const Point<Mri>& p) {

@@ -134,7 +134,7 @@ TaskMonitor::Listener forwardTo(TaskMonitor& parent, std::mutex& mutex) {
 
 }  // namespace
 
-casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Segmenter& head,
+casefile::PreparedCase prepare(volume::Volume mri, const segmentation::Segmenter& head,
                                const segmentation::Segmenter& brain, TaskMonitor& monitor,
                                const AtlasSource& atlas) {
   std::mutex one_report;
@@ -155,7 +155,7 @@ casefile::PreparedCase prepare(const volume::Volume& mri, const segmentation::Se
     throw;
   }
   BrainPart part = brain_task.get();
-  prepared.mri = mri;
+  prepared.mri = std::move(mri);
   prepared.brain_mask = std::move(part.mask);
   prepared.brain = std::move(part.model);
   prepared.cortex = std::move(part.cortex);

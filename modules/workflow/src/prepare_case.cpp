@@ -78,7 +78,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
                                       volume::niftiTransformNamed(request.nifti_transform));
   casefile::requireTargetsStay(request.case_folder, imported.volume);  // refuse early
   const std::string label = labelOf(request, imported);
-  auto prepared = prepare(imported.volume, *head, *brain, monitor,
+  auto prepared = prepare(std::move(imported.volume), *head, *brain, monitor,
                           [&colin] { return colin.get() ? &*colin.get() : nullptr; });
   colin.wait();  // wait even if it was not used
   imported.warnings.insert(imported.warnings.end(), atlas_warnings.begin(), atlas_warnings.end());

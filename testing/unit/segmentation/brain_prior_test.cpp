@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
+#include <thread>
 
 #include "brain_start.h"
 #include "contrast_seen.h"
@@ -11,6 +13,7 @@
 #include "prior/head_window.h"
 #include "prior/leaks_and_gaps.h"
 #include "prior/local_evidence.h"
+#include "prior/scan_prior.h"
 
 // The learned prior on the phantom, a head that training never showed, and the steps that refine it.
 
@@ -57,6 +60,24 @@ TEST(BrainPrior, FindsThePhantomsBrain) {
 TEST(BrainPrior, FindsTheBrainWhereverItLiesInTheScan) {
   ASSERT_TRUE(installedPrior().network) << installedPrior().fault;
   EXPECT_GT(diceOf(priorOf(inMoreAir({120, -100, -150}))), 0.85);
+}
+
+TEST(ScanPrior, IsMadeOnceForAScanThatIsInUse) {
+  const PriorNetwork& network = *installedPrior().network;
+  const Volume scan = phantom().volume;
+  std::shared_ptr<const ScanPrior> other_thread;
+  std::thread asks([&] { other_thread = scanPrior(network, scan); });
+  const auto first = scanPrior(network, scan);
+  asks.join();
+  EXPECT_EQ(first, other_thread);
+  ASSERT_TRUE(first->prior);
+  EXPECT_EQ(first->prior->brain.voxels, priorOf(scan).brain.voxels);
+  Volume changed = scan;
+  changed.voxels[changed.voxels.size() / 2] += 1;
+  EXPECT_NE(scanPrior(network, changed), first);
+  Volume moved = scan;
+  moved.grid.mri_from_voxel.pretranslate(Eigen::Vector3d(0, 0, 1));
+  EXPECT_NE(scanPrior(network, moved), first);
 }
 
 TEST(BrainPrior, FindsNoneInNoise) {

@@ -74,6 +74,19 @@ TEST(Resample, MaskKeepsItsVolumeOnAFinerGrid) {
   EXPECT_NEAR(finer.volume_ml() / mask.volume_ml(), 1, 0.02);
 }
 
+TEST(Resample, AboveALevelEqualsTheResampledVolumesVoxels) {
+  const auto volume = numberedVolume();
+  volume::VoxelGrid grid = volume.grid;  // also beyond the volume
+  grid.size = {9, 11, 8};
+  grid.mri_from_voxel.linear() *= 0.9;
+  const auto there = volume::resample(volume, grid);
+  for (const float level : {-1.f, 0.f, 213.4f, 1e6f}) {
+    const auto mask = volume::resampledAbove(volume, level, grid);
+    for (std::size_t v = 0; v < mask.voxels.size(); ++v)
+      ASSERT_EQ(mask.voxels[v] != 0, there.voxels[v] >= level) << level;
+  }
+}
+
 TEST(Resample, CubicKeepsTheGridsOwnValuesAndGivesQuadraticsExactly) {
   volume::Volume coarse{{{12, 11, 10}, Eigen::Affine3d(Eigen::Scaling(1.5))}, {}, {}, {}};
   const auto quadratic = [](const Eigen::Vector3d& p) {

@@ -48,6 +48,19 @@ TEST(SampleLinear, IsLinearInsideAndOutsideBeyondTheOutermostCentres) {
   EXPECT_EQ(volume::sampleLinear(volume, {std::nan(""), 0, 0}, -7.f), -7.f);
 }
 
+TEST(SampleLinear, OfAMaskEqualsThatOfItsVolume) {
+  auto volume = numberedVolume();
+  volume::Mask mask{volume.grid, {}};
+  for (float& value : volume.voxels) {
+    mask.voxels.push_back(int(value) % 3 == 0);
+    value = mask.voxels.back();
+  }
+  for (double x = -0.5; x < 5; x += 0.3)
+    for (double z = -0.5; z < 7; z += 0.4)
+      EXPECT_EQ(volume::sampleLinear(mask, {x, 5 - x, z}, -3),
+                volume::sampleLinear(volume, {x, 5 - x, z}, -3));
+}
+
 TEST(Percentile, OfKnownValuesPassesOverNotANumber) {
   auto volume = numberedVolume();
   volume.voxels.assign(volume.voxels.size(), 5.f);

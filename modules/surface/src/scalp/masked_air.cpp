@@ -66,10 +66,10 @@ std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const 
   const auto share = lowShare(scan, beside);
   if (!share) return {};
   // Place by place: under shading, the threshold lay elsewhere than one level shows.
-  const auto mean = volume::localMean(scan.grid, scan.voxels, beside, kPlace_mm, *air);
-  volume::Volume raised = scan;
-  for (std::size_t v = 0; v < mean.size(); ++v)
-    raised.voxels[v] = std::max(raised.voxels[v], *share * mean[v]);
+  volume::Volume raised{scan.grid, volume::localMean(scan.grid, scan.voxels, beside, kPlace_mm, *air),
+                        scan.modality, scan.orientation_source};
+  for (std::size_t v = 0; v < scan.voxels.size(); ++v)
+    raised.voxels[v] = std::max(scan.voxels[v], *share * raised.voxels[v]);
   return raised;
 }
 

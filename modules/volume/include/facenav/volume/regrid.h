@@ -15,6 +15,8 @@ Volume resample(const Volume& volume, const VoxelGrid& grid);
 /// Cubic convolution (Keys 1981, a = -1/2) onto `grid` (0 outside). It keeps edges that trilinear
 /// interpolation between coarse voxels would blur; it may overshoot beside an edge by a few hundredths.
 Volume resampleCubic(const Volume& volume, const VoxelGrid& grid);
+/// The voxels of `grid` where the trilinearly interpolated volume (0 outside) is at least `least`.
+Mask resampledAbove(const Volume& volume, float least, const VoxelGrid& grid);
 /// Onto `grid`: a voxel is set if the trilinearly interpolated mask is at least 0.5 there.
 Mask resample(const Mask& mask, const VoxelGrid& grid);
 

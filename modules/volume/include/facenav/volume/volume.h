@@ -30,6 +30,8 @@ struct Mask {
 
 /// Trilinear value at continuous voxel coordinates; `outside` beyond the outermost voxel centres.
 float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside = 0.f);
+/// Likewise, 0 to 1.
+float sampleLinear(const Mask& mask, const Eigen::Vector3d& ijk, float outside = 0.f);
 /// The value of the voxel that contains `p`; nullopt outside the volume.
 std::optional<float> valueAt(const Volume& volume, const Point<Mri>& p);
 /// The value below which `fraction` (0..1) of all finite voxels lie. Uses a sample of up to 2 million voxels.

@@ -1,0 +1,40 @@
+// Volumes are allocated, filled and freed by the hundred. Each fresh block of the system is zeroed and mapped
+// page by page, which takes a tenth of the time of `prepare` with pages of 4 KB. Large blocks therefore ask
+// for pages of 2 MB (Linux: madvise, MADV_HUGEPAGE; advice that may be ignored).
+
+#include <sys/mman.h>
+
+#include <cstdlib>
+#include <new>
+
+// The sanitizers bring an operator new of their own.
+#if defined(MADV_HUGEPAGE) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t(2) << 20;
+constexpr std::size_t kLarge = 2 * kHugePage;  // less would mostly be rounding
+
+void* allocated(std::size_t size) {
+  if (size < kLarge) return std::malloc(size ? size : 1);
+  void* block = nullptr;
+  if (::posix_memalign(&block, kHugePage, size) != 0) return nullptr;
+  ::madvise(block, size / kHugePage * kHugePage, MADV_HUGEPAGE);
+  return block;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  for (;;) {
+    if (void* block = allocated(size)) return block;
+    const std::new_handler handler = std::get_new_handler();
+    if (!handler) throw std::bad_alloc();
+    handler();
+  }
+}
+
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+
+#endif
