@@ -41,8 +41,8 @@ Found byGrowthAlone(const Volume& working, const Volume& scan, TaskMonitor& moni
 }
 
 /// What lies deep within the prior's outline is brain, whatever its intensity (lesions).
-Mask withCore(const Mask& grown, const RefinedPrior& refined, double core_mm) {
-  return volume::fillHoles(unionOf(grown, volume::resample(erode(refined.mask, core_mm), grown.grid)));
+Mask withCore(const Mask& grown, const Mask& refined, double core_mm) {
+  return volume::fillHoles(unionOf(grown, volume::resample(erode(refined, core_mm), grown.grid)));
 }
 
 /// Where the refined prior puts the outline elsewhere, the doubt is at least that far.
@@ -59,21 +59,21 @@ ContrastSeen contrastOf(const Volume& working, const BrainPrior& prior) {
   return contrastSeen(volume::resample(working, prior.brain.grid), prior.brain, prior.fluid);
 }
 
-double agreement(const Mask& grown, const RefinedPrior& refined) {
-  return volume::overlap(grown, volume::resample(refined.mask, grown.grid)).dice;
+double agreement(const Mask& grown, const Mask& refined) {
+  return volume::overlap(grown, volume::resample(refined, grown.grid)).dice;
 }
 
 /// Growth from the head's shape knows nothing of the prior: one sign of agreement is enough. Growth from the
 /// prior's own outline needs both.
-bool isAlike(const Mask& grown, const RefinedPrior& refined, bool is_by_prior, const PriorUse& use) {
+bool isAlike(const Mask& grown, const Mask& refined, bool is_by_prior, const PriorUse& use) {
   const bool agrees = agreement(grown, refined) >= use.least_agreement;
   if (agrees != is_by_prior) return agrees;
-  return leaksAndGaps(grown, refined.mask, use.far_mm) <= use.most_far;
+  return leaksAndGaps(grown, refined, use.far_mm) <= use.most_far;
 }
 
 /// Grown from one start or the other, to where the refined prior has its outline too; else nothing.
 template <class MakeStart>
-std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refined, bool is_by_prior,
+std::optional<Found> grownAlike(MakeStart&& makeStart, const Mask& refined, bool is_by_prior,
                                 const Volume& scan, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();
   try {
@@ -81,7 +81,7 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const RefinedPrior& refin
     const BetSphere sphere = start.sphere;
     GrownBrain grown = growBrain(std::move(start), scan.grid, monitor);
     if (!isAlike(grown.mask, refined, is_by_prior, use)) return std::nullopt;
-    raiseDoubts(grown.doubts, refined.mask);
+    raiseDoubts(grown.doubts, refined);
     return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), sphere, {}};
   } catch (const Cancelled&) {
     throw;
@@ -143,10 +143,10 @@ Found withPrior(const PriorNetwork& network, const Volume& working, const Volume
   };
   requireTissueSpread(halved(working), sphereOf(prior.mask()));
   if (seen.isLikeT1()) {
-    const RefinedPrior refined = refinedPrior(working, prior, use);
+    const Mask refined = refinedMask(working, prior, use);
     const auto by_head = [&] { return startFromHead(working, monitor); };
     if (auto found = grownAlike(by_head, refined, false, scan, monitor)) return named(std::move(*found));
-    const auto by_prior = [&] { return startFromOutline(working, refined.mask, use.search_mm); };
+    const auto by_prior = [&] { return startFromOutline(working, refined, use.search_mm); };
     if (auto found = grownAlike(by_prior, refined, true, scan, monitor)) return named(std::move(*found));
   }
   monitor.report("fitting the brain's outline", 0.6);

@@ -65,21 +65,36 @@ Beginning beginningOf(const Volume& working, const BrainPrior& prior) {
 
 }  // namespace
 
-RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
-  Beginning begun = beginningOf(working, prior);
+namespace {
+
+/// The outline of `begun`, moved within the band.
+Mask movedOutline(const Volume& working, const Beginning& begun, const PriorUse& use) {
   const Volume& probability = begun.probability;
   const Volume image = volume::smoothed(volume::resample(working, probability.grid));
   const std::vector<float> from_outline = depthBelow(begun.outline);
-  RefinedPrior refined{begun.outline, begun.outline, {}};
+  Mask moved = begun.outline;
   for (int round = 0; round < use.rounds; ++round) {
-    const Volume evidence = localEvidence(image, round ? depthBelow(refined.mask) : from_outline, use);
-    Mask next = refined.outline;
+    const Volume evidence = localEvidence(image, round ? depthBelow(moved) : from_outline, use);
+    Mask next = begun.outline;
     for (std::size_t v = 0; v < next.voxels.size(); ++v)
       if (std::abs(from_outline[v]) < use.band_mm)
         next.voxels[v] = logOddsOf(probability.voxels[v]) + float(use.evidence) * evidence.voxels[v] > 0;
-    refined.mask = whole(next, use);
+    moved = whole(next, use);
   }
-  refined.doubts = doubtsOf(refined, probability, use);
+  return moved;
+}
+
+}  // namespace
+
+Mask refinedMask(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
+  return movedOutline(working, beginningOf(working, prior), use);
+}
+
+RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
+  Beginning begun = beginningOf(working, prior);
+  Mask moved = movedOutline(working, begun, use);
+  RefinedPrior refined{std::move(begun.outline), std::move(moved), {}};
+  refined.doubts = doubtsOf(refined, begun.probability, use);
   return refined;
 }
 

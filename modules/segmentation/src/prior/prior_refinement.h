@@ -14,6 +14,9 @@ struct RefinedPrior {
 };
 
 /// On the part of the grid of `working` that holds the brain: by what lies inside and outside of the outline.
+/// The mask alone: what growth is compared with.
+volume::Mask refinedMask(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
+/// The same with its doubts.
 RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
 /// Likewise, by the classes tissue, fluid and the rest (tissue_mixture.h): for scans that are no clear T1.
 RefinedPrior refinedByTissue(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
