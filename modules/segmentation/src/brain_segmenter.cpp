@@ -98,8 +98,7 @@ BetSphere sphereOf(const Mask& mask) {
 Found byPrior(RefinedPrior refined, const ContrastSeen& seen) {
   const BetSphere sphere = sphereOf(refined.mask);
   Found found{std::move(refined.mask), std::move(refined.doubts), sphere, {}};
-  for (auto& doubt : found.doubts)
-    doubt.doubt_mm = statedDoubt_mm(doubt.doubt_mm, seen.kind(), settingsOf<PriorUse>());
+  stateDoubts(found.doubts, seen.kind());
   found.warnings.push_back(
       seen.isLikeT1()
           ? "grey and white matter alone do not give the brain's outline: check it"

@@ -103,21 +103,56 @@ TEST(LogOdds, AreLimited) {
   EXPECT_FLOAT_EQ(logOddsOf(0), -6);
 }
 
-TEST(StatedDoubt, RisesWithTheDoubtAndStaysBelowItsMost) {
-  const PriorUse use;
+std::vector<BoundaryDoubt> placesWith(const std::vector<float>& scores) {
+  std::vector<BoundaryDoubt> places;
+  for (const float score : scores) places.push_back({Point<Mri>(0, 0, 0), score});
+  return places;
+}
+
+TEST(StatedDoubt, RisesWithTheScoreAndStaysWithinItsLimits) {
   for (const auto kind : {ContrastKind::t1, ContrastKind::weak_t1, ContrastKind::t2, ContrastKind::flair,
                           ContrastKind::proton_density}) {
-    float before = -1;
-    for (const float doubt : {0.f, 0.2f, 0.5f, 1.f, 2.f, 5.f, 20.f}) {
-      const float stated = statedDoubt_mm(doubt, kind, use);
-      EXPECT_GT(stated, before) << int(kind);
-      EXPECT_LT(stated, use.doubt_most_mm);
-      before = stated;
-    }
+    auto places = placesWith({-5, 0.2f, 0.4f, 0.6f, 0.8f, 1, 1.3f, 1.6f, 2, 40});
+    stateDoubts(places, kind);
+    for (std::size_t n = 1; n < places.size(); ++n)
+      EXPECT_GE(places[n].doubt_mm, places[n - 1].doubt_mm) << int(kind);
+    EXPECT_GT(places[7].doubt_mm, places[3].doubt_mm) << int(kind);
+    EXPECT_FLOAT_EQ(places.front().doubt_mm, 0.2f);
+    EXPECT_FLOAT_EQ(places.back().doubt_mm, 8);
   }
-  PriorUse plain;
-  plain.doubt_t2_scale_mm = 2, plain.doubt_t2_power = 2, plain.doubt_most_mm = 8;
-  EXPECT_FLOAT_EQ(statedDoubt_mm(2, ContrastKind::t2, plain), 4);  // 8 / (1 + 8 / 8)
+  std::vector<BoundaryDoubt> none;
+  stateDoubts(none, ContrastKind::t2);
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(StatedDoubt, GivesTheFittedMillimetresAtTheMapsScores) {
+  // The median is the usual one of T2, so that nothing is shifted.
+  auto places = placesWith({0.1f, 0.3f, 0.516f, 0.778f, 1.319f});
+  stateDoubts(places, ContrastKind::t2);
+  EXPECT_NEAR(places[3].doubt_mm, 1, 1e-4);
+  EXPECT_NEAR(places[4].doubt_mm, 3, 1e-4);
+}
+
+TEST(StatedDoubt, AScanOfHigherScoresIsStatedALittleWorse) {
+  const std::vector<float> usual{0.4f, 0.5f, 0.633f, 0.9f, 1.3f};
+  std::vector<float> high = usual;
+  for (float& score : high) score += 0.4f;
+  auto places = placesWith(usual), higher = placesWith(high);
+  stateDoubts(places, ContrastKind::proton_density), stateDoubts(higher, ContrastKind::proton_density);
+  for (std::size_t n = 0; n < usual.size(); ++n) {
+    EXPECT_GT(higher[n].doubt_mm, places[n].doubt_mm);
+    EXPECT_LT(higher[n].doubt_mm, places[n].doubt_mm + 1);
+  }
+}
+
+TEST(DoubtScore, RisesWithAllItsEvidence) {
+  const PlaceEvidence evidence{4, 1, 2};
+  const float score = doubtScore(evidence);
+  EXPECT_NEAR(score, 0.054 * 4 + 0.031 + 0.151 * 2, 1e-5);
+  EXPECT_GT(doubtScore({5, 1, 2}), score);
+  EXPECT_GT(doubtScore({4, 2, 2}), score);
+  EXPECT_GT(doubtScore({4, 1, 3}), score);
+  EXPECT_FLOAT_EQ(doubtScore({4, 1, 20}), doubtScore({4, 1, 500}));
 }
 
 TEST(IntensityCurve, LeavesAirDark) {

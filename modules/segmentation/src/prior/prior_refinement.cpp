@@ -7,6 +7,7 @@
 #include "facenav/volume/regrid.h"
 #include "facenav/volume/smoothing.h"
 #include "prior/local_evidence.h"
+#include "prior/stated_doubt.h"
 #include "prior/tissue_mixture.h"
 
 namespace facenav::segmentation {
@@ -16,6 +17,7 @@ using volume::Mask;
 using volume::Volume;
 
 constexpr double kMargin_mm = 14;
+constexpr float kSureLogOdds = 6;
 
 Mask whole(const Mask& brain, const PriorUse& use) {
   const Mask closed = fillHoles(close(brain, use.sulcus_mm));
@@ -24,27 +26,58 @@ Mask whole(const Mask& brain, const PriorUse& use) {
 
 constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
 
-/// How far apart the levels 0.25 and 0.75 of the prior lie, and how far the scan moved its outline.
-std::vector<BoundaryDoubt> doubtsOf(const RefinedPrior& refined, const Volume& probability,
-                                    const PriorUse& use) {
-  const std::vector<float> moved_mm = volume::distanceTo(volume::surfaceVoxels(refined.outline));
-  const auto away = [&](float level) {
-    Mask mask{probability.grid, std::vector<std::uint8_t>(probability.voxels.size())};
-    for (std::size_t v = 0; v < mask.voxels.size(); ++v) mask.voxels[v] = probability.voxels[v] >= level;
-    return volume::distanceTo(volume::surfaceVoxels(volume::largestPart(mask)));
-  };
-  const std::vector<float> wide_mm = away(0.25f), narrow_mm = away(0.75f);
-  const Mask surface = volume::surfaceVoxels(refined.mask);
+/// Distance to the surface of what lies at or above `level`.
+std::vector<float> awayFrom(const std::vector<float>& values, float level, const volume::VoxelGrid& grid) {
+  Mask mask{grid, std::vector<std::uint8_t>(values.size())};
+  for (std::size_t v = 0; v < mask.voxels.size(); ++v) mask.voxels[v] = values[v] >= level;
+  return volume::distanceTo(volume::surfaceVoxels(volume::largestPart(mask)));
+}
+
+std::vector<float> sumOf(std::vector<float> a, const std::vector<float>& b) {
+  for (std::size_t v = 0; v < a.size(); ++v) a[v] += b[v];
+  return a;
+}
+
+/// How far apart the levels 0.25 and 0.75 of the prior lie.
+std::vector<float> priorWidth_mm(const Volume& probability) {
+  return sumOf(awayFrom(probability.voxels, 0.25f, probability.grid),
+               awayFrom(probability.voxels, 0.75f, probability.grid));
+}
+
+/// `doubt_at(v)` for every other voxel of the surface.
+template <class DoubtAt>
+std::vector<BoundaryDoubt> doubtsOver(const Mask& mask, DoubtAt&& doubt_at) {
+  const Mask surface = volume::surfaceVoxels(mask);
   std::vector<BoundaryDoubt> doubts;
   std::size_t v = 0;
   for (int k = 0; k < surface.grid.size[2]; ++k)
     for (int j = 0; j < surface.grid.size[1]; ++j)
       for (int i = 0; i < surface.grid.size[0]; ++i, ++v)
         if (surface.voxels[v] && (i + j + k) % kDoubtStep == 0)
-          doubts.push_back({surface.grid.toMri({double(i), double(j), double(k)}),
-                            float(use.doubt_base_mm + use.doubt_width * (wide_mm[v] + narrow_mm[v]) +
-                                  use.doubt_moved * moved_mm[v])});
+          doubts.push_back({surface.grid.toMri({double(i), double(j), double(k)}), doubt_at(v)});
   return doubts;
+}
+
+/// By the width of the prior's edge, and how far the scan moved its outline.
+std::vector<BoundaryDoubt> doubtsOf(const RefinedPrior& refined, const Volume& probability,
+                                    const PriorUse& use) {
+  const std::vector<float> moved_mm = volume::distanceTo(volume::surfaceVoxels(refined.outline));
+  const std::vector<float> width_mm = priorWidth_mm(probability);
+  return doubtsOver(refined.mask, [&](std::size_t v) {
+    return float(use.doubt_base_mm + use.doubt_width * width_mm[v] + use.doubt_moved * moved_mm[v]);
+  });
+}
+
+/// Scores (stated_doubt.h). `log_odds`: beyond the fit's reach as the outline has it.
+std::vector<BoundaryDoubt> scoresOf(const RefinedPrior& refined, const Volume& probability,
+                                    const std::vector<float>& log_odds) {
+  const std::vector<float> moved_mm = volume::distanceTo(volume::surfaceVoxels(refined.outline));
+  const std::vector<float> width_mm = priorWidth_mm(probability);
+  const std::vector<float> fit_mm =
+      sumOf(awayFrom(log_odds, -1, probability.grid), awayFrom(log_odds, 1, probability.grid));
+  return doubtsOver(refined.mask, [&](std::size_t v) {
+    return doubtScore({width_mm[v], moved_mm[v], fit_mm[v]});
+  });
 }
 
 /// Grid, outline and shares that every refinement starts from.
@@ -103,13 +136,16 @@ RefinedPrior refinedByTissue(const Volume& working, const BrainPrior& prior, con
   const std::vector<float> from_outline = depthBelow(begun.outline);
   const volume::VoxelGrid& grid = begun.outline.grid;
   const TissueShares shares{std::move(begun.probability), volume::resample(prior.fluid, grid)};
-  const std::vector<float> log_odds =
-      tissueLogOdds(volume::resample(working, grid), shares, from_outline, use);
+  std::vector<float> log_odds = tissueLogOdds(volume::resample(working, grid), shares, from_outline, use);
   RefinedPrior refined{begun.outline, begun.outline, {}};
-  for (std::size_t v = 0; v < log_odds.size(); ++v)
-    if (std::abs(from_outline[v]) < use.other_reach_mm) refined.mask.voxels[v] = log_odds[v] > 0;
+  for (std::size_t v = 0; v < log_odds.size(); ++v) {
+    if (std::abs(from_outline[v]) < use.other_reach_mm)
+      refined.mask.voxels[v] = log_odds[v] > 0;
+    else
+      log_odds[v] = refined.outline.voxels[v] ? kSureLogOdds : -kSureLogOdds;
+  }
   refined.mask = whole(refined.mask, use);
-  refined.doubts = doubtsOf(refined, shares.brain, use);
+  refined.doubts = scoresOf(refined, shares.brain, log_odds);
   return refined;
 }
 

@@ -19,6 +19,7 @@ volume::Mask refinedMask(const volume::Volume& working, const BrainPrior& prior,
 /// The same with its doubts.
 RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
 /// Likewise, by the classes tissue, fluid and the rest (tissue_mixture.h): for scans that are no clear T1.
+/// The doubts are scores (stated_doubt.h).
 RefinedPrior refinedByTissue(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
 
 }  // namespace facenav::segmentation

@@ -1,13 +1,26 @@
 #pragma once
-// What the refined prior's doubt is stated as, by the contrast seen, so that as many places are stated in
-// each band of doubt as have errors there.
+// What the doubt of an outline that was fitted by tissue (refinedByTissue) is stated as: so that in scans of
+// one contrast as many places are stated in each band (1 2 3 5 8 mm) as have errors there.
+
+#include <vector>
 
 #include "contrast_seen.h"
-#include "facenav/segmentation/prior_use.h"
+#include "facenav/segmentation/segmenter.h"
 
 namespace facenav::segmentation {
 
-/// v / (1 + v / most) with v = scale * (doubt / 1 mm)^power: rises with the doubt and stays below `most`.
-float statedDoubt_mm(float doubt_mm, ContrastKind kind, const PriorUse& use);
+/// What the fit shows at one place of its surface, mm.
+struct PlaceEvidence {
+  float prior_width_mm;  // distances to the prior's levels 0.25 and 0.75, together
+  float moved_mm;        // distance to the prior's outline
+  float fit_width_mm;    // distances to where the fitted log odds are -1 and 1, together
+};
+
+/// Rises with the error to be expected; compares places of one scan.
+float doubtScore(const PlaceEvidence& evidence);
+
+/// Scores -> millimetres, 0.2 to 8. A scan whose scores are all higher than usual in its contrast is stated
+/// only a little worse: across scans the score tells little of the error.
+void stateDoubts(std::vector<BoundaryDoubt>& scores, ContrastKind kind);
 
 }  // namespace facenav::segmentation

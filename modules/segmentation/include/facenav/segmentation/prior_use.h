@@ -34,13 +34,6 @@ struct PriorUse {
   double doubt_base_mm = 0.2;
   double doubt_width = 0.15;
   double doubt_moved = 0.3;
-  // Stated doubt, by the contrast seen: v / (1 + v / most) with v = scale * (doubt / 1 mm)^power, mm.
-  double doubt_t1_scale_mm = 0.5, doubt_t1_power = 1.5;
-  double doubt_weak_scale_mm = 0.5, doubt_weak_power = 1.5;
-  double doubt_t2_scale_mm = 0.353, doubt_t2_power = 1.75;
-  double doubt_flair_scale_mm = 0.407, doubt_flair_power = 3.25;
-  double doubt_pd_scale_mm = 0.407, doubt_pd_power = 3.25;
-  double doubt_most_mm = 6;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -109,35 +102,6 @@ struct PriorUse {
         self.doubt_width);
     visitor(kDoubts("doubt_moved", 0, 5, "1", "stated doubt per distance that the scan moved the outline"),
             self.doubt_moved);
-    visitMaps(self, visitor);
-  }
-
-  template <class Self, class Visitor>
-  static void visitMaps(Self& self, Visitor&& visitor) {
-    visitor(kMaps("doubt_t1_scale_mm", 0, 5, "mm", "scale of the stated doubt in what looks like a T1"),
-            self.doubt_t1_scale_mm);
-    visitor(kMaps("doubt_t1_power", 0.2, 5, "1", "power of the doubt in what looks like a T1"),
-            self.doubt_t1_power);
-    visitor(
-        kMaps("doubt_weak_scale_mm", 0, 5, "mm", "scale of the stated doubt in what looks like a weak T1"),
-        self.doubt_weak_scale_mm);
-    visitor(kMaps("doubt_weak_power", 0.2, 5, "1", "power of the doubt in what looks like a weak T1"),
-            self.doubt_weak_power);
-    visitor(kMaps("doubt_t2_scale_mm", 0, 5, "mm", "scale of the stated doubt in what looks like a T2"),
-            self.doubt_t2_scale_mm);
-    visitor(kMaps("doubt_t2_power", 0.2, 5, "1", "power of the doubt in what looks like a T2"),
-            self.doubt_t2_power);
-    visitor(kMaps("doubt_flair_scale_mm", 0, 5, "mm", "scale of the stated doubt in what looks like a FLAIR"),
-            self.doubt_flair_scale_mm);
-    visitor(kMaps("doubt_flair_power", 0.2, 5, "1", "power of the doubt in what looks like a FLAIR"),
-            self.doubt_flair_power);
-    visitor(
-        kMaps("doubt_pd_scale_mm", 0, 5, "mm", "scale of the stated doubt in what looks like proton density"),
-        self.doubt_pd_scale_mm);
-    visitor(kMaps("doubt_pd_power", 0.2, 5, "1", "power of the doubt in what looks like proton density"),
-            self.doubt_pd_power);
-    visitor(kMaps("doubt_most_mm", 1, 100, "mm", "no doubt of the refined outline is stated as more"),
-            self.doubt_most_mm);
   }
 
   static constexpr Evidence kHeads{
@@ -160,14 +124,6 @@ struct PriorUse {
       "5040 (some twenty sets of values tried on 8 or 12 of them, nine on all): Dice median 0.954, least "
       "0.918. Each of the four anatomies held out in turn, the nine sets chosen on the other three: median "
       "0.952, least 0.920"};
-  static constexpr Evidence kMaps{
-      Origin::fitted,
-      "so that each band (1 2 3 5 8 mm) holds as many stated doubts as errors, on 40 heads of any contrast "
-      "painted from heads 02 07 12 17, which the network never saw, seeds 5001 to 5040 (9 like a T1 of "
-      "either "
-      "kind, 9 as T2, 22 as FLAIR or proton density, one map for each of the three). Each of the four "
-      "anatomies held out in turn: no band is off by more than 1, 2 and 4 points over all four, by up to 20 "
-      "in a single one. Of 6, 8, 12 mm and no limit the least error was at 6"};
   static constexpr Evidence kDoubts{Origin::chosen,
                                     "so that about as many places are stated within 2 mm as are, on the same "
                                     "heads; heads 02 07 12 17 held out"};
