@@ -24,12 +24,6 @@ struct AlignRequest {
   LiveChoice live;  // its rig alone
 };
 
-/// What is aligned, and the coil's marker as it was seen when live pictures of it were taken.
-struct Pictures {
-  capture::Recording recording;
-  std::optional<workflow::LengthSeen> marker = {};
-};
-
 cv::Mat readGrey(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
   cv::Mat image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
@@ -61,26 +55,25 @@ capture::Recording fromFiles(const AlignRequest& request) {
 }
 
 /// Pictures of now: one pair with the coil's marker beside the face, or two with the projector on and off.
-Pictures fromCameras(const AlignRequest& request, const Context& context) {
+capture::Recording fromCameras(const AlignRequest& request, const Context& context) {
   if (request.from == "film")
     throw Error("a film is not aligned from live cameras", "--using film",
                 "record it first: facenav record --rig NAME");
   const auto source = openVerifiedRig(request.live, context);
   requireUnmoved(*source, request.live.rig);
-  Pictures pictures;
-  pictures.recording.rig = source->rig();
-  if (request.from == "dots") pictures.recording.capture = askForCapture(*source);
-  if (request.from.empty()) pictures.recording.capture = askForCaptureIfProjector(*source);
-  if (pictures.recording.capture) return pictures;
+  capture::Recording recording;
+  recording.rig = source->rig();
+  if (request.from == "dots") recording.capture = askForCapture(*source);
+  if (request.from.empty()) recording.capture = askForCaptureIfProjector(*source);
+  if (recording.capture) return recording;
   const auto still = takeMarked(*source, request.live, context);
-  pictures.recording.capture = capture::CapturePair{still->still(), still->still()};
-  pictures.marker = still->marker();
-  return pictures;
+  recording.capture = capture::CapturePair{still, still};
+  return recording;
 }
 
-Pictures openWhatIsAligned(const AlignRequest& request, const Context& context) {
+capture::Recording openWhatIsAligned(const AlignRequest& request, const Context& context) {
   if (!request.live.rig.empty()) return fromCameras(request, context);
-  return {request.recording ? capture::openCapture(*request.recording) : fromFiles(request)};
+  return request.recording ? capture::openCapture(*request.recording) : fromFiles(request);
 }
 
 /// Prints the parts of the face that fit worse than expected of a good skin model and a still face.
@@ -103,10 +96,9 @@ void writePicture(const std::filesystem::path& path, const casefile::CaseStore& 
 
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
-  const auto [recording, marker] = openWhatIsAligned(request, context);
+  const auto recording = openWhatIsAligned(request, context);
   workflow::AlignOrder order{request.aligner};
   order.matcher = request.matcher;
-  order.marker = marker;
   order.tries_all = true;
   if (!request.live.coil.words.empty()) order.coil = coilOf(request.live.coil);
   order.may_be_unsure = request.live.rig.empty();

@@ -115,19 +115,17 @@ std::optional<capture::CapturePair> askForCaptureIfProjector(capture::FrameSourc
   return withDots(source);
 }
 
-std::unique_ptr<workflow::MarkedStill> takeMarked(capture::FrameSource& source, const LiveChoice& choice,
-                                                  const Context& context) {
+cameras::StereoFrame takeMarked(capture::FrameSource& source, const LiveChoice& choice,
+                                const Context& context) {
   constexpr double kLimit_s = 30;
   const auto& methods = context.registrations;
-  auto still = std::make_unique<workflow::MarkedStill>(
-      source.rig(),
-      workflow::MarkedStillMethods{methods.face_detector(),
-                                   methods.coil_trackers.create(methods.coil_trackers.defaultName()),
-                                   coilOf(choice.coil)});
+  workflow::MarkedStill still(
+      source.rig(), {methods.face_detector(),
+                     methods.coil_trackers.create(methods.coil_trackers.defaultName()), coilOf(choice.coil)});
   if (!context.is_quiet)
-    std::fprintf(stderr, "look at the cameras; %s; the picture is taken by itself\n", still->words().c_str());
-  workflow::takeMarkedStill(source, *still, kLimit_s, context.monitor);
-  return still;
+    std::fprintf(stderr, "look at the cameras; %s; the picture is taken by itself\n", still.words().c_str());
+  workflow::takeMarkedStill(source, still, kLimit_s, context.monitor);
+  return still.still();
 }
 
 }  // namespace facenav::app

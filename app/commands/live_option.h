@@ -42,7 +42,7 @@ capture::CapturePair askForCapture(capture::FrameSource& source);
 std::optional<capture::CapturePair> askForCaptureIfProjector(capture::FrameSource& source);
 /// Waits until both cameras see the face and, at rest, the coil's marker (marked_still.h), half a minute at
 /// most. Throws Error.
-std::unique_ptr<workflow::MarkedStill> takeMarked(capture::FrameSource& source, const LiveChoice& choice,
-                                                  const Context& context);
+cameras::StereoFrame takeMarked(capture::FrameSource& source, const LiveChoice& choice,
+                                const Context& context);
 
 }  // namespace facenav::app

@@ -5,7 +5,6 @@
 #include <QLocale>
 #include <QSettings>
 #include <algorithm>
-#include <cmath>
 
 #include "facenav/core/error.h"
 #include "facenav/workflow/marked_still.h"
@@ -20,8 +19,7 @@ QString nameOf(const capture::FoundCamera& camera) {
 
 bool isOfNetwork(const QString& name) { return name.startsWith("genicam:"); }
 
-constexpr double kFresh_s = 0.5;        // an older image does not show the present
-constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
+constexpr double kFresh_s = 0.5;  // an older image does not show the present
 constexpr double kMarkedWithin_s = 60.0;
 const char* const kLeft = "cameras/left_name";
 const char* const kRight = "cameras/right_name";
@@ -274,8 +272,7 @@ void CamerasPresenter::show(const capture::Recording& recording) {
 
 std::shared_ptr<capture::LivePreview> CamerasPresenter::release() {
   is_live_ = false;
-  dots_.reset();
-  plain_.reset();
+  stills_.clear();
   return std::exchange(preview_, nullptr);
 }
 
@@ -327,35 +324,25 @@ std::optional<cameras::StereoFrame> CamerasPresenter::takeFresh() {
 }
 
 void CamerasPresenter::takeDots() {
-  dots_ = takeFresh();
-  plain_.reset();
-  dots_taken_ = Timestamp::now();
+  const auto frame = takeFresh();
+  frame ? stills_.takeDots(*frame) : stills_.clear();
   emit changed();
 }
 
 void CamerasPresenter::takePlain() {
-  if (!dots_) return;
-  plain_ = takeFresh();
-  plain_taken_ = Timestamp::now();
-  if (plain_ && plain_->number <= dots_->number) {  // the same image as the one with dots
-    plain_.reset();
-    emit refused(tr("no new picture from the cameras yet: take it again"));
-  } else if (plain_ && !capture()) {
-    dots_.reset();
-    plain_.reset();
-    emit refused(tr("more than %1 s between the two pictures: take both again").arg(kPairWithin_s));
+  if (!stills_.hasDots()) return;
+  if (const auto frame = takeFresh()) {
+    const QString refusal = stills_.takePlain(*frame);
+    if (!refusal.isEmpty()) emit refused(refusal);
   }
   emit changed();
   if (capture()) emit captureTaken();
 }
 
 void CamerasPresenter::takeMarked() {
-  if (!isLive() || !isWell() || !rig_ || tasks_.isRunning()) {
-    emit refused(tr("no fresh picture from the cameras: nothing was taken"));
-    return;
-  }
-  dots_.reset();
-  plain_.reset();
+  if (tasks_.isRunning()) return;
+  if (!takeFresh() || !rig_) return;  // no live picture: that was said
+  stills_.clear();
   emit changed();
   tasks_.start(tr("Taking the picture"),
                [this, rig = *rig_, preview = preview_, coil = coil_ ? coil_() : coil_tracking::defaultCoil(),
@@ -366,25 +353,11 @@ void CamerasPresenter::takeMarked() {
                  workflow::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
                  return [this, preview, taken = still.still()] {
                    if (preview != preview_) return;  // other cameras meanwhile
-                   dots_ = plain_ = taken;
-                   dots_taken_ = plain_taken_ = Timestamp::now();
+                   stills_.take(taken);
                    emit changed();
                    emit captureTaken();
                  };
                });
-}
-
-std::optional<capture::CapturePair> CamerasPresenter::capture() const {
-  if (!dots_ || !plain_ || std::abs(plain_taken_.s - dots_taken_.s) > kPairWithin_s) return std::nullopt;
-  return capture::CapturePair{*dots_, *plain_};
-}
-
-QString CamerasPresenter::captureWords() const {
-  if (capture()) return tr("taken: align now, the head as it is");
-  if (dots_) return tr("now the projector off, the head still, and take the second picture");
-  return tr(
-      "look at the cameras, and hold the coil still beside the face, its marker to both cameras: the picture "
-      "is taken by itself");
 }
 
 }  // namespace facenav::ui

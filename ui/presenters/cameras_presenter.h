@@ -14,6 +14,7 @@
 #include "facenav/core/latest_value.h"
 #include "presenters/retirement.h"
 #include "presenters/services.h"
+#include "presenters/still_pictures.h"
 #include "presenters/task_runner.h"
 
 namespace facenav::ui {
@@ -86,10 +87,10 @@ class CamerasPresenter : public QObject {
   /// Without a projector: the pair is taken by itself when both cameras see the face and, at rest beside it,
   /// the coil's marker (workflow/marked_still.h). It can be cancelled as a task.
   void takeMarked();
-  bool hasDots() const { return dots_.has_value(); }
+  bool hasDots() const { return stills_.hasDots(); }
   /// Both pairs, if taken within 20 s of each other.
-  std::optional<capture::CapturePair> capture() const;
-  QString captureWords() const;
+  std::optional<capture::CapturePair> capture() const { return stills_.capture(); }
+  QString captureWords() const { return stills_.words(); }
 
  signals:
   void changed();
@@ -129,8 +130,7 @@ class CamerasPresenter : public QObject {
   /// Of the cameras that were opened last; without a value: no answer yet.
   std::shared_ptr<LatestValue<workflow::RigStart>> start_ =
       std::make_shared<LatestValue<workflow::RigStart>>();
-  std::optional<cameras::StereoFrame> dots_, plain_;
-  Timestamp dots_taken_, plain_taken_;
+  StillPictures stills_;
 };
 
 }  // namespace facenav::ui

@@ -150,6 +150,7 @@ void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutco
                                      home_->coil,
                                      std::move(outcome),
                                      workflow::calibrationReminder(home_->card)};
+  if (!recording_) request.keepLearnt = cameras_.keeper();
   request.focus_caution = workflow::focusCaution(home_->card);
   workflow::CameraTurnover cameras{recording_ ? nullptr : cameras_.opener(), cameras_.release()};
   tasks_.start(tr("Starting"), [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "facenav/casefile/file_group.h"
 #include "facenav/casefile/skin_fit_file.h"
@@ -42,10 +43,10 @@ bool hasPattern(const capture::CapturePair& capture) {
   return !dots.empty() && (dots.size() != plain.size() || cv::norm(dots, plain, cv::NORM_INF) > 0);
 }
 
-/// Those that the recording has pictures for.
+/// Those that the recording has pictures for. With a projector that was off they are a plain pair.
 std::vector<AlignedFrom> waysOf(const capture::Recording& recording) {
   std::vector<AlignedFrom> ways;
-  if (recording.capture && hasPattern(*recording.capture)) ways.push_back(AlignedFrom::dots);
+  if (recording.capture && showsDots(*recording.capture)) ways.push_back(AlignedFrom::dots);
   if (recording.capture) ways.push_back(AlignedFrom::plain);
   if (recording.frame_count > 1) ways.push_back(AlignedFrom::film);
   return ways;
@@ -120,16 +121,19 @@ class UnknownTurn : public NotMeasured {
   using NotMeasured::NotMeasured;
 };
 
-void requireKnownCameras(const AlignmentOutcome& outcome) {
+void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recording& recording) {
   const double bound_mm = worstBound_mm(outcome);
   if (outcome.is_marker_seen || (outcome.result.right_turn && bound_mm <= kMostUnknown_mm)) return;
-  throw UnknownTurn(
+  std::string words =
       "not aligned: without dots the face alone does not show whether a camera has turned sideways since the "
-      "calibration" +
-      (outcome.result.right_turn ? formatted(": the coil could lie %.0f mm from where it is shown", bound_mm)
-                                 : std::string()) +
-      "; hold the coil still beside the face, its marker to both cameras, and take the pictures again (or "
-      "with a projector's dots)");
+      "calibration";
+  if (outcome.result.right_turn)
+    words += formatted(": the coil could lie %.0f mm from where it is shown", bound_mm);
+  words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
+  const bool was_projector_off = recording.capture && hasPattern(*recording.capture);
+  words += was_projector_off ? " (or switch the projector on: its picture shows no dots)"
+                             : " (or with a projector's dots)";
+  throw UnknownTurn(words);
 }
 
 bool isBetter(const AlignmentTry& other, const AlignmentTry& than) {
@@ -169,9 +173,7 @@ std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
 struct Attempts {
   std::vector<AlignmentTry> tries;
   bool hasDots() const { return best_ && best_->outcome.from == AlignedFrom::dots; }
-  /// `may_fail`: the pictures may not show what this way needs; what it says then stops no other way.
-  void add(AlignedFrom from, bool may_fail, const casefile::CaseStore& store,
-           const std::function<Aligned()>& align);
+  void add(AlignedFrom from, const casefile::CaseStore& store, const std::function<Aligned()>& align);
   /// Throws the error that says most where no way stands.
   Aligned best(const casefile::CaseStore& store, const capture::Recording& recording);
 
@@ -191,7 +193,7 @@ void Attempts::take(Aligned aligned) {
   best_ = std::move(aligned);
 }
 
-void Attempts::add(AlignedFrom from, bool may_fail, const casefile::CaseStore& store,
+void Attempts::add(AlignedFrom from, const casefile::CaseStore& store,
                    const std::function<Aligned()>& align) {
   tries.push_back({from, {}, {}, {}});
   AlignmentTry& now = tries.back();
@@ -207,10 +209,9 @@ void Attempts::add(AlignedFrom from, bool may_fail, const casefile::CaseStore& s
     now.refusal = error.what();
   } catch (const Error& error) {
     const std::string words = inWordsOf(store, error.what());
-    if (!best_ && !may_fail && words != error.what()) throw Error(words);
+    if (!best_ && words != error.what()) throw Error(words);
     // Another head, or moved cameras: no other pictures of them may be accepted instead.
-    if (!best_ && !may_fail) throw;
-    if (!error_) error_ = error;
+    if (!best_) throw;
     now.refusal = error.what();
   }
 }
@@ -253,17 +254,17 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
                        store.scalpField(),
                        order.matcher,
                        order.coil ? *order.coil : coilFor(store, recording),
-                       coil_tracker.get(),
-                       order.marker};
+                       coil_tracker.get()};
   if (order.from) requirePictures(recording, *order.from);
   Attempts attempts;
+  bool was_marker_sought = false;
   for (const AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
     if (attempts.hasDots() && (!order.tries_all || from == AlignedFrom::film)) break;
-    if (from != AlignedFrom::dots && !setup.marker) setup.marker = markerIn(recording, setup);
-    const bool may_show_no_dots = from == AlignedFrom::dots && !order.from && !showsDots(*recording.capture);
-    attempts.add(from, may_show_no_dots, store, [&] {
+    const bool has_dots = from == AlignedFrom::dots && showsDots(*recording.capture);
+    if (!has_dots && !std::exchange(was_marker_sought, true)) setup.marker = markerIn(recording, setup);
+    attempts.add(from, store, [&] {
       Aligned aligned = align(methods, recording, from, order, setup, monitor);
-      if (from != AlignedFrom::dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome);
+      if (!has_dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome, recording);
       return aligned;
     });
   }

@@ -67,7 +67,8 @@ bool RestingMarker::add(const cameras::StereoFrame& frame) {
   const double now_s = frame.captured.s;
   const bool rests = seen && last_ && now_s > last_s_ && speed_mm_s(*seen, now_s) < kResting_mm_s;
   const auto length = rests ? lengthOf(*seen, rig_) : std::nullopt;
-  in_a_row_ = length ? in_a_row_ + 1 : 0;
+  if (!length) rests_since_s_.reset();
+  if (length && !rests_since_s_) rests_since_s_ = last_s_;
   if (length) seen_.push_back(*length);
   last_ = seen;
   last_s_ = now_s;

@@ -30,8 +30,8 @@ class RestingMarker {
   bool isSeen() const { return is_seen_; }
   /// In the last frame: each camera sees a marker, and together they do not fit calibration and size.
   bool isContradicted() const { return is_contradicted_; }
-  /// Frames at rest, one after the other, up to now.
-  int restingFrames() const { return in_a_row_; }
+  /// How long it has rested, by the frames' times; 0 while it moves or is not seen.
+  double rested_s() const { return rests_since_s_ ? last_s_ - *rests_since_s_ : 0.0; }
   /// The mean over all frames in which it rested; nothing where those are too few.
   std::optional<LengthSeen> length() const;
 
@@ -43,7 +43,7 @@ class RestingMarker {
   std::optional<coil_tracking::MarkerObservation> last_;
   double last_s_ = 0;
   bool is_seen_ = false, is_contradicted_ = false;
-  int in_a_row_ = 0;
+  std::optional<double> rests_since_s_;
   std::vector<LengthSeen> seen_;
 };
 

@@ -49,6 +49,29 @@ class FakeAligner : public registration::Aligner {
   Answers& answers_;
 };
 
+/// Sees a marker of 60 mm, 600 mm before the cameras, in each picture.
+class SeenMarker : public coil_tracking::CoilTracker {
+ public:
+  explicit SeenMarker(const cameras::StereoRig& rig) : rig_(rig) {}
+  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
+  coil_tracking::CoilResult track(const cameras::StereoFrame&, const coil_tracking::CoilContext&) override {
+    coil_tracking::MarkerObservation seen;
+    const Eigen::Vector3d corners_mm[] = {{-30, -30, 600}, {30, -30, 600}, {30, 30, 600}, {-30, 30, 600}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      seen.left_px[i] = cameras::project(rig_.left, corners_mm[i]);
+      seen.right_px[i] = cameras::project(rig_.right, rig_.right_T_left.isometry() * corners_mm[i]);
+    }
+    seen.size_mm = 60;
+    seen.print_sigma_mm = 0.1;
+    coil_tracking::CoilResult result{Lost{LostReason::camera}};
+    result.observation = seen;
+    return result;
+  }
+
+ private:
+  const cameras::StereoRig rig_;
+};
+
 /// The portrait in a dark room, with light dots: stands for a face under a projector.
 SyntheticFace dottedFace() {
   cv::Mat portrait = cv::imread(SyntheticFace::portraitPath(), cv::IMREAD_GRAYSCALE);
@@ -108,7 +131,6 @@ class AlignRecording : public ::testing::Test {
     AlignOrder order{"fake"};
     order.from = from;
     order.tries_all = true;
-    order.marker = marker_;
     order.may_be_unsure = may_be_unsure_;
     return alignRecording(methods_, *store_, recording, order, monitor);
   }
@@ -121,12 +143,16 @@ class AlignRecording : public ::testing::Test {
     return {};
   }
 
+  /// A marker of 60 mm at rest in all pictures.
+  void showMarker() {
+    methods_.coil_trackers.add("seen", "", [this] { return std::make_unique<SeenMarker>(rig_); });
+  }
+
   facenav::testing::TemporaryFolder folder_;
   Registrations methods_;
   std::shared_ptr<const face::FaceDetector> detector_;
   std::optional<casefile::CaseStore> store_;
   Answers answers_;
-  std::optional<LengthSeen> marker_;
   bool may_be_unsure_ = false;
   const cameras::StereoRig rig_ = facenav::testing::faceRig();
   capture::Recording recording_;
@@ -187,21 +213,23 @@ TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {
   EXPECT_EQ(align(recording_).outcome.from, AlignedFrom::plain);
   EXPECT_THAT(store_->alignment()->cautions, ::testing::Contains(std::string(kWithoutDotsCaution)));
   may_be_unsure_ = false;
-  marker_ = LengthSeen{Point<Camera>(Eigen::Vector3d(0, 0, 600)), 1.0, 0.001};
+  showMarker();
   EXPECT_TRUE(align(recording_).outcome.is_marker_seen);
   EXPECT_TRUE(store_->alignment()->cautions.empty());
 }
 
-TEST_F(AlignRecording, AProjectorThatWasOffDoesNotKeepThePlainPairFromAligning) {
+TEST_F(AlignRecording, PicturesOfAProjectorThatWasOffAreAPlainPair) {
   recording_.capture = plain();
   facenav::testing::SyntheticView other;
   other.seed = 5;
   recording_.capture->pattern = SyntheticFace::astronaut().render(rig_, other);
-  answers_.sigmas_mm = {-1, -1, 0.5};
-  marker_ = LengthSeen{Point<Camera>(Eigen::Vector3d(0, 0, 600)), 1.0, 0.001};
+  answers_.sigmas_mm = {3.0, 3.0, 0.5};
+  EXPECT_THAT(refusal(recording_), HasSubstr("switch the projector on: its picture shows no dots"));
+  EXPECT_THROW(align(recording_, AlignedFrom::dots), Error) << "asked for as dots";
+  showMarker();
   const auto aligned = align(recording_);
   EXPECT_EQ(aligned.outcome.from, AlignedFrom::plain);
-  EXPECT_THAT(inWords(aligned), HasSubstr("the pair with dots was refused"));
+  EXPECT_EQ(aligned.tries.size(), 1u);
 }
 
 TEST_F(AlignRecording, WhatTheDotsRefuseNoOtherPictureMayAccept) {

@@ -6,8 +6,8 @@
 namespace facenav::workflow {
 namespace {
 
-constexpr int kRestingFrames =
-    8;  // a quarter of a second: a hand that only passes a turning point is no rest
+// A hand that only passes a turning point is no rest.
+constexpr double kResting_s = 0.25;
 constexpr double kFaceAgain_s = 0.5;  // a face that is not found is looked for again after this time
 
 }  // namespace
@@ -20,7 +20,6 @@ struct MarkedStill::Implementation {
   RestingMarker resting;
   std::optional<double> face_missed_s;
   std::optional<cameras::StereoFrame> still;
-  std::optional<LengthSeen> marker;
 
   bool showsFace(const cameras::StereoFrame& frame) {
     const auto face = findFace(rig, frame, *methods.face_detector);
@@ -39,11 +38,9 @@ MarkedStill::~MarkedStill() = default;
 bool MarkedStill::add(const cameras::StereoFrame& frame) {
   Implementation& self = *implementation_;
   if (self.still) return true;
-  if (!self.resting.add(frame) || self.resting.restingFrames() < kRestingFrames) return false;
+  if (!self.resting.add(frame) || self.resting.rested_s() < kResting_s) return false;
   if (self.face_missed_s && frame.captured.s - *self.face_missed_s < kFaceAgain_s) return false;
   if (!self.showsFace(frame)) return false;
-  self.marker = self.resting.length();
-  if (!self.marker) return false;
   self.still = frame;
   self.still->left = frame.left.clone();
   self.still->right = frame.right.clone();
@@ -58,18 +55,13 @@ std::string MarkedStill::words() const {
     return "the coil's marker does not fit the cameras' calibration: check the cameras, and the size of the "
            "print";
   if (!self.resting.isSeen()) return "hold the coil beside the face, its marker to both cameras";
-  if (self.resting.restingFrames() < kRestingFrames) return "hold the coil still";
+  if (self.resting.rested_s() < kResting_s) return "hold the coil still";
   return "both cameras must see the whole face: look at them, nothing before the face";
 }
 
 const cameras::StereoFrame& MarkedStill::still() const {
   FACENAV_EXPECT(implementation_->still, "the picture is not taken yet");
   return *implementation_->still;
-}
-
-const LengthSeen& MarkedStill::marker() const {
-  FACENAV_EXPECT(implementation_->marker, "the picture is not taken yet");
-  return *implementation_->marker;
 }
 
 void takeMarkedStill(capture::FrameSource& source, MarkedStill& still, double limit_s, TaskMonitor& monitor) {

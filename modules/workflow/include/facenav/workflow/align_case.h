@@ -26,8 +26,6 @@ struct AlignOrder {
   /// Whose marker the pictures may show; empty: the recording's, else the case's (coil.json), else the
   /// default one.
   std::optional<coil_tracking::CoilModel> coil = {};
-  /// The coil's marker as it was seen at rest when the pictures were taken (marked_still.h).
-  std::optional<LengthSeen> marker = {};
   /// A recording without a capture pair gets the one that the case was aligned with before.
   bool stored_pair_stands_in = false;
 };

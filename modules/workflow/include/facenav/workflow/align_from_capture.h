@@ -48,7 +48,8 @@ bool showsDots(const capture::CapturePair& capture);
 
 /// True if the dots lie so far apart that most skin lies between them, as with the paper's pattern of one dot
 /// in 64 x 64. The face's size is measured less exactly there. Dense dots that are taken for sparse ones only
-/// make the stated bound wider. False where there are none.
+/// make the stated bound wider. Ask showsDots() first: noise in pictures without dots can look like sparse
+/// ones.
 bool areDotsSparse(const capture::CapturePair& capture);
 
 registration::SkinModel skinModel(const surface::ScalpSurface& scalp);

@@ -2,7 +2,7 @@
 // MarkedStill: the picture for an alignment without a projector. Both cameras see the face and, at rest
 // beside it, the coil's marker: its known size tells whether a camera turned since the calibration, which a
 // bare face does not show. Takes the picture by itself as soon as all is in view. Data flow: stereo frames ->
-// one still pair + LengthSeen -> AlignOrder.
+// one still pair, in which the alignment measures face and marker.
 
 #include <memory>
 #include <optional>
@@ -12,7 +12,6 @@
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/face/face_landmarks.h"
-#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::workflow {
 
@@ -37,7 +36,6 @@ class MarkedStill {
   std::string words() const;
   /// After add() said true.
   const cameras::StereoFrame& still() const;
-  const LengthSeen& marker() const;
 
  private:
   struct Implementation;
