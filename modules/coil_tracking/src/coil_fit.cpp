@@ -68,7 +68,7 @@ CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& fra
       all.push_back(marker);
   }
   if (all.size() == found.markers.size()) return found;
-  const auto together = fitFrom(setup, frame, all, {found.fit.camera_T_coil, 3}, work);
+  const auto together = fitFrom(setup, frame, all, {found.fit.free_state, 3}, work);
   return together ? *together : found;
 }
 
@@ -83,21 +83,25 @@ bool isSame(const FitState& a, const FitState& b) {
 std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                const std::vector<std::size_t>& markers, const CoilToCamera& start,
                                FrameWork& work) {
-  const auto found = fitFrom(setup, frame, markers, {start, searchReach_px(setup, markers, start)}, work);
+  FitState state;
+  state.camera_T_coil = start.isometry();
+  const auto found = fitFrom(setup, frame, markers, {state, searchReach_px(setup, markers, start)}, work);
   if (!found) return std::nullopt;
   return setup.patterns.size() == 1 ? *found : withOtherMarkers(setup, frame, *found, work);
 }
 
 std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::StereoFrame& frame,
-                                         std::size_t marker, const std::vector<CoilToCamera>& starts,
+                                         std::size_t marker, const std::vector<FitState>& starts,
                                          FrameWork& work) {
   std::vector<OutlineFit> rough;
   // A marker's size alone gives its depth to 2 %: an error of some pixels along the other image's epipolar
   // line.
-  for (const CoilToCamera& start : starts)
+  for (const FitState& start : starts) {
+    const int reach_px = searchReach_px(setup, {marker}, CoilToCamera::fromIsometry(start.camera_T_coil));
     if (const auto fit = fitOutlines({setup.rig, frame, setup.motion}, seenOf(setup, {marker}),
-                                     {start, searchReach_px(setup, {marker}, start)}, work))
+                                     {start, reach_px}, work))
       rough.push_back(*fit);
+  }
   std::sort(rough.begin(), rough.end(),
             [](const OutlineFit& a, const OutlineFit& b) { return a.spread < b.spread; });
   std::optional<CoilFit> best;

@@ -27,9 +27,9 @@ constexpr int kNewFitComparisons = 1400, kFitComparisons = 800;
 std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                const std::vector<std::size_t>& markers, const CoilToCamera& start,
                                FrameWork& work);
-/// Fits one marker from either of the two poses that one image allows.
+/// Fits one marker from the start that fits best: one image allows two poses.
 std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::StereoFrame& frame,
-                                         std::size_t marker, const std::vector<CoilToCamera>& starts,
+                                         std::size_t marker, const std::vector<FitState>& starts,
                                          FrameWork& work);
 
 }  // namespace facenav::coil_tracking

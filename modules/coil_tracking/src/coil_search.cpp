@@ -21,6 +21,20 @@ bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection
   return true;
 }
 
+/// The poses that the one image allows, and where the other contradicts them, those that both show.
+std::vector<FitState> startsOf(const CoilSetup& setup, const MarkerDetection& seen, bool is_left,
+                               const std::vector<MarkerDetection>& in_other) {
+  const auto poses = posesFromOneImage(setup, seen, is_left);
+  std::vector<FitState> starts;
+  for (const auto& pose : poses) starts.emplace_back().camera_T_coil = pose.isometry();
+  for (const auto& other : in_other) {
+    if (other.marker != seen.marker) continue;
+    const auto both = statesFromBothImages(setup, seen, is_left, other.corners, poses);
+    starts.insert(starts.end(), both.begin(), both.end());
+  }
+  return starts;
+}
+
 /// Adds the fit; of two fits of one coil, keeps the one with the smaller bias.
 void note(const CoilSetup& setup, const CoilFit& fit, std::size_t marker, std::vector<CoilFit>& good) {
   const auto same = std::find_if(good.begin(), good.end(), [&](const CoilFit& other) {
@@ -45,6 +59,7 @@ CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::Stereo
     if (!found.good.empty() || !deferred_.empty()) return found;
   }
   const bool is_left_first = turn_ % 2 == 0, is_fresh = turn_ == 0;
+  std::vector<MarkerDetection> seen;  // in the image searched last
   for (const bool is_left : {is_left_first, !is_left_first}) {
     const bool is_seen = found.is_seen_in_left || found.is_seen_in_right;
     MarkerLight light = turn_ % 3 == 2 ? MarkerLight::dim : MarkerLight::bright;
@@ -55,23 +70,24 @@ CoilSearch::Found CoilSearch::seek(const CoilSetup& setup, const cameras::Stereo
       deferred_comparisons_ = needed + kNewFitComparisons;
       return found;
     }
-    const bool shows_any = look(setup, frame, is_left, light, found, work);
-    if (!found.good.empty() || !deferred_.empty() || (!shows_any && !is_fresh)) break;
+    look(setup, frame, is_left, light, seen, found, work);
+    if (!found.good.empty() || !deferred_.empty() || (seen.empty() && !is_fresh)) break;
   }
   ++turn_;
   return found;
 }
 
-bool CoilSearch::look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left,
-                      MarkerLight light, Found& found, FrameWork& work) {
-  const auto seen = detectMarkers(is_left ? frame.left : frame.right, setup.patterns, light);
+void CoilSearch::look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left,
+                      MarkerLight light, std::vector<MarkerDetection>& in_other, Found& found,
+                      FrameWork& work) {
+  auto seen = detectMarkers(is_left ? frame.left : frame.right, setup.patterns, light);
   work.comparisons += seen.comparisons;
   (is_left ? found.is_seen_in_left : found.is_seen_in_right) = !seen.markers.empty();
   std::vector<Candidate> candidates;
   for (const MarkerDetection& detection : seen.markers)
-    candidates.push_back({detection, is_left, posesFromOneImage(setup, detection, is_left)});
+    candidates.push_back({detection, is_left, startsOf(setup, detection, is_left, in_other)});
+  in_other = std::move(seen.markers);
   fit(setup, frame, std::move(candidates), found, work);
-  return !seen.markers.empty();
 }
 
 void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
@@ -88,7 +104,7 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
       found.good.clear();
       return;
     }
-    const auto fit = fitCoilFromEither(setup, frame, candidate.seen.marker, candidate.poses, work);
+    const auto fit = fitCoilFromEither(setup, frame, candidate.seen.marker, candidate.starts, work);
     if (fit) note(setup, *fit, candidate.seen.marker, found.good);
   }
 }

@@ -28,16 +28,17 @@ class CoilSearch {
   FrameWork deferred() const { return {deferred_comparisons_}; }
 
  private:
-  /// A marker detected in one image, and the poses that this allows.
+  /// A marker detected in one image, and where a fit can start.
   struct Candidate {
     MarkerDetection seen;
     bool is_left;
-    std::vector<CoilToCamera> poses;
+    std::vector<FitState> starts;
   };
 
-  /// Searches one image. True when it shows a marker.
-  bool look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left, MarkerLight light,
-            Found& found, FrameWork& work);
+  /// Searches one image. `in_other`: what the other image shows, empty before it is searched; replaced by
+  /// what this image shows.
+  void look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left, MarkerLight light,
+            std::vector<MarkerDetection>& in_other, Found& found, FrameWork& work);
   /// Fits all candidates, or none: then they are deferred.
   void fit(const CoilSetup& setup, const cameras::StereoFrame& frame, std::vector<Candidate> candidates,
            Found& found, FrameWork& work);

@@ -246,7 +246,7 @@ int strideFor(const MarkerEdges& edges_of_first) {
 std::optional<OutlineFit> fitOutlines(const EdgeView& view, const std::vector<SeenMarker>& markers,
                                       const FitStart& start, FrameWork& work) {
   OutlineFit fit;
-  fit.state.camera_T_coil = start.camera_T_coil.isometry();
+  fit.state = start.state;
   MarkerEdges edges;
   for (int search_px = start.search_px; search_px >= 2; search_px = search_px > 4 ? 4 : search_px - 2) {
     measureEdges(view, markers, fit.state, {6, true, search_px, {}}, edges);

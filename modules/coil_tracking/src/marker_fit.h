@@ -41,7 +41,7 @@ struct MarkerFit {
 };
 
 struct FitStart {
-  RigidTransform<Camera, Coil> camera_T_coil;
+  FitState state;
   int search_px = 3;  // distance within which edges are searched
 };
 

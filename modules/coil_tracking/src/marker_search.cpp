@@ -4,13 +4,31 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "facenav/cameras/rig_monitor.h"
+
 namespace facenav::coil_tracking {
 namespace {
+
+// The corners that a search finds are off by up to 1 px: 2 % in size. Beyond the upper limits it is another
+// object, or the pictures are exchanged.
+constexpr double kOtherSize = 0.025, kMostOtherSize = 0.2;
+constexpr double kOtherRow_px = 3.0, kMostOtherRow_px = 40.0;
 
 std::array<Eigen::Vector3d, 4> cornersInMarker_mm(double size_mm) {
   const double h = size_mm / 2;
   return {Eigen::Vector3d(-h, -h, 0), Eigen::Vector3d(h, -h, 0), Eigen::Vector3d(h, h, 0),
           Eigen::Vector3d(-h, h, 0)};
+}
+
+/// Pitch of the right camera that moves the image of `p_mm` by `row_px` across the epipolar lines.
+double pitchFor_rad(const cameras::StereoRig& rig, const Eigen::Vector3d& p_mm, double row_px) {
+  constexpr double kSmall_rad = 1e-3;
+  FitState pitched;
+  pitched.pitch_rad = kSmall_rad;
+  const Eigen::Vector3d in_right_mm = rightFromLeft(rig, pitched, p_mm) * p_mm;
+  return kSmall_rad * row_px /
+         cameras::epipolarResidual_px(rig, cameras::project(rig.left, p_mm),
+                                      cameras::project(rig.right, in_right_mm));
 }
 
 }  // namespace
@@ -61,6 +79,37 @@ std::vector<CoilToCamera> posesFromOneImage(const CoilSetup& setup, const Marker
                     setup.coil.markers[seen.marker].coil_T_marker.inverse());
   }
   return poses;
+}
+
+std::vector<FitState> statesFromBothImages(const CoilSetup& setup, const MarkerDetection& seen, bool is_left,
+                                           const Quad& in_other, const std::vector<CoilToCamera>& poses) {
+  const cameras::StereoRig& rig = setup.rig;
+  const Quad &left_px = is_left ? seen.corners : in_other, &right_px = is_left ? in_other : seen.corners;
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  double row_px = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    middle_mm += 0.25 * cameras::triangulate(rig, left_px[i], right_px[i]).mm;
+    row_px += 0.25 * cameras::epipolarResidual_px(rig, left_px[i], right_px[i]);
+  }
+  if (!(middle_mm.z() > kLeastDepth_mm && std::abs(row_px) < kMostOtherRow_px)) return {};
+  const Eigen::Vector3d eye_mm =
+      is_left ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(rig.right_T_left.inverse().translation_mm());
+  const Eigen::Vector3d centre_in_coil_mm =
+      setup.coil.markers[seen.marker].coil_T_marker.translation_mm();
+  std::vector<FitState> states;
+  for (const CoilToCamera& pose : poses) {
+    // A print that is larger and farther in proportion looks the same to this image.
+    const Eigen::Vector3d at_mm = pose.isometry() * centre_in_coil_mm - eye_mm;
+    FitState state;
+    state.size_factor = (middle_mm - eye_mm).norm() / at_mm.norm();
+    const double other_size = std::abs(state.size_factor - 1.0);
+    if (other_size > kMostOtherSize || (other_size < kOtherSize && std::abs(row_px) < kOtherRow_px)) continue;
+    state.camera_T_coil = pose.isometry();
+    state.camera_T_coil.translation() += (state.size_factor - 1.0) * at_mm;
+    state.pitch_rad = pitchFor_rad(rig, middle_mm, row_px);
+    states.push_back(state);
+  }
+  return states;
 }
 
 std::vector<std::size_t> markersInView(const CoilSetup& setup, const CoilToCamera& camera_T_coil) {

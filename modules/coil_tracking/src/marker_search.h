@@ -39,6 +39,11 @@ std::optional<Quad> cornersInImage(const CoilSetup& setup, std::size_t marker,
 /// Both poses that a square in one image allows; the other image decides.
 std::vector<CoilToCamera> posesFromOneImage(const CoilSetup& setup, const MarkerDetection& seen,
                                             bool is_left);
+/// Where both images show the marker `seen` in one of them, and its size or its rows contradict the
+/// calibration by more than a fit from `poses` (those of the one image) bridges, because a camera has turned:
+/// these poses at the distance that both images show, with the size and the pitch that then fit. Else empty.
+std::vector<FitState> statesFromBothImages(const CoilSetup& setup, const MarkerDetection& seen, bool is_left,
+                                           const Quad& in_other, const std::vector<CoilToCamera>& poses);
 /// The markers whose corners should appear in both images at this pose.
 std::vector<std::size_t> markersInView(const CoilSetup& setup, const CoilToCamera& camera_T_coil);
 /// Whether both images show the marker's pattern at the fitted pose.

@@ -129,6 +129,7 @@ void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recordi
       "calibration";
   if (outcome.result.right_turn)
     words += formatted(": the coil could lie %.0f mm from where it is shown", bound_mm);
+  if (outcome.is_marker_contradicted) throw UnknownTurn(words + "; " + kMarkerContradicted);
   words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
   const bool was_projector_off = recording.capture && hasPattern(*recording.capture);
   words += was_projector_off ? " (or switch the projector on: its picture shows no dots)"

@@ -105,7 +105,12 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
   requireUnmovedCameras(rig, measured, plain, outcome.face);
   outcome.scalp = field.get();
   std::optional<LengthSeen> marker = setup.marker;
-  if (!marker && setup.coil_tracker) marker = markerLength(rig, plain, setup.coil, *setup.coil_tracker);
+  outcome.is_marker_contradicted = false;
+  if (!marker && setup.coil_tracker) {
+    const auto seen = markerInPair(rig, plain, setup.coil, *setup.coil_tracker);
+    marker = seen.length;
+    outcome.is_marker_contradicted = seen.is_contradicted;
+  }
   outcome.is_marker_seen = marker.has_value();
   outcome.result =
       setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, marker, outcome), monitor);
@@ -120,12 +125,14 @@ std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const Ali
         most_mm,
         kBound * outcome.result.coilByTurn_mm(target.cortex_point, markerAt(target, setup.coil)).norm());
   if (outcome.is_marker_seen || !outcome.result.right_turn || most_mm < kSaid_mm) return std::nullopt;
-  return formatted(
-      "nothing excludes that a camera turned sideways since the calibration: then the coil lies up to %.1f "
-      "mm "
-      "from where it is shown. Hold the coil still beside the face, its marker to both cameras, while the "
-      "picture without dots is taken, and align again",
+  const std::string cost = formatted(
+      "nothing excludes that a camera turned sideways since the calibration: then the coil lies up to %.1f mm "
+      "from where it is shown",
       most_mm);
+  if (outcome.is_marker_contradicted) return cost + "; " + kMarkerContradicted + ", and align again";
+  return cost +
+         ". Hold the coil still beside the face, its marker to both cameras, while the picture without dots is "
+         "taken, and align again";
 }
 
 /// What follows from a fit that stands.

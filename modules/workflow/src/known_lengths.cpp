@@ -31,16 +31,16 @@ std::optional<LengthSeen> lengthOf(const coil_tracking::MarkerObservation& seen,
 
 }  // namespace
 
-std::optional<LengthSeen> markerLength(const cameras::StereoRig& rig, const cameras::StereoFrame& pair,
-                                       const coil_tracking::CoilModel& coil,
-                                       coil_tracking::CoilTracker& tracker) {
-  if (std::abs(pair.right_late_s.value_or(0.0)) > kSameTime_s) return std::nullopt;
+MarkerInPair markerInPair(const cameras::StereoRig& rig, const cameras::StereoFrame& pair,
+                          const coil_tracking::CoilModel& coil, coil_tracking::CoilTracker& tracker) {
+  if (std::abs(pair.right_late_s.value_or(0.0)) > kSameTime_s) return {};
   tracker.start(rig, coil);
   cameras::StereoFrame frame = pair;
   tracker.track(frame, {});
   frame.captured.s += kBetween_s;
-  const auto seen = tracker.track(frame, {}).observation;
-  return seen ? lengthOf(*seen, rig) : std::nullopt;
+  const auto found = tracker.track(frame, {});
+  if (found.observation) return {lengthOf(*found.observation, rig)};
+  return {std::nullopt, !found && found.reason() == LostReason::high_residual};
 }
 
 RestingMarker::RestingMarker(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil,

@@ -12,12 +12,21 @@
 
 namespace facenav::workflow {
 
-/// The coil's marker in a still pair. Nothing where it is not seen well in both pictures, and where the
+/// Said where each camera sees the marker and together they fit neither calibration nor size.
+constexpr const char* kMarkerContradicted =
+    "the coil's marker does not fit the cameras' calibration: check the cameras, and the size of the print";
+
+/// What a still pair shows of the coil's marker.
+struct MarkerInPair {
+  std::optional<LengthSeen> length;
+  bool is_contradicted = false;  // kMarkerContradicted
+};
+
+/// The coil's marker in a still pair. No length where it is not seen well in both pictures, and where the
 /// cameras' time stamps say that they did not expose at the same time: one pair does not tell whether the
 /// marker moved in between. The error holds that of the print, of the pictures and of the calibration.
-std::optional<LengthSeen> markerLength(const cameras::StereoRig& rig, const cameras::StereoFrame& pair,
-                                       const coil_tracking::CoilModel& coil,
-                                       coil_tracking::CoilTracker& tracker);
+MarkerInPair markerInPair(const cameras::StereoRig& rig, const cameras::StereoFrame& pair,
+                          const coil_tracking::CoilModel& coil, coil_tracking::CoilTracker& tracker);
 
 /// Follows the marker frame by frame and measures it while it rests.
 class RestingMarker {

@@ -21,11 +21,11 @@ registration::TurnableCamera rightOf(const cameras::StereoRig& rig, const Eigen:
 TEST(KnownLengths, TheMarkerShowsHowFarTheRightCameraTurned) {
   const cameras::StereoRig calibrated = scene::roomRig();
   const auto pose = scene::markerPose(600, 20, 30, 10);
-  for (const double deg : {-0.2, 0.0, 0.1}) {
+  for (const double deg : {-0.8, -0.4, -0.2, 0.0, 0.1, 0.6}) {
     const auto real = testing::turnedRight(calibrated, {0, deg * kRadPerDeg, 0});
     const auto frame = scene::renderMarkers(real, {{scene::id7(), 60, pose}}, {});
     const auto tracker = coil_tracking::makeMarkerCoilTracker();
-    const auto length = markerLength(calibrated, frame, coil_tracking::defaultCoil(), *tracker);
+    const auto length = markerInPair(calibrated, frame, coil_tracking::defaultCoil(), *tracker).length;
     ASSERT_TRUE(length) << deg;
     const auto turn = turnBy(*length, rightOf(calibrated, length->at.mm));
     EXPECT_LT(kDegPerRad * turn.sigma_rad, 0.05);
@@ -37,7 +37,19 @@ TEST(KnownLengths, NoMarkerSaysNothing) {
   const cameras::StereoRig rig = scene::roomRig();
   const auto frame = scene::renderMarkers(rig, {}, {});
   const auto tracker = coil_tracking::makeMarkerCoilTracker();
-  EXPECT_FALSE(markerLength(rig, frame, coil_tracking::defaultCoil(), *tracker));
+  const auto seen = markerInPair(rig, frame, coil_tracking::defaultCoil(), *tracker);
+  EXPECT_FALSE(seen.length);
+  EXPECT_FALSE(seen.is_contradicted);
+}
+
+TEST(KnownLengths, AMarkerThatFitsNothingIsSaid) {
+  const cameras::StereoRig calibrated = scene::roomRig();
+  const auto real = testing::turnedRight(calibrated, {0, 4.0 * kRadPerDeg, 0});
+  const auto frame = scene::renderMarkers(real, {{scene::id7(), 60, scene::markerPose(600, 20, 30, 10)}}, {});
+  const auto tracker = coil_tracking::makeMarkerCoilTracker();
+  const auto seen = markerInPair(calibrated, frame, coil_tracking::defaultCoil(), *tracker);
+  EXPECT_FALSE(seen.length);
+  EXPECT_TRUE(seen.is_contradicted);
 }
 
 TEST(KnownLengths, ATurnOfTheWholeRayChangesTheLengthAsItChangesTheDistance) {
@@ -82,9 +94,9 @@ TEST(RestingMarker, OnePairOfCamerasThatAreNotInStepSaysNothing) {
   const cameras::StereoRig rig = scene::roomRig();
   const auto tracker = coil_tracking::makeMarkerCoilTracker();
   auto frame = movingMarker(rig, 0, 0, 0);
-  EXPECT_TRUE(markerLength(rig, frame, coil_tracking::defaultCoil(), *tracker));
+  EXPECT_TRUE(markerInPair(rig, frame, coil_tracking::defaultCoil(), *tracker).length);
   frame.right_late_s = 0.009;
-  EXPECT_FALSE(markerLength(rig, frame, coil_tracking::defaultCoil(), *tracker));
+  EXPECT_FALSE(markerInPair(rig, frame, coil_tracking::defaultCoil(), *tracker).length);
 }
 
 }  // namespace

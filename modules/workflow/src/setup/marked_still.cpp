@@ -52,8 +52,7 @@ std::string MarkedStill::words() const {
   const Implementation& self = *implementation_;
   if (self.still) return "the picture is taken";
   if (self.resting.isContradicted())
-    return "the coil's marker does not fit the cameras' calibration: check the cameras, and the size of the "
-           "print";
+    return kMarkerContradicted;
   if (!self.resting.isSeen()) return "hold the coil beside the face, its marker to both cameras";
   if (self.resting.rested_s() < kResting_s) return "hold the coil still";
   return "both cameras must see the whole face: look at them, nothing before the face";

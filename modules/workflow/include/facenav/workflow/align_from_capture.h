@@ -71,6 +71,7 @@ struct AlignmentOutcome {
   head_tracking::HeadReference
       reference;                // for the head tracker: plain frame, inlier points with their pixels
   bool is_marker_seen = false;  // a marker of known size tells how far a camera turned since the calibration
+  bool is_marker_contradicted = false;  // both cameras see it; it fits neither their calibration nor its size
   // Per target: standard error, and the 95th percentile of the error, of the coil held there against the
   // head. A camera that turned before the capture moves both alike.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
