@@ -7,6 +7,7 @@
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/room/synthetic_source.h"
+#include "facenav/workflow/marked_still.h"
 
 namespace facenav::app {
 namespace {
@@ -116,6 +117,22 @@ evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, 
   return run;
 }
 
+/// The picture with the coil as the window takes it; where it takes none, the first.
+cameras::StereoFrame takenByItself(const Sitting& sitting, const Methods& methods) {
+  constexpr int kMostPictures = 12;
+  constexpr double kFrames_per_s = 30.0;
+  auto& room = *sitting.room;
+  workflow::MarkedStill still(
+      room.rig(), {sitting.detector, sitting.context.registrations.coil_trackers.create(methods.coil_tracker),
+                   sitting.coil});
+  for (int i = 0; i < kMostPictures; ++i) {
+    cameras::StereoFrame frame = room.captureWithCoil(i);
+    frame.captured = Timestamp{i / kFrames_per_s};
+    if (still.add(frame)) return still.still();
+  }
+  return room.captureWithCoil();
+}
+
 /// The scan with left and right exchanged.
 surface::ScalpSurface mirrored(surface::ScalpSurface scalp) {
   for (auto& p : scalp.mesh.vertices_mm) p.x() = -p.x();
@@ -200,8 +217,8 @@ std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::S
   const capture::CapturePair dense = room.capturePair();
   capture::CapturePair sparse{room.captureWith(stereo::DotPattern::sparse), dense.plain},
       plain{dense.plain, dense.plain};
-  sitting.with_coil = room.captureWithCoil();
   sitting.coil = coilOf(room.coil());
+  sitting.with_coil = takenByItself(sitting, methods);
   room.captureWith(std::nullopt);  // the room's depth is that of the last picture
   const room::DepthMaps depth = room.depth();
   sitting.depth = {depth.left_mm, depth.right_mm, depth.left_object == 1};

@@ -98,8 +98,8 @@ std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::
   // line.
   for (const FitState& start : starts) {
     const int reach_px = searchReach_px(setup, {marker}, CoilToCamera::fromIsometry(start.camera_T_coil));
-    if (const auto fit = fitOutlines({setup.rig, frame, setup.motion}, seenOf(setup, {marker}),
-                                     {start, reach_px}, work))
+    if (const auto fit =
+            fitOutlines({setup.rig, frame, setup.motion}, seenOf(setup, {marker}), {start, reach_px}, work))
       rough.push_back(*fit);
   }
   std::sort(rough.begin(), rough.end(),

@@ -94,8 +94,7 @@ std::vector<FitState> statesFromBothImages(const CoilSetup& setup, const MarkerD
   if (!(middle_mm.z() > kLeastDepth_mm && std::abs(row_px) < kMostOtherRow_px)) return {};
   const Eigen::Vector3d eye_mm =
       is_left ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(rig.right_T_left.inverse().translation_mm());
-  const Eigen::Vector3d centre_in_coil_mm =
-      setup.coil.markers[seen.marker].coil_T_marker.translation_mm();
+  const Eigen::Vector3d centre_in_coil_mm = setup.coil.markers[seen.marker].coil_T_marker.translation_mm();
   std::vector<FitState> states;
   for (const CoilToCamera& pose : poses) {
     // A print that is larger and farther in proportion looks the same to this image.

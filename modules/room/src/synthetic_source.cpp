@@ -171,12 +171,12 @@ cameras::StereoFrame SyntheticSource::captureWith(std::optional<stereo::DotPatte
   return all.stage.photograph(0, 0.0, seed + (dots ? 0 : 1));
 }
 
-cameras::StereoFrame SyntheticSource::captureWithCoil() {
+cameras::StereoFrame SyntheticSource::captureWithCoil(int again) {
   auto& all = *implementation_;
   Cast cast = all.script->capture();
   cast.room_T_coil = cast.room_T_mri * all.target.reframe<Mri, Coil>();
   all.stage.set(cast);
-  return all.stage.photograph(0, 0.0, all.options.seed * kFramesPerSeed + 900003);
+  return all.stage.photograph(again, 0.0, all.options.seed * kFramesPerSeed + 900003 + std::uint64_t(again));
 }
 
 cameras::StereoFrame SyntheticSource::captureShowing(const cv::Mat& picture) {

@@ -126,12 +126,14 @@ std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const Ali
         kBound * outcome.result.coilByTurn_mm(target.cortex_point, markerAt(target, setup.coil)).norm());
   if (outcome.is_marker_seen || !outcome.result.right_turn || most_mm < kSaid_mm) return std::nullopt;
   const std::string cost = formatted(
-      "nothing excludes that a camera turned sideways since the calibration: then the coil lies up to %.1f mm "
+      "nothing excludes that a camera turned sideways since the calibration: then the coil lies up to %.1f "
+      "mm "
       "from where it is shown",
       most_mm);
   if (outcome.is_marker_contradicted) return cost + "; " + kMarkerContradicted + ", and align again";
   return cost +
-         ". Hold the coil still beside the face, its marker to both cameras, while the picture without dots is "
+         ". Hold the coil still beside the face, its marker to both cameras, while the picture without dots "
+         "is "
          "taken, and align again";
 }
 

@@ -113,7 +113,7 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   const std::string prefix = "not aligned: ";
   if (reason.rfind(prefix, 0) == 0) reason.erase(0, prefix.size());
   const bool is_default = matcher == stereo::kDefaultMatcher;
-  throw Error(prefix + "the capture's picture for the dots shows none (switch the projector on" +
+  throw Error(prefix + "the capture's picture for the dots shows none, or too few (switch the projector on" +
               (is_default ? "" : ": the matcher '" + matcher + "' needs them") +
               "); without them: " + reason);
 }

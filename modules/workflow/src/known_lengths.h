@@ -37,6 +37,8 @@ class RestingMarker {
   bool add(const cameras::StereoFrame& frame);
   /// In the last frame, whether at rest or not.
   bool isSeen() const { return is_seen_; }
+  /// Its place in the last frame.
+  const std::optional<coil_tracking::MarkerObservation>& last() const { return last_; }
   /// In the last frame: each camera sees a marker, and together they do not fit calibration and size.
   bool isContradicted() const { return is_contradicted_; }
   /// How long it has rested, by the frames' times; 0 while it moves or is not seen.

@@ -1,7 +1,11 @@
 #include "facenav/workflow/marked_still.h"
 
+#include <deque>
+#include <opencv2/imgproc.hpp>
+
 #include "../known_lengths.h"
 #include "facenav/core/error.h"
+#include "steady_mean.h"
 
 namespace facenav::workflow {
 namespace {
@@ -9,6 +13,22 @@ namespace {
 // A hand that only passes a turning point is no rest.
 constexpr double kResting_s = 0.25;
 constexpr double kFaceAgain_s = 0.5;  // a face that is not found is looked for again after this time
+// Pictures that are averaged: with 8, half of the virtual room's pairs of a smooth face that were refused
+// with one picture are aligned (Colin27, seeds 161 to 163). More need a head that rests longer.
+constexpr std::size_t kPictures = 8;
+
+cv::Rect grown(const cv::Rect& rect, double share) {
+  const cv::Size by(int(share * rect.width), int(share * rect.height));
+  return {rect.tl() - cv::Point(by), rect.size() + by + by};
+}
+
+/// The whole face with forehead and chin; the marker with its white margin stays as the newest picture has
+/// it.
+SteadyRegion regionOf(const face::FaceLandmarks& face, const std::array<Eigen::Vector2d, 4>& marker_px) {
+  std::vector<cv::Point2f> corners;
+  for (const auto& corner : marker_px) corners.emplace_back(float(corner.x()), float(corner.y()));
+  return {grown(face.face, 0.4), grown(cv::boundingRect(corners), 0.3)};
+}
 
 }  // namespace
 
@@ -18,14 +38,27 @@ struct MarkedStill::Implementation {
   const cameras::StereoRig rig;
   MarkedStillMethods methods;
   RestingMarker resting;
+  std::deque<cameras::StereoFrame> at_rest;  // the newest last
   std::optional<double> face_missed_s;
   std::optional<cameras::StereoFrame> still;
 
-  bool showsFace(const cameras::StereoFrame& frame) {
+  void keep(const cameras::StereoFrame& frame) {
+    at_rest.push_back(frame);
+    at_rest.back().left = frame.left.clone();
+    at_rest.back().right = frame.right.clone();
+    if (at_rest.size() > kPictures) at_rest.pop_front();
+  }
+  /// False where the face is not seen.
+  bool take(const cameras::StereoFrame& frame) {
     const auto face = findFace(rig, frame, *methods.face_detector);
-    if (face.left && face.right) return true;
-    face_missed_s = frame.captured.s;
-    return false;
+    if (!face.left || !face.right) {
+      face_missed_s = frame.captured.s;
+      return false;
+    }
+    const auto& marker = *resting.last();
+    still = steadyMean(at_rest, regionOf(*face.left, marker.left_px), regionOf(*face.right, marker.right_px));
+    still->right_late_s.reset();  // nothing moved: the delay plays no part
+    return true;
   }
 };
 
@@ -38,21 +71,20 @@ MarkedStill::~MarkedStill() = default;
 bool MarkedStill::add(const cameras::StereoFrame& frame) {
   Implementation& self = *implementation_;
   if (self.still) return true;
-  if (!self.resting.add(frame) || self.resting.rested_s() < kResting_s) return false;
+  if (!self.resting.add(frame)) {
+    self.at_rest.clear();
+    return false;
+  }
+  self.keep(frame);
+  if (self.resting.rested_s() < kResting_s) return false;
   if (self.face_missed_s && frame.captured.s - *self.face_missed_s < kFaceAgain_s) return false;
-  if (!self.showsFace(frame)) return false;
-  self.still = frame;
-  self.still->left = frame.left.clone();
-  self.still->right = frame.right.clone();
-  self.still->right_late_s.reset();  // nothing moved: the delay plays no part
-  return true;
+  return self.take(frame);
 }
 
 std::string MarkedStill::words() const {
   const Implementation& self = *implementation_;
   if (self.still) return "the picture is taken";
-  if (self.resting.isContradicted())
-    return kMarkerContradicted;
+  if (self.resting.isContradicted()) return kMarkerContradicted;
   if (!self.resting.isSeen()) return "hold the coil beside the face, its marker to both cameras";
   if (self.resting.rested_s() < kResting_s) return "hold the coil still";
   return "both cameras must see the whole face: look at them, nothing before the face";

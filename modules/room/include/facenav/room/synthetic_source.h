@@ -27,8 +27,9 @@ class SyntheticSource : public capture::FrameSource {
 
   /// One picture pair of the capture: with these dots, or without.
   cameras::StereoFrame captureWith(std::optional<stereo::DotPattern> dots);
-  /// The same moment with the coil held on its target, without dots.
-  cameras::StereoFrame captureWithCoil();
+  /// The same moment with the coil held on its target, without dots. `again`: how many such pictures were
+  /// taken before; each has its own noise.
+  cameras::StereoFrame captureWithCoil(int again = 0);
   /// The same while the projector shows a picture (8-bit, 1 channel, of projector()'s size).
   cameras::StereoFrame captureShowing(const cv::Mat& picture);
   cameras::ProjectorModel projector() const;

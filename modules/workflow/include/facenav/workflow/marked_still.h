@@ -1,8 +1,9 @@
 #pragma once
 // MarkedStill: the picture for an alignment without a projector. Both cameras see the face and, at rest
 // beside it, the coil's marker: its known size tells whether a camera turned since the calibration, which a
-// bare face does not show. Takes the picture by itself as soon as all is in view. Data flow: stereo frames ->
-// one still pair, in which the alignment measures face and marker.
+// bare face does not show. Takes the picture by itself as soon as all is in view: the mean of some frames in
+// which the face does not move. Data flow: stereo frames -> one still pair, in which the alignment measures
+// both.
 
 #include <memory>
 #include <optional>
