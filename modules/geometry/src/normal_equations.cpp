@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <cmath>
 
 namespace facenav {
 inline namespace geometry {
@@ -55,7 +56,16 @@ PrincipalAxes<Eigen::Dynamic> principalAxes(const Eigen::MatrixXd& symmetric) {
 }
 
 Eigen::Quaterniond rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to);
+  // Not Eigen's FromTwoVectors: its singular values take ten seconds to compile.
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = a.dot(b);
+  if (cosine < -1.0 + 1e-12) {  // opposite: half a turn about any axis across
+    const Eigen::Vector3d axis = a.unitOrthogonal();
+    return {0.0, axis.x(), axis.y(), axis.z()};
+  }
+  const double twice_w = std::sqrt(2.0 * (1.0 + cosine));
+  const Eigen::Vector3d v = a.cross(b) / twice_w;
+  return {0.5 * twice_w, v.x(), v.y(), v.z()};
 }
 
 Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix) {

@@ -125,15 +125,18 @@ void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recordi
   const double bound_mm = worstBound_mm(outcome);
   if (outcome.is_marker_seen || (outcome.result.right_turn && bound_mm <= kMostUnknown_mm)) return;
   std::string words =
-      "not aligned: without dots the face alone does not show whether a camera has turned sideways since the "
-      "calibration";
+      "not aligned: without dense dots the face alone does not show whether a camera has turned sideways "
+      "since the calibration";
   if (outcome.result.right_turn)
     words += formatted(": the coil could lie %.0f mm from where it is shown", bound_mm);
   if (outcome.is_marker_contradicted) throw UnknownTurn(words + "; " + kMarkerContradicted);
   words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
-  const bool was_projector_off = recording.capture && hasPattern(*recording.capture);
-  words += was_projector_off ? " (or switch the projector on: its picture shows no dots)"
-                             : " (or with a projector's dots)";
+  if (!recording.capture || !hasPattern(*recording.capture))
+    words += " (or with a projector's dots)";
+  else if (showsDots(*recording.capture))
+    words += " (or with dense dots: these are sparse)";
+  else
+    words += " (or switch the projector on: its picture shows no dots)";
   throw UnknownTurn(words);
 }
 
@@ -173,7 +176,7 @@ std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
 /// The ways tried so far.
 struct Attempts {
   std::vector<AlignmentTry> tries;
-  bool hasDots() const { return best_ && best_->outcome.from == AlignedFrom::dots; }
+  bool hasDenseDots() const { return best_ && best_->outcome.has_dense_dots; }
   void add(AlignedFrom from, const casefile::CaseStore& store, const std::function<Aligned()>& align);
   /// Throws the error that says most where no way stands.
   Aligned best(const casefile::CaseStore& store, const capture::Recording& recording);
@@ -260,12 +263,13 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   Attempts attempts;
   bool was_marker_sought = false;
   for (const AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
-    if (attempts.hasDots() && (!order.tries_all || from == AlignedFrom::film)) break;
+    if (attempts.hasDenseDots() && (!order.tries_all || from == AlignedFrom::film)) break;
     const bool has_dots = from == AlignedFrom::dots && showsDots(*recording.capture);
     if (!has_dots && !std::exchange(was_marker_sought, true)) setup.marker = markerIn(recording, setup);
     attempts.add(from, store, [&] {
       Aligned aligned = align(methods, recording, from, order, setup, monitor);
-      if (!has_dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome, recording);
+      if (!aligned.outcome.has_dense_dots && !order.may_be_unsure)
+        requireKnownCameras(aligned.outcome, recording);
       return aligned;
     });
   }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <random>
 
 #include "support/ball_case.h"
@@ -81,6 +82,16 @@ SyntheticFace dottedFace() {
     portrait.at<std::uint8_t>(int(random() % unsigned(portrait.rows)),
                               int(random() % unsigned(portrait.cols))) = 255;
   return SyntheticFace(portrait, {195, 100}, {259, 104});
+}
+
+/// The picture, darker, with the few dots of a coarse pattern.
+cv::Mat sparselyDotted(const cv::Mat& plain) {
+  constexpr int kApart_px = 44;
+  cv::Mat dotted = 0.3 * plain;
+  for (int y = kApart_px / 2; y < dotted.rows; y += kApart_px)
+    for (int x = kApart_px / 2; x < dotted.cols; x += kApart_px)
+      cv::circle(dotted, {x, y}, 2, cv::Scalar(255), cv::FILLED);
+  return dotted;
 }
 
 class AlignRecording : public ::testing::Test {
@@ -190,6 +201,21 @@ TEST_F(AlignRecording, APlainPairIsEnough) {
   EXPECT_EQ(aligned.outcome.from, AlignedFrom::plain);
   EXPECT_GT(aligned.outcome.result.points, 5000);
   EXPECT_EQ(aligned.outcome.reference.surface.size(), aligned.outcome.reference.surface_left_px.size());
+}
+
+TEST_F(AlignRecording, SparseDotsGuideOnlyWithTheMarker) {
+  recording_.capture = plain();
+  cameras::StereoFrame& pattern = recording_.capture->pattern;
+  pattern.left = sparselyDotted(pattern.left);
+  pattern.right = sparselyDotted(pattern.right);
+  ASSERT_TRUE(showsDots(*recording_.capture));
+  ASSERT_TRUE(areDotsSparse(*recording_.capture));
+  answers_.sigmas_mm = {3.0, 3.0, 0.5, 0.5};
+  EXPECT_THAT(refusal(recording_), ::testing::AllOf(HasSubstr("hold the coil still beside the face"),
+                                                    HasSubstr("these are sparse")));
+  EXPECT_FALSE(store_->alignment());
+  showMarker();
+  EXPECT_TRUE(align(recording_).outcome.is_marker_seen);
 }
 
 TEST_F(AlignRecording, DotsThatStandAreEnough) {

@@ -114,16 +114,17 @@ TEST(HomeRefusal, IsOneSentenceForEachCause) {
               HasSubstr("Too little"));
   EXPECT_THAT(homeRefusal(Error("not aligned: the cameras moved against each other")),
               HasSubstr("cameras were moved"));
-  EXPECT_THAT(homeRefusal(Error(
-                  "not aligned: the capture's picture for the dots shows none (switch the projector on)")),
+  EXPECT_THAT(homeRefusal(Error("not aligned: the capture's picture for the dots shows none, or too few "
+                                "(switch the projector on)")),
               HasSubstr("projector"));
   EXPECT_THAT(homeRefusal(Error("no picture was taken: hold the coil still")),
               HasSubstr("still beside the face"));
   EXPECT_THAT(
       homeRefusal(Error("no picture was taken: the coil's marker does not fit the cameras' calibration")),
       HasSubstr("cameras were moved"));
-  EXPECT_THAT(homeRefusal(Error("not aligned: without dots the face alone does not show whether a camera")),
-              HasSubstr("still beside the face"));
+  EXPECT_THAT(
+      homeRefusal(Error("not aligned: without dense dots the face alone does not show whether a camera")),
+      HasSubstr("still beside the face"));
   EXPECT_EQ(homeRefusal(Error("disk full")), "disk full");
 }
 

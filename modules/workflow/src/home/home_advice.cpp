@@ -154,7 +154,7 @@ HomeAdvice homeAdvice(const session::NavigationState& state, bool sees_other_coi
 
 std::string homeRefusal(const Error& error) {
   const std::string words = error.what();
-  const bool lacks_marker = has(words, "no picture was taken") || has(words, "without dots the face alone");
+  const bool lacks_marker = has(words, "no picture was taken") || has(words, "the face alone does not show");
   if (lacks_marker && !has(words, "does not fit"))
     return "Hold the coil still beside the face, its printed marker to both cameras, and try again.";
   if (!lacks_marker && (has(words, "does not fit") || has(words, "mirror")))
