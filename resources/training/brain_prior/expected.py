@@ -11,7 +11,7 @@ PLACES = ((0, 0, 0), (24, 28, 24), (25, 28, 24), (24, 29, 24), (24, 28, 25), (47
 
 def main():
     network = BrainPrior()
-    network.load_state_dict(torch.load(sys.argv[1])['average'])
+    network.load_state_dict(torch.load(sys.argv[1], map_location='cpu')['average'])
     for parameter in network.parameters():
         parameter.data = parameter.data.half().float()  # as the weights file holds them
     i, j, k = [torch.arange(n, dtype=torch.float64) for n in SIZE]

@@ -3,9 +3,7 @@ import glob
 import itertools
 import os
 
-import nibabel
 import numpy
-from scipy import ndimage
 
 # The brain with closed tissue is all labels but these and those above 500 (README of the label maps).
 NOT_BRAIN = (0, 24, 30, 62, 72, 85, 136, 137, 163, 164)
@@ -19,7 +17,7 @@ class Head:
 
     def __init__(self, name, labels, targets):
         self.name, self.labels, self.targets = name, labels, targets
-        self.centre = numpy.array(ndimage.center_of_mass(targets == BRAIN), numpy.float32)
+        self.centre = numpy.argwhere(targets == BRAIN).mean(0).astype(numpy.float32)
 
 
 def dilated(mask, offsets):
@@ -32,6 +30,7 @@ def dilated(mask, offsets):
 
 def closed_brain(labels):
     """Tissue with sulci closed by a ball of two voxels and holes filled: bool, same shape."""
+    from scipy import ndimage  # a machine that is given prepared heads needs neither scipy nor nibabel
     tissue = (labels < 500) & ~numpy.isin(labels, NOT_BRAIN)
     r = CLOSING_VOXELS
     offsets = [o for o in itertools.product(range(-r, r + 1), repeat=3) if sum(v * v for v in o) <= r * r]
@@ -78,13 +77,14 @@ def prepared_head(folder, name, statistics, cache):
         return Head(name, kept['labels'], kept['targets'])
     head = read_head(folder, name, statistics)
     os.makedirs(cache, exist_ok=True)
-    numpy.savez(path + '.new.npz', labels=head.labels, targets=head.targets)
+    numpy.savez_compressed(path + '.new.npz', labels=head.labels, targets=head.targets)
     os.replace(path + '.new.npz', path)
     return head
 
 
 def read_head(folder, name, statistics):
     """Reads, turns to RAS and cuts one head."""
+    import nibabel
     image = nibabel.as_closest_canonical(nibabel.load(os.path.join(folder, name + '.nii.gz')))
     labels = numpy.asarray(image.dataobj).astype(numpy.int32)
     places = numpy.argwhere(labels > 0)

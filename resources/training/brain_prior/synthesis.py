@@ -6,6 +6,7 @@ import numpy
 import torch
 from torch.nn import functional
 
+import device
 from heads import AIR, BRAIN, FLUID_CLASS, OTHER
 from network import SIZE, SPACING_MM
 
@@ -21,7 +22,7 @@ def uniform(rng, low, high):
 
 def smooth_noise(rng, knots, size=SIZE):
     """Normal values on a coarse lattice, trilinearly between them: (1, 1, *size)."""
-    coarse = torch.from_numpy(rng.standard_normal((1, 1) + tuple(knots)).astype(numpy.float32))
+    coarse = device.on(rng.standard_normal((1, 1) + tuple(knots)).astype(numpy.float32))
     return functional.interpolate(coarse, size=size, mode='trilinear', align_corners=True)
 
 
@@ -44,12 +45,12 @@ def turned(rng):
 
 def deformed_places(rng, head):
     """Where each voxel of the window lies in the head's array (voxels of 1 mm): (3, *SIZE)."""
-    axes = [(torch.arange(n, dtype=torch.float32) - (n - 1) / 2) * SPACING_MM for n in SIZE]
+    axes = [(device.steps(n) - (n - 1) / 2) * SPACING_MM for n in SIZE]
     window = torch.stack(torch.meshgrid(*axes, indexing='ij')).reshape(3, -1)
     most = FAR_SHIFT_MM if rng.random() < FAR_SHARE else SHIFT_MM
-    window = window + torch.from_numpy(rng.uniform(-most, most, (3, 1)).astype(numpy.float32))
-    places = torch.from_numpy(turned(rng).astype(numpy.float32)) @ window
-    places = (places + torch.from_numpy(head.centre)[:, None]).reshape(3, *SIZE)
+    window = window + device.on(rng.uniform(-most, most, (3, 1)).astype(numpy.float32))
+    places = device.on(turned(rng).astype(numpy.float32)) @ window
+    places = (places + device.on(head.centre)[:, None]).reshape(3, *SIZE)
     for knots, most_mm in (((5, 6, 5), 5.0), ((10, 12, 10), 2.5)):
         amount = uniform(rng, 0, most_mm)
         places += amount * torch.cat([smooth_noise(rng, knots)[0] for _ in range(3)])
@@ -58,13 +59,13 @@ def deformed_places(rng, head):
 
 def gather(volume, places):
     """Nearest voxel; air outside."""
-    index = torch.zeros(places.shape[1:], dtype=torch.int64)
-    inside = torch.ones(places.shape[1:], dtype=torch.bool)
+    index = torch.zeros(places.shape[1:], dtype=torch.int64, device=device.chosen())
+    inside = torch.ones(places.shape[1:], dtype=torch.bool, device=device.chosen())
     for axis, n in enumerate(volume.shape):
         at = places[axis].round().long()
         inside &= (at >= 0) & (at < n)
         index = index * n + at.clamp(0, n - 1)
-    return torch.from_numpy(volume).reshape(-1)[index] * inside
+    return device.kept(volume).reshape(-1)[index] * inside
 
 
 def draw_means(rng, statistics, is_t1):
@@ -92,11 +93,11 @@ def paint(rng, rows, statistics, is_t1):
     means, spreads = draw_means(rng, statistics, is_t1)
     share = uniform(rng, 0, 1)
     # Of a texture from voxel to voxel little is left in the mean of a voxel of 4 mm.
-    fine = 0.35 * torch.from_numpy(rng.standard_normal(SIZE, dtype=numpy.float32))
+    fine = 0.35 * device.on(rng.standard_normal(SIZE, dtype=numpy.float32))
     coarse = smooth_noise(rng, [int(s / uniform(rng, 2, 5)) for s in SIZE])[0, 0] * 1.5
     texture = math.sqrt(share) * fine + math.sqrt(1 - share) * coarse
     index = rows.long()
-    return torch.from_numpy(means)[index].mean(0) + torch.from_numpy(spreads)[index].mean(0) * texture
+    return device.on(means)[index].mean(0) + device.on(spreads)[index].mean(0) * texture
 
 
 def add_lesions(rng, image, is_brain):
@@ -108,9 +109,9 @@ def add_lesions(rng, image, is_brain):
         if not len(places):
             return image
         centre = places[int(rng.integers(len(places)))].float()
-        axes = torch.meshgrid(*[torch.arange(n, dtype=torch.float32) for n in SIZE], indexing='ij')
+        axes = torch.meshgrid(*[device.steps(n) for n in SIZE], indexing='ij')
         distance = sum((a - c) ** 2 for a, c in zip(axes, centre))
-        image = torch.where(distance < uniform(rng, 1, 4.5) ** 2, torch.tensor(uniform(rng, 0, 255)), image)
+        image = torch.where(distance < uniform(rng, 1, 4.5) ** 2, device.value(uniform(rng, 0, 255)), image)
     return image
 
 
@@ -130,7 +131,7 @@ def blur(image, sigmas):
         if sigma < 0.15:
             continue
         half = max(1, int(math.ceil(2.5 * sigma)))
-        kernel = torch.exp(-0.5 * (torch.arange(-half, half + 1) / sigma) ** 2)
+        kernel = torch.exp(-0.5 * ((device.steps(2 * half + 1) - half) / sigma) ** 2)
         shape, padding = [1, 1, 1, 1, 1], [0, 0, 0]
         shape[axis + 2], padding[axis] = 2 * half + 1, half
         x = functional.conv3d(x, (kernel / kernel.sum()).reshape(shape), padding=padding)
@@ -146,7 +147,7 @@ def scan_like(rng, image):
     knots = [int(k) for k in rng.integers(2, 6, 3)]
     image = image * torch.exp(uniform(rng, 0, 0.35) * smooth_noise(rng, knots)[0, 0])
     if rng.random() < 0.25:  # a surface coil: bright towards one point
-        axes = torch.meshgrid(*[torch.linspace(-1, 1, n) for n in SIZE], indexing='ij')
+        axes = torch.meshgrid(*[device.line(n) for n in SIZE], indexing='ij')
         at = rng.uniform(-1.3, 1.3, 3)
         near = torch.exp(-sum((a - float(c)) ** 2 for a, c in zip(axes, at)) / uniform(rng, 0.3, 2))
         image = image * (1 + uniform(rng, 0.3, 3) * near)
@@ -154,15 +155,15 @@ def scan_like(rng, image):
         axis = int(rng.integers(3))
         image = image + uniform(rng, 0.02, 0.15) * torch.roll(image, int(uniform(rng, 0.3, 0.7) * SIZE[axis]), axis)
     noise = uniform(rng, 0, 12) * 10 ** uniform(rng, -1, 0.3)
-    real = image + noise * torch.from_numpy(rng.standard_normal(SIZE, dtype=numpy.float32))
-    imaginary = noise * torch.from_numpy(rng.standard_normal(SIZE, dtype=numpy.float32))
+    real = image + noise * device.on(rng.standard_normal(SIZE, dtype=numpy.float32))
+    imaginary = noise * device.on(rng.standard_normal(SIZE, dtype=numpy.float32))
     return torch.sqrt(real ** 2 + imaginary ** 2)
 
 
 def seen(rng, is_inside_skull):
     """Where the scan reaches and no face was taken off: bool (*SIZE)."""
-    keep = torch.ones(SIZE, dtype=torch.bool)
-    axes = torch.meshgrid(*[torch.linspace(-1, 1, n) for n in SIZE], indexing='ij')
+    keep = torch.ones(SIZE, dtype=torch.bool, device=device.chosen())
+    axes = torch.meshgrid(*[device.line(n) for n in SIZE], indexing='ij')
     if rng.random() < 0.25:  # face removed: below and in front of an oblique plane
         up, front = uniform(rng, -0.6, 0.05), uniform(rng, 0.3, 0.9)
         removed = (axes[2] - up) < uniform(rng, 0.2, 1.2) * (axes[1] - front)
@@ -178,7 +179,7 @@ def seen(rng, is_inside_skull):
 
 def normalised(image, keep):
     """Black and white by percentiles of the window, clamped to -0.2 .. 2; zero where nothing was scanned."""
-    values = torch.sort(torch.where(keep, image, torch.zeros(())).reshape(-1)).values
+    values = torch.sort(torch.where(keep, image, device.value(0)).reshape(-1)).values
     low, high = (values[int(p * (len(values) - 1))] for p in EDGE_PERCENTILES)
     out = ((torch.where(keep, image, low) - low) / (high - low + 1e-6)).clamp(-0.2, 2)
     return out
@@ -188,7 +189,7 @@ def sample(rng, head, statistics, is_t1):
     """One training pair: image (1, *SIZE), target shares of the four classes (4, *SIZE)."""
     places = deformed_places(rng, head)
     # Four corners of a cube within each voxel of 4 mm: partial volume for a quarter of the work.
-    corners = torch.tensor([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=torch.float32).T
+    corners = torch.tensor([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=torch.float32, device=device.chosen()).T
     within = places[:, None] + SPACING_MM / 4 * corners[:, :, None, None, None]
     rows, classes = gather(head.labels, within), gather(head.targets, within)
     shares = torch.stack([(classes == c).float().mean(0) for c in (AIR, BRAIN, FLUID_CLASS, OTHER)])
@@ -199,6 +200,6 @@ def sample(rng, head, statistics, is_t1):
     if rng.random() < 0.4:
         image = (image / 255) ** math.exp(uniform(rng, -0.35, 0.35))
     keep = seen(rng, shares[BRAIN] + shares[FLUID_CLASS] > 0)
-    shares = torch.where(keep, shares, torch.zeros(()))
+    shares = torch.where(keep, shares, device.value(0))
     shares[AIR] += (~keep).float()
     return normalised(image, keep)[None], shares

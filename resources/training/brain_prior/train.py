@@ -10,6 +10,7 @@ import torch
 from torch import multiprocessing
 from torch.nn import functional
 
+import device
 import heads
 import synthesis
 from network import BrainPrior
@@ -29,6 +30,23 @@ def sample_of(anatomy, statistics, seed, index):
     head = anatomy[int(rng.integers(len(anatomy)))]
     image, shares = synthesis.sample(rng, head, statistics, rng.random() < T1_SHARE)
     return image[None], shares[None]
+
+
+class OneByOne:
+    """The gradient on a GPU, of heads that are made there too. The interface of Workers."""
+
+    def __init__(self, anatomy, statistics, seed):
+        self.heads = anatomy, statistics, seed
+
+    def gradient(self, network, first):
+        made = [sample_of(*self.heads, first + rank) for rank in range(BATCH)]
+        image, shares = (torch.cat(parts) for parts in zip(*made))
+        with torch.autocast(device.chosen().type, torch.bfloat16):
+            scores = network(image)
+        loss = loss_of(scores.float(), shares)
+        network.zero_grad()
+        loss.backward()
+        return torch.cat([p.grad.reshape(-1) for p in network.parameters()]), loss.detach()
 
 
 class Workers:
@@ -65,7 +83,7 @@ class Workers:
         self.first[0] = first
         self.barrier.wait()
         self.barrier.wait()
-        return self.gradients.mean(0), float(self.losses.mean())
+        return self.gradients.mean(0), self.losses.mean()
 
 
 def loss_of(scores, shares):
@@ -117,12 +135,12 @@ class Run:
 
     def __init__(self, arguments):
         torch.manual_seed(arguments.seed)
-        self.network, self.step, self.seconds = BrainPrior(), 0, 0.0
+        self.network, self.step, self.seconds = BrainPrior().to(device.chosen()), 0, 0.0
         self.average = copy.deepcopy(self.network)
         self.optimiser = torch.optim.Adam(self.network.parameters(), lr=RATE)
         self.checkpoint = arguments.output + '.checkpoint'
         if os.path.exists(self.checkpoint):
-            state = torch.load(self.checkpoint)
+            state = torch.load(self.checkpoint, map_location=device.chosen())
             self.network.load_state_dict(state['network'])
             self.average.load_state_dict(state['average'])
             self.optimiser.load_state_dict(state['optimiser'])
@@ -160,6 +178,7 @@ def arguments_of():
                         help='leave every fourth head out, from this one on; absent: train on all')
     parser.add_argument('--hours', type=float, default=2, help='how long to train; the rate falls until then')
     parser.add_argument('--steps', type=int, help='train so many steps, however long they take')
+    parser.add_argument('--device', choices=('cpu', 'cuda'), default='cpu', help='cuda: heads and network on the GPU')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--every', type=int, default=250, help='steps between checkpoints and scores')
     parser.add_argument('-o', '--output', required=True, help='weights file; a checkpoint beside it goes on where it stopped')
@@ -174,7 +193,7 @@ def share_done(run, arguments):
 def report(run, arguments, losses, validation, out):
     scores = validate(run.average, validation)
     line = dict(step=run.step, heads=BATCH * run.step, hours=round(run.seconds / 3600, 3),
-                loss=round(float(numpy.mean(losses)), 4), left_out=scores)
+                loss=round(float(torch.stack(losses).mean()), 4), left_out=scores)
     print(json.dumps(line), flush=True)
     with open(arguments.output + '.log', 'a', encoding='utf-8') as log:
         log.write(json.dumps(line) + '\n')
@@ -185,6 +204,7 @@ def report(run, arguments, losses, validation, out):
 def main():
     arguments = arguments_of()
     torch.set_num_threads(1)
+    device.use(arguments.device)
     statistics = heads.read_statistics(arguments.labels)
     names = heads.list_heads(arguments.labels)
     left_out = heads.fold_of(names, arguments.fold)
@@ -192,7 +212,8 @@ def main():
     anatomy = [prepared[n] for n in names if n not in left_out]
     validation = validation_set([prepared[n] for n in left_out], statistics)
     run = Run(arguments)
-    workers = Workers(run.network, anatomy, statistics, arguments.seed)
+    heads_of = anatomy, statistics, arguments.seed
+    workers = OneByOne(*heads_of) if arguments.device == 'cuda' else Workers(run.network, *heads_of)
     losses, began, over = [], time.monotonic(), share_done(run, arguments) >= 1
     while not over:
         losses.append(run.learn(workers, share_done(run, arguments)))

@@ -22,7 +22,7 @@ def ordered_tensors(network):
 
 
 def write_weights(network, path):
-    arrays = [t.detach().numpy() for t in ordered_tensors(network)]
+    arrays = [t.detach().cpu().numpy() for t in ordered_tensors(network)]
     content = MAGIC + struct.pack('<II', VERSION, len(arrays))
     for a in arrays:
         content += struct.pack('<I', a.ndim) + struct.pack('<%dI' % a.ndim, *a.shape)

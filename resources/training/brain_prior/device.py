@@ -1,0 +1,42 @@
+"""Where the tensors are made: the processor, or a CUDA GPU after use('cuda')."""
+import torch
+
+_CHOSEN = [torch.device('cpu')]
+_KEPT = {}  # arrays that were sent once: id -> (array, tensor)
+
+
+def use(name):
+    """'cpu' or 'cuda'. Before the first tensor is made."""
+    if name == 'cuda' and not torch.cuda.is_available():
+        raise SystemExit('no CUDA GPU is seen by torch: take --device cpu')
+    _CHOSEN[0] = torch.device(name)
+
+
+def chosen():
+    return _CHOSEN[0]
+
+
+def on(array):
+    """A numpy array as a tensor."""
+    return torch.from_numpy(array).to(chosen())
+
+
+def kept(array):
+    """As on(), sent once: for arrays that stay, such as a head."""
+    if id(array) not in _KEPT:
+        _KEPT[id(array)] = (array, on(array))
+    return _KEPT[id(array)][1]
+
+
+def value(number):
+    return torch.full((), float(number), device=chosen())
+
+
+def steps(count):
+    """0, 1, .. count - 1."""
+    return torch.arange(count, dtype=torch.float32, device=chosen())
+
+
+def line(count):
+    """-1 .. 1."""
+    return torch.linspace(-1, 1, count, device=chosen())
