@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QPushButton>
+
+#include "facenav/scene/display.h"
 #include "presenters/treat_presenter.h"
 #include "support/setup_room.h"
 #include "treat_fixtures.h"
+#include "widgets/cameras_panel.h"
+#include "widgets/scroll_column.h"
 
 namespace facenav::ui {
 namespace {
@@ -82,6 +87,22 @@ TEST_F(MarkedPicture, IsTakenByItselfAndAligned) {
   ASSERT_TRUE(aligned_.capture);
   EXPECT_EQ(aligned_.capture->pattern.left.data, aligned_.capture->plain.left.data) << "no dots";
   EXPECT_EQ(coil_, coil_tracking::defaultCoil().name);
+}
+
+TEST_F(MarkedPicture, ItsButtonComesIntoViewInALowWindowWhenTheCamerasAreOpen) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  auto* panel = new CamerasPanel(treat_, nullptr);
+  ScrollColumn column(panel, 600);
+  column.resize(700, 300);
+  column.show();
+  QApplication::processEvents();
+  QPushButton* take = nullptr;
+  for (auto* button : panel->findChildren<QPushButton*>())
+    if (button->text() == "Take the picture") take = button;
+  ASSERT_TRUE(take);
+  EXPECT_TRUE(take->visibleRegion().isEmpty()) << "the devices come first";
+  ASSERT_NO_FATAL_FAILURE(open());
+  EXPECT_TRUE(fixtures::waitFor([&] { return take->visibleRegion().boundingRect() == take->rect(); }));
 }
 
 TEST_F(MarkedPicture, CanBeGivenUp) {

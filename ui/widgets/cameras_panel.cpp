@@ -12,6 +12,7 @@
 #include "appearance.h"
 #include "setup/latency_screen.h"
 #include "widgets/camera_choice.h"
+#include "widgets/scroll_column.h"
 #include "widgets/words_of_button.h"
 
 namespace facenav::ui {
@@ -194,12 +195,14 @@ void CamerasPanel::showState() {
   setPrimary(*set_up_, is_withheld);
   setPrimary(*marked_, is_live);
   setPrimary(*open_, !is_withheld && !is_live);
+  const bool is_next = is_live && !marked_->isEnabled();  // the cameras have just come
   marked_->setEnabled(is_live);
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());
   capture_words_->setText(is_live       ? cameras_.captureWords()
                           : is_withheld ? tr("after the cameras are repaired")
                                         : tr("with live cameras: the face, and the coil's marker beside it"));
+  if (is_next) QTimer::singleShot(0, marked_, [this] { ScrollColumn::bringIntoView(*marked_); });
 }
 
 void CamerasPanel::chooseRig() {

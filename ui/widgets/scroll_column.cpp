@@ -29,6 +29,12 @@ QSize ScrollColumn::minimumSizeHint() const {
   return {std::max(least_width_px_, content_px + verticalScrollBar()->sizeHint().width()), sized(100)};
 }
 
+void ScrollColumn::bringIntoView(QWidget& widget) {
+  for (auto* parent = widget.parentWidget(); parent; parent = parent->parentWidget())
+    if (auto* column = qobject_cast<QScrollArea*>(parent))
+      return column->ensureWidgetVisible(&widget, 0, sized(8));
+}
+
 bool ScrollColumn::eventFilter(QObject* watched, QEvent* event) {
   if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
   return QScrollArea::eventFilter(watched, event);

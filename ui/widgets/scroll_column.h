@@ -12,6 +12,9 @@ class ScrollColumn : public QScrollArea {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
+  /// Scrolls the column around `widget`, if there is one, until the widget is in view.
+  static void bringIntoView(QWidget& widget);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
