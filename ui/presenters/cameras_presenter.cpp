@@ -1,11 +1,5 @@
 #include "presenters/cameras_presenter.h"
 
-#include <QDateTime>
-#include <QFileInfo>
-#include <QLocale>
-#include <QSettings>
-#include <algorithm>
-
 #include "facenav/core/error.h"
 #include "facenav/workflow/marked_still.h"
 #include "presenters/preview_frames.h"
@@ -13,139 +7,18 @@
 namespace facenav::ui {
 namespace {
 
-QString nameOf(const capture::FoundCamera& camera) {
-  return QString::fromStdString(capture::stableName(camera.identity));
-}
-
-bool isOfNetwork(const QString& name) { return name.startsWith("genicam:"); }
-
 constexpr double kFresh_s = 0.5;  // an older image does not show the present
 constexpr double kMarkedWithin_s = 60.0;
-const char* const kLeft = "cameras/left_name";
-const char* const kRight = "cameras/right_name";
-const char* const kRig = "cameras/rig";
-const char* const kRigName = "cameras/rig_name";
 
 }  // namespace
 
 CamerasPresenter::CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent)
-    : QObject(parent), services_(services), tasks_(tasks) {
-  const QSettings settings;
-  left_ = settings.value(kLeft).toString();
-  right_ = settings.value(kRight).toString();
-  rig_file_ = settings.value(kRig).toString();
-  rig_name_ = settings.value(kRigName).toString();
-  readRigs();
-  readRig();
+    : QObject(parent), services_(services), tasks_(tasks), chosen_(services, tasks) {
+  connect(&chosen_, &ChosenCameras::changed, this, &CamerasPresenter::changed);
+  connect(&chosen_, &ChosenCameras::refused, this, &CamerasPresenter::refused);
 }
 
-void CamerasPresenter::refreshDevices() {
-  std::vector<capture::FoundCamera> found;
-  if (services_.listCameras) found = services_.listCameras(capture::Search::quick);
-  for (const auto& camera : devices_)  // these do not answer a quick search
-    if (isOfNetwork(nameOf(camera))) found.push_back(camera);
-  use(std::move(found), false);
-}
-
-void CamerasPresenter::lookEverywhere() {
-  if (tasks_.isRunning() || isLive() || !services_.listCameras) return refreshDevices();
-  tasks_.start(tr("Looking for cameras"), [this](TaskMonitor&) -> TaskRunner::Delivery {
-    auto found = services_.listCameras(capture::Search::everywhere);
-    return [this, found = std::move(found)] { use(found, true); };
-  });
-}
-
-/// A chosen camera that is gone is no longer chosen, unless this search could not have found it, or a rig
-/// names it.
-void CamerasPresenter::use(std::vector<capture::FoundCamera> devices, bool has_network) {
-  devices_ = std::move(devices);
-  const auto kept = [&](const QString& name) {
-    return device(name) || (!has_network && isOfNetwork(name)) || devices_.empty() ? name : QString();
-  };
-  QString left = namedRig() ? left_ : kept(left_), right = namedRig() ? right_ : kept(right_);
-  if (left.isEmpty() && right.isEmpty() && devices_.size() == 2) {
-    left = nameOf(devices_[0]);
-    right = nameOf(devices_[1]);
-  }
-  if (left != left_ || right != right_) return choose(left, right);
-  emit changed();
-}
-
-const capture::FoundCamera* CamerasPresenter::device(const QString& name) const {
-  const auto at =
-      std::find_if(devices_.begin(), devices_.end(), [&](const auto& d) { return nameOf(d) == name; });
-  return at == devices_.end() ? nullptr : &*at;
-}
-
-QString CamerasPresenter::deviceWords() const {
-  QStringList words;
-  for (const auto& advice : capture::adviceOn(devices_)) words << QString::fromStdString(advice);
-  return words.join("\n");
-}
-
-void CamerasPresenter::choose(QString left, QString right) {
-  if (left != left_ || right != right_) forgetRigName();
-  left_ = std::move(left);
-  right_ = std::move(right);
-  QSettings settings;
-  settings.setValue(kLeft, left_);
-  settings.setValue(kRight, right_);
-  emit changed();
-}
-
-void CamerasPresenter::setRigFile(const QString& path) {
-  forgetRigName();
-  rig_file_ = path;
-  QSettings().setValue(kRig, path);
-  readRig();
-  emit changed();
-}
-
-void CamerasPresenter::readRigs() {
-  rigs_.clear();
-  if (!services_.listRigs) return;
-  try {
-    rigs_ = services_.listRigs();
-  } catch (const Error& error) {
-    rig_problem_ = QString::fromUtf8(error.what());
-  }
-}
-
-QStringList CamerasPresenter::rigNames() const {
-  QStringList names;
-  for (const auto& entry : rigs_) names << QString::fromStdString(entry.name);
-  return names;
-}
-
-/// The chosen one, if it can be read and knows its cameras.
-std::optional<capture::NamedRig> CamerasPresenter::namedRig() const {
-  for (const auto& entry : rigs_)
-    if (!rig_name_.isEmpty() && entry.name == rig_name_.toStdString() && entry.rig && entry.rig->left)
-      return entry.rig;
-  return std::nullopt;
-}
-
-void CamerasPresenter::forgetRigName() {
-  rig_name_.clear();
-  QSettings().remove(kRigName);
-}
-
-void CamerasPresenter::chooseRig(const QString& name) {
-  readRigs();
-  const auto at = std::find_if(rigs_.begin(), rigs_.end(),
-                               [&](const auto& entry) { return entry.name == name.toStdString(); });
-  if (at == rigs_.end() || !at->rig)
-    return emit refused(at == rigs_.end() ? tr("there is no rig called %1").arg(name)
-                                          : QString::fromStdString(at->problem));
-  setRigFile(QString::fromStdString((at->folder / "stereo.yml").string()));
-  if (at->rig->left)
-    choose(QString::fromStdString(capture::stableName(at->rig->left->identity)),
-           QString::fromStdString(capture::stableName(at->rig->right->identity)));
-  rig_name_ = name;
-  rig_ = at->rig->rig;  // with the row times that were measured
-  QSettings().setValue(kRigName, name);
-  emit changed();
-}
+void CamerasPresenter::lookEverywhere() { isLive() ? chosen_.refreshDevices() : chosen_.lookEverywhere(); }
 
 /// What is found is read by the window's own thread.
 RigVerifying CamerasPresenter::verifying() const {
@@ -165,75 +38,32 @@ QString CamerasPresenter::rigFault() const {
 }
 
 QString CamerasPresenter::startWords() const {
-  if (!namedRig()) return {};
+  if (!chosen_.named()) return {};
   const auto found = start_->latest();
   return found ? QString::fromStdString(found->words())
                : tr("the cameras are compared with what was kept: look at them, and hold the coil still");
 }
 
 std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener() const {
-  if (const auto named = namedRig(); named && services_.openRig)
+  if (const auto named = chosen_.named(); named && services_.openRig)
     return [open = services_.openRig, rig = *named, verifying = verifying()] { return open(rig, verifying); };
-  FACENAV_EXPECT(rig_, "a calibration is chosen first");
-  return [open = services_.openCameras, rig = *rig_, left = left_.toStdString(),
-          right = right_.toStdString()] { return open(rig, left, right); };
+  FACENAV_EXPECT(rig(), "a calibration is chosen first");
+  return [open = services_.openCameras, rig = *rig(), left = left().toStdString(),
+          right = right().toStdString()] { return open(rig, left, right); };
 }
 
 std::function<void(const workflow::CamerasLearnt&)> CamerasPresenter::keeper() const {
-  if (!namedRig() || !services_.keepLearnt) return nullptr;
+  if (!chosen_.named() || !services_.keepLearnt) return nullptr;
   return [keep = services_.keepLearnt,
-          name = rig_name_.toStdString()](const workflow::CamerasLearnt& learnt) { keep(name, learnt); };
+          name = rigName().toStdString()](const workflow::CamerasLearnt& learnt) { keep(name, learnt); };
 }
 
-void CamerasPresenter::readRig() {
-  rig_.reset();
-  rig_problem_.clear();
-  if (rig_file_.isEmpty()) return;
-  try {
-    rig_ = cameras::readRig(rig_file_.toStdString());
-    if (const auto named = namedRig()) rig_ = named->rig;  // with the row times that were measured
-  } catch (const Error& error) {
-    rig_problem_ = QString::fromUtf8(error.what());
-  }
-}
-
-/// A check of an earlier day says nothing of a bar that was bumped since.
-QString CamerasPresenter::checkWords(const capture::NamedRig& rig) const {
-  if (!rig.last_check) return tr("never checked since it was made: check it (Set up)");
-  const QString words = tr("last check: %1").arg(QString::fromStdString(rig.last_check->words));
-  const auto checked = QDateTime::fromString(QString::fromStdString(rig.last_check->utc), Qt::ISODate);
-  if (!checked.isValid() || checked.date() == QDateTime::currentDateTimeUtc().date()) return words;
-  return words + tr(" (%1); check it again today (Set up)")
-                     .arg(QLocale().toString(checked.date(), QLocale::ShortFormat));
-}
-
-QString CamerasPresenter::rigWords() const {
-  if (rig_file_.isEmpty())
-    return tr("no calibration yet: set up the cameras, or choose the stereo.yml of these two cameras");
-  if (!rig_) return rig_problem_;
-  QString words = tr("%1 x %2 px, %3 mm apart")
-                      .arg(rig_->width_px)
-                      .arg(rig_->height_px)
-                      .arg(rig_->baseline_mm(), 0, 'f', 1);
-  if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
-  words +=
-      tr(", of %1").arg(QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
-  // While its cameras are open, what was found now says more (words()).
-  if (const auto named = namedRig(); named && !is_live_) words += "\n" + checkWords(*named);
-  return words;
-}
-
-bool CamerasPresenter::canOpen() const {
-  return rig_ && !left_.isEmpty() && !right_.isEmpty() && left_ != right_ && services_.openCameras;
-}
+bool CamerasPresenter::canOpen() const { return chosen_.isComplete() && services_.openCameras; }
 
 void CamerasPresenter::open() {
   if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   forgetStart();
-  if (!rig_name_.isEmpty()) {  // with what the last session kept with it
-    readRigs();
-    readRig();
-  }
+  if (!rigName().isEmpty()) chosen_.readAgain();  // with what the last session kept with it
   if (!canOpen()) return emit changed();
   tasks_.start(tr("Opening the cameras"),
                [this, opens = opener(), old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
@@ -295,19 +125,7 @@ QString CamerasPresenter::words() const {
     for (const auto& caution : preview_->cautions()) words += "\n" + QString::fromStdString(caution);
     return words;
   }
-  return notReadyWords();
-}
-
-QString CamerasPresenter::notReadyWords() const {
-  if (devices_.empty()) return tr("no camera found: plug two cameras in and look again, or open a recording");
-  if (devices_.size() < 2) return deviceWords();
-  for (const QString& name : {left_, right_})
-    if (const auto* chosen = device(name); chosen && chosen->use != capture::FoundCamera::Use::free)
-      return deviceWords();
-  if (left_.isEmpty() || right_.isEmpty() || left_ == right_) return tr("choose two different cameras");
-  if (!rig_) return tr("choose the calibration of these two cameras");
-  const QString advice = deviceWords();
-  return advice.isEmpty() ? tr("ready to be opened") : tr("ready to be opened; %1").arg(advice);
+  return chosen_.words();
 }
 
 /// Copy of the newest live pair. Refused if it is older than kFresh_s.
@@ -341,11 +159,11 @@ void CamerasPresenter::takePlain() {
 
 void CamerasPresenter::takeMarked() {
   if (tasks_.isRunning()) return;
-  if (!takeFresh() || !rig_) return;  // no live picture: that was said
+  if (!takeFresh() || !rig()) return;  // no live picture: that was said
   stills_.clear();
   emit changed();
   tasks_.start(tr("Taking the picture"),
-               [this, rig = *rig_, preview = preview_, coil = coil_ ? coil_() : coil_tracking::defaultCoil(),
+               [this, rig = *rig(), preview = preview_, coil = coil_ ? coil_() : coil_tracking::defaultCoil(),
                 make = services_.makeSetupMethods](TaskMonitor& monitor) -> TaskRunner::Delivery {
                  const auto methods = make();
                  PreviewFrames frames(rig, preview);

@@ -1,6 +1,6 @@
 #pragma once
-// CamerasPresenter: step 1 of Treat: which two cameras, with which calibration, and what they see. It also
-// takes the still pair (dots on, dots off) for the alignment. A recording is shown in the same way.
+// CamerasPresenter: step 1 of Treat: the chosen cameras (chosen_cameras.h) and what they see. It also takes
+// the still pictures for the alignment. A recording is shown in the same way.
 
 #include <QObject>
 #include <QStringList>
@@ -12,6 +12,7 @@
 #include "facenav/capture/live_preview.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/latest_value.h"
+#include "presenters/chosen_cameras.h"
 #include "presenters/retirement.h"
 #include "presenters/services.h"
 #include "presenters/still_pictures.h"
@@ -25,31 +26,23 @@ class CamerasPresenter : public QObject {
  public:
   CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
 
-  /// Updates the list of connected cameras at once. Network cameras stay as they were found last.
-  void refreshDevices();
-  /// The same with the network's cameras, in the background.
+  // What is chosen (presenters/chosen_cameras.h).
+  void refreshDevices() { chosen_.refreshDevices(); }
   void lookEverywhere();
-  const std::vector<capture::FoundCamera>& devices() const { return devices_; }
-  /// What to know or do about the connected cameras; empty: nothing.
-  QString deviceWords() const;
-  /// Stable name of the chosen camera (capture/camera.h), empty: none. Remembered.
-  QString left() const { return left_; }
-  QString right() const { return right_; }
-  void choose(QString left, QString right);  // by value: swapSides passes the members
-  void swapSides() { choose(right_, left_); }
-  /// Names of the kept rigs (`facenav rig new`).
-  QStringList rigNames() const;
-  /// The chosen one; empty: cameras and calibration were chosen one by one. Remembered.
-  QString rigName() const { return rig_name_; }
-  /// Takes the rig's cameras, settings and calibration.
-  void chooseRig(const QString& name);
-  /// The rig's stereo.yml; remembered.
-  QString rigFile() const { return rig_file_; }
-  void setRigFile(const QString& path);
-  const std::optional<cameras::StereoRig>& rig() const { return rig_; }
-  /// "1280 x 720 px, 119.8 mm apart, 0.21 px, of 20 Nov 2026", or what is wrong with the file.
-  QString rigWords() const;
-  bool isRigGood() const { return rig_.has_value(); }
+  const std::vector<capture::FoundCamera>& devices() const { return chosen_.devices(); }
+  QString deviceWords() const { return chosen_.deviceWords(); }
+  QString left() const { return chosen_.left(); }
+  QString right() const { return chosen_.right(); }
+  void choose(const QString& left, const QString& right) { chosen_.choose(left, right); }
+  void swapSides() { chosen_.swapSides(); }
+  QStringList rigNames() const { return chosen_.rigNames(); }
+  QString rigName() const { return chosen_.rigName(); }
+  void chooseRig(const QString& name) { chosen_.chooseRig(name); }
+  QString rigFile() const { return chosen_.rigFile(); }
+  void setRigFile(const QString& path) { chosen_.setRigFile(path); }
+  const std::optional<cameras::StereoRig>& rig() const { return chosen_.rig(); }
+  QString rigWords() const { return chosen_.rigWords(is_live_); }
+  bool isRigGood() const { return rig().has_value(); }
 
   bool canOpen() const;
   /// Whose marker verifies a kept rig when its cameras open; without it the default coil.
@@ -66,7 +59,7 @@ class CamerasPresenter : public QObject {
   /// Plays a recording as a preview.
   void show(const capture::Recording& recording);
   /// The window for setting up a camera pair is wanted (setup/setup_window.h); `rig`: to check this one.
-  void askForSetUp() { emit setUpWanted(rig_name_); }
+  void askForSetUp() { emit setUpWanted(rigName()); }
   /// Stops showing images and returns what must be released, or null. Release it off the GUI thread: a camera
   /// that gives no image blocks the thread that releases it.
   std::shared_ptr<capture::LivePreview> release();
@@ -101,15 +94,7 @@ class CamerasPresenter : public QObject {
   void refused(const QString& words);
 
  private:
-  void use(std::vector<capture::FoundCamera> devices, bool has_network);
-  QString checkWords(const capture::NamedRig& rig) const;
-  const capture::FoundCamera* device(const QString& name) const;
-  QString notReadyWords() const;
   void retire(std::shared_ptr<capture::LivePreview> preview);
-  void readRig();
-  void readRigs();
-  std::optional<capture::NamedRig> namedRig() const;
-  void forgetRigName();
   void forgetStart();
   RigVerifying verifying() const;
   /// What the verification of the kept rig found; empty: none is open.
@@ -118,11 +103,7 @@ class CamerasPresenter : public QObject {
 
   const Services& services_;
   TaskRunner& tasks_;
-  std::vector<capture::FoundCamera> devices_;
-  QString left_, right_;
-  std::vector<capture::RigEntry> rigs_;
-  QString rig_name_, rig_file_, rig_problem_;
-  std::optional<cameras::StereoRig> rig_;
+  ChosenCameras chosen_;
   std::shared_ptr<capture::LivePreview> preview_;
   Retirement retirement_;
   bool is_live_ = false;
