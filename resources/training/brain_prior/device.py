@@ -1,4 +1,5 @@
 """Where the tensors are made: the processor, or a CUDA GPU after use('cuda')."""
+import numpy
 import torch
 
 _CHOSEN = [torch.device('cpu')]
@@ -26,6 +27,14 @@ def kept(array):
     if id(array) not in _KEPT:
         _KEPT[id(array)] = (array, on(array))
     return _KEPT[id(array)][1]
+
+
+def normal(rng, size):
+    """Normal values; a GPU draws its own, from a seed that rng draws."""
+    if chosen().type == 'cpu':
+        return torch.from_numpy(rng.standard_normal(size, dtype=numpy.float32))
+    generator = torch.Generator(chosen()).manual_seed(int(rng.integers(2 ** 62)))
+    return torch.randn(size, generator=generator, device=chosen())
 
 
 def value(number):

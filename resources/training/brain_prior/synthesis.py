@@ -93,7 +93,7 @@ def paint(rng, rows, statistics, is_t1):
     means, spreads = draw_means(rng, statistics, is_t1)
     share = uniform(rng, 0, 1)
     # Of a texture from voxel to voxel little is left in the mean of a voxel of 4 mm.
-    fine = 0.35 * device.on(rng.standard_normal(SIZE, dtype=numpy.float32))
+    fine = 0.35 * device.normal(rng, SIZE)
     coarse = smooth_noise(rng, [int(s / uniform(rng, 2, 5)) for s in SIZE])[0, 0] * 1.5
     texture = math.sqrt(share) * fine + math.sqrt(1 - share) * coarse
     index = rows.long()
@@ -155,8 +155,8 @@ def scan_like(rng, image):
         axis = int(rng.integers(3))
         image = image + uniform(rng, 0.02, 0.15) * torch.roll(image, int(uniform(rng, 0.3, 0.7) * SIZE[axis]), axis)
     noise = uniform(rng, 0, 12) * 10 ** uniform(rng, -1, 0.3)
-    real = image + noise * device.on(rng.standard_normal(SIZE, dtype=numpy.float32))
-    imaginary = noise * device.on(rng.standard_normal(SIZE, dtype=numpy.float32))
+    real = image + noise * device.normal(rng, SIZE)
+    imaginary = noise * device.normal(rng, SIZE)
     return torch.sqrt(real ** 2 + imaginary ** 2)
 
 

@@ -176,6 +176,7 @@ def arguments_of():
     parser.add_argument('--labels', required=True, help='folder of the label maps')
     parser.add_argument('--fold', type=int, choices=range(4),
                         help='leave every fourth head out, from this one on; absent: train on all')
+    parser.add_argument('--heads', help='folder of the prepared heads; default: OUTPUT.heads')
     parser.add_argument('--hours', type=float, default=2, help='how long to train; the rate falls until then')
     parser.add_argument('--steps', type=int, help='train so many steps, however long they take')
     parser.add_argument('--device', choices=('cpu', 'cuda'), default='cpu', help='cuda: heads and network on the GPU')
@@ -208,7 +209,8 @@ def main():
     statistics = heads.read_statistics(arguments.labels)
     names = heads.list_heads(arguments.labels)
     left_out = heads.fold_of(names, arguments.fold)
-    prepared = {n: heads.prepared_head(arguments.labels, n, statistics, arguments.output + '.heads') for n in names}
+    cache = arguments.heads or arguments.output + '.heads'
+    prepared = {n: heads.prepared_head(arguments.labels, n, statistics, cache) for n in names}
     anatomy = [prepared[n] for n in names if n not in left_out]
     validation = validation_set([prepared[n] for n in left_out], statistics)
     run = Run(arguments)
