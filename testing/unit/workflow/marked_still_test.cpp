@@ -14,8 +14,8 @@ using ::testing::HasSubstr;
 using testing::RoomShows;
 namespace rooms = coil_tracking::testing;
 
-/// What is said of three seconds of a room that shows this.
-std::string refusalOf(RoomShows shows, bool has_face, double turned_deg = 0) {
+/// What is said of some seconds of a room that shows this.
+std::string refusalOf(RoomShows shows, bool has_face, double turned_deg = 0, double limit_s = 3.0) {
   const auto rig = rooms::roomRig();
   const auto room = std::make_shared<testing::SetupRoom>();
   room->shows = shows;
@@ -26,7 +26,7 @@ std::string refusalOf(RoomShows shows, bool has_face, double turned_deg = 0) {
                     {std::make_shared<testing::FixedFace>(face), coil_tracking::makeMarkerCoilTracker()});
   TaskMonitor monitor;
   try {
-    takeMarkedStill(source, still, 3.0, monitor);
+    takeMarkedStill(source, still, limit_s, monitor);
   } catch (const Error& error) {
     return error.what();
   }
@@ -43,6 +43,11 @@ TEST(MarkedStill, SaysWhatIsMissing) {
   EXPECT_THAT(refusalOf(RoomShows::nothing, true), HasSubstr("hold the coil beside the face"));
   EXPECT_THAT(refusalOf(RoomShows::marker, true, 3.0), HasSubstr("does not fit the cameras' calibration"));
   EXPECT_THAT(refusalOf(RoomShows::marker, false), HasSubstr("both cameras must see the whole face"));
+}
+
+TEST(MarkedStill, IsTakenOfAFaceThatAMaskHidesFromTheDetector) {
+  EXPECT_EQ(refusalOf(RoomShows::marker, false, 0, 10.0), "the picture is taken");
+  EXPECT_THAT(refusalOf(RoomShows::nothing, false, 0, 10.0), HasSubstr("hold the coil beside the face"));
 }
 
 TEST(MarkedStill, OfCamerasThatMovedIsNone) {

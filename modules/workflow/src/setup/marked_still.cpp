@@ -13,6 +13,9 @@ namespace {
 // A hand that only passes a turning point is no rest.
 constexpr double kResting_s = 0.25;
 constexpr double kFaceAgain_s = 0.5;  // a face that is not found is looked for again after this time
+// A mask or a beard can hide the face from the detector. The alignment does without its landmarks, and
+// refuses a picture that shows no face. Shorter, and a patient who still sits down would be missed.
+constexpr double kWithoutFace_s = 6.0;
 // Pictures that are averaged: with 8, half of the virtual room's pairs of a smooth face that were refused
 // with one picture are aligned (Colin27, seeds 161 to 163). More need a head that rests longer.
 constexpr std::size_t kPictures = 8;
@@ -39,7 +42,7 @@ struct MarkedStill::Implementation {
   MarkedStillMethods methods;
   RestingMarker resting;
   std::deque<cameras::StereoFrame> at_rest;  // the newest last
-  std::optional<double> face_missed_s;
+  std::optional<double> face_missed_s, face_first_missed_s;
   std::optional<cameras::StereoFrame> still;
 
   void keep(const cameras::StereoFrame& frame) {
@@ -48,15 +51,19 @@ struct MarkedStill::Implementation {
     at_rest.back().right = frame.right.clone();
     if (at_rest.size() > kPictures) at_rest.pop_front();
   }
-  /// False where the face is not seen.
+  /// False where the face is not seen, for some seconds.
   bool take(const cameras::StereoFrame& frame) {
     const auto face = findFace(rig, frame, *methods.face_detector);
-    if (!face.left || !face.right) {
+    if (face.left && face.right) {
+      const auto& marker = *resting.last();
+      still =
+          steadyMean(at_rest, regionOf(*face.left, marker.left_px), regionOf(*face.right, marker.right_px));
+    } else {
       face_missed_s = frame.captured.s;
-      return false;
+      if (!face_first_missed_s) face_first_missed_s = face_missed_s;
+      if (*face_missed_s - *face_first_missed_s < kWithoutFace_s) return false;
+      still = at_rest.back();
     }
-    const auto& marker = *resting.last();
-    still = steadyMean(at_rest, regionOf(*face.left, marker.left_px), regionOf(*face.right, marker.right_px));
     still->right_late_s.reset();  // nothing moved: the delay plays no part
     return true;
   }
@@ -73,6 +80,7 @@ bool MarkedStill::add(const cameras::StereoFrame& frame) {
   if (self.still) return true;
   if (!self.resting.add(frame)) {
     self.at_rest.clear();
+    self.face_first_missed_s.reset();
     return false;
   }
   self.keep(frame);

@@ -33,7 +33,8 @@ class MarkedStill {
   /// In the order of their times. True once the picture is taken; later frames change nothing. Takes
   /// milliseconds, and some tenths of a second for a frame in which the face is looked for.
   bool add(const cameras::StereoFrame& frame);
-  /// What is missing, one sentence: what to do.
+  /// What is missing, one sentence: what to do. A face that is not found while the marker rests for some
+  /// seconds is taken all the same: a mask may hide it.
   std::string words() const;
   /// After add() said true.
   const cameras::StereoFrame& still() const;
