@@ -28,6 +28,13 @@ void addEvaluateReturn(CLI::App& evaluate, Context& context) {
   verb->add_option("--frames", request->run.frames, "of each visit")
       ->check(CLI::Range(10, 1000))
       ->capture_default_str();
+  verb->add_option_function<std::string>(
+          "--using",
+          [request](const std::string& words) {
+            request->run.has_dots = words == "dots", request->run.has_plain = words == "plain";
+          },
+          "only first visits with a projector (dots), or only those without (plain); default: both")
+      ->check(CLI::IsMember({"dots", "plain"}));
   verb->add_option("-o,--output", request->output, "folder for returns.md and returns.csv")
       ->capture_default_str();
   verb->callback([&context, request] {

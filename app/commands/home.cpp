@@ -33,26 +33,34 @@ void exportHomeCase(Context& context, const casefile::CaseStore& store, const Ho
 void addFaceCase(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "face-case",
-      "a case without an MRI: the face that a recording's capture (with dots) shows is its model");
+      "a case without an MRI: the face that a recording shows is its model (with dots; or, with the coil's "
+      "marker at rest beside it, a film of the turning head or a plain pair)");
   struct FaceCaseRequest {
-    std::filesystem::path recording, output;
-    std::string label;
-    bool replaces = false;
+    workflow::FaceCaseOrder order;
+    std::string from;
+    CoilChoice coil;
   };
   auto request = std::make_shared<FaceCaseRequest>();
-  verb->add_option("RECORDING", request->recording, "recording with capture/ of the first visit")->required();
-  verb->add_option("-o,--output", request->output, "case folder to make")->required();
-  verb->add_option("--label", request->label, "what the case is called in lists; default: nothing");
+  auto& order = request->order;
+  verb->add_option("RECORDING", order.recording, "recording of the first visit")->required();
+  verb->add_option("-o,--output", order.case_folder, "case folder to make")->required();
+  verb->add_option("--label", order.label, "what the case is called in lists; default: nothing");
+  verb->add_option("--using", request->from,
+                   "measures in these pictures alone: dots, plain or film; default: the best")
+      ->check(CLI::IsMember({"dots", "plain", "film"}));
+  verb->add_option("--coil", request->coil.words,
+                   "the coil whose marker is seen, by name or coil.json; default: the recording's coil.json");
+  addCoilLibraryOption(*verb, request->coil.library);
   verb->add_flag(
-      "--replace", request->replaces,
+      "--replace", order.replaces,
       "replaces a face case there; its targets and sessions go, for they belong to the old measurement");
   verb->callback([&context, request] {
-    const auto detector = context.registrations.face_detector();
-    const auto store = workflow::makeFaceCase(*detector, request->recording, request->output, request->label,
-                                              request->replaces, context.monitor);
+    request->order.from = workflow::alignedFrom(request->from);
+    if (!request->coil.words.empty()) request->order.coil = coilOf(request->coil);
+    const auto store = workflow::makeFaceCase(context.registrations, request->order, context.monitor);
     if (context.is_quiet) return;
     for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
-    std::printf("%s: case %s\n", request->output.c_str(), store.caseId().c_str());
+    std::printf("%s: case %s\n", request->order.case_folder.c_str(), store.caseId().c_str());
   });
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // `facenav evaluate return`: how far a coil that guidance calls on the expert's pose lies from where the
 // expert held it, across visits of the virtual room: another capture, expression, hair, light, seat and
-// cameras. With the MRI, with the face measured at the first visit's alignment, and with that face alone.
+// cameras. With the MRI, with the face measured at the first visit's alignment, and with that face alone;
+// with a projector at both visits, and with two cameras alone, the coil's marker in the picture.
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,7 @@ namespace facenav::app {
 
 /// One later visit against the first.
 struct ReturnRun {
-  std::string head, model;  // model: "MRI", "face in the MRI's frame", "face alone"
+  std::string head, model;  // the skin that the visit aligns to: "MRI", "face alone", ..
   std::string change;       // what differs from the first visit
   std::uint64_t seed = 1;
   bool must_be_refused = false;  // another person, or moved cameras
@@ -29,7 +30,8 @@ struct ReturnRun {
 
 struct ReturnRequest {
   std::vector<std::uint64_t> seeds{1};
-  int frames = 40;  // of each visit
+  int frames = 40;                         // of each visit
+  bool has_dots = true, has_plain = true;  // first visits with a projector, and without
 };
 
 /// All models and changes for one head. `other`: another person, who must be refused; may be null.

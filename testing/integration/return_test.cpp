@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
 #include <thread>
 
 #include "facenav/capture/recording.h"
@@ -65,12 +66,33 @@ class ReturnPath : public ::testing::Test {
     facenav.end();
     return casefile::readSession(casefile::findSession(case_folder, "")).pulses.pulses;
   }
+  /// Where the coil would be if it were exactly on the expert's pose, against where the expert held it: the
+  /// median over the pulses on target.
+  struct Off {
+    std::size_t pulses = 0;
+    double mm = 0, deg = 0;
+  };
+  Off distanceFromExpert(const std::vector<casefile::ReviewedPulse>& pulses) const;
   TemporaryFolder folder_;
   fs::path case_ = folder_.path() / "case", home_ = folder_.path() / "home",
            file_ = folder_.path() / "to_go.zip", first_ = folder_.path() / "first",
            later_ = folder_.path() / "later";
   PulseSender sender_;
 };
+
+/// Leaves what two webcams alone would have recorded: one plain pair in which the coil rests at the head, its
+/// marker seen by both.
+void removeProjector(const fs::path& recording) {
+  const auto capture = recording / "capture";
+  fs::remove(capture / "pattern_left.png");
+  fs::remove(capture / "pattern_right.png");
+  for (const char* side : {"left", "right"}) {
+    std::set<fs::path> film;
+    for (const auto& entry : fs::directory_iterator(recording / side)) film.insert(entry.path());
+    fs::copy_file(*film.rbegin(), capture / (std::string("plain_") + side + ".png"),
+                  fs::copy_options::overwrite_existing);
+  }
+}
 
 /// True pose of the coil against the MRI at the recording's end.
 RigidTransform<Mri, Coil> trueCoil(const fs::path& recording) {
@@ -80,6 +102,20 @@ RigidTransform<Mri, Coil> trueCoil(const fs::path& recording) {
   return RigidTransform<Camera, Mri>::fromIsometry(head.at(last)).inverse() *
          RigidTransform<Camera, Marker>::fromIsometry(marker.at(last)) *
          coil_tracking::readCoil(recording / "coil.json").marker_T_coil();
+}
+
+ReturnPath::Off ReturnPath::distanceFromExpert(const std::vector<casefile::ReviewedPulse>& pulses) const {
+  std::vector<double> off_mm, off_deg;
+  const auto expert =
+      casefile::CaseStore::open(home_).targets().targets.front().mri_T_target.reframe<Mri, Coil>();
+  for (const auto& reviewed : pulses) {
+    if (reviewed.pulse.status != casefile::PulseStatus::on_target) continue;
+    const auto there = trueCoil(later_) * reviewed.pulse.mri_T_coil()->inverse() * expert;
+    const auto error = poseError(trueCoil(first_), there);
+    off_mm.push_back(error.translation_mm), off_deg.push_back(error.rotation_rad * kDegPerRad);
+  }
+  if (off_mm.empty()) return {};
+  return {off_mm.size(), upperMedian(off_mm), upperMedian(off_deg)};
 }
 
 TEST_F(ReturnPath, ACaseGoesHomeWithoutItsMriAndComesBackToTheExpertsPose) {
@@ -95,23 +131,45 @@ TEST_F(ReturnPath, ACaseGoesHomeWithoutItsMriAndComesBackToTheExpertsPose) {
   }
   run("import " + in(home_) + " " + in(file_));
 
-  const auto pulses = treat(home_, later_);
-  std::vector<double> off_mm, off_deg;
-  const auto expert =
-      casefile::CaseStore::open(home_).targets().targets.front().mri_T_target.reframe<Mri, Coil>();
-  for (const auto& reviewed : pulses) {
-    if (reviewed.pulse.status != casefile::PulseStatus::on_target) continue;
-    // Where the coil would be if it were exactly on the expert's pose, by this pulse's errors.
-    const auto there = trueCoil(later_) * reviewed.pulse.mri_T_coil()->inverse() * expert;
-    const auto error = poseError(trueCoil(first_), there);
-    off_mm.push_back(error.translation_mm), off_deg.push_back(error.rotation_rad * kDegPerRad);
-  }
-  ASSERT_GE(off_mm.size(), 3u);
-  EXPECT_LT(upperMedian(off_mm), 1.0) << "the goal, mm";
-  EXPECT_LT(upperMedian(off_deg), 1.0) << "the goal, deg";
+  const auto off = distanceFromExpert(treat(home_, later_));
+  ASSERT_GE(off.pulses, 3u);
+  EXPECT_LT(off.mm, 1.0) << "the goal, mm";
+  EXPECT_LT(off.deg, 1.0) << "the goal, deg";
   EXPECT_THAT(run("sessions " + in(home_)).output, HasSubstr("202"));
   run("report " + in(home_) + " -o " + in(folder_.path() / "report.html"));
   EXPECT_THAT(run("plan " + in(home_), 1).errors, HasSubstr("holds no MRI"));
+}
+
+TEST_F(ReturnPath, TwoCamerasWithoutAProjectorAreEnoughAtBothVisits) {
+  for (const auto& recording : {first_, later_}) removeProjector(recording);
+  treat(case_, first_);
+  ASSERT_TRUE(casefile::CaseStore::open(case_).alignment());
+  EXPECT_NE(casefile::CaseStore::open(case_).alignment()->from, "dots");
+  run("target " + in(case_) + " --from-session newest");
+  const auto exported =
+      run("export " + in(case_) + " --as home --coil " + in(first_ / "coil.json") + " -o " + in(file_));
+  EXPECT_THAT(exported.output, HasSubstr("its size to"));
+  run("import " + in(home_) + " " + in(file_));
+  const auto off = distanceFromExpert(treat(home_, later_));
+  ASSERT_GE(off.pulses, 3u);
+  const auto aligned = casefile::CaseStore::open(home_).alignment();
+  ASSERT_TRUE(aligned && aligned->predicted_tre_p95_mm.size() == 1);
+  const double bound_mm = aligned->predicted_tre_p95_mm.begin()->second;
+  std::printf("off by %.2f mm, %.2f deg; stated bound %.2f mm\n", off.mm, off.deg, bound_mm);
+  EXPECT_LT(off.mm, bound_mm);
+  EXPECT_LT(bound_mm, 6.0) << "a bound that says something";
+  // The same recording makes a case without an MRI; without the marker it makes none.
+  run("face-case " + in(first_) + " --coil " + in(first_ / "coil.json") + " --using plain -o " +
+      in(folder_.path() / "face") + " -q");
+  fs::copy(first_ / "left" / "000000.png", first_ / "capture" / "plain_left.png",
+           fs::copy_options::overwrite_existing);
+  fs::copy(first_ / "right" / "000000.png", first_ / "capture" / "plain_right.png",
+           fs::copy_options::overwrite_existing);
+  for (const char* side : {"left", "right"}) fs::remove_all(first_ / side);
+  fs::remove(first_ / "timestamps.csv");
+  EXPECT_THAT(run("face-case " + in(first_) + " -o " + in(folder_.path() / "other"), 1).errors,
+              HasSubstr("hold the coil still beside the face"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "other"));
 }
 
 TEST_F(ReturnPath, AFaceCaseNeedsNoMriAndRefusesWhatItCannotKnow) {

@@ -82,6 +82,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
     json["face_scale"] = alignment.face_scale->value;
     json["face_scale_sigma"] = alignment.face_scale->sigma;
   }
+  if (alignment.face_size_error) json["face_size_error"] = *alignment.face_size_error;
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
   if (alignment.from) json["from"] = *alignment.from;
   if (alignment.matcher) json["matcher"] = *alignment.matcher;
@@ -108,6 +109,7 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
   if (json.has("face_scale") && json.has("face_scale_sigma"))
     alignment.face_scale =
         registration::FaceScale{atLeastZero(json.at("face_scale")), atLeastZero(json.at("face_scale_sigma"))};
+  if (json.has("face_size_error")) alignment.face_size_error = atLeastZero(json.at("face_size_error"));
   if (json.has("cautions"))
     for (const auto& words : json.at("cautions").elements()) alignment.cautions.push_back(words.text());
   if (json.has("from")) alignment.from = json.at("from").text();

@@ -11,16 +11,16 @@
 #include "facenav/core/number_text.h"
 #include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/workflow/case_pictures.h"
+#include "facenav/workflow/face_model.h"
+#include "facenav/workflow/known_lengths.h"
 #include "facenav/workflow/stored_capture.h"
-#include "known_lengths.h"
+#include "film_beginning.h"
 
 namespace facenav::workflow {
 namespace {
 
 /// Pictures with less prior trust are used only where they promise this much less error.
 constexpr double kClearlyBetter = 0.85;
-/// The head turns to both sides in this time; later frames add little.
-constexpr double kFilm_s = 2.0;
 // Bound (95 %) of an alignment without dots and without a marker: what counts as a wrong pose.
 constexpr double kMostUnknown_mm = 3.0;
 
@@ -29,13 +29,6 @@ struct Aligned {
   AlignmentOutcome outcome;
   capture::CapturePair pictures;
 };
-
-/// Frame numbers of the film's first seconds.
-std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording) {
-  const auto frame = capture::makeSource(recording)->next();
-  const std::int64_t first = frame ? frame->number : 0;
-  return {first, first + std::int64_t(std::lround(kFilm_s * recording.frames_per_s))};
-}
 
 /// The capture has another picture for the dots, whether they are seen there or not.
 bool hasPattern(const capture::CapturePair& capture) {
@@ -50,13 +43,6 @@ std::vector<AlignedFrom> waysOf(const capture::Recording& recording) {
   if (recording.capture) ways.push_back(AlignedFrom::plain);
   if (recording.frame_count > 1) ways.push_back(AlignedFrom::film);
   return ways;
-}
-
-/// The coil's marker while it rests in the film's beginning.
-std::optional<LengthSeen> markerIn(const capture::Recording& recording, const AlignmentSetup& setup) {
-  if (!setup.coil_tracker || recording.frame_count < 2) return std::nullopt;
-  const auto [first, last] = beginningOf(recording);
-  return markerLengthIn(*capture::makeSource(recording), first, last, setup.coil, *setup.coil_tracker);
 }
 
 std::string inWords(AlignedFrom from) {
@@ -100,14 +86,6 @@ std::optional<capture::CapturePair> storedPair(const casefile::CaseStore& store,
   return readStoredCapture(store.folder(), recording.rig);
 }
 
-/// The coil that the recording, else the case, names; else the one of the default marker.
-coil_tracking::CoilModel coilFor(const casefile::CaseStore& store, const capture::Recording& recording) {
-  for (const auto& folder : {recording.folder, store.folder()})
-    if (!folder.empty() && std::filesystem::exists(folder / "coil.json"))
-      return coil_tracking::readCoil(folder / "coil.json");
-  return coil_tracking::defaultCoil();
-}
-
 double worstBound_mm(const AlignmentOutcome& outcome) {
   double worst = 0;
   for (const auto& [ignored, bound_mm] : outcome.predicted_tre_p95_mm) worst = std::max(worst, bound_mm);
@@ -130,6 +108,7 @@ void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recordi
   if (outcome.result.right_turn)
     words += formatted(": the coil could lie %.0f mm from where it is shown", bound_mm);
   if (outcome.is_marker_contradicted) throw UnknownTurn(words + "; " + kMarkerContradicted);
+  if (isSizeUnknown(*outcome.skin)) throw UnknownTurn(words + "; " + kSizeUnknown);
   words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
   if (!recording.capture || !hasPattern(*recording.capture))
     words += " (or with a projector's dots)";
@@ -233,6 +212,7 @@ void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& 
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome) {
   casefile::FileGroup group(store.folder());
   writeStoredCapture(group, rig, capture);
+  if (store.hasMri() && outcome.from != AlignedFrom::dots) keepFace(rig, outcome, group.staging());
   casefile::writeSkinFit(outcome.result, outcome.face.cloud, group.staging() / "skin_fit.vtp");
   writePrivatePng(pictures::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
                   group.staging() / "skin_fit.png");
@@ -257,7 +237,7 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
                        targets,
                        store.scalpField(),
                        order.matcher,
-                       order.coil ? *order.coil : coilFor(store, recording),
+                       order.coil ? *order.coil : coilNamedIn({recording.folder, store.folder()}),
                        coil_tracker.get()};
   if (order.from) requirePictures(recording, *order.from);
   Attempts attempts;
@@ -265,7 +245,8 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   for (const AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
     if (attempts.hasDenseDots() && (!order.tries_all || from == AlignedFrom::film)) break;
     const bool has_dots = from == AlignedFrom::dots && showsDots(*recording.capture);
-    if (!has_dots && !std::exchange(was_marker_sought, true)) setup.marker = markerIn(recording, setup);
+    if (!has_dots && coil_tracker && !std::exchange(was_marker_sought, true))
+      setup.marker = restingMarkerIn(recording, setup.coil, *coil_tracker);
     attempts.add(from, store, [&] {
       Aligned aligned = align(methods, recording, from, order, setup, monitor);
       if (!aligned.outcome.has_dense_dots && !order.may_be_unsure)

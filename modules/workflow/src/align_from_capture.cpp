@@ -9,14 +9,25 @@
 #include "dotted_face.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/workflow/known_lengths.h"
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
 #include "facenav/workflow/shared_depth.h"
-#include "known_lengths.h"
 #include "plain_skin.h"
 
 namespace facenav::workflow {
 namespace {
+
+Eigen::Vector3d middleOf(const PointCloud<Camera>& face) {
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const auto& p : face.points_mm) middle_mm += p / double(face.size());
+  return middle_mm;
+}
+
+/// Share by which a length there seems longer, per rad of the turn.
+double sizeByTurn(const registration::TurnableCamera& right, const Eigen::Vector3d& at_mm) {
+  return right.displacement(at_mm).norm() / at_mm.norm();
+}
 
 /// How a turn of the right camera looks that the cloud's stated deviation could be: points that are all off
 /// by it, outwards from the middle, change the face's size; a turn changes its distance and so its size.
@@ -38,8 +49,7 @@ std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoR
                                                           const stereo::FaceCloud& face,
                                                           bool has_dense_dots) {
   if (face.cloud.empty()) return std::nullopt;
-  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
-  for (const auto& p : face.cloud.points_mm) middle_mm += p / double(face.cloud.size());
+  const Eigen::Vector3d middle_mm = middleOf(face.cloud);
   const Eigen::Vector3d centre_mm = rig.right_T_left.isometry().inverse().translation();
   return registration::TurnableCamera{
       Point<Camera>(centre_mm), Direction<Camera>(middle_mm.cross(centre_mm).normalized()),
@@ -56,6 +66,17 @@ registration::AlignmentStart startOf(const cameras::StereoRig& rig, const std::o
   start.right = turnableRight(rig, outcome.face, outcome.has_dense_dots);
   if (marker && start.right) start.known_turn = turnBy(*marker, *start.right);
   return start;
+}
+
+/// Adds the errors of a face that cameras measured in place of a scan. The fit compares the live face with
+/// it, so that only the turn that a marker tells misses the stored face's own error of size.
+void addErrorsOf(const surface::FaceMeasurement& model, const PointCloud<Camera>& face,
+                 registration::AlignmentStart& start) {
+  start.shared_depth_sigma_mm = std::hypot(start.shared_depth_sigma_mm, model.whole_mm);
+  start.sight.sigma_mm = std::hypot(start.sight.sigma_mm, model.sight_mm);
+  if (!start.known_turn || !start.right) return;
+  double& sigma_rad = start.known_turn->sigma_rad;
+  sigma_rad = std::hypot(sigma_rad, model.size.value_or(0.0) / sizeByTurn(*start.right, middleOf(face)));
 }
 
 head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, const stereo::FaceCloud& face,
@@ -111,9 +132,12 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
     marker = seen.length;
     outcome.is_marker_contradicted = seen.is_contradicted;
   }
+  const auto& model = setup.scalp.measurement;
+  if (isSizeUnknown(setup.scalp)) marker.reset();  // the marker tells how the cameras stand now, not then
   outcome.is_marker_seen = marker.has_value();
-  outcome.result =
-      setup.aligner.align(*outcome.scalp, outcome.face.cloud, startOf(rig, marker, outcome), monitor);
+  auto start = startOf(rig, marker, outcome);
+  if (model) addErrorsOf(*model, outcome.face.cloud, start);
+  outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, start, monitor);
 }
 
 /// Where nothing excludes a camera that turned: what it could cost, and what to do.
@@ -131,6 +155,7 @@ std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const Ali
       "from where it is shown",
       most_mm);
   if (outcome.is_marker_contradicted) return cost + "; " + kMarkerContradicted + ", and align again";
+  if (isSizeUnknown(setup.scalp)) return cost + "; " + kSizeUnknown;
   return cost +
          ". Hold the coil still beside the face, its marker to both cameras, while the picture without dots "
          "is "
@@ -204,6 +229,12 @@ double AlignmentOutcome::worstPredicted_mm() const {
   return result.predictedError_mm(Point<Mri>(scalp->middle_mm()));
 }
 
+std::optional<double> AlignmentOutcome::faceSizeError() const {
+  if (!result.right || !result.right_turn || face.cloud.empty()) return std::nullopt;
+  return std::hypot(result.right_turn->rad, result.right_turn->sigma_rad) *
+         sizeByTurn(*result.right, middleOf(face.cloud));
+}
+
 casefile::StoredAlignment AlignmentOutcome::stored() const {
   casefile::StoredAlignment alignment;
   alignment.camera_T_mri = result.camera_T_mri;
@@ -215,6 +246,7 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.predicted_tre_p95_mm = predicted_tre_p95_mm;
   alignment.uncertainty = result.uncertainty();
   alignment.face_scale = result.face_scale;
+  alignment.face_size_error = faceSizeError();
   alignment.cautions = result.cautions;
   alignment.from = nameOf(from);
   if (from == AlignedFrom::dots && matcher != stereo::kDefaultMatcher) alignment.matcher = matcher;

@@ -1,4 +1,4 @@
-#include "known_lengths.h"
+#include "facenav/workflow/known_lengths.h"
 
 #include <algorithm>
 #include <cmath>

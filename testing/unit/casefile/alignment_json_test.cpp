@@ -24,6 +24,7 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   alignment.predicted_tre_mm = {{"M1 hand L", 0.42}};
   alignment.predicted_tre_p95_mm = {{"M1 hand L", 0.81}};
   alignment.face_scale = registration::FaceScale{0.987, 0.004};
+  alignment.face_size_error = 0.0021;
   alignment.cautions = {"the skin fits loosely"};
   writeAlignment(alignment, folder.path() / "alignment.json");
   const StoredAlignment read = readAlignment(folder.path() / "alignment.json");
@@ -35,6 +36,7 @@ TEST(AlignmentJson, RoundTripKeepsEveryDigit) {
   ASSERT_TRUE(read.face_scale);
   EXPECT_DOUBLE_EQ(read.face_scale->value, 0.987);
   EXPECT_DOUBLE_EQ(read.face_scale->sigma, 0.004);
+  EXPECT_EQ(read.face_size_error, 0.0021);
   EXPECT_EQ(read.cautions, alignment.cautions);
 }
 

@@ -241,7 +241,32 @@ TEST(ScalpSurface, SurvivesTheFile) {
   EXPECT_LT((read.mesh.vertices_mm[100] - scalp.mesh.vertices_mm[100]).norm(), 1e-6);
   ASSERT_EQ(read.field_of_view.size(), 6u);
   EXPECT_LT((read.field_of_view[3].first.mm - scalp.field_of_view[3].first.mm).norm(), 1e-9);
+  EXPECT_FALSE(read.measurement);
   EXPECT_THROW(readScalp(folder.path() / "absent.vtp"), Error);
+}
+
+TEST(ScalpSurface, OfAMeasuredFaceKeepsItsErrorsInTheFile) {
+  ScalpSurface face;
+  face.mesh.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  face.mesh.normals.assign(3, Eigen::Vector3d::UnitZ());
+  face.mesh.triangles = {{0, 1, 2}};
+  face.measurement = FaceMeasurement{15400, 0.4, 0.1, 0.2};
+  TemporaryFolder folder;
+  writeScalp(face, folder.path() / "face.vtp");
+  auto read = readScalp(folder.path() / "face.vtp");
+  ASSERT_TRUE(read.measurement);
+  EXPECT_EQ(read.measurement->points, 15400);
+  EXPECT_EQ(read.measurement->point_mm, 0.4);
+  EXPECT_EQ(read.measurement->sight_mm, 0.1);
+  EXPECT_EQ(read.measurement->whole_mm, 0.2);
+  EXPECT_FALSE(read.measurement->size) << "not known";
+  face.measurement->size = 0.003;
+  writeScalp(face, folder.path() / "face.vtp");
+  read = readScalp(folder.path() / "face.vtp");
+  EXPECT_EQ(read.measurement->size, 0.003);
+  face.measurement->whole_mm = -1;
+  writeScalp(face, folder.path() / "face.vtp");
+  EXPECT_THROW(readScalp(folder.path() / "face.vtp"), Error);
 }
 
 }  // namespace

@@ -125,6 +125,10 @@ TEST(HomeRefusal, IsOneSentenceForEachCause) {
   EXPECT_THAT(
       homeRefusal(Error("not aligned: without dense dots the face alone does not show whether a camera")),
       HasSubstr("still beside the face"));
+  EXPECT_THAT(
+      homeRefusal(Error("not aligned: without dense dots the face alone does not show whether a camera has "
+                        "turned; the stored face was measured without the coil's marker in the picture")),
+      HasSubstr("ask the clinic"));
   EXPECT_EQ(homeRefusal(Error("disk full")), "disk full");
 }
 

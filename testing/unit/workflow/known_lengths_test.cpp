@@ -1,6 +1,6 @@
 // What the coil's printed marker, in the capture's still pair, says about a right camera that turned.
 
-#include "known_lengths.h"
+#include "facenav/workflow/known_lengths.h"
 
 #include <gmock/gmock.h>
 

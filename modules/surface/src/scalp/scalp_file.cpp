@@ -9,6 +9,8 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
+
 #include "facenav/core/error.h"
 #include "facenav/surface/scalp_surface.h"
 #include "mesh/mesh_polydata.h"
@@ -17,7 +19,8 @@ namespace facenav::surface {
 namespace {
 
 constexpr char kHasFace[] = "has_face", kHasCutEar[] = "has_cut_ear", kFindings[] = "findings",
-               kFieldOfView[] = "field_of_view_mm", kDoubt[] = "doubt_mm";
+               kFieldOfView[] = "field_of_view_mm", kDoubt[] = "doubt_mm",
+               kMeasurement[] = "face_measurement";
 
 Error malformed(const std::filesystem::path& path, const std::string& what) {
   return Error("not a scalp file: " + what, path.string(), "run 'facenav prepare' again");
@@ -28,6 +31,34 @@ vtkSmartPointer<vtkUnsignedCharArray> flag(const char* name, bool value) {
   array->SetName(name);
   array->InsertNextValue(value ? 1 : 0);
   return array;
+}
+
+constexpr double kUnknownSize = -1;
+
+/// points, point_mm, sight_mm, whole_mm, size; a size that is not known is -1.
+vtkSmartPointer<vtkDoubleArray> asField(const FaceMeasurement& face) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(kMeasurement);
+  array->SetNumberOfComponents(5);
+  const double row[5] = {double(face.points), face.point_mm, face.sight_mm, face.whole_mm,
+                         face.size.value_or(kUnknownSize)};
+  array->InsertNextTuple(row);
+  return array;
+}
+
+std::optional<FaceMeasurement> readMeasurement(vtkFieldData& fields, const std::filesystem::path& path) {
+  auto* array = vtkDataArray::SafeDownCast(fields.GetAbstractArray(kMeasurement));
+  if (!array) return std::nullopt;
+  if (array->GetNumberOfComponents() != 5 || array->GetNumberOfTuples() != 1)
+    throw malformed(path, "face_measurement needs 5 components");
+  double row[5];
+  array->GetTuple(0, row);
+  FaceMeasurement face{int(row[0]), row[1], row[2], row[3]};
+  if (row[4] != kUnknownSize) face.size = row[4];
+  for (const double value : {row[0], row[1], row[2], row[3], face.size.value_or(0.0)})
+    if (!(value >= 0) || !std::isfinite(value))
+      throw malformed(path, "face_measurement is no standard error");
+  return face;
 }
 
 }  // namespace
@@ -49,6 +80,7 @@ void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path) {
   poly_data->GetFieldData()->AddArray(flag(kHasCutEar, scalp.has_cut_ear));
   if (!scalp.findings.empty()) poly_data->GetFieldData()->AddArray(findings);
   if (!scalp.field_of_view.empty()) poly_data->GetFieldData()->AddArray(planes);
+  if (scalp.measurement) poly_data->GetFieldData()->AddArray(asField(*scalp.measurement));
   writePolyData(*poly_data, path);
 }
 
@@ -83,6 +115,7 @@ ScalpSurface readScalp(const std::filesystem::path& path) {
                                        Direction<Mri>(Eigen::Vector3d(row[3], row[4], row[5])));
     }
   }
+  scalp.measurement = readMeasurement(fields, path);
   return scalp;
 }
 

@@ -1,32 +1,26 @@
 #include "facenav/workflow/face_model.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 #include "../camera_doubts.h"
 #include "../dotted_face.h"
-#include "facenav/casefile/sha256.h"
+#include "../plain_skin.h"
+#include "face_surface.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
-#include "facenav/core/robust_statistics.h"
-#include "facenav/workflow/shared_depth.h"
-#include "facenav/workflow/software_version.h"
+#include "facenav/workflow/known_lengths.h"
+#include "facenav/workflow/measured_face.h"
 
 namespace facenav::workflow {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kCell_mm = 1.5;          // between vertices: some points each, so that noise averages out
-constexpr double kLongestEdge_cells = 4;  // longer: two surfaces, one behind the other
-constexpr double kMostSigma = 3;          // times the median: a point measured much worse is left out
-constexpr double kMostGrazing = 0.26;     // cosine of 75 degrees between normal and view
-constexpr double kOnSkin_mm = 2.0;        // of the MRI's skin
-constexpr double kLeastExtent_mm = 90;    // across and down: a whole face has 130 and 180
-const Eigen::Vector3d kNoseTip_mm(0, 95, -30);
-
-using FaceCells = std::map<std::pair<int, int>, int>;
+const Eigen::Vector3d kFacesNose_mm(0, 95, -30);
+constexpr const char* kKeptFace = "face.vtp";  // in alignment_capture/
+// An error of size moves the coil by its share of the distance between face and coil, some 150 mm: with twice
+// this error by 3 mm, which counts as a wrong pose.
+constexpr double kMostSizeError = 0.01;
+constexpr double kTurned = 3.0;  // standard errors of a length that is wrong for sure, as in the alignment
 
 /// The face's own axes, by its landmarks.
 RigidTransform<Camera, Mri> facesOwnFrame(const FaceInSpace& face) {
@@ -39,110 +33,52 @@ RigidTransform<Camera, Mri> facesOwnFrame(const FaceInSpace& face) {
   const Eigen::Vector3d z = (up - up.dot(x) * x).normalized();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() << x, z.cross(x), z;
-  pose.translation() = start.nose_tip->mm - pose.linear() * kNoseTip_mm;
+  pose.translation() = start.nose_tip->mm - pose.linear() * kFacesNose_mm;
   return RigidTransform<Camera, Mri>::fromIsometry(pose);
 }
 
-/// Points that are measured well, face the camera, and lie on the MRI's skin where that is known.
-std::vector<std::size_t> goodPoints(const stereo::FaceCloud& face,
-                                    const RigidTransform<Mri, Camera>& mri_T_camera,
-                                    const registration::ScalpField* scalp) {
-  std::vector<double> sigmas(face.sigma_mm.begin(), face.sigma_mm.end());
-  const double most_mm = sigmas.empty() ? 1e9 : kMostSigma * upperMedian(sigmas);
-  std::vector<std::size_t> good;
-  for (std::size_t i = 0; i < face.cloud.size(); ++i) {
-    const Eigen::Vector3d& p = face.cloud.points_mm[i];
-    if (!sigmas.empty() && sigmas[i] > most_mm) continue;
-    if (-face.cloud.normals[i].dot(p.normalized()) < kMostGrazing) continue;
-    if (scalp) {
-      const float off_mm = scalp->fine((mri_T_camera * Point<Camera>(p)).mm.cast<float>()).distance_mm;
-      if (!(std::abs(off_mm) < kOnSkin_mm)) continue;
-    }
-    good.push_back(i);
-  }
-  return good;
+/// What the marker's length says about the size of a face elsewhere in the view: a turn of the right camera
+/// changes a length by a share that grows with its distance.
+double sizeErrorBy(const LengthSeen& marker, const Eigen::Vector3d& face_mm) {
+  const double off = marker.ratio - 1.0;
+  if (std::abs(off) > kTurned * marker.sigma)
+    throw Error(
+        formatted("the coil's marker measures %.1f +/- %.1f %% of its printed size: a camera has turned "
+                  "sideways since the calibration, or the print has another size",
+                  100 * marker.ratio, 100 * marker.sigma),
+        {}, "check the cameras ('facenav rig check') and the size of the print");
+  return std::hypot(off, marker.sigma) * face_mm.norm() / marker.at.mm.norm();
 }
 
-/// Mean point and normal of each cell of the left picture.
-FaceCells addVertices(const stereo::FaceCloud& face, const std::vector<std::size_t>& good, int cell_px,
-                      const RigidTransform<Mri, Camera>& mri_T_camera, surface::TriangleMesh& mesh) {
-  std::map<std::pair<int, int>, std::vector<std::size_t>> members;
-  for (const std::size_t i : good)
-    members[{int(face.left_px[i].x()) / cell_px, int(face.left_px[i].y()) / cell_px}].push_back(i);
-  FaceCells vertices;
-  for (const auto& [cell, points] : members) {
-    Eigen::Vector3d p = Eigen::Vector3d::Zero(), normal = p;
-    for (const std::size_t i : points) p += face.cloud.points_mm[i], normal += face.cloud.normals[i];
-    vertices[cell] = int(mesh.vertices_mm.size());
-    mesh.vertices_mm.push_back((mri_T_camera * Point<Camera>(p / double(points.size()))).mm);
-    mesh.normals.push_back(mri_T_camera.rotation() * normal.normalized());
-  }
-  return vertices;
+Eigen::Vector3d middleOfFace(const stereo::FaceCloud& face) {
+  Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+  for (const auto& p : face.cloud.points_mm) middle_mm += p / double(face.cloud.size());
+  return middle_mm;
 }
 
-void addTriangle(surface::TriangleMesh& mesh, int a, int b, int c) {
-  const auto at = [&](int i) { return mesh.vertices_mm[std::size_t(i)]; };
-  for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}})
-    if ((at(i) - at(j)).norm() > kLongestEdge_cells * kCell_mm) return;
-  const Eigen::Vector3d normal = (at(b) - at(a)).cross(Eigen::Vector3d(at(c) - at(a)));
-  if (normal.dot(mesh.normals[std::size_t(a)]) < 0) std::swap(b, c);
-  mesh.triangles.push_back({a, b, c});
+void requireKnownSize(const surface::FaceMeasurement& face, AlignedFrom from) {
+  if (from == AlignedFrom::dots || face.size.value_or(1.0) <= kMostSizeError) return;
+  const std::string what =
+      face.size
+          ? formatted("the face may have been measured by %.0f %% too large or too small: ", 200 * *face.size)
+          : std::string("the face may have been measured too large or too small: ");
+  throw Error(
+      what + "nothing showed well enough whether a camera had turned sideways since the calibration", {},
+      "hold the coil still beside the face, its marker to both cameras, and take the pictures again (or "
+      "use a projector's dots)");
 }
 
-void addTriangles(const FaceCells& cells, surface::TriangleMesh& mesh) {
-  for (const auto& [cell, a] : cells) {
-    const auto [x, y] = cell;
-    const auto right = cells.find({x + 1, y}), down = cells.find({x, y + 1}),
-               across = cells.find({x + 1, y + 1});
-    if (across == cells.end()) continue;
-    if (right != cells.end()) addTriangle(mesh, a, right->second, across->second);
-    if (down != cells.end()) addTriangle(mesh, a, across->second, down->second);
-  }
-}
-
-/// The largest connected part: tufts of hair, a collar or a hand lie apart from the face.
-surface::TriangleMesh largestPart(const surface::TriangleMesh& mesh) {
-  std::vector<int> part(mesh.vertices_mm.size());
-  std::iota(part.begin(), part.end(), 0);
-  const auto root = [&](int i) {
-    while (part[std::size_t(i)] != i) i = part[std::size_t(i)] = part[std::size_t(part[std::size_t(i)])];
-    return i;
-  };
-  for (const auto& t : mesh.triangles)
-    part[std::size_t(root(t[1]))] = root(t[0]), part[std::size_t(root(t[2]))] = root(t[0]);
-  std::map<int, int> sizes;
-  for (const auto& t : mesh.triangles) ++sizes[root(t[0])];
-  surface::TriangleMesh kept;
-  if (sizes.empty()) return kept;
-  const int largest = std::max_element(sizes.begin(), sizes.end(), [](auto& a, auto& b) {
-                        return a.second < b.second;
-                      })->first;
-  std::vector<int> renamed(mesh.vertices_mm.size(), -1);
-  for (const auto& t : mesh.triangles) {
-    if (root(t[0]) != largest) continue;
-    Eigen::Vector3i triangle;
-    for (int c = 0; c < 3; ++c) {
-      int& name = renamed[std::size_t(t[c])];
-      if (name < 0) {
-        name = int(kept.vertices_mm.size());
-        kept.vertices_mm.push_back(mesh.vertices_mm[std::size_t(t[c])]);
-        kept.normals.push_back(mesh.normals[std::size_t(t[c])]);
-      }
-      triangle[c] = name;
-    }
-    kept.triangles.push_back(triangle);
-  }
-  return kept;
-}
-
-void requireWholeFace(const surface::TriangleMesh& mesh) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;
-  for (const auto& v : mesh.vertices_mm) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  const Eigen::Vector3d extent =
-      mesh.vertices_mm.empty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(high - low);
-  if (extent.x() >= kLeastExtent_mm && extent.z() >= kLeastExtent_mm) return;
-  throw Error(formatted("only %.0f x %.0f mm of the face were measured", extent.x(), extent.z()), {},
-              "show the whole face to both cameras, hair and hands aside, and take the pictures again");
+FaceModel modelOf(const cameras::StereoRig& rig, const stereo::FaceCloud& face, const FaceInSpace& landmarks,
+                  AlignedFrom from, const FaceModelSetup& setup) {
+  FaceModel model;
+  model.from = from;
+  model.camera_T_mri = setup.camera_T_mri ? *setup.camera_T_mri : facesOwnFrame(landmarks);
+  model.skin = faceSurface(rig, face, model.camera_T_mri.inverse(), setup.scalp);
+  model.skin.measurement->size = setup.size_error;
+  if (setup.marker) model.skin.measurement->size = sizeErrorBy(*setup.marker, middleOfFace(face));
+  requireKnownSize(*model.skin.measurement, from);
+  requireWholeFace(model.skin.mesh);
+  return model;
 }
 
 void requireDots(const capture::CapturePair& capture) {
@@ -154,50 +90,55 @@ void requireDots(const capture::CapturePair& capture) {
 }  // namespace
 
 FaceModel measureFaceModel(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const FaceModelSetup& setup, TaskMonitor& monitor) {
-  requireDots(capture);
+                           AlignedFrom from, const FaceModelSetup& setup, TaskMonitor& monitor) {
+  const bool has_dots = from == AlignedFrom::dots;
+  if (has_dots) requireDots(capture);
   monitor.report("finding the face", 0.0);
   const auto landmarks = findFace(rig, capture.plain, setup.detector);
+  const auto face = has_dots ? measureDotted(rig, capture.pattern, landmarks, setup.matcher, monitor)
+                             : measurePlainSkin(rig, capture.plain, landmarks, monitor);
+  requireUnmovedCameras(rig, has_dots ? capture.pattern : capture.plain, capture.plain, face);
+  return modelOf(rig, face, landmarks, from, setup);
+}
+
+FaceModel measureFaceModel(capture::FrameSource& film, std::int64_t first, std::int64_t last,
+                           head_tracking::HeadTracker& tracker, const FaceModelSetup& setup,
+                           TaskMonitor& monitor) {
+  const auto seen = measureFilm(film, first, last, tracker, setup.detector, monitor, kFramesToAlign);
+  requireUnmovedCameras(film.rig(), *seen.first, *seen.first, seen.cloud.face);
+  return modelOf(film.rig(), seen.cloud.face, seen.landmarks, AlignedFrom::film, setup);
+}
+
+void keepFace(const cameras::StereoRig& rig, const AlignmentOutcome& outcome, const fs::path& case_folder) {
+  auto skin = faceSurface(rig, outcome.face, outcome.result.camera_T_mri.inverse(), outcome.scalp.get());
+  if (skin.mesh.triangles.empty()) return;
+  skin.measurement->size = outcome.faceSizeError();
+  surface::writeScalp(skin, case_folder / "alignment_capture" / kKeptFace);
+}
+
+FaceModel keptFace(const casefile::StoredAlignment& alignment, const fs::path& case_folder) {
+  const fs::path file = case_folder / "alignment_capture" / kKeptFace;
+  if (!fs::exists(file))
+    throw Error("the face of the last alignment was not kept", case_folder.string(), "align the case again");
   FaceModel model;
-  model.camera_T_mri = setup.camera_T_mri ? *setup.camera_T_mri : facesOwnFrame(landmarks);
-  const auto face = measureDotted(rig, capture.pattern, landmarks, setup.matcher, monitor);
-  requireUnmovedCameras(rig, capture.pattern, capture.plain, face);
-  const auto mri_T_camera = model.camera_T_mri.inverse();
-  const auto good = goodPoints(face, mri_T_camera, setup.scalp);
-  const double depth_mm = landmarks.centre ? landmarks.centre->mm.z() : 600;
-  const int cell_px = std::max(1, int(std::lround(kCell_mm * rig.left.k(0, 0) / depth_mm)));
-  surface::TriangleMesh mesh;
-  addTriangles(addVertices(face, good, cell_px, mri_T_camera, mesh), mesh);
-  model.skin.mesh = largestPart(mesh);
+  model.skin = surface::readScalp(file);
+  model.camera_T_mri = alignment.camera_T_mri;
+  model.from = alignedFrom(alignment.from.value_or("")).value_or(AlignedFrom::plain);
+  requireKnownSize(model.skin.measurement.value_or(surface::FaceMeasurement{}), model.from);
   requireWholeFace(model.skin.mesh);
-  model.skin.has_face = true;
-  model.points = int(good.size());
-  std::vector<double> sigmas;
-  for (const std::size_t i : good)
-    if (i < face.sigma_mm.size()) sigmas.push_back(face.sigma_mm[i]);
-  if (!sigmas.empty()) model.point_sigma_mm = upperMedian(sigmas);
-  model.whole_sigma_mm = faceErrorOf(rig, face).whole_mm;
   return model;
 }
 
-std::string faceFinding(const FaceModel& face) {
-  return formatted(
-             "no MRI: the face measured in %d points (%.2f mm each, %.2f mm as a whole) stands in for it; ",
-             face.points, face.point_sigma_mm, face.whole_sigma_mm) +
-         "places and errors are relative to that visit";
-}
-
-casefile::CaseStore makeFaceCase(const face::FaceDetector& detector, const fs::path& recording,
-                                 const fs::path& case_folder, const std::string& label, bool replaces,
-                                 TaskMonitor& monitor) {
-  const auto seen = capture::openCapture(recording);
-  if (!seen.capture)
-    throw Error("the recording has no capture/ pair with projected dots", recording.string(), "record one");
-  const auto model = measureFaceModel(seen.rig, *seen.capture, {detector}, monitor);
-  const casefile::Provenance made{
-      "face-case", softwareVersion(), {}, {{"capture", casefile::sha256OfInput(recording / "capture")}}};
-  return casefile::CaseStore::createFromFace(case_folder, {model.skin, {faceFinding(model)}, label}, {made},
-                                             replaces);
+std::string faceFinding(const FaceModel& model) {
+  const auto face = model.skin.measurement.value_or(surface::FaceMeasurement{});
+  const char* how = model.from == AlignedFrom::dots    ? ""
+                    : model.from == AlignedFrom::plain ? ", without a projector,"
+                                                       : ", in a film,";
+  const std::string size = face.size ? formatted(", its size to %.1f %%", 100 * *face.size)
+                                     : std::string(", its size not compared with a marker");
+  return formatted("no MRI: the face measured%s in %d points (%.2f mm each, %.2f mm as a whole", how,
+                   face.points, face.point_mm, face.whole_mm) +
+         size + ") stands in for it; places and errors are relative to that visit";
 }
 
 }  // namespace facenav::workflow

@@ -154,6 +154,10 @@ HomeAdvice homeAdvice(const session::NavigationState& state, bool sees_other_coi
 
 std::string homeRefusal(const Error& error) {
   const std::string words = error.what();
+  if (has(words, "the stored face was measured without"))
+    return "The clinic measured this face without the coil's marker: switch the projector on, or ask the "
+           "clinic "
+           "for a new file.";
   const bool lacks_marker = has(words, "no picture was taken") || has(words, "the face alone does not show");
   if (lacks_marker && !has(words, "does not fit"))
     return "Hold the coil still beside the face, its printed marker to both cameras, and try again.";

@@ -75,9 +75,10 @@ FaceModel measuredAtAlignment(const face::FaceDetector& detector, const casefile
                               TaskMonitor& monitor) {
   const auto alignment = store.alignment();
   const fs::path pictures = store.folder() / "alignment_capture";
-  if (!alignment || !fs::exists(pictures) || alignment->from.value_or("dots") != "dots")
-    throw Error("the case was never aligned with projected dots, so no face was measured",
-                store.folder().string(), "align it with a capture first");
+  if (!alignment || !fs::exists(pictures))
+    throw Error("the case was never aligned, so no face was measured", store.folder().string(),
+                "align it with a recording first");
+  if (alignment->from.value_or("dots") != "dots") return keptFace(*alignment, store.folder());
   const auto seen = capture::openCapture(pictures);
   if (!seen.capture)
     throw Error("the pictures of the alignment are missing", pictures.string(), "align again");
@@ -85,7 +86,8 @@ FaceModel measuredAtAlignment(const face::FaceDetector& detector, const casefile
   FaceModelSetup setup{detector};
   setup.camera_T_mri = alignment->camera_T_mri;
   setup.scalp = scalp.get();
-  return measureFaceModel(seen.rig, *seen.capture, setup, monitor);
+  setup.size_error = alignment->face_size_error;
+  return measureFaceModel(seen.rig, *seen.capture, AlignedFrom::dots, setup, monitor);
 }
 
 /// Without what may name people: the note and who changed it.
@@ -136,10 +138,14 @@ HomeJson manifestOf(const casefile::CaseStore& store, const guidance::Target& ta
                 {"software_version", softwareVersion()},
                 {"relative_to", "the visit at which the face was measured"},
                 {"target", target.name}};
-  if (face)
-    json["face"] = {{"points", face->points},
-                    {"point_sigma_mm", face->point_sigma_mm},
-                    {"whole_sigma_mm", face->whole_sigma_mm}};
+  if (face && face->skin.measurement) {
+    const auto& measured = *face->skin.measurement;
+    json["face"] = {{"from", nameOf(face->from)},
+                    {"points", measured.points},
+                    {"point_sigma_mm", measured.point_mm},
+                    {"whole_sigma_mm", measured.whole_mm}};
+    if (measured.size) json["face"]["size_sigma"] = *measured.size;
+  }
   json["sha256"] = HomeJson::object();
   return json;
 }

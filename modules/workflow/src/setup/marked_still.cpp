@@ -3,8 +3,8 @@
 #include <deque>
 #include <opencv2/imgproc.hpp>
 
-#include "../known_lengths.h"
 #include "facenav/core/error.h"
+#include "facenav/workflow/known_lengths.h"
 #include "steady_mean.h"
 
 namespace facenav::workflow {

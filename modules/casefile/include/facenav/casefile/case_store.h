@@ -33,7 +33,10 @@ struct StoredAlignment {
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;
   std::optional<registration::PoseUncertainty> uncertainty;  // absent in older files and other tools' files
   std::optional<registration::FaceScale> face_scale;         // nothing: not estimated, or an older file
-  std::vector<std::string> cautions;                         // in plain words
+  /// Standard error of the size of the face as the cameras measured it, as a share of it: what a camera that
+  /// turned sideways since the calibration may have done to it. Nothing: not estimated, or an older file.
+  std::optional<double> face_size_error;
+  std::vector<std::string> cautions;           // in plain words
   std::optional<std::string> from;             // what the face was measured on: "dots", "plain", "film"
   std::optional<std::string> matcher;          // that measured the face, if it was not the default one
   SettingValues settings = changedSettings();  // those that differed from their defaults

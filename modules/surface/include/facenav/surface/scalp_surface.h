@@ -4,6 +4,7 @@
 // fat's maximum would lie 0.5-1.5 mm too deep.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,18 @@ namespace facenav::surface {
 /// Standard error of skin that ends in dark air; the alignment and the plan count with it anyway.
 constexpr double kClearSkin_mm = 0.15;
 
+/// How well cameras measured a face that stands in for a scan's skin. Standard errors; its points share all
+/// but the first.
+struct FaceMeasurement {
+  int points = 0;       // measured points in the surface
+  double point_mm = 0;  // median over the points, along the view
+  double sight_mm = 0;  // along the view, of neighbours alike
+  double whole_mm = 0;  // along the view, of the whole face alike
+  /// Of its size, as a share of it: a camera that turned sideways since the calibration measures every length
+  /// too long or too short. Nothing: nothing showed whether a camera had turned.
+  std::optional<double> size = {};
+};
+
 struct ScalpSurface {
   TriangleMesh mesh;
   /// One standard error of the skin along its normal, per vertex: larger beneath pads and haze. Empty: not
@@ -28,11 +41,13 @@ struct ScalpSurface {
   bool has_face = false;              // nose, brow and eye sockets are there to align to
   bool has_cut_ear = false;           // the last of `findings` says so; it does not concern the face
   std::vector<std::string> findings;  // plain words: "nose tip cut by the scan's edge"
+  /// Nothing: the skin of a scan (or a face that was measured before this was kept).
+  std::optional<FaceMeasurement> measurement = {};
 };
 
 ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor);
-/// scalp.vtp: points, normals, mesh (Mri), point data doubt_mm; has_face, has_cut_ear, findings and field of
-/// view as field data. Whole file or nothing.
+/// scalp.vtp: points, normals, mesh (Mri), point data doubt_mm; has_face, has_cut_ear, findings, field of
+/// view and measurement as field data. Whole file or nothing.
 void writeScalp(const ScalpSurface& scalp, const std::filesystem::path& path);
 ScalpSurface readScalp(const std::filesystem::path& path);
 /// The result of writing and reading, bit for bit: normals in single precision, those of the planes

@@ -87,6 +87,9 @@ struct AlignmentOutcome {
   double predictedError_mm(const guidance::Target& target) const;
   /// The largest predicted error (standard error, mm) at a target; without targets, in the head's middle.
   double worstPredicted_mm() const;
+  /// Standard error of the size of the measured face, as a share of it, by what is known of a right camera
+  /// that turned sideways. Nothing: that was not estimated.
+  std::optional<double> faceSizeError() const;
   casefile::StoredAlignment stored() const;
 };
 

@@ -27,7 +27,8 @@ struct HomeExport {
   std::uintmax_t bytes = 0;
 };
 /// Throws Error: the case is not signed off, the target is no expert's pose, another coil than the expert's,
-/// a case with an MRI that was never aligned with dots, or aligned again since the expert's session.
+/// a case with an MRI that was never aligned, aligned without anything that showed how the cameras stood, or
+/// aligned again since the expert's session.
 HomeExport exportHome(const face::FaceDetector& detector, const casefile::CaseStore& store,
                       const HomeOrder& order, const std::filesystem::path& file, TaskMonitor& monitor);
 

@@ -16,6 +16,16 @@ namespace facenav::workflow {
 constexpr const char* kMarkerContradicted =
     "the coil's marker does not fit the cameras' calibration: check the cameras, and the size of the print";
 
+/// A face that cameras measured in place of a scan, while nothing showed whether one of them had turned: then
+/// its size is not known, and a marker does not help to align to it.
+inline bool isSizeUnknown(const surface::ScalpSurface& face) {
+  return face.measurement && !face.measurement->size;
+}
+constexpr const char* kSizeUnknown =
+    "the stored face was measured without the coil's marker in the picture: align with a projector's dots, "
+    "or "
+    "measure the face again with the marker beside it";
+
 /// What a still pair shows of the coil's marker.
 struct MarkerInPair {
   std::optional<LengthSeen> length;
