@@ -34,11 +34,21 @@ class ReturnPath : public ::testing::Test {
   void SetUp() override {
     FACENAV_NEEDS(virtualPatientMri());
     ::signal(SIGPIPE, SIG_IGN);
-    run("prepare '" + virtualPatientMri().string() + "' -o " + in(case_) + " --label '" + kName + "' -q");
-    run("check " + in(case_) + " --by AB --acknowledge-findings");
-    run("target " + in(case_) + " --name 'M1 hand L' --mni -37 -21 58");
-    simulate(first_, "--seed 1");
-    simulate(later_, "--seed 7 --seat-turn-deg 4 --seat-shift-mm 15 --capture-grimace 0.4 --hair-sway-mm 3");
+    if (!made_) makeVisits();
+    for (const auto& [name, to] : {std::pair{"case", case_}, {"first", first_}, {"later", later_}})
+      fs::copy(made_->path() / name, to, fs::copy_options::recursive);
+  }
+  static void TearDownTestSuite() { made_.reset(); }
+  /// The case and the recordings of both visits, as each test finds them.
+  void makeVisits() {
+    made_ = std::make_unique<TemporaryFolder>();
+    const fs::path made = made_->path() / "case";
+    run("prepare '" + virtualPatientMri().string() + "' -o " + in(made) + " --label '" + kName + "' -q");
+    run("check " + in(made) + " --by AB --acknowledge-findings");
+    run("target " + in(made) + " --name 'M1 hand L' --mni -37 -21 58");
+    simulate(made_->path() / "first", "--seed 1");
+    simulate(made_->path() / "later",
+             "--seed 7 --seat-turn-deg 4 --seat-shift-mm 15 --capture-grimace 0.4 --hair-sway-mm 3");
   }
   static std::string in(const fs::path& path) { return "'" + path.string() + "'"; }
   CommandResult run(const std::string& words, int status = 0) const {
@@ -47,8 +57,8 @@ class ReturnPath : public ::testing::Test {
     return result;
   }
   void simulate(const fs::path& recording, const std::string& how) const {
-    run("simulate treatment --case " + in(case_) + " --frames 24 --frames-per-s 12 " + how + " -o " +
-        in(recording) + " -q");
+    run("simulate treatment --case " + in(made_->path() / "case") + " --frames 24 --frames-per-s 12 " + how +
+        " -o " + in(recording) + " -q");
   }
   /// Pulses while the coil rests on the target, in the last third of the recording.
   std::vector<casefile::ReviewedPulse> treat(const fs::path& case_folder, const fs::path& recording) {
@@ -73,6 +83,7 @@ class ReturnPath : public ::testing::Test {
     double mm = 0, deg = 0;
   };
   Off distanceFromExpert(const std::vector<casefile::ReviewedPulse>& pulses) const;
+  static inline std::unique_ptr<TemporaryFolder> made_;
   TemporaryFolder folder_;
   fs::path case_ = folder_.path() / "case", home_ = folder_.path() / "home",
            file_ = folder_.path() / "to_go.zip", first_ = folder_.path() / "first",
