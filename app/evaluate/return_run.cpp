@@ -1,5 +1,7 @@
 #include "evaluate/return_run.h"
 
+#include <functional>
+
 #include "evaluate/evaluation_run.h"
 #include "evaluate/return_visits.h"
 #include "facenav/core/error.h"
@@ -12,6 +14,7 @@ namespace {
 
 using workflow::AlignedFrom;
 
+constexpr const char* kFirstVisit = "first visit";
 constexpr double kSideways_deg[] = {0.05, 0.1};  // turns of the right camera that no match shows
 
 /// The first visit with a projector: the expert holds the coil at the target.
@@ -80,9 +83,26 @@ workflow::FaceModel filmedFace(const ReturnBench& bench, PlainVisit& visit) {
                                     visit.alone, bench.context.monitor);
 }
 
-/// Each model's expert pose is that of a session that was aligned to it from the plain pair.
+/// Runs `task`; a refusal is a run, too.
+void orRefused(const std::string& head, const std::string& model, const std::string& change,
+               std::uint64_t seed, std::vector<ReturnRun>& runs, const std::function<void()>& task) {
+  try {
+    task();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& refusal) {
+    ReturnRun run;
+    run.head = head, run.model = model, run.change = change, run.seed = seed;
+    run.refusal = refusal.what();
+    runs.push_back(run);
+  }
+}
+
+/// Each model's expert pose is that of a session that was aligned to it from the plain pair. Faces that are
+/// not measured go into `refused`.
 std::vector<ReturnModel> plainModels(const ReturnBench& bench, const EvaluationHead& head, std::uint64_t seed,
-                                     int frames, Knock knock, RigidTransform<Mri, Coil>& true_expert) {
+                                     int frames, Knock knock, RigidTransform<Mri, Coil>& true_expert,
+                                     std::vector<ReturnRun>& refused) {
   auto visit = plainVisit(bench, head, seed, frames, knock);
   const auto at_target = head.target.mri_T_target.reframe<Mri, Coil>();
   const auto align = [&](const surface::ScalpSurface& skin) {
@@ -108,13 +128,17 @@ std::vector<ReturnModel> plainModels(const ReturnBench& bench, const EvaluationH
   };
   add("MRI, plain pictures", head.scalp, expert);
   add("plain face in the MRI's frame", measure(of_mri).skin, expert);
-  const auto plain = measure(visit.alone);
-  add("plain face alone", plain.skin, plain.camera_T_mri.inverse() * by_mri.result.camera_T_mri * expert);
+  orRefused(head.name, "plain face alone", kFirstVisit, seed, refused, [&] {
+    const auto plain = measure(visit.alone);
+    add("plain face alone", plain.skin, plain.camera_T_mri.inverse() * by_mri.result.camera_T_mri * expert);
+  });
   if (knock.sideways_deg != 0) return models;  // the film's calibration is that of its own room
-  const auto film = filmedFace(bench, visit);
-  const auto by_film = align(film.skin);
-  add("filmed face alone", film.skin,
-      by_film.result.camera_T_mri.inverse() * by_mri.result.camera_T_mri * expert);
+  orRefused(head.name, "filmed face alone", kFirstVisit, seed, refused, [&] {
+    const auto film = filmedFace(bench, visit);
+    const auto by_film = align(film.skin);
+    add("filmed face alone", film.skin,
+        by_film.result.camera_T_mri.inverse() * by_mri.result.camera_T_mri * expert);
+  });
   return models;
 }
 
@@ -123,21 +147,14 @@ void runTurned(const ReturnBench& bench, const EvaluationHead& head, std::uint64
                double sideways_deg, std::vector<ReturnRun>& runs) {
   const std::string words =
       formatted("right camera turned sideways by %.2f deg before the first visit", sideways_deg);
-  RigidTransform<Mri, Coil> expert;
-  try {
+  orRefused(head.name, "plain face", words, seed, runs, [&] {
+    RigidTransform<Mri, Coil> expert;
     const auto change = laterVisits(seed, frames, VisitPictures::plain_with_marker).front();
-    for (const auto& model : plainModels(bench, head, seed, frames, {false, sideways_deg}, expert)) {
+    for (const auto& model : plainModels(bench, head, seed, frames, {false, sideways_deg}, expert, runs)) {
       runs.push_back(visitAgain(bench, model, head, change, expert, {}));
       runs.back().seed = seed, runs.back().change = words;
     }
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& refusal) {
-    ReturnRun run;
-    run.head = head.name, run.model = "plain face", run.change = words, run.seed = seed;
-    run.refusal = refusal.what();
-    runs.push_back(run);
-  }
+  });
 }
 
 }  // namespace
@@ -178,8 +195,10 @@ std::vector<ReturnRun> runReturns(Context& context, const EvaluationHead& head, 
       visitAll(models, expert, seed);
     }
     if (!request.has_plain) continue;
-    const auto models = plainModels(bench, head, seed, request.frames, {}, expert);
-    visitAll(models, expert, seed);
+    orRefused(head.name, "plain face", kFirstVisit, seed, runs, [&] {
+      const auto models = plainModels(bench, head, seed, request.frames, {}, expert, runs);
+      visitAll(models, expert, seed);
+    });
     for (const double deg : kSideways_deg) runTurned(bench, head, seed, request.frames, deg, runs);
   }
   return runs;

@@ -153,6 +153,7 @@ void SetupPresenter::begin(std::unique_ptr<capture::FrameSource> source,
   if (const auto* chosen = coil()) options.coil = chosen->model;
   step_ = Step::place;
   is_kept_ = false;
+  kept_row_times_s_.reset();
   setup_ = std::make_shared<workflow::RigSetup>(std::move(source), options, services_.makeSetupMethods());
   emit changed();
 }
@@ -182,6 +183,8 @@ QString SetupPresenter::sentence() const {
   if (!now->frame && now->failure.empty()) return tr("waiting for the first picture");
   QString words = QString::fromStdString(now->sentence);
   if (now->step == Step::check && now->is_done && !is_kept_) words += tr(": keep it under a name");
+  if (now->step == Step::coil && kept_row_times_s_ && setup_ && setup_->rowTimes_s() == kept_row_times_s_)
+    words += tr("; kept with the pair");
   return words.replace("+-", QString::fromUtf8("\u00b1"));
 }
 
@@ -316,6 +319,21 @@ void SetupPresenter::startJig(const QString& file) {
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
   }
+}
+
+void SetupPresenter::startWave() {
+  if (setup_) setup_->startWave();
+}
+
+void SetupPresenter::keepRowTimes() {
+  const auto times = setup_ ? setup_->rowTimes_s() : std::nullopt;
+  if (!times || times == kept_row_times_s_ || !services_.keepLearnt) return;
+  const QString name = is_kept_ ? name_.trimmed() : opened_rig_;
+  if (name.isEmpty()) return;
+  kept_row_times_s_ = times;
+  workflow::CamerasLearnt learnt;
+  learnt.row_times_s = times;
+  services_.keepLearnt(name.toStdString(), learnt);
 }
 
 bool SetupPresenter::keepCoil() {

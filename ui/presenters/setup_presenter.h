@@ -78,6 +78,10 @@ class SetupPresenter : public QObject {
   QString coilName() const { return coil_name_; }
   void startPivots();
   void startJig(const QString& file);
+  /// Measures the cameras' rolling shutter on the waved coil.
+  void startWave();
+  /// Keeps with the pair what the waved coil showed, once it is there. Call it now and then.
+  void keepRowTimes();
   /// The calibrated coil into the library, under the chosen name.
   bool keepCoil();
 
@@ -106,6 +110,7 @@ class SetupPresenter : public QObject {
   QString opened_rig_;  // a kept one, as it was kept; empty: none, or it is being repaired
   std::string noted_;   // words of the check that was stored
   bool is_kept_ = false;
+  std::optional<std::array<double, 2>> kept_row_times_s_;
   Retirement retirement_;
 };
 

@@ -170,10 +170,16 @@ void SetupTools::makeCoil() {
   auto* jig = addButton(*column, tr("Calibrate with a jig\u2026"), tr("the jig's marker as coil.json"));
   keep_coil_ = addButton(*column, tr("Keep the coil"), tr("its calibration, in the library"));
   coil_words_ = addWords(*column, {}, "plain");
+  addWords(*column, tr("Ordinary webcams"), "heading");
+  wave_ =
+      addButton(*column, tr("Measure the shutter"),
+                tr("wave the coil quickly before the cameras for some seconds; else the first session with a "
+                   "quick coil measures it"));
   column->addStretch(1);
   connect(coil_, &QComboBox::textActivated, &presenter_, &SetupPresenter::chooseCoil);
   connect(pivot_, &QPushButton::clicked, &presenter_, &SetupPresenter::startPivots);
   connect(jig, &QPushButton::clicked, this, &SetupTools::chooseJig);
+  connect(wave_, &QPushButton::clicked, &presenter_, &SetupPresenter::startWave);
   connect(keep_coil_, &QPushButton::clicked, this, [this] {
     if (presenter_.keepCoil()) coil_words_->setText(tr("kept: %1").arg(presenter_.coilName()));
   });
@@ -221,6 +227,7 @@ void SetupTools::refresh() {
       presenter_.isKept() ? tr("kept as %1; go on to the coil, or close").arg(presenter_.name()) : QString());
   repair_->setVisible(view->needs_repair);
   pivot_->setEnabled(is_calibrated);
+  wave_->setEnabled(is_calibrated);
   keep_coil_->setEnabled(view->step == Step::coil && view->is_done && !presenter_.coilName().isEmpty());
 }
 

@@ -45,7 +45,7 @@ class SetupTools : public QStackedWidget {
   QDoubleSpinBox* square_;
   QLineEdit* name_;
   QLabel *device_words_, *views_, *result_, *kept_words_, *coil_words_;
-  QPushButton *open_, *open_kept_, *finish_, *more_, *repeat_, *keep_, *repair_, *pivot_, *keep_coil_;
+  QPushButton *open_, *open_kept_, *finish_, *more_, *repeat_, *keep_, *repair_, *pivot_, *keep_coil_, *wave_;
 };
 
 }  // namespace facenav::ui

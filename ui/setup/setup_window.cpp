@@ -161,6 +161,7 @@ void SetupWindow::refresh() {
   if (!to_open_.isEmpty() && !tasks_.isRunning())
     return presenter_.openKept(std::exchange(to_open_, {}));  // refresh() follows
   presenter_.noteCheckOfKept();
+  presenter_.keepRowTimes();
   showSteps();
   const auto view = presenter_.view();
   const bool is_of_step = view->step == presenter_.step();

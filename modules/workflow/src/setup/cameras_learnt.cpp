@@ -26,6 +26,14 @@ bool isFaulty(const capture::NamedRig& rig) {
 
 }  // namespace
 
+std::optional<std::array<double, 2>> otherRowTimes(const std::array<double, 2>& measured_s,
+                                                   const cameras::StereoRig& rig) {
+  if (measured_s == std::array<double, 2>{0.0, 0.0}) return std::nullopt;  // no method measured them
+  const double off_s =
+      std::max(std::abs(measured_s[0] - rig.left.row_time_s), std::abs(measured_s[1] - rig.right.row_time_s));
+  return off_s * rig.height_px > kSameReadout_s ? std::optional(measured_s) : std::nullopt;
+}
+
 CamerasLearnt learntOf(const session::NavigationState& last, const cameras::StereoRig& rig) {
   CamerasLearnt learnt;
   if (!last.rig_fault.empty()) {
@@ -33,10 +41,7 @@ CamerasLearnt learntOf(const session::NavigationState& last, const cameras::Ster
     return learnt;
   }
   learnt.moved = last.rig_correction;
-  if (!learnt.moved.empty() || last.row_times_s == std::array<double, 2>{0.0, 0.0}) return learnt;
-  const double off_s = std::max(std::abs(last.row_times_s[0] - rig.left.row_time_s),
-                                std::abs(last.row_times_s[1] - rig.right.row_time_s));
-  if (off_s * rig.height_px > kSameReadout_s) learnt.row_times_s = last.row_times_s;
+  if (learnt.moved.empty()) learnt.row_times_s = otherRowTimes(last.row_times_s, rig);
   return learnt;
 }
 

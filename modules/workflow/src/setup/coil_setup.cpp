@@ -56,6 +56,13 @@ void CoilSetup::startJig(const coil_tracking::CoilModel& jig) {
   stage_ = Stage::jig;
 }
 
+void CoilSetup::startWave() {
+  stop();
+  tracker_->start(rig_, coil_);  // what it learnt before belongs to no wave
+  wave_.emplace(rig_);
+  stage_ = Stage::wave;
+}
+
 void CoilSetup::stop() {
   poses_.clear();
   pivots_.clear();
@@ -75,6 +82,7 @@ void CoilSetup::add(const cameras::StereoFrame& frame) {
   left_px_.clear();
   right_px_.clear();
   if (stage_ == Stage::jig) followJig(seen, frame);
+  if (stage_ == Stage::wave) wave_->add(seen, now_s_);
   if (!seen) return lookForOthers(frame);
   other_marker_.reset();
   left_px_ = asPoints(seen->left_corners_px);
@@ -153,6 +161,7 @@ void CoilSetup::tryJig() {
 
 double CoilSetup::progress() const {
   if (stage_ == Stage::done) return 1.0;
+  if (stage_ == Stage::wave) return wave_->progress();
   if (stage_ == Stage::jig) return std::min(1.0, double(observations_.size()) / kFewestJigs);
   return std::min(1.0, double(poses_.size()) / kFewestPoses);
 }
@@ -169,6 +178,7 @@ std::string CoilSetup::unseenWords() const {
 }
 
 std::string CoilSetup::words() const {
+  if (stage_ == Stage::wave && (!other_marker_ || wave_->isDone())) return wave_->words();
   if (!is_seen_ && stage_ != Stage::done) return unseenWords();
   if (isPivoting() && now_s_ - turned_s_ > kStands_s)
     return "the coil stands still: turn it by 30 degrees and more to all sides, its point on the tip";
@@ -188,6 +198,8 @@ std::string CoilSetup::words() const {
                           : "the coil's marker is seen, the jig's (" +
                                 coil_tracking::markerWords(jig_->markers.front()) +
                                 ") is not: put the jig on the coil, its marker to both cameras";
+    case Stage::wave:
+      return wave_->words();
     case Stage::done:
       return formatted("the coil is calibrated: +-%.2f mm, +-%.2f deg", result_->sigma_mm,
                        result_->sigma_deg);

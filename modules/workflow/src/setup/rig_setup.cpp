@@ -109,6 +109,9 @@ void RigSetup::startPivots() {
 void RigSetup::startJig(const coil_tracking::CoilModel& jig) {
   implementation_->order([jig](SetupSteps& steps) { steps.startJig(jig); });
 }
+void RigSetup::startWave() {
+  implementation_->order([](SetupSteps& steps) { steps.startWave(); });
+}
 
 std::optional<cameras::StereoRig> RigSetup::rig() const {
   const std::lock_guard lock(implementation_->mutex);
@@ -128,6 +131,11 @@ std::optional<RigVerification> RigSetup::verification() const {
 std::optional<coil_tracking::CoilCalibration> RigSetup::coilCalibration() const {
   const std::lock_guard lock(implementation_->mutex);
   return implementation_->results.coil;
+}
+
+std::optional<std::array<double, 2>> RigSetup::rowTimes_s() const {
+  const std::lock_guard lock(implementation_->mutex);
+  return implementation_->results.row_times_s;
 }
 
 }  // namespace facenav::workflow

@@ -147,7 +147,7 @@ void SetupSteps::describe(const cameras::Calibration& result) {
 }
 
 void SetupSteps::keep(const cameras::Calibration& result) {
-  results_ = {result.rig, uncertaintyAt(result.rig, options_.distance_mm), {}, {}};
+  results_ = {result.rig, uncertaintyAt(result.rig, options_.distance_mm), {}, {}, {}};
   describe(result);
   check_.reset();
   coil_.reset();
@@ -197,6 +197,9 @@ void SetupSteps::followCoil(SetupView& now) {
     now.lines.push_back(
         {coil_->isJigSeen(), coil_->isJigSeen() ? "the jig's marker is seen" : "no jig is seen"});
   results_.coil = coil_->result();
+  if (coil_->stage() != CoilSetup::Stage::wave) return;
+  now.is_done = coil_->wave()->isDone();
+  results_.row_times_s = coil_->wave()->rowTimes_s();
 }
 
 void SetupSteps::go(SetupStep step) {
@@ -232,6 +235,11 @@ void SetupSteps::startPivots() {
 
 void SetupSteps::startJig(const coil_tracking::CoilModel& jig) {
   if (coil_) coil_->startJig(jig);
+}
+
+void SetupSteps::startWave() {
+  results_.row_times_s.reset();
+  if (coil_) coil_->startWave();
 }
 
 }  // namespace facenav::workflow

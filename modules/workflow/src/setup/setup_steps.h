@@ -25,12 +25,14 @@ class SetupSteps {
   void useCoil(const coil_tracking::CoilModel& coil);
   void startPivots();
   void startJig(const coil_tracking::CoilModel& jig);
+  void startWave();
 
   struct Results {
     std::optional<cameras::StereoRig> rig;
     std::optional<capture::RigUncertainty_mm> uncertainty;
     std::optional<RigVerification> verification;
     std::optional<coil_tracking::CoilCalibration> coil;
+    std::optional<std::array<double, 2>> row_times_s;
   };
   const Results& results() const { return results_; }
 

@@ -21,6 +21,10 @@ struct CamerasLearnt {
   bool isEmpty() const { return !row_times_s && moved.empty(); }
 };
 
+/// Measured row times (left, right) where they differ from what the rig states by more than matters.
+std::optional<std::array<double, 2>> otherRowTimes(const std::array<double, 2>& measured_s,
+                                                   const cameras::StereoRig& rig);
+
 /// `last`: newest state of a session. `rig`: that it was started with. Row times are not kept from cameras
 /// that moved or are not in step: they falsify them.
 CamerasLearnt learntOf(const session::NavigationState& last, const cameras::StereoRig& rig);

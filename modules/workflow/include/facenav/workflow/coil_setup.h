@@ -13,12 +13,13 @@
 
 #include "facenav/coil_tracking/coil_calibration.h"
 #include "facenav/coil_tracking/coil_tracker.h"
+#include "facenav/workflow/shutter_wave.h"
 
 namespace facenav::workflow {
 
 class CoilSetup {
  public:
-  enum class Stage { look, centre, handle, side, jig, done };
+  enum class Stage { look, centre, handle, side, jig, wave, done };
   using MakeTracker = std::function<std::unique_ptr<coil_tracking::CoilTracker>()>;
 
   CoilSetup(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil, MakeTracker make_tracker);
@@ -31,12 +32,16 @@ class CoilSetup {
   /// The jig's marker and its place on the coil, as coil.json. A jig with the coil's own marker is refused in
   /// words().
   void startJig(const coil_tracking::CoilModel& jig);
+  /// Measures the cameras' rolling shutter on the waved coil; optional.
+  void startWave();
   void stop();
 
   Stage stage() const { return stage_; }
   bool isSeen() const { return is_seen_; }
   /// The jig's marker, while the coil is calibrated with a jig.
   bool isJigSeen() const { return is_jig_seen_; }
+  /// Since startWave() was called last; kept while the coil is calibrated.
+  const std::optional<ShutterWave>& wave() const { return wave_; }
   /// words() say what is wrong.
   bool hasTrouble() const { return !trouble_.empty(); }
   /// Corners of the marker in the last frame, for drawing; empty: not seen.
@@ -75,6 +80,7 @@ class CoilSetup {
   std::vector<coil_tracking::Pivot> pivots_;
   std::optional<coil_tracking::CoilModel> jig_;
   std::vector<coil_tracking::JigObservation> observations_;
+  std::optional<ShutterWave> wave_;
   std::string trouble_;
   std::optional<coil_tracking::CoilCalibration> result_;
 };

@@ -3,6 +3,7 @@
 // with a board, check the calibration, calibrate the coil. It reads live cameras on its own thread; window
 // and tests read latest(). Each step judges the newest pair and says one sentence.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,12 +77,15 @@ class RigSetup {
   void useCoil(const coil_tracking::CoilModel& coil);
   void startPivots();
   void startJig(const coil_tracking::CoilModel& jig);
+  void startWave();
 
   // Results so far; nothing: not there yet.
   std::optional<cameras::StereoRig> rig() const;
   std::optional<capture::RigUncertainty_mm> uncertainty() const;
   std::optional<RigVerification> verification() const;
   std::optional<coil_tracking::CoilCalibration> coilCalibration() const;
+  /// Left and right, s from one row to the row below, where the waved coil showed others than the rig states.
+  std::optional<std::array<double, 2>> rowTimes_s() const;
 
  private:
   struct Implementation;
