@@ -62,7 +62,7 @@ std::string returnsCsv(const std::vector<ReturnRun>& runs) {
   for (const auto& run : runs) {
     std::string refusal = run.refusal;
     std::replace(refusal.begin(), refusal.end(), '"', '\'');
-    csv += run.head + "," + run.model + ",\"" + run.change + "\"," + std::to_string(run.seed) +
+    csv += run.head + ",\"" + run.model + "\",\"" + run.change + "\"," + std::to_string(run.seed) +
            (run.must_be_refused ? ",1," : ",0,") + "\"" + refusal + "\"" +
            formatted(",%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", run.frames, run.off_mm, run.off_deg, run.p95_mm,
                      run.p95_deg, run.predicted_mm, run.bound95_mm);

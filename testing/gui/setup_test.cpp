@@ -49,6 +49,9 @@ class SetupTest : public ::testing::Test {
     services_.noteRig = [this](const std::string& name, const capture::RigCheckNote& note) {
       noted_ = QString::fromStdString(name + ": " + note.state);
     };
+    services_.keepLearnt = [this](const std::string&, const workflow::CamerasLearnt& learnt) {
+      learnt_ = learnt;
+    };
     services_.makeSetupMethods = [] { return testing::setupMethods(); };
   }
   std::unique_ptr<capture::FrameSource> source() {
@@ -91,6 +94,7 @@ class SetupTest : public ::testing::Test {
   cameras::StereoRig rig_ = boards::roomRig();
   std::vector<capture::RigEntry> rigs_;
   QString opened_, noted_;
+  workflow::CamerasLearnt learnt_;
   Services services_;
 };
 
@@ -208,6 +212,16 @@ TEST_F(SetupTest, TheWindowShowsEveryPageAtEverySize) {
     ASSERT_TRUE(says(setup, "the jig carries the same marker as the coil"));
     EXPECT_FALSE(setup.view()->is_done);
     takeAll("4_same_jig");
+    setup.startWave();
+    ASSERT_TRUE(says(setup, "wave the coil quicker"));
+    takeAll("4_wave");
+    room_->shows = RoomShows::nothing;  // a marker does not jump from place to place
+    ASSERT_TRUE(says(setup, "both cameras see its marker"));
+    room_->shows = RoomShows::waved_marker;
+    ASSERT_TRUE(says(setup, "the shutter is known"));
+    ASSERT_TRUE(says(setup, "kept with the pair"));
+    takeAll("4_waved");
+    EXPECT_NEAR(learnt_.row_times_s.value()[0], testing::kWaveRow_s, 0.1 * testing::kWaveRow_s);
   }
   applyAppearance(*qApp, 1.0);
   BoardScreen screen(testing::kPrintedBoard);

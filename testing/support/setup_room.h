@@ -14,8 +14,44 @@
 namespace facenav::testing {
 
 /// new_place, moved_marker: in one place for a while, then in another. one_place: a board that stays.
-/// other_marker: of another coil, id 3.
-enum class RoomShows { nothing, held_board, new_place, one_place, marker, moved_marker, other_marker };
+/// other_marker: of another coil, id 3. waved_marker: waved before cameras that read their rows in turn.
+enum class RoomShows {
+  nothing,
+  held_board,
+  new_place,
+  one_place,
+  marker,
+  moved_marker,
+  other_marker,
+  waved_marker
+};
+
+constexpr double kWaveFrame_s = 1.0 / 30;
+constexpr double kWaveRow_s = 42e-6;  // 20 ms a picture of 480 rows
+
+/// The coil's print, waved to and fro as a hand does, at up to 250 mm/s.
+inline coil_tracking::testing::PlacedPrint wavedPrint(double t_s) {
+  const Eigen::Vector3d reach_mm(30, 22, 25), turn_rad_s(2 * M_PI * 1.2, 2 * M_PI * 0.9, 2 * M_PI * 0.7);
+  auto pose = coil_tracking::testing::markerPose(600, 20, 70, 10, {-40, 60}).isometry();
+  coil_tracking::testing::PlacedPrint print{coil_tracking::testing::arucoPrint(0, 7), 60, {}};
+  for (int axis = 0; axis < 3; ++axis) {
+    pose.translation()[axis] += reach_mm[axis] * std::sin(turn_rad_s[axis] * t_s);
+    print.moving_mm_s[axis] = reach_mm[axis] * turn_rad_s[axis] * std::cos(turn_rad_s[axis] * t_s);
+  }
+  print.camera_T_marker = RigidTransform<Camera, Marker>::fromIsometry(pose);
+  return print;
+}
+
+/// Frame `i` of it; cameras of `rig` with kWaveRow_s.
+inline cameras::StereoFrame wavedFrame(cameras::StereoRig rig, int i) {
+  rig.left.row_time_s = rig.right.row_time_s = kWaveRow_s;
+  coil_tracking::testing::SceneOptions options;
+  options.seed = unsigned(i + 1);
+  auto frame = coil_tracking::testing::renderMarkers(rig, {wavedPrint(i * kWaveFrame_s)}, options);
+  frame.number = i;
+  frame.captured.s = i * kWaveFrame_s;
+  return frame;
+}
 
 /// Shared by the test and the source.
 struct SetupRoom {
@@ -34,13 +70,15 @@ class SetupRoomSource : public capture::FrameSource {
     if (room_->is_unplugged) throw Error("the camera was unplugged", "Webcam", "plug it in");
     auto frame = std::make_shared<cameras::StereoFrame>(picture());
     frame->number = number_;
-    frame->captured = {0.15 * double(number_++)};
+    ++number_;
+    frame->captured = {now_s_ += room_->shows == RoomShows::waved_marker ? kWaveFrame_s : 0.15};
     return frame;
   }
 
  private:
   cameras::StereoFrame picture() {
     const RoomShows shows = room_->shows;
+    if (shows == RoomShows::waved_marker) return wavedFrame(rig_, waved_++);
     const bool has_two = shows == RoomShows::new_place || shows == RoomShows::moved_marker;
     const int place = shows == RoomShows::held_board ? int(held_++ / 4) % int(places_.size())
                       : has_two                      ? int(moved_++ / 30) % 2
@@ -70,6 +108,8 @@ class SetupRoomSource : public capture::FrameSource {
   std::vector<HeldBoard> places_;
   std::map<std::tuple<RoomShows, int, double>, cameras::StereoFrame> pictures_;
   std::int64_t number_ = 0, held_ = 0, moved_ = 0;
+  int waved_ = 0;
+  double now_s_ = -0.15;
 };
 
 /// Sees a face of `face` in every picture.

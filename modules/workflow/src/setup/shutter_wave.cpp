@@ -1,6 +1,7 @@
 #include "facenav/workflow/shutter_wave.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "facenav/core/number_text.h"
 #include "facenav/workflow/cameras_learnt.h"
@@ -12,7 +13,8 @@ namespace {
 constexpr double kQuick_mm_s = 150;
 constexpr double kLongestGap_s = 0.25;  // between frames: the time in a longer one does not count
 constexpr double kEnough_s = 6.0;       // of waving in which nothing shows
-constexpr double kSettles_s = 1.0;      // of waving after the times are known: they become more exact
+constexpr double kSettles_s = 1.0;      // of waving in which the times stay as they are
+constexpr double kStays_s = 1e-3;       // of a whole picture: moves a coil of 500 mm/s by 0.25 mm at most
 
 }  // namespace
 
@@ -34,8 +36,20 @@ void ShutterWave::add(const coil_tracking::CoilResult& seen, double now_s) {
   const bool is_quick = is_seen_ && is_next && (has_no_pose_yet || speed_mm_s_ >= kQuick_mm_s);
   if (is_quick) waved_s_ += since_s;
   measured_s_ = otherRowTimes(seen.row_times_s, rig_);
-  if (!measured_s_) known_for_s_ = 0;
-  if (measured_s_ && is_quick) known_for_s_ += since_s;
+  settle(is_quick, since_s);
+}
+
+/// The first frames are fitted with a wrong row time, and one bad frame falsifies the next ones.
+void ShutterWave::settle(bool is_quick, double since_s) {
+  const auto stays = [&](std::size_t side) {
+    return std::abs((*measured_s_)[side] - (*settling_s_)[side]) * rig_.height_px < kStays_s;
+  };
+  if (!measured_s_ || !settling_s_ || !stays(0) || !stays(1)) {
+    settling_s_ = measured_s_;
+    known_for_s_ = 0;
+  } else if (is_quick) {
+    known_for_s_ += since_s;
+  }
 }
 
 bool ShutterWave::isDone() const { return measured_s_ ? known_for_s_ >= kSettles_s : waved_s_ >= kEnough_s; }

@@ -29,12 +29,15 @@ class ShutterWave {
   std::string words() const;
 
  private:
+  void settle(bool is_quick, double since_s);
+
   const cameras::StereoRig rig_;
   std::optional<std::array<double, 2>> measured_s_;
-  std::optional<Eigen::Vector3d> last_mm_;  // the marker, Camera
+  std::optional<std::array<double, 2>> settling_s_;  // since they changed little
+  std::optional<Eigen::Vector3d> last_mm_;           // the marker, Camera
   double last_s_ = 0;
   double speed_mm_s_ = 0;                 // of the last two frames that show it
-  double waved_s_ = 0, known_for_s_ = 0;  // how long it was quick; since the times are known
+  double waved_s_ = 0, known_for_s_ = 0;  // how long it was quick; since the times have settled
   bool is_seen_ = false;
 };
 
