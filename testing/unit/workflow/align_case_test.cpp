@@ -26,13 +26,16 @@ struct Answers {
   double apart_mm = 0;   // from answer to answer
   bool has_turn = true;  // how far a camera turned is estimated, and none did
   std::size_t asked = 0;
+  registration::AlignmentStart start = {};  // what was known before the last one
 };
 
 class FakeAligner : public registration::Aligner {
  public:
   explicit FakeAligner(Answers& answers) : answers_(answers) {}
   registration::AlignmentResult align(const registration::ScalpField&, const PointCloud<Camera>& face,
-                                      const registration::AlignmentStart&, TaskMonitor&) const override {
+                                      const registration::AlignmentStart& start,
+                                      TaskMonitor&) const override {
+    answers_.start = start;
     const double sigma_mm = answers_.sigmas_mm.at(answers_.asked++);
     if (sigma_mm < 0) throw Error("not aligned: the face does not fit this MRI");
     registration::AlignmentResult result;
@@ -274,6 +277,34 @@ TEST_F(AlignRecording, AFilmStandsInWhereThereIsNoPairAndKeepsItsFirstFrame) {
   EXPECT_GT(aligned.outcome.fused_frames, 4);
   EXPECT_EQ(aligned.outcome.reference.frame.number, 0);
   EXPECT_EQ(store_->alignment()->from, "film");
+}
+
+TEST_F(AlignRecording, AMeasuredFaceBringsItsOwnErrors) {
+  recording_.capture = plain();
+  showMarker();
+  answers_.sigmas_mm.assign(8, 0.5);
+  auto face = facenav::testing::ballCase().scalp;
+  const auto alignTo = [&](const std::optional<surface::FaceMeasurement>& measurement, const char* name) {
+    face.measurement = measurement;
+    store_ = casefile::CaseStore::createFromFace(folder_.path() / name, {face, {}}, {}, false);
+    align(recording_);
+    return answers_.start;
+  };
+  const auto exact = alignTo(std::nullopt, "exact");
+  const auto measured = alignTo(surface::FaceMeasurement{9000, 0.6, 0.3, 0.4, 0.004}, "measured");
+  const auto added = [](double with, double without) { return std::sqrt(with * with - without * without); };
+  EXPECT_NEAR(added(measured.shared_depth_sigma_mm, exact.shared_depth_sigma_mm), 0.4, 1e-6);
+  EXPECT_NEAR(added(measured.sight.sigma_mm, exact.sight.sigma_mm), 0.3, 1e-6);
+  // A size that is off by 0.4 % is that of a camera that turned by 0.004 * baseline / distance.
+  EXPECT_NEAR(added(measured.known_turn->sigma_rad, exact.known_turn->sigma_rad), 0.004 * 120 / 600, 1e-4);
+  answers_.sigmas_mm.assign(8, 3.0);
+  try {
+    alignTo(surface::FaceMeasurement{9000, 0.6, 0.3, 0.4}, "of unknown size");
+    FAIL() << "the marker does not tell how the cameras stood when the face was measured";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the stored face was measured without the coil's marker"));
+  }
+  EXPECT_FALSE(answers_.start.known_turn);
 }
 
 TEST_F(AlignRecording, AWayThatIsAskedForNeedsItsPictures) {
