@@ -135,6 +135,22 @@ TEST(RollingShutter, IsMeasuredFromAMovingCoilWhereTheRigDoesNotStateIt) {
   EXPECT_LT(errorOfWaving_mm(rollingRig(42e-6), rollingRig(0)), 0.2);
 }
 
+TEST(RollingShutter, ADelayThatNobodyStatesDoesNotFalsifyTheRowTimes) {
+  const auto truth = rollingRig(42e-6);
+  const auto tracker = makeMarkerCoilTracker();
+  tracker->start(rollingRig(0), defaultCoil());
+  std::array<double, 2> row_times_s{};
+  for (int i = 0; i < 60; ++i) {
+    SceneOptions options;
+    options.seed = unsigned(i + 1);
+    auto frame = renderMarkers(truth, {waved(i / kFrames_per_s)}, options);
+    frame.right = renderMarkers(truth, {waved(i / kFrames_per_s + 0.009)}, options).right;
+    frame.captured.s = i / kFrames_per_s;
+    row_times_s = tracker->track(frame).row_times_s;
+  }
+  for (const double row_time_s : row_times_s) EXPECT_NEAR(row_time_s, 42e-6, 6e-6);
+}
+
 TEST(RollingShutter, IsMeasuredBesideTheDelayOfACameraWithoutTrigger) {
   EXPECT_LT(errorOfWaving_mm(rollingRig(42e-6), rollingRig(0), 0.009), 0.4);
   EXPECT_LT(errorOfWaving_mm(rollingRig(42e-6), rollingRig(0), 0.009, 15), 0.4);

@@ -88,6 +88,14 @@ TEST(ShutterWave, AQuickCoilWithoutAPoseYetCountsAndAGapDoesNot) {
   EXPECT_EQ(wave.progress(), before);
 }
 
+TEST(ShutterWave, CamerasThatDoNotExposeTogetherAreSaid) {
+  ShutterWave wave(waving::roomRig());
+  for (int i = 0; i < 240; ++i) wave.add(Lost{LostReason::camera}, i * kWaveFrame_s);
+  ASSERT_TRUE(wave.isDone());
+  EXPECT_FALSE(wave.rowTimes_s());
+  EXPECT_THAT(wave.words(), HasSubstr("do not expose at the same time"));
+}
+
 /// Shutter of the cameras that the set-up's last step found for them.
 std::optional<std::array<double, 2>> setUp(const cameras::StereoRig& known) {
   using facenav::testing::wavedFrame;

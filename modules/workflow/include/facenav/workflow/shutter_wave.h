@@ -36,8 +36,9 @@ class ShutterWave {
   std::optional<std::array<double, 2>> settling_s_;  // since they changed little
   std::optional<Eigen::Vector3d> last_mm_;           // the marker, Camera
   double last_s_ = 0;
-  double speed_mm_s_ = 0;                 // of the last two frames that show it
-  double waved_s_ = 0, known_for_s_ = 0;  // how long it was quick; since the times have settled
+  double speed_mm_s_ = 0;             // of the last two frames that show it
+  double waved_s_ = 0, posed_s_ = 0;  // how long it was quick; of that, with a pose
+  double known_for_s_ = 0;            // since the times have settled
   bool is_seen_ = false;
 };
 
