@@ -103,19 +103,17 @@ void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recordi
   const double bound_mm = worstBound_mm(outcome);
   if (outcome.is_marker_seen || (outcome.result.right_turn && bound_mm <= kMostUnknown_mm)) return;
   std::string words =
-      "not aligned: without dense dots the face alone does not show whether a camera has turned sideways "
-      "since the calibration";
+      "not aligned: without dots the face alone does not show whether a camera has turned sideways since the "
+      "calibration";
   if (outcome.result.right_turn)
     words += formatted(": the coil could lie %.0f mm from where it is shown", bound_mm);
   if (outcome.is_marker_contradicted) throw UnknownTurn(words + "; " + kMarkerContradicted);
   if (isSizeUnknown(*outcome.skin)) throw UnknownTurn(words + "; " + kSizeUnknown);
   words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
-  if (!recording.capture || !hasPattern(*recording.capture))
-    words += " (or with a projector's dots)";
-  else if (showsDots(*recording.capture))
-    words += " (or with dense dots: these are sparse)";
-  else
-    words += " (or switch the projector on: its picture shows no dots)";
+  const bool was_projector_off =
+      recording.capture && hasPattern(*recording.capture) && !showsDots(*recording.capture);
+  words += was_projector_off ? " (or switch the projector on: its picture shows no dots)"
+                             : " (or with a projector's dots)";
   throw UnknownTurn(words);
 }
 
@@ -249,8 +247,7 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
       setup.marker = restingMarkerIn(recording, setup.coil, *coil_tracker);
     attempts.add(from, store, [&] {
       Aligned aligned = align(methods, recording, from, order, setup, monitor);
-      if (!aligned.outcome.has_dense_dots && !order.may_be_unsure)
-        requireKnownCameras(aligned.outcome, recording);
+      if (!has_dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome, recording);
       return aligned;
     });
   }

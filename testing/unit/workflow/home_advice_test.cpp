@@ -122,11 +122,10 @@ TEST(HomeRefusal, IsOneSentenceForEachCause) {
   EXPECT_THAT(
       homeRefusal(Error("no picture was taken: the coil's marker does not fit the cameras' calibration")),
       HasSubstr("cameras were moved"));
+  EXPECT_THAT(homeRefusal(Error("not aligned: without dots the face alone does not show whether a camera")),
+              HasSubstr("still beside the face"));
   EXPECT_THAT(
-      homeRefusal(Error("not aligned: without dense dots the face alone does not show whether a camera")),
-      HasSubstr("still beside the face"));
-  EXPECT_THAT(
-      homeRefusal(Error("not aligned: without dense dots the face alone does not show whether a camera has "
+      homeRefusal(Error("not aligned: without dots the face alone does not show whether a camera has "
                         "turned; the stored face was measured without the coil's marker in the picture")),
       HasSubstr("ask the clinic"));
   EXPECT_EQ(homeRefusal(Error("disk full")), "disk full");
