@@ -19,6 +19,8 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kRefresh_ms = 300;
+// The words above the button grow in the first two seconds, and would push it out of view again.
+constexpr int kBrings = 2000 / kRefresh_ms;
 
 QLabel* label(const QString& text, const char* name, QWidget* parent) {
   auto* made = new QLabel(text, parent);
@@ -195,14 +197,15 @@ void CamerasPanel::showState() {
   setPrimary(*set_up_, is_withheld);
   setPrimary(*marked_, is_live);
   setPrimary(*open_, !is_withheld && !is_live);
-  const bool is_next = is_live && !marked_->isEnabled();  // the cameras have just come
+  if (is_live && !marked_->isEnabled()) brings_ = kBrings;  // the cameras have just come
   marked_->setEnabled(is_live);
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());
   capture_words_->setText(is_live       ? cameras_.captureWords()
                           : is_withheld ? tr("after the cameras are repaired")
                                         : tr("with live cameras: the face, and the coil's marker beside it"));
-  if (is_next) QTimer::singleShot(0, marked_, [this] { ScrollColumn::bringIntoView(*marked_); });
+  if (brings_ > 0)
+    --brings_, QTimer::singleShot(0, marked_, [this] { ScrollColumn::bringIntoView(*marked_); });
 }
 
 void CamerasPanel::chooseRig() {
