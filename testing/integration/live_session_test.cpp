@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <csignal>
 #include <mutex>
 
@@ -166,7 +167,8 @@ std::string LiveSession::track() {
   right_.switchOff(false);
   EXPECT_EQ(hearKey(facenav, "cameras", 30).value("cameras", ""), "back");
   EXPECT_EQ(hearKey(facenav, "check").value("check", false), true) << "and again when it is back";
-  std::this_thread::sleep_for(2500ms);  // the film once through
+  std::this_thread::sleep_for(
+      5s);  // the film twice through: the two streams may need a while to come into step
   facenav.say("end");
   EXPECT_EQ(facenav.end(), 0);
   return name;
@@ -174,21 +176,26 @@ std::string LiveSession::track() {
 
 /// Tracked, lost while the camera was away, and tracked again.
 void LiveSession::requirePoses(const fs::path& session) {
-  // The camera was away in the longest run of rows lost for a camera: on a busy machine the two streams may
-  // be out of step for a moment at other times, too.
-  int before = 0, lost = 0, after = 0, run = 0, tracked = 0, tracked_before_run = 0;
+  // On a busy machine the two streams may be out of step for a moment at other times, too.
+  struct Away {
+    int before, frames;
+  };
+  std::vector<Away> runs;
+  int tracked = 0;
+  bool was_away = false;
   for (const auto& row : casefile::readPoses(session / "poses.csv")) {
     if (row.object != casefile::PoseObject::head) continue;
     tracked += row.pose.has_value();
-    const bool is_camera = !row.pose && row.reason == LostReason::camera;
-    run = is_camera ? run + 1 : 0;
-    if (run == 1) tracked_before_run = tracked;
-    if (run > lost) lost = run, before = tracked_before_run;
+    const bool is_away = !row.pose && row.reason == LostReason::camera;
+    if (is_away && !was_away) runs.push_back({tracked, 0});
+    if (is_away) ++runs.back().frames;
+    was_away = is_away;
   }
-  after = tracked - before;
-  EXPECT_GT(before, 5);
-  EXPECT_GT(lost, 3);
-  EXPECT_GT(after, 10);
+  const bool was_away_between = std::any_of(runs.begin(), runs.end(), [&](const Away& run) {
+    return run.before > 5 && run.frames > 3 && tracked - run.before > 10;
+  });
+  EXPECT_TRUE(was_away_between) << runs.size() << " times lost for a camera, " << tracked
+                                << " frames tracked";
   std::string events;
   const auto kept = casefile::readSession(session);
   for (const auto& event : kept.events) events += event.event + ": " + event.detail + "\n";
