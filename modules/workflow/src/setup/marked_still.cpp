@@ -16,8 +16,8 @@ constexpr double kFaceAgain_s = 0.5;  // a face that is not found is looked for 
 // A mask or a beard can hide the face from the detector. The alignment does without its landmarks, and
 // refuses a picture that shows no face. Shorter, and a patient who still sits down would be missed.
 constexpr double kWithoutFace_s = 6.0;
-// Pictures that are averaged: with 8, half of the virtual room's pairs of a smooth face that were refused
-// with one picture are aligned (Colin27, seeds 161 to 163). More need a head that rests longer.
+// Pictures that are averaged: as many as 30 frames a second give while the marker must rest. Chosen before it
+// was measured; one smooth face of three (Colin27, seed 163) was refused with one picture and aligned with 8.
 constexpr std::size_t kPictures = 8;
 
 cv::Rect grown(const cv::Rect& rect, double share) {
