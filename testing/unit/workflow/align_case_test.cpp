@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/ball_case.h"
+#include "support/seen_marker.h"
 #include "support/synthetic_face.h"
 #include "support/test_data.h"
 
@@ -51,29 +52,6 @@ class FakeAligner : public registration::Aligner {
 
  private:
   Answers& answers_;
-};
-
-/// Sees a marker of 60 mm, 600 mm before the cameras, in each picture.
-class SeenMarker : public coil_tracking::CoilTracker {
- public:
-  explicit SeenMarker(const cameras::StereoRig& rig) : rig_(rig) {}
-  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
-  coil_tracking::CoilResult track(const cameras::StereoFrame&, const coil_tracking::CoilContext&) override {
-    coil_tracking::MarkerObservation seen;
-    const Eigen::Vector3d corners_mm[] = {{-30, -30, 600}, {30, -30, 600}, {30, 30, 600}, {-30, 30, 600}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      seen.left_px[i] = cameras::project(rig_.left, corners_mm[i]);
-      seen.right_px[i] = cameras::project(rig_.right, rig_.right_T_left.isometry() * corners_mm[i]);
-    }
-    seen.size_mm = 60;
-    seen.print_sigma_mm = 0.1;
-    coil_tracking::CoilResult result{Lost{LostReason::camera}};
-    result.observation = seen;
-    return result;
-  }
-
- private:
-  const cameras::StereoRig rig_;
 };
 
 /// The portrait in a dark room, with light dots: stands for a face under a projector.
@@ -159,7 +137,8 @@ class AlignRecording : public ::testing::Test {
 
   /// A marker of 60 mm at rest in all pictures.
   void showMarker() {
-    methods_.coil_trackers.add("seen", "", [this] { return std::make_unique<SeenMarker>(rig_); });
+    methods_.coil_trackers.add("seen", "",
+                               [this] { return std::make_unique<facenav::testing::SeenMarker>(rig_); });
   }
 
   facenav::testing::TemporaryFolder folder_;

@@ -11,6 +11,7 @@
 #include "facenav/workflow/align_case.h"
 #include "facenav/workflow/measured_face.h"
 #include "support/refusal.h"
+#include "support/seen_marker.h"
 #include "support/synthetic_face.h"
 #include "support/test_data.h"
 
@@ -31,29 +32,6 @@ cameras::StereoRig turnedSideways(cameras::StereoRig rig, double deg) {
   rig.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(turn * rig.right_T_left.isometry());
   return rig;
 }
-
-/// Sees a marker of 60 mm at rest, 600 mm before cameras that stand as `rig` says.
-class RestingPrint : public coil_tracking::CoilTracker {
- public:
-  explicit RestingPrint(cameras::StereoRig rig) : rig_(std::move(rig)) {}
-  void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
-  coil_tracking::CoilResult track(const cameras::StereoFrame&, const coil_tracking::CoilContext&) override {
-    coil_tracking::MarkerObservation seen;
-    const Eigen::Vector3d corners_mm[] = {{60, -30, 600}, {120, -30, 600}, {120, 30, 600}, {60, 30, 600}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      seen.left_px[i] = cameras::project(rig_.left, corners_mm[i]);
-      seen.right_px[i] = cameras::project(rig_.right, rig_.right_T_left.isometry() * corners_mm[i]);
-    }
-    seen.size_mm = 60;
-    seen.print_sigma_mm = 0.1;
-    coil_tracking::CoilResult result{Lost{LostReason::camera}};
-    result.observation = seen;
-    return result;
-  }
-
- private:
-  const cameras::StereoRig rig_;
-};
 
 class PlainFaceModel : public ::testing::Test {
  protected:
@@ -87,7 +65,8 @@ class PlainFaceModel : public ::testing::Test {
     writer.close();
   }
   void showMarker(const cameras::StereoRig& seen_by) {
-    methods_.coil_trackers.add("print", "", [seen_by] { return std::make_unique<RestingPrint>(seen_by); });
+    methods_.coil_trackers.add(
+        "print", "", [seen_by] { return std::make_unique<facenav::testing::SeenMarker>(seen_by, 90.0); });
   }
   casefile::CaseStore makeCase(std::optional<AlignedFrom> from = {}) {
     TaskMonitor monitor;
