@@ -36,6 +36,17 @@ class Block(nn.Module):
         return functional.leaky_relu(self.norm(self.convolution(x)), SLOPE)
 
 
+class Mix(nn.Conv3d):
+    """Convolution 1 x 1 x 1 as a product of matrices: the convolution of some processors takes ten times as long."""
+
+    def __init__(self, inputs, outputs):
+        super().__init__(inputs, outputs, 1)
+
+    def forward(self, x):
+        mixed = torch.matmul(self.weight.flatten(1), x.flatten(2)) + self.bias[:, None]
+        return mixed.reshape(x.shape[0], -1, *x.shape[2:])
+
+
 class BrainPrior(nn.Module):
     """Image (N, 1, 48, 56, 48) -> scores of the four classes on the same grid."""
 
@@ -44,9 +55,9 @@ class BrainPrior(nn.Module):
         inputs = (8,) + CHANNELS[:-1]
         self.down = nn.ModuleList(nn.Sequential(Block(i, o), Block(o, o)) for i, o in zip(inputs, CHANNELS))
         below = list(zip(CHANNELS[1:], CHANNELS[:-1]))
-        self.narrow = nn.ModuleList(nn.Conv3d(b, o, 1) for b, o in below)
+        self.narrow = nn.ModuleList(Mix(b, o) for b, o in below)
         self.up = nn.ModuleList(nn.Sequential(Block(o, o), Block(o, o)) for _, o in below)
-        self.head = nn.Conv3d(CHANNELS[0], 8 * CLASSES, 1)
+        self.head = Mix(CHANNELS[0], 8 * CLASSES)
 
     def forward(self, image):
         x, kept = fold_voxels(image), []

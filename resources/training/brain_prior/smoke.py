@@ -32,10 +32,29 @@ def write_heads(folder):
             table.write('%d,%s,%d,%g,5,%g,2\n' % (label, name, row + 1, mean, spread))
 
 
-def python(*arguments):
-    """What a script of this folder prints."""
+def run(*arguments):
+    """A script of this folder."""
     command = [sys.executable, os.path.join(HERE, arguments[0])] + list(arguments[1:])
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, encoding='utf-8').stdout
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding='utf-8', check=False)
+
+
+def python(*arguments):
+    """What a script of this folder prints; it must succeed."""
+    ran = run(*arguments)
+    if ran.returncode:
+        sys.exit('%s: %s' % (' '.join(arguments), ran.stderr))
+    return ran.stdout
+
+
+def see_starts(labels, weights):
+    """A fold goes on from another training, unless that one knows a head which the fold leaves out."""
+    start, other = weights + '.start', weights + '.other'
+    fold = ('train.py', '--labels', labels, '--fold', '1', '--steps', '1', '-o', other, '--start')
+    ran = run(*fold, weights + '.checkpoint')
+    if not ran.returncode or 'has learned from ball_1' not in ran.stderr or os.path.exists(other):
+        sys.exit('a start that knows the head left out was taken: %s' % ran.stderr)
+    python('train.py', '--labels', labels, '--only', 'ball_2', '--steps', '1', '-o', start)
+    print(python(*fold, start + '.checkpoint'), end='')
 
 
 def main():
@@ -47,6 +66,7 @@ def main():
         print(python('train.py', '--labels', labels, '--fold', '0', '--steps', str(steps), '-o', weights), end='')
     with open(os.path.join(sys.argv[1], 'expected.h'), 'w', encoding='utf-8') as file:
         file.write(python('expected.py', weights + '.checkpoint'))
+    see_starts(labels, weights)
     print('trained for %d steps, stopped once: %s' % (2 * STEPS, weights))
 
 

@@ -57,15 +57,15 @@ def deformed_places(rng, head):
     return places
 
 
-def gather(volume, places):
-    """Nearest voxel; air outside."""
+def gather(volumes, places):
+    """Nearest voxel of each of the volumes of one shape; air outside."""
     index = torch.zeros(places.shape[1:], dtype=torch.int64, device=device.chosen())
     inside = torch.ones(places.shape[1:], dtype=torch.bool, device=device.chosen())
-    for axis, n in enumerate(volume.shape):
+    for axis, n in enumerate(volumes[0].shape):
         at = places[axis].round().long()
         inside &= (at >= 0) & (at < n)
         index = index * n + at.clamp(0, n - 1)
-    return device.kept(volume).reshape(-1)[index] * inside
+    return [device.kept(volume).reshape(-1)[index] * inside for volume in volumes]
 
 
 def draw_means(rng, statistics, is_t1):
@@ -191,7 +191,7 @@ def sample(rng, head, statistics, is_t1):
     # Four corners of a cube within each voxel of 4 mm: partial volume for a quarter of the work.
     corners = torch.tensor([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=torch.float32, device=device.chosen()).T
     within = places[:, None] + SPACING_MM / 4 * corners[:, :, None, None, None]
-    rows, classes = gather(head.labels, within), gather(head.targets, within)
+    rows, classes = gather((head.labels, head.targets), within)
     shares = torch.stack([(classes == c).float().mean(0) for c in (AIR, BRAIN, FLUID_CLASS, OTHER)])
     image = paint(rng, rows, statistics, is_t1)
     image = add_lesions(rng, image, shares[BRAIN] > 0.5)
