@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <mutex>
 
@@ -26,17 +27,21 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
+constexpr int kPeriod_ms = 66;
+
+/// Of both cameras' shutter, which is open at whole multiples of the period.
+std::int64_t shutterNumber() { return std::llround(1000 * Timestamp::now().s / kPeriod_ms); }
+
 /// What both cameras show now, as JPEG.
 struct Scene {
   std::mutex mutex;
   std::vector<std::string> left, right;  // the film, forwards and backwards without end
-  Timestamp begun = Timestamp::now();
+  std::int64_t begun = 0;
 
   std::string now(bool is_left) {
     const std::lock_guard lock(mutex);
     const auto& film = is_left ? left : right;
-    const auto at = std::int64_t(15 * (Timestamp::now() - begun));
-    return film[std::size_t(capture::swungFrame(at, std::int64_t(film.size())))];
+    return film[std::size_t(capture::swungFrame(shutterNumber() - begun, std::int64_t(film.size())))];
   }
   /// A counter in a corner makes all pictures differ, as a sensor's noise does: one that repeats is none.
   void show(const std::vector<cameras::StereoFrame>& frames) {
@@ -51,7 +56,7 @@ struct Scene {
     const std::lock_guard lock(mutex);
     left = lefts;
     right = rights;
-    begun = Timestamp::now();
+    begun = shutterNumber();
   }
 };
 
@@ -108,8 +113,8 @@ class LiveSession : public ::testing::Test {
   capture::CapturePair pair_;
   std::vector<cameras::StereoFrame> film_;
   Scene scene_;
-  JpegServer left_{[this](int) { return scene_.now(true); }, 66},
-      right_{[this](int) { return scene_.now(false); }, 66};
+  JpegServer left_{[this](int) { return scene_.now(true); }, kPeriod_ms},
+      right_{[this](int) { return scene_.now(false); }, kPeriod_ms};
   PulseSender sender_;
 };
 
@@ -167,8 +172,7 @@ std::string LiveSession::track() {
   right_.switchOff(false);
   EXPECT_EQ(hearKey(facenav, "cameras", 30).value("cameras", ""), "back");
   EXPECT_EQ(hearKey(facenav, "check").value("check", false), true) << "and again when it is back";
-  std::this_thread::sleep_for(
-      5s);  // the film twice through: the two streams may need a while to come into step
+  std::this_thread::sleep_for(2500ms);
   facenav.say("end");
   EXPECT_EQ(facenav.end(), 0);
   return name;

@@ -17,7 +17,7 @@
 
 namespace facenav::testing {
 
-/// One client at a time.
+/// One client at a time. All servers of one period send at the same moments, as cameras with one shutter do.
 class JpegServer {
  public:
   /// The picture number `i` of a connection, as JPEG.
@@ -81,14 +81,18 @@ class JpegServer {
     is_broken_ = false;
     bool is_well =
         send(client, "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=facenav\r\n\r\n");
-    auto due = std::chrono::steady_clock::now();
     for (int i = 0; is_well && !is_stopped_ && !is_broken_ && !is_off_; ++i) {
       const std::string jpeg = picture_(i);
       is_well = send(client, "--facenav\r\nContent-Type: image/jpeg\r\nContent-Length: " +
                                  std::to_string(jpeg.size()) + "\r\n\r\n" + jpeg + "\r\n");
-      due += std::chrono::milliseconds(every_ms_);
-      std::this_thread::sleep_until(due);
+      std::this_thread::sleep_until(nextShutter());
     }
+  }
+  /// The next whole multiple of the period.
+  std::chrono::steady_clock::time_point nextShutter() const {
+    const std::chrono::steady_clock::duration period = std::chrono::milliseconds(every_ms_);
+    return std::chrono::steady_clock::time_point(
+        (std::chrono::steady_clock::now().time_since_epoch() / period + 1) * period);
   }
 
   Picture picture_;
