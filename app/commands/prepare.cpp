@@ -28,8 +28,10 @@ void addPrepare(CLI::App& app, Context& context) {
   verb->add_option("--brain", request->brain_segmenter,
                    "brain segmentation: " + workflow::namesOf(context.registrations.brain_segmenters))
       ->capture_default_str();
-  verb->add_flag("--replace", request->replace,
-                 "replace the case's model; its targets and sessions are kept");
+  verb->add_flag(
+      "--replace", request->replace,
+      "replace the case's model; its targets, sessions and threshold searches are kept (another scan "
+      "is refused where the case has targets or sessions)");
   verb->add_flag("--discard-edits", request->discard_edits,
                  "with --replace: also where the brain mask was corrected by hand");
   auto* label =

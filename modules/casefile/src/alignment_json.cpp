@@ -117,4 +117,18 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
   return alignment;
 }
 
+void setAlignmentAside(const std::filesystem::path& case_folder) {
+  namespace fs = std::filesystem;
+  for (const auto& [name, aside] : {std::pair{"alignment.json", "alignment_judged_wrong.json"},
+                                    {"alignment_capture", "alignment_capture_judged_wrong"}}) {
+    if (!fs::exists(case_folder / name)) continue;
+    std::error_code fault;
+    fs::remove_all(case_folder / aside, fault);
+    fs::rename(case_folder / name, case_folder / aside, fault);
+    if (fault)
+      throw Error("cannot be set aside (" + fault.message() + ")", (case_folder / name).string(),
+                  "align again before the next session");
+  }
+}
+
 }  // namespace facenav::casefile

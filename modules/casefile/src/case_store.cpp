@@ -7,6 +7,7 @@
 #include "case_json.h"
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/file_group.h"
+#include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_folder.h"
@@ -102,23 +103,34 @@ bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   return (n * sum_ab - sum_a * sum_b) / spread > kSame;
 }
 
-/// Copies targets, protocol, coil, landmarks and overlays (of the same scan) and sessions to the new case.
-/// Session files are hard-linked: recordings are large, and the swap stays atomic.
+/// Hard-links the files: recordings are large, and the swap stays atomic. Copies them where the disk has no
+/// hard links.
+void keepFolder(const fs::path& old_folder, const fs::path& fresh) {
+  if (!fs::is_directory(old_folder)) return;
+  std::error_code fault;
+  fs::copy(old_folder, fresh, fs::copy_options::recursive | fs::copy_options::create_hard_links, fault);
+  if (!fault) return;
+  fs::remove_all(fresh);
+  fs::copy(old_folder, fresh, fs::copy_options::recursive);
+}
+
+/// Takes over targets, protocol, coil, landmarks and overlays (of the same scan), sessions and threshold
+/// searches.
 void keepFromOld(const fs::path& old_case, const fs::path& fresh, const volume::Volume& mri) {
   for (const char* file : {"targets.json", "protocol.json", "coil.json"})
     if (fs::exists(old_case / file)) fs::copy_file(old_case / file, fresh / file);
-  const bool has_places = fs::exists(old_case / "landmarks.json") || fs::exists(old_case / "overlays.json");
-  if (has_places && isSameScan(volume::readNifti(old_case / "mri.nii.gz").volume, mri)) {
+  const bool has_places = fs::exists(old_case / kMri) &&
+                          (fs::exists(old_case / "landmarks.json") || fs::exists(old_case / "overlays.json"));
+  if (has_places && isSameScan(volume::readNifti(old_case / kMri).volume, mri)) {
     for (const char* name : {"landmarks.json", "overlays.json", "overlays"})
       if (fs::exists(old_case / name)) fs::copy(old_case / name, fresh / name, fs::copy_options::recursive);
   }
-  if (!fs::is_directory(old_case / "sessions")) return;
-  std::error_code fault;
-  const auto how = fs::copy_options::recursive | fs::copy_options::create_hard_links;
-  fs::copy(old_case / "sessions", fresh / "sessions", how, fault);
-  if (!fault) return;
-  fs::remove_all(fresh / "sessions");
-  fs::copy(old_case / "sessions", fresh / "sessions", fs::copy_options::recursive);
+  for (const char* name : {"sessions", "thresholds"}) keepFolder(old_case / name, fresh / name);
+}
+
+bool hasTargets(const fs::path& folder) {
+  const fs::path file = folder / "targets.json";
+  return fs::exists(file) && !guidance::readTargets(file).targets.empty();
 }
 
 }  // namespace
@@ -140,12 +152,17 @@ std::string asLabel(const std::string& words) {
 }
 
 void requireTargetsStay(const fs::path& folder, const volume::Volume& mri) {
-  if (!isCase(folder) || !fs::exists(folder / "targets.json")) return;
-  if (guidance::readTargets(folder / "targets.json").targets.empty()) return;
+  if (!isCase(folder)) return;
+  const bool has_targets = hasTargets(folder), has_sessions = !sessionFolders(folder).empty();
+  if (!has_targets && !has_sessions) return;
   FACENAV_EXPECT(mri.voxels.size() == mri.grid.count(), "volume and grid differ in size");
-  if (!isSameScan(volume::readNifti(folder / "mri.nii.gz").volume, mri))
-    throw Error("this scan does not lie where the case's scan lies: its targets would point elsewhere",
-                folder.string(), "make a new case, or remove the targets first");
+  const bool has_mri = fs::exists(folder / kMri);
+  if (has_mri && isSameScan(volume::readNifti(folder / kMri).volume, mri)) return;
+  throw Error(std::string(has_mri ? "this scan does not lie where the case's scan lies: "
+                                  : "the case has no MRI that this scan could be compared with: ") +
+                  (has_targets ? "its targets" : "the poses of its sessions") + " would point elsewhere",
+              folder.string(),
+              has_sessions ? "make a new case" : "make a new case, or remove the targets first");
 }
 
 CaseStore CaseStore::openToReplace(const fs::path& folder) {

@@ -64,7 +64,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
   if (fs::exists(request.case_folder) && !request.replace)
     throw Error(
         "exists already", request.case_folder.string(),
-        "choose another folder, or --replace to model this patient again (targets and sessions are kept)");
+        "choose another folder, or --replace to model this scan again (targets and sessions are kept)");
   if (!request.discard_edits) casefile::requireNoEditsIn(request.case_folder);  // refuse early
   const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
   if (!fs::is_directory(parent))  // refuse early

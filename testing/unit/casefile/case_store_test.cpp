@@ -147,7 +147,7 @@ TEST(CaseStore, IsPrivateToTheUser) {
     EXPECT_EQ(mode(entry.path()), 0600) << entry;
 }
 
-TEST(CaseStore, ReplacingKeepsIdTargetsAndSessionsButNoStaleAlignment) {
+TEST(CaseStore, ReplacingKeepsIdTargetsSessionsAndThresholdsButNoStaleAlignment) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "case";
   const CaseStore before = CaseStore::create(path, preparedCase(), provenance(), false);
@@ -156,10 +156,13 @@ TEST(CaseStore, ReplacingKeepsIdTargetsAndSessionsButNoStaleAlignment) {
   writeAlignment({}, path / "alignment.json");
   fs::create_directories(path / "sessions/20260101T000000Z");
   writeWholeFile(path / "sessions/20260101T000000Z/poses.csv", "x");
+  fs::create_directories(path / "thresholds");
+  writeWholeFile(path / "thresholds/20260101T000000Z.jsonl", "found");
   const CaseStore after = CaseStore::create(path, withoutBrain(), provenance(), true);
   EXPECT_EQ(after.caseId(), id);
   EXPECT_EQ(after.targets().targets.size(), 1u);
   EXPECT_TRUE(fs::exists(path / "sessions/20260101T000000Z/poses.csv"));
+  EXPECT_EQ(readWholeFile(path / "thresholds/20260101T000000Z.jsonl"), "found");
   EXPECT_FALSE(after.alignment());
   EXPECT_FALSE(after.brain());
   EXPECT_EQ(entries(folder.path()), 1u) << "no temporary folder is left";
@@ -191,6 +194,37 @@ TEST(CaseStore, TargetsAreNotMovedByReplacingTheirScanInSilence) {
   EXPECT_NO_THROW(CaseStore::create(path, countedBackwards(preparedCase()), provenance(), true));
   CaseStore::open(path).setTargets({});
   EXPECT_NO_THROW(CaseStore::create(path, mirrored, provenance(), true));
+}
+
+TEST(CaseStore, PosesOfSessionsAreNotMovedByReplacingTheirScan) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "case";
+  CaseStore::create(path, preparedCase(), provenance(), false);
+  fs::create_directories(path / "sessions/20260101T000000Z");
+  PreparedCase shifted = preparedCase();
+  shifted.mri.grid.mri_from_voxel.translation().x() += 3;
+  const auto fault = [&] { return faultOf([&] { CaseStore::create(path, shifted, provenance(), true); }); };
+  EXPECT_NE(fault().find("the poses of its sessions would point elsewhere; make a new case"),
+            std::string::npos);
+  EXPECT_EQ(fault().find("remove the targets"), std::string::npos);
+  CaseStore::open(path).setTargets(onePlan());
+  EXPECT_NE(fault().find("its targets would point elsewhere; make a new case"), std::string::npos);
+  EXPECT_EQ(fault().find("remove the targets"), std::string::npos) << "the sessions would stay in the way";
+  EXPECT_NO_THROW(CaseStore::create(path, countedBackwards(preparedCase()), provenance(), true));
+  EXPECT_TRUE(fs::exists(path / "sessions/20260101T000000Z"));
+}
+
+TEST(CaseStore, AScanDoesNotReplaceAFaceThatHasSessions) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "case";
+  CaseStore::createFromFace(path, {preparedCase().scalp, {}, {}, {}}, {}, false);
+  fs::create_directories(path / "sessions/20260101T000000Z");
+  const auto fault = faultOf([&] { CaseStore::create(path, preparedCase(), provenance(), true); });
+  EXPECT_NE(fault.find("has no MRI"), std::string::npos);
+  EXPECT_NE(fault.find("the poses of its sessions would point elsewhere"), std::string::npos);
+  EXPECT_FALSE(CaseStore::open(path).hasMri());
+  fs::remove_all(path / "sessions");
+  EXPECT_NO_THROW(CaseStore::create(path, preparedCase(), provenance(), true));
 }
 
 TEST(CaseStore, DoesNotTouchWhatItMayNotReplace) {

@@ -49,6 +49,9 @@ struct StoredAlignment {
 void writeAlignment(const StoredAlignment& alignment, const std::filesystem::path& path);
 /// Throws Error naming file and key. A mirrored or non-rigid pose is refused.
 StoredAlignment readAlignment(const std::filesystem::path& path);
+/// A person found the case's alignment wrong: from now on the case is not aligned. Its file and its pictures
+/// stay, as alignment_judged_wrong.json and alignment_capture_judged_wrong. Does nothing where it is not.
+void setAlignmentAside(const std::filesystem::path& case_folder);
 
 /// What prepare produced. Brain parts are absent where no brain can be modelled.
 struct PreparedCase {
@@ -90,8 +93,9 @@ constexpr int kLongestLabel = 120;  // bytes
 /// A case's label as it is kept: one line, trimmed. Throws Error when it is longer than kLongestLabel.
 std::string asLabel(const std::string& words);
 
-/// Throws Error where `folder` is a case with targets and its MRI is not `mri` at the same place (another
-/// scan, or the same NIfTI read by its other transform): its targets would point elsewhere.
+/// Throws Error where `folder` is a case with targets or sessions and its MRI is not `mri` at the same place
+/// (another scan, the same NIfTI read by its other transform, or a face without an MRI): its targets and the
+/// poses of its sessions would point elsewhere.
 void requireTargetsStay(const std::filesystem::path& folder, const volume::Volume& mri);
 
 class CaseStore {
@@ -102,8 +106,8 @@ class CaseStore {
   static CaseStore openToReplace(const std::filesystem::path& folder);
   /// Creates the whole case (in a temporary folder, then renamed). Throws Error if `folder` exists and is no
   /// case. An existing case is replaced only with `replace`: its id, label (unless `prepared` has one),
-  /// targets (requireTargetsStay) and sessions are kept. Its alignment is dropped, since it belongs to the
-  /// old scalp. A brain mask corrected by hand is dropped only with `discard_edits`.
+  /// targets and sessions (requireTargetsStay) and threshold searches are kept. Its alignment is dropped,
+  /// since it belongs to the old scalp. A brain mask corrected by hand is dropped only with `discard_edits`.
   static CaseStore create(const std::filesystem::path& folder, const PreparedCase& prepared,
                           const std::vector<Provenance>& provenance, bool replace,
                           bool discard_edits = false);
