@@ -18,6 +18,7 @@
 namespace facenav::workflow {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 namespace fs = std::filesystem;
@@ -117,6 +118,26 @@ TEST_F(HomeCaseTest, ANewerFileOfTheSameCaseKeepsItsSessions) {
   EXPECT_THAT(refusalOf([&] { importHome(file_, other.folder()); }), HasSubstr("another case"));
 }
 
+TEST_F(HomeCaseTest, AnOlderFileDoesNotReplaceANewerOne) {
+  make();
+  importHome(file_, home_);
+  const auto madeOn = [&](const std::string& utc) {
+    auto entries = readZip(file_);
+    std::string& manifest = entries.at("home.json");
+    manifest.replace(manifest.find(':', manifest.find("\"made_utc\"")) + 3, 24, utc);
+    writeZip(entries, file_, FileAccess::owner_only);
+  };
+  madeOn("2001-02-03T04:05:06.789Z");
+  EXPECT_THAT(refusalOf([&] { importHome(file_, home_); }),
+              AllOf(HasSubstr("home.zip: it was made on 2001-02-03"), HasSubstr("choose the newest file")));
+  madeOn("2101-02-03T04:05:06.789Z");
+  EXPECT_EQ(refusalOf([&] { importHome(file_, home_); }), "");
+  EXPECT_EQ(refusalOf([&] { importHome(file_, home_); }), "") << "the same file again";
+  EXPECT_THAT(readWholeFile(home_ / "home.json"), HasSubstr("2101-02-03"));
+  madeOn("some day in February....");
+  EXPECT_THAT(refusalOf([&] { importHome(file_, home_); }), HasSubstr("made_utc"));
+}
+
 TEST_F(HomeCaseTest, NothingLeavesThatIsNotCheckedOrNotTheExperts) {
   EXPECT_THAT(refusalOf([&] { exportIt(withCoil()); }), HasSubstr("not signed off"));
   casefile::signOff(store_, {"XY", "", true});
@@ -182,6 +203,16 @@ TEST_F(HomeCaseTest, TheFileToSendBackHoldsThePulsesAndNoName) {
   EXPECT_THAT(entries.at("summary.json"), HasSubstr(store_.caseId()));
   const auto& csv = entries.at("pulses.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 41) << "a header and 40 pulses";
+}
+
+TEST_F(HomeCaseTest, TheFileToSendBackNamesNoFolderOfThisComputer) {
+  std::ofstream(session_ / "pulses.jsonl", std::ios::app) << "{\"pulse\":99";  // cut short
+  const auto sent = folder_.path() / "back.zip";
+  writeSendBack(store_, session_, sent);
+  const auto entries = readZip(sent);
+  EXPECT_THAT(entries.at("summary.json"), AllOf(HasSubstr("\"pulses.jsonl, line"), HasSubstr("cut short")));
+  for (const auto& [name, content] : entries)
+    EXPECT_THAT(content, Not(HasSubstr(folder_.path().string()))) << name;
 }
 
 }  // namespace

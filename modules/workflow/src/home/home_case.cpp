@@ -173,7 +173,24 @@ HomeJson checkedManifest(const std::map<std::string, std::string>& entries, cons
     throw Error("the home case is of another version of FaceNav", file.string(), "update FaceNav");
   json.at("sha256").members();
   json.at("case_id").text();
+  if (!casefile::secondsOfUtc(json.at("made_utc").text())) json.at("made_utc").refuse("is no time");
   return HomeJson::parse(found->second);
+}
+
+/// When the case in the folder was made at the clinic; empty where its manifest does not say so.
+std::string madeUtcOf(const fs::path& case_folder) {
+  if (!fs::is_regular_file(case_folder / kManifest)) return {};
+  const HomeJson json = HomeJson::parse(readWholeFile(case_folder / kManifest), nullptr, false);
+  if (!json.is_object() || !json.contains("made_utc") || !json["made_utc"].is_string()) return {};
+  return json["made_utc"].get<std::string>();
+}
+
+void requireNoNewerCase(const fs::path& case_folder, const HomeJson& manifest, const fs::path& file) {
+  const std::string there = madeUtcOf(case_folder), fresh = manifest["made_utc"].get<std::string>();
+  const auto there_s = casefile::secondsOfUtc(there);
+  if (!there_s || *casefile::secondsOfUtc(fresh) >= *there_s) return;
+  throw Error("it was made on " + fresh + ", the case that is there already on " + there, file.string(),
+              "choose the newest file of the clinic");
 }
 
 }  // namespace
@@ -230,6 +247,7 @@ casefile::CaseStore importHome(const fs::path& file, const fs::path& case_folder
   if (before && before->hasMri())
     throw Error("this is the case with the MRI that the file was made of", case_folder.string(),
                 "choose another folder");
+  if (before) requireNoNewerCase(case_folder, manifest, file);
   WholeFolder fresh(case_folder, FileAccess::owner_only, exists ? Existing::replace : Existing::refuse);
   for (const auto& [name, content] : entries) {
     const fs::path path = fresh.temporaryPath() / name;

@@ -3,6 +3,7 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/core/without_folders.h"
 #include "facenav/core/zip_file.h"
 #include "facenav/workflow/home_case.h"
 #include "facenav/workflow/session_report.h"
@@ -30,7 +31,8 @@ SummaryJson summaryOf(const casefile::CaseStore& store, const casefile::KeptSess
                    {"pulses_on_target", on_target},
                    {"pulses_outside", outside},
                    {"pulses_lost", lost},
-                   {"problems", session.pulses.problems}};
+                   {"problems", SummaryJson::array()}};
+  for (const auto& problem : session.pulses.problems) json["problems"].push_back(withoutFolders(problem));
   if (session.duration_s) json["duration_s"] = *session.duration_s;
   if (session.guided) {
     json["on_target_s"] = session.guided->on_target_s;

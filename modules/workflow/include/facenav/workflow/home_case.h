@@ -35,7 +35,7 @@ HomeExport exportHome(const face::FaceDetector& detector, const casefile::CaseSt
 /// True where the file is one of exportHome(); false for other files. Throws Error where it cannot be read.
 bool isHomeFile(const std::filesystem::path& file);
 /// Makes the case's folder of the file. Throws Error: damaged, changed, or of a later version; a folder that
-/// exists is replaced only where it is the same case, and then keeps its sessions.
+/// exists is replaced only where it is the same case and not made later, and then keeps its sessions.
 casefile::CaseStore importHome(const std::filesystem::path& file, const std::filesystem::path& case_folder);
 
 /// What treatment at home needs of a case.
