@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "commands/coil_option.h"
 #include "commands/commands.h"
@@ -36,7 +37,8 @@ struct PlanRequest {
   bool is_json = false, lists_presets = false, lists_landmarks = false, measures = false,
        shows_protocol = false;
   std::vector<std::string> set_landmarks, find_landmarks, compare;
-  std::string coil, preset, name, by = "", target, note, grid_on = "scalp", map_space = "mni";
+  std::string coil, preset, name, by = "", target, note, grid_on = "scalp";
+  std::optional<volume::MapSpace> map_space;
   std::vector<int> grid;
   std::vector<double> within;
   OverlayRequest overlays;
@@ -153,16 +155,17 @@ class PlanSteps {
   void addPeak(workflow::PlanEditor& editor) {
     const auto wanted = request_.wants_lowest ? volume::PeakOf::lowest : volume::PeakOf::highest;
     const auto& centre = request_.within;
-    const auto peak = volume::peakWithin(volume::readNifti(request_.map).volume,
-                                         {centre[0], centre[1], centre[2]}, request_.radius_mm, wanted);
+    const auto map = volume::readNifti(request_.map);
+    const bool is_mni = volume::spaceOfMap(map, request_.map_space, request_.map) == volume::MapSpace::mni;
+    const auto peak =
+        volume::peakWithin(map.volume, {centre[0], centre[1], centre[2]}, request_.radius_mm, wanted);
     workflow::PresetPlace place;
     place.cortex = Point<Mri>(peak.place_mm);
-    if (request_.map_space == "mni") place.cortex = atlas().toMri(Point<Mni>(peak.place_mm));
+    if (is_mni) place.cortex = atlas().toMri(Point<Mni>(peak.place_mm));
     const Eigen::Vector3d& p = peak.place_mm;
-    place.words =
-        formatted("peak %.2f of %s at %s %.1f %.1f %.1f%s", peak.value, request_.map.filename().c_str(),
-                  request_.map_space == "mni" ? "MNI" : "RAS", p.x(), p.y(), p.z(),
-                  peak.is_at_edge ? ", at the region's rim: the map goes on there" : "");
+    place.words = formatted("peak %.2f of %s at %s %.1f %.1f %.1f%s", peak.value,
+                            request_.map.filename().c_str(), is_mni ? "MNI" : "RAS", p.x(), p.y(), p.z(),
+                            peak.is_at_edge ? ", at the region's rim: the map goes on there" : "");
     editor.addTarget(place, request_.name.empty() ? "map peak" : request_.name, wish());
     if (!is_quiet_ && !request_.is_json) std::printf("%s\n", place.words.c_str());
   }
@@ -248,9 +251,13 @@ void addTargetOptions(CLI::App& verb, PlanRequest& request) {
       ->check(CLI::Range(1.0, 100.0))
       ->capture_default_str();
   verb.add_flag("--lowest", request.wants_lowest, "the lowest value (maps of anticorrelation)");
-  verb.add_option("--map-space", request.map_space, "the map's space: mni, mri")
-      ->check(CLI::IsMember({"mni", "mri"}))
-      ->capture_default_str();
+  verb.add_option_function<std::string>(
+          "--map-space",
+          [&request](const std::string& word) {
+            request.map_space = word == "mni" ? volume::MapSpace::mni : volume::MapSpace::mri;
+          },
+          "the map's space: mni, mri; needed where the file does not say that it lies in a template's space")
+      ->check(CLI::IsMember({"mni", "mri"}));
   verb.add_option("--name", request.name, "name of the new target; one of the same name is replaced");
   verb.add_option("--handle-deg", request.handle_deg, "handle, from anterior towards the midline")
       ->check(CLI::Range(-180.0, 180.0))

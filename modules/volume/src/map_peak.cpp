@@ -64,4 +64,14 @@ MapPeak peakWithin(const Volume& map, const Vector3d& centre_mm, double radius_m
   return peak;
 }
 
+MapSpace spaceOfMap(const NiftiRead& map, std::optional<MapSpace> stated, const std::filesystem::path& file) {
+  if (!stated && !map.is_template_space)
+    throw Error("the file does not say that the map lies in a template's space", file.string(),
+                "give --map-space mni, or --map-space mri if it lies on the patient's MRI");
+  if (stated == MapSpace::mri && map.is_template_space)
+    throw Error("the file says that the map lies in a template's space, not the patient's", file.string(),
+                "give --map-space mni");
+  return stated.value_or(MapSpace::mni);
+}
+
 }  // namespace facenav::volume

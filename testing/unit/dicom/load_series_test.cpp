@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "compare_volumes.h"
 #include "dicom_bytes.h"
@@ -188,6 +189,20 @@ TEST(LoadSeries, IdenticalDuplicatesAreDroppedAndSaid) {
   const auto imported = dicom::importVolume(folder.path(), std::nullopt, monitor);
   EXPECT_EQ(imported.volume.grid.size[2], 12);
   EXPECT_THAT(imported.warnings, Contains(HasSubstr("2 duplicate images dropped")));
+}
+
+TEST(LoadSeries, ANiftiThatWasFittedToATemplateIsSaid) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t1.nii";
+  volume::writeNifti(load(makeSlices(12)), path);
+  TaskMonitor monitor;
+  const auto warnings = [&] { return dicom::importVolume(path, std::nullopt, monitor).warnings; };
+  EXPECT_TRUE(warnings().empty());
+  constexpr std::streamoff kSformCode = 254;  // its place in a NIfTI-1 header, a 16-bit number
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(kSformCode).put(4);  // MNI 152
+  file.close();
+  EXPECT_THAT(warnings(), ::testing::ElementsAre(HasSubstr("fitted to a template")));
 }
 
 TEST(LoadSeries, DifferentImagesAtOnePlaceAreRefused) {

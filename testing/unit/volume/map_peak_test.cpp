@@ -1,16 +1,20 @@
 #include "facenav/volume/map_peak.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 
 #include "facenav/core/error.h"
 #include "support/matchers.h"
+#include "support/refusal.h"
 
 namespace facenav::volume {
 namespace {
 using facenav::testing::EigenNear;
+using facenav::testing::refusalOf;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 /// A map of 3 mm voxels with Gaussian hills (place, height).
 Volume hills(const std::vector<std::pair<Eigen::Vector3d, double>>& all) {
@@ -61,6 +65,20 @@ TEST(MapPeak, RefusesARegionWithoutValues) {
   const Volume map = hills({});
   EXPECT_THROW(peakWithin(map, {500, 0, 0}, 10, PeakOf::highest), Error);
   EXPECT_THROW(peakWithin(map, {0, 0, 0}, 10, PeakOf::highest), Error) << "all zero";
+}
+
+TEST(MapPeak, TheSpaceIsThatOfTheFileOrTheStatedOneAndNeverGuessed) {
+  NiftiRead native, fitted;
+  fitted.is_template_space = true;
+  EXPECT_EQ(spaceOfMap(fitted, {}, "a.nii"), MapSpace::mni);
+  EXPECT_EQ(spaceOfMap(fitted, MapSpace::mni, "a.nii"), MapSpace::mni);
+  EXPECT_EQ(spaceOfMap(native, MapSpace::mri, "a.nii"), MapSpace::mri);
+  EXPECT_EQ(spaceOfMap(native, MapSpace::mni, "a.nii"), MapSpace::mni)
+      << "many programs write no template's code";
+  EXPECT_THAT(refusalOf([&] { spaceOfMap(native, {}, "a.nii"); }),
+              AllOf(HasSubstr("a.nii"), HasSubstr("--map-space mni, or --map-space mri")));
+  EXPECT_THAT(refusalOf([&] { spaceOfMap(fitted, MapSpace::mri, "a.nii"); }),
+              HasSubstr("a template's space"));
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ ImportedVolume importNifti(const fs::path& path, volume::NiftiTransform transfor
   imported.description = {"NIfTI: " + gridInWords(imported.volume.grid),
                           "left and right rest on the file's " + read.evidence};
   if (read.warning) imported.warnings.push_back(*read.warning);
+  if (read.is_template_space)
+    imported.warnings.push_back(
+        "the file says that the scan was fitted to a template: its size and shape are then the "
+        "template's, not the patient's; use the scan as acquired");
   return imported;
 }
 
