@@ -45,11 +45,12 @@ HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp
           directions.reference};
 }
 
-double hairGap_mm(const Target& target) {
+double centreGap_mm(const Target& target) {
   return (target.scalp_point.mm - target.mri_T_target.translation_mm())
-             .dot(target.mri_T_target.rotation().col(2)) -
-         target.lift_mm;
+      .dot(target.mri_T_target.rotation().col(2));
 }
+
+double hairGap_mm(const Target& target) { return centreGap_mm(target) - target.lift_mm; }
 
 Target withHandleAngle(const Target& target, const surface::ScalpSurface& scalp, double angle_rad) {
   if (!(std::abs(angle_rad) <= kMostHandle_rad))

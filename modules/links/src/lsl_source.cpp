@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,8 +12,12 @@
 namespace facenav::links {
 namespace {
 
-constexpr double kLook_s = 0.5, kPull_s = 0.1, kCorrection_s = 2.0;
+constexpr double kLook_s = 0.5, kPull_s = 0.1;
 constexpr std::int32_t kBuffer_s = 60;
+constexpr const char* kClockNotKnown =
+    "the clock of the LSL stream's computer is not known: pulses are timed by their arrival";
+constexpr const char* kStampFarAway =
+    "the LSL stream's time stamps are more than a second off: pulses are timed by their arrival";
 
 class LslSource : public ThreadedSource {
  public:
@@ -25,9 +31,12 @@ class LslSource : public ThreadedSource {
   void run() override;
   LslLibrary::Inlet find(int& channels);
   void follow(LslLibrary::Inlet inlet, int channels);
+  std::optional<double> ahead_s(LslLibrary::Inlet inlet);
+  void take(double stamp_s, double arrived_s, std::optional<double> ahead_s);
 
   const LslLibrary& lsl_;
   std::string stream_;
+  bool has_missed_clock_ = false;  // a pulse came while the clock was not known
 };
 
 /// Null: none is there yet, or stopping.
@@ -43,19 +52,41 @@ LslLibrary::Inlet LslSource::find(int& channels) {
   return inlet;
 }
 
+/// To be added to the stream's stamps. Nothing: not known yet, or not since the stream's computer came back.
+/// Never waits: liblsl estimates it on a thread of its own, first within a second, then every few seconds.
+std::optional<double> LslSource::ahead_s(LslLibrary::Inlet inlet) {
+  std::int32_t fault = 0;
+  const double correction_s = lsl_.time_correction(inlet, 0.0, &fault);
+  if (fault != 0) return std::nullopt;
+  if (std::exchange(has_missed_clock_, false)) tellProblem("");
+  return correction_s;
+}
+
+void LslSource::take(double stamp_s, double arrived_s, std::optional<double> ahead_s) {
+  if (!ahead_s) {
+    has_missed_clock_ = true;
+    tellProblem(kClockNotKnown);
+    return tellPulse();
+  }
+  const double age_s = arrived_s - (stamp_s + *ahead_s);
+  const bool is_near = std::abs(age_s) < kOldestPulse_s;
+  tellProblem(is_near ? "" : kStampFarAway);
+  tellPulse(is_near ? std::max(0.0, age_s) : 0.0);
+}
+
 void LslSource::follow(LslLibrary::Inlet inlet, int channels) {
   std::vector<char*> texts(std::size_t(channels), nullptr);
-  std::int32_t fault = 0;
-  const double correction_s = lsl_.time_correction(inlet, kCorrection_s, &fault);
-  const double ahead_s = fault == 0 ? correction_s : 0;
+  ahead_s(inlet);  // liblsl begins to estimate when it is asked first
   while (!isStopping()) {
-    fault = 0;
+    std::int32_t fault = 0;
     const double stamp_s = lsl_.pull_sample_str(inlet, texts.data(), channels, kPull_s, &fault);
     if (fault != 0 && fault != -1) return;  // -1: no sample in this time
+    const double arrived_s = lsl_.local_clock();
+    const auto known_s = ahead_s(inlet);
     if (stamp_s == 0) continue;
     for (char*& text : texts)
       if (text) lsl_.destroy_string(std::exchange(text, nullptr));
-    tellPulse(std::max(0.0, lsl_.local_clock() - (stamp_s + ahead_s)));
+    take(stamp_s, arrived_s, known_s);
   }
 }
 

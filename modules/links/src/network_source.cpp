@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::size_t kLongestMessage = 4096;
 constexpr int kMostClients = 8;
-constexpr double kOldest_s = 1.0;  // a kernel's time stamp further away was set by a clock that jumped
 
 /// Seconds since the kernel received the datagram; 0 if it does not say.
 double ageOf(msghdr& header) {
@@ -30,7 +29,7 @@ double ageOf(msghdr& header) {
     std::memcpy(&received, CMSG_DATA(part), sizeof received);
     ::clock_gettime(CLOCK_REALTIME, &now);
     const double age_s = double(now.tv_sec - received.tv_sec) + 1e-9 * double(now.tv_nsec - received.tv_nsec);
-    return age_s > 0 && age_s < kOldest_s ? age_s : 0.0;
+    return age_s > 0 && age_s < kOldestPulse_s ? age_s : 0.0;
   }
   return 0;
 }

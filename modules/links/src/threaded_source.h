@@ -12,6 +12,10 @@
 
 namespace facenav::links {
 
+/// A pulse arrives within this time. A time stamp further away was set by a clock that jumped or is not
+/// known.
+constexpr double kOldestPulse_s = 1.0;
+
 /// Each source stops itself in its own destructor, while its run() still exists.
 class ThreadedSource : public PulseSource {
  public:

@@ -103,6 +103,7 @@ TEST(CoilPlate, SpansADentUnderItsCentreWithoutTilting) {
   EXPECT_NEAR(target.lift_mm, rim_mm - 87, 0.1);
   EXPECT_THAT(target.mri_T_target.rotation().col(2), EigenNear(Eigen::Vector3d(0, 0, -1), 0.02));
   EXPECT_NEAR(hairGap_mm(target), 0.0, 1e-9) << "the lift is no hair";
+  EXPECT_NEAR(centreGap_mm(target), target.lift_mm, 1e-9);
 }
 
 TEST(CoilPlate, TiltsOverAnEarUnderOneWingAndSaysSo) {

@@ -14,7 +14,11 @@ std::mutex g_mutex;
 std::condition_variable g_changed;
 std::deque<double> g_samples;
 bool g_has_stream = true;
-constexpr double kAhead_s = 1000.0;  // the stream's clock is behind this machine's
+bool g_is_followed = false;
+constexpr double kBehind_s = 1000.0;
+double g_behind_s = kBehind_s;      // the stream's clock is behind this machine's
+double g_correction_s = kBehind_s;  // what is known of that
+bool g_has_correction = true;
 
 double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -24,11 +28,23 @@ double steady_s() {
 
 extern "C" {
 
-/// For the test: a sample now.
-void fake_lsl_send() {
+/// For the test: a sample that was made `age_s` ago, by the stream's clock.
+void fake_lsl_send_late(double age_s) {
   const std::lock_guard lock(g_mutex);
-  g_samples.push_back(steady_s() - kAhead_s);
+  g_samples.push_back(steady_s() - g_behind_s - age_s);
   g_changed.notify_all();
+}
+void fake_lsl_send() { fake_lsl_send_late(0); }
+/// The stream's clock, and what lsl_time_correction says of it; it fails without `has_correction`.
+void fake_lsl_set_clock(double behind_s, double correction_s, int has_correction) {
+  const std::lock_guard lock(g_mutex);
+  g_behind_s = behind_s, g_correction_s = correction_s, g_has_correction = has_correction != 0;
+}
+void fake_lsl_reset_clock() { fake_lsl_set_clock(kBehind_s, kBehind_s, 1); }
+/// An inlet is there and hears what is sent.
+int fake_lsl_is_followed() {
+  const std::lock_guard lock(g_mutex);
+  return g_is_followed ? 1 : 0;
 }
 void fake_lsl_show(int has_stream) { g_has_stream = has_stream != 0; }
 
@@ -47,13 +63,18 @@ void* lsl_create_inlet(void* info, std::int32_t, std::int32_t, std::int32_t) {
   g_samples.clear();  // an inlet hears only what comes after it
   return info;
 }
-void lsl_destroy_inlet(void*) {}
+void lsl_destroy_inlet(void*) {
+  const std::lock_guard lock(g_mutex);
+  g_is_followed = false;
+}
 double lsl_time_correction(void*, double, std::int32_t* fault) {
-  *fault = 0;
-  return kAhead_s;
+  const std::lock_guard lock(g_mutex);
+  *fault = g_has_correction ? 0 : -1;  // as after its time-out
+  return g_has_correction ? g_correction_s : 0.0;
 }
 double lsl_pull_sample_str(void*, char** texts, std::int32_t count, double timeout_s, std::int32_t* fault) {
   std::unique_lock lock(g_mutex);
+  g_is_followed = true;
   *fault = 0;
   if (!g_changed.wait_for(lock, std::chrono::duration<double>(timeout_s), [] { return !g_samples.empty(); }))
     return 0;

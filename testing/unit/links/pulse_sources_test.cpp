@@ -141,11 +141,120 @@ TEST(PulseSources, APortWithoutLinesIsRefusedForEdges) {
   EXPECT_THROW(source->start({}), Error) << "a pseudo terminal has no CTS";
 }
 
+/// The stand-in for liblsl; at the end its clock is as at first.
+struct FakeLsl {
+  FakeLsl() : library(::dlopen("liblsl.so.2", RTLD_NOW)) {
+    find("fake_lsl_send", send);
+    find("fake_lsl_send_late", sendLate);
+    find("fake_lsl_set_clock", setClock);
+    find("fake_lsl_reset_clock", resetClock);
+    find("fake_lsl_is_followed", isFollowed);
+  }
+  ~FakeLsl() {
+    if (resetClock) resetClock();
+  }
+  template <class Function>
+  void find(const char* name, Function& function) const {
+    if (library) function = reinterpret_cast<Function>(::dlsym(library, name));
+  }
+  /// False: this is another liblsl, or none.
+  bool isThere() const { return send && sendLate && setClock && resetClock && isFollowed; }
+
+  void* library;
+  void (*send)() = nullptr;
+  void (*sendLate)(double age_s) = nullptr;
+  void (*setClock)(double behind_s, double correction_s, int has_correction) = nullptr;
+  void (*resetClock)() = nullptr;
+  int (*isFollowed)() = nullptr;
+};
+
+template <class Condition>
+bool comes(Condition condition) {
+  for (int i = 0; i < 5000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return condition();
+}
+
+/// A source that follows the stand-in's stream, and what it tells.
+class LslClock : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(lsl_.isThere());
+    source_ = openPulseSource("lsl:tms");
+  }
+  void TearDown() override {
+    if (source_) source_->stop();
+  }
+  void start() {
+    source_->start(heard_.listener());
+    ASSERT_TRUE(comes([&] { return lsl_.isFollowed() != 0; }));
+  }
+  /// How long before it was sent a pulse is dated that was made `age_s` ago; at most 0: by its arrival.
+  double datedBack_s(double age_s) {
+    const std::size_t count = heard_.triggers().size() + 1;
+    const Timestamp before = Timestamp::now();
+    lsl_.sendLate(age_s);
+    EXPECT_TRUE(heard_.waitFor(count));
+    return heard_.triggers().size() == count ? before - heard_.triggers().back().at : 1e9;
+  }
+
+  static constexpr double kNear_s = 0.1;
+  const FakeLsl lsl_;
+  HeardPulses heard_;
+  std::unique_ptr<PulseSource> source_;
+};
+
+TEST_F(LslClock, PulsesAreTimedByTheirArrivalUntilTheClockIsKnownAndThatIsSaidOnce) {
+  lsl_.setClock(7200, 0, 0);
+  start();
+  for (int i = 0; i < 3; ++i) EXPECT_LE(datedBack_s(0.5), 0) << "no foreign stamp is taken";
+  ASSERT_EQ(heard_.problems().size(), 1u);
+  EXPECT_THAT(heard_.problems()[0], HasSubstr("is not known: pulses are timed by their arrival"));
+  lsl_.setClock(7200, 7200, 1);
+  ASSERT_TRUE(comes([&] { return heard_.problems().size() == 2; })) << "taken back without a pulse";
+  EXPECT_EQ(heard_.problems()[1], "");
+  EXPECT_NEAR(datedBack_s(0.5), 0.5, kNear_s);
+  EXPECT_EQ(heard_.problems().size(), 2u);
+}
+
+TEST_F(LslClock, IsFollowedWhileItDrifts) {
+  start();
+  EXPECT_NEAR(datedBack_s(0.5), 0.5, kNear_s);
+  lsl_.setClock(1000.7, 1000.7, 1);
+  EXPECT_NEAR(datedBack_s(0.5), 0.5, kNear_s) << "the first correction would make it 1.2 s";
+  EXPECT_TRUE(heard_.problems().empty());
+}
+
+TEST_F(LslClock, ARebootedComputersPulsesAreTimedByTheirArrivalUntilItsClockIsKnown) {
+  start();
+  EXPECT_NEAR(datedBack_s(0), 0, kNear_s);
+  lsl_.setClock(90000, 1000, 1);  // it counts from its start; the old correction still stands
+  for (int i = 0; i < 2; ++i) EXPECT_LE(datedBack_s(0.5), 0);
+  lsl_.setClock(90000, 0, 0);
+  EXPECT_LE(datedBack_s(0.5), 0);
+  lsl_.setClock(90000, 90000, 1);
+  ASSERT_TRUE(comes([&] { return heard_.problems().size() == 3; }));
+  EXPECT_THAT(heard_.problems()[0], HasSubstr("more than a second off"));
+  EXPECT_THAT(heard_.problems()[1], HasSubstr("is not known"));
+  EXPECT_EQ(heard_.problems()[2], "");
+  EXPECT_NEAR(datedBack_s(0.5), 0.5, kNear_s);
+}
+
+TEST_F(LslClock, AStampHoursAwayIsNotTakenAndSaidOnceUntilOneIsGood) {
+  start();
+  for (const double away_s : {7200.0, -7200.0, 1.5}) {
+    EXPECT_LE(datedBack_s(away_s), 0) << away_s;
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));  // longer than it waits for a sample
+  }
+  ASSERT_EQ(heard_.problems().size(), 1u) << "the clock's being known takes nothing back";
+  EXPECT_THAT(heard_.problems()[0], HasSubstr("more than a second off"));
+  EXPECT_NEAR(datedBack_s(0.4), 0.4, kNear_s);
+  ASSERT_EQ(heard_.problems().size(), 2u);
+  EXPECT_EQ(heard_.problems()[1], "");
+}
+
 TEST(PulseSources, LslKeepsTheContract) {
-  void* fake = ::dlopen("liblsl.so.2", RTLD_NOW);
-  ASSERT_NE(fake, nullptr) << ::dlerror();
-  const auto send = reinterpret_cast<void (*)()>(::dlsym(fake, "fake_lsl_send"));
-  ASSERT_NE(send, nullptr) << "this is another liblsl";
+  const FakeLsl lsl;
+  ASSERT_TRUE(lsl.isThere());
   const auto source = openPulseSource("lsl:tms");
   int times = 0;
   testing::expectPulseSourceContract(
@@ -154,7 +263,7 @@ TEST(PulseSources, LslKeepsTheContract) {
         // An inlet takes a moment to be there; samples before it are not heard.
         if (times == 0 || times == 16) std::this_thread::sleep_for(std::chrono::milliseconds(50));
         ++times;
-        send();
+        lsl.send();
       },
       kThetaBurst_s);
 }

@@ -155,6 +155,26 @@ TEST(PulsePose, TheGapIsMeasuredToTheSkinAndTooLargeAGapIsOutside) {
   EXPECT_FALSE(pulseBetween(triggerAt(100.01), frame, later).gap_mm) << "no skin is known";
 }
 
+TEST(PulsePose, OverAHollowTheGapOfThePlannedCoilIsAllowed) {
+  PosedFrame frame = frameAt(1, 100.0);
+  const PosedFrame later = frameAt(2, 100.02);
+  const auto mri_T_coil = frame.camera_T_mri->inverse() * *frame.camera_T_coil;
+  ChosenTarget lifted = *frame.chosen;
+  lifted.target.lift_mm = 5.0;  // the plate's rim touches, its centre stands over the hollow
+  lifted.target.scalp_point = mri_T_coil * Point<facenav::Coil>(0, 0, 5.0);
+  frame.chosen = std::make_shared<const ChosenTarget>(lifted);
+  const Eigen::Vector3d z = mri_T_coil.rotation().col(2);
+  const auto pulseAt = [&](double gap_mm) {
+    const registration::ScalpField scalp(ballSkin(90.0, mri_T_coil.translation_mm() + (90.0 + gap_mm) * z));
+    return pulseBetween(triggerAt(100.01), frame, later, &scalp);
+  };
+  const auto held = pulseAt(5.0), high = pulseAt(9.0);
+  EXPECT_EQ(held.status, PulseStatus::on_target) << held.reason;
+  EXPECT_NEAR(held.gap_mm.value(), 5.0, 0.3);
+  EXPECT_EQ(high.status, PulseStatus::outside);
+  EXPECT_THAT(high.reason, HasSubstr("(5.0 planned, 3.0 more allowed)"));
+}
+
 TEST(PulsePose, WhereTheAlignmentIsTooUncertainNoPulseIsOnTarget) {
   PosedFrame frame = frameAt(1, 100.0);
   ChosenTarget uncertain = *frame.chosen;

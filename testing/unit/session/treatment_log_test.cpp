@@ -171,6 +171,25 @@ TEST(TreatmentLog, BothPicturesOfEachPulsesFrameAreKept) {
   EXPECT_EQ(with_pictures, 4) << "two of six pulses came after the last frame";
 }
 
+TEST(EvidenceKeeper, HasThePicturesOfTheWaitForAFrameAtSixtyFramesASecond) {
+  constexpr int kNewest = 100, kWait = int(60 * kLongestWait_s);
+  const testing::TemporaryFolder folder;
+  EvidenceKeeper keeper(folder.path(), fakes::rig());
+  NavigationState state;
+  for (state.frame = 0; state.frame <= kNewest; ++state.frame) {
+    state.captured = {double(state.frame) / 60};
+    state.images = fakes::frame(state.frame, state.captured.s);
+    keeper.follow(state);
+  }
+  casefile::Pulse pulse;
+  pulse.frames = {kNewest - kWait, kNewest - kWait + 1};
+  keeper.add(pulse);
+  for (int i = 0; i < 1000 && keeper.kept() == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(keeper.kept(), 1) << keeper.failure();
+  EXPECT_EQ(keeper.leftOut(), 0);
+}
+
 TEST(TreatmentLog, APictureFolderThatCannotBeMadeIsSaidAndPulsesAreKept) {
   const testing::TemporaryFolder folder;
   std::filesystem::path place;

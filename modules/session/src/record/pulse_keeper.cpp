@@ -1,6 +1,7 @@
 #include "facenav/session/pulse_keeper.h"
 
 #include <algorithm>
+#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <map>
@@ -15,7 +16,7 @@
 namespace facenav::session {
 namespace {
 
-constexpr std::size_t kFramesKept = 64;  // a second's worth; a pulse waits a tenth of it
+constexpr std::size_t kFramesKept = 64;  // a second's worth at 60 frames/s; a pulse waits up to half a second
 constexpr double kRetry_s = 0.5;
 
 struct Waiting {
@@ -178,7 +179,8 @@ bool PulseKeeper::add(const PulseTrigger& trigger) {
     std::lock_guard lock(implementation_->mutex);
     const auto last = implementation_->last_of_source.find(trigger.source);
     const bool is_known = last != implementation_->last_of_source.end();
-    if (is_known && trigger.at - last->second < trigger.dead_time_s) return false;
+    // Also a little out of order. One that is dated far back is a pulse: its source's clock has jumped.
+    if (is_known && std::abs(trigger.at - last->second) < trigger.dead_time_s) return false;
     implementation_->last_of_source[trigger.source] = trigger.at;
     implementation_->pulses.push_back({trigger, Timestamp::now()});
     implementation_->placeReady();

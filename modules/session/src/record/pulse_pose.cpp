@@ -67,7 +67,7 @@ std::optional<Pose> between(const std::optional<Pose>& a, const std::optional<Po
 /// What makes a pulse doubtful though the coil is where it should be.
 std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& target) {
   std::string words;
-  const double planned_mm = guidance::hairGap_mm(target);
+  const double planned_mm = guidance::centreGap_mm(target);
   if (pulse.gap_mm && *pulse.gap_mm > planned_mm + kMostGapBeyondPlan_mm)
     words = formatted("gap of %.1f mm to the skin (%.1f planned, %.1f more allowed)", *pulse.gap_mm,
                       planned_mm, kMostGapBeyondPlan_mm);

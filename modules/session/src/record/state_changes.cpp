@@ -1,6 +1,7 @@
 #include "state_changes.h"
 
 #include "facenav/core/number_text.h"
+#include "facenav/core/without_folders.h"
 
 namespace facenav::session {
 namespace {
@@ -34,7 +35,7 @@ void StateChanges::note(const NavigationState& state, casefile::SessionLog& log)
 
 void StateChanges::noteFault(const NavigationState& state, casefile::SessionLog& log) {
   const std::string& fault = state.failure.empty() ? state.rig_fault : state.failure;
-  if (!fault.empty() && !has_faulted_) log.addEvent("fault", fault);
+  if (!fault.empty() && !has_faulted_) log.addEvent("fault", withoutFolders(fault));
   has_faulted_ = !fault.empty();
   const bool is_away = isCameraAway(state);
   if (is_away && !away_) away_ = state.captured;

@@ -16,6 +16,7 @@
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/without_folders.h"
 #include "state_changes.h"
 
 namespace facenav::session {
@@ -39,7 +40,7 @@ struct FollowOn {
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
 constexpr double kClockStep_s = 1.0;
 constexpr double kLogRetry_s = 1.0;    // after a fault of the disk
-constexpr double kLastPulses_s = 0.5;  // at the end: for pulses that still wait for a frame
+constexpr double kLastPulses_s = 1.0;  // at the end: for a frame (kLongestWait_s), then for the disk
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
   return folder.empty() ? std::nullopt : std::optional(casefile::sessionSoFar(folder));
@@ -138,7 +139,7 @@ void TreatmentLog::Implementation::noteEvidence() {
   if (fault == evidence_fault) return;
   log.addEvent("pulse pictures", fault.empty()
                                      ? formatted("kept again, %d frames are missing", evidence->leftOut())
-                                     : "not kept: " + fault);
+                                     : "not kept: " + withoutFolders(fault));
   evidence_fault = fault;
 }
 

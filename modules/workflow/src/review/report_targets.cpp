@@ -74,7 +74,7 @@ std::string targetsPart(const casefile::CaseStore& store, const casefile::KeptSe
                             angle.reference == guidance::HandleReference::anterior ? "anterior" : "superior");
          })
                : "not known",
-         formatted("%.1f", guidance::hairGap_mm(target)), formatted("%d", one.pulses)});
+         formatted("%.1f", guidance::centreGap_mm(target)), formatted("%d", one.pulses)});
   }
   return headingHtml("Target") +
          tableHtml({"name", "on the cortex, MRI (RAS mm)", "MNI (mm)", "coil's centre, MRI (RAS mm)",

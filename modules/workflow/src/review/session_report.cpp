@@ -8,6 +8,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/core/without_folders.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/scene/png.h"
@@ -26,15 +27,6 @@ constexpr const char* kNotRecorded = "not recorded";
 constexpr std::size_t kMostRows = 60;  // of a table on paper; pulses.csv and events.jsonl hold all
 constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // the share of pulses that published sheets state
 constexpr double kDistanceBin_mm = 0.5, kTiltBin_deg = 1.0;
-
-/// Words with a path: without its folders, whose names may be the patient's.
-std::string withoutFolders(std::string words) {
-  const std::size_t last = words.rfind('/');
-  if (last == std::string::npos) return words;
-  const std::size_t blank = words.rfind(' ', words.find('/'));
-  const std::size_t first = blank == std::string::npos ? 0 : blank + 1;
-  return words.erase(first, last - first + 1);
-}
 
 std::string timeWords(const std::optional<double>& seconds) {
   if (!seconds) return kNotRecorded;
@@ -289,10 +281,12 @@ SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile
   report.subtitle = "Case " + store.caseId() +
                     (options.has_name && !store.label().empty() ? ", " + store.label() : "") + ", session " +
                     session.name;
-  const std::string head = headingHtml("Head") + factsHtml({{"Nasion to inion", kNotRecorded},
-                                                            {"Between the preauricular points", kNotRecorded},
-                                                            {"Circumference", kNotRecorded},
-                                                            {"Hair (gap measured)", gapWords(session)}});
+  const std::string head =
+      headingHtml("Head") +
+      factsHtml({{"Nasion to inion", kNotRecorded},
+                 {"Between the preauricular points", kNotRecorded},
+                 {"Circumference", kNotRecorded},
+                 {"Gap of the coil's centre to the skin (hair, hollows)", gapWords(session)}});
   const std::string foot =
       paragraphHtml("FaceNav " + softwareVersion() + ". Not a medical device: for research and development.");
   report.body = sessionPart(store, session, summary) + targetsPart(store, session) +

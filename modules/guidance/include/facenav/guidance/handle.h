@@ -26,6 +26,9 @@ HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp
 /// Gap for hair: between contact face and the scalp that the plate touches, along the coil's z. The skin
 /// under the coil's centre may lie deeper by target.lift_mm.
 double hairGap_mm(const Target& target);
+/// Gap of the contact face's centre to the skin beneath it: that for hair and target.lift_mm. A gap that is
+/// measured at the coil's centre is compared with this one.
+double centreGap_mm(const Target& target);
 
 constexpr double kMostHandle_rad = M_PI;  // to either side
 constexpr double kMostGap_mm = 20.0;      // hair, cap and electrodes; largest input of window and command

@@ -40,7 +40,8 @@ class PulseKeeper {
   PulseKeeper(const PulseKeeper&) = delete;
   PulseKeeper& operator=(const PulseKeeper&) = delete;
 
-  /// Returns at once. False: a second trigger of this source within its dead time, not counted.
+  /// Returns at once. False: a second trigger of this source within its dead time, before or after the last
+  /// one; not counted.
   bool add(const PulseTrigger& trigger);
   /// A new frame; returns at once.
   void follow(const NavigationState& state);

@@ -30,12 +30,13 @@ PosedFrame posedFrame(const NavigationState& state);
 
 /// Frames further apart say too little of the moment between them.
 constexpr double kLongestBetweenFrames_s = 0.25;
-/// The frame after a pulse comes within this time, or its pose is lost.
-constexpr double kLongestWait_s = 0.1;
+/// The frame after a pulse arrives within this time, or its pose is lost: a frame's interval, the exposure,
+/// and the latency of cameras and tracking. A frame that arrives ends the wait.
+constexpr double kLongestWait_s = 0.5;
 
-/// A pulse is outside where the gap to the skin exceeds the planned one by more (12 % of the field, at 4 % a
-/// mm), and where the alignment's predicted error at the target is larger: as large as the lateral tolerance,
-/// it cannot be told whether the coil was on target.
+/// A pulse is outside where the gap to the skin exceeds the planned one (centreGap_mm) by more (12 % of the
+/// field, at 4 % a mm), and where the alignment's predicted error at the target is larger: as large as the
+/// lateral tolerance, it cannot be told whether the coil was on target.
 constexpr double kMostGapBeyondPlan_mm = 3.0, kMostPredictedError_mm = 2.0;
 
 /// The pulse without its number. `before`: the last frame taken at or before the pulse, `after`: the first
