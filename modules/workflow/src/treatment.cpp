@@ -8,6 +8,7 @@
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/core/without_folders.h"
 #include "facenav/workflow/expert_pose.h"
 #include "facenav/workflow/session_report.h"
 #include "facenav/workflow/sign_off_gate.h"
@@ -44,7 +45,7 @@ std::optional<casefile::Protocol> protocolFor(const std::filesystem::path& case_
                                                           protocol->dose.pulses));
     return protocol;
   } catch (const Error& error) {
-    log.addEvent("protocol", std::string("cannot be read, no goal: ") + error.what());
+    log.addEvent("protocol", "cannot be read, no goal: " + withoutFolders(error.what()));
     return std::nullopt;
   }
 }
@@ -163,7 +164,7 @@ std::optional<std::string> Treatment::tryToListen(const std::string& source) {
     listen(links::openPulseSource(source));
     return std::nullopt;
   } catch (const Error& error) {
-    log_->addEvent(session_events::kSource, error.what());
+    log_->addEvent(session_events::kSource, withoutFolders(error.what()));
     return error.what();
   }
 }
@@ -178,7 +179,7 @@ void Treatment::plan(const guidance::Target* target) {
   try {  // the session's own copy: the report compares with what was planned then
     casefile::writeProtocol(*plan, session_folder_ / "protocol.json", FileAccess::owner_only);
   } catch (const Error& error) {
-    log_->addEvent("protocol", std::string("its copy is not kept: ") + error.what());
+    log_->addEvent("protocol", "its copy is not kept: " + withoutFolders(error.what()));
   }
 }
 
@@ -241,7 +242,13 @@ void Treatment::checkRegistration() { session_->checkRegistration(); }
 
 void Treatment::judgeTip(TipVerdict verdict, const guidance::TipReading& reading) {
   log_->addEvent(session_events::kTip, inWords(verdict, reading));
-  if (verdict == TipVerdict::wrong) session_->checkRegistration(true);
+  session_->judgeAlignment(verdict == TipVerdict::wrong);
+  if (verdict != TipVerdict::wrong) return;
+  try {  // no later session may start with it
+    casefile::setAlignmentAside(case_folder_);
+  } catch (const Error& error) {
+    logWarning(error.what());
+  }
 }
 
 std::shared_ptr<const guidance::TipCheck> Treatment::makeTipCheck() const {
@@ -264,7 +271,11 @@ void Treatment::end() {
   sources_.clear();
   const CamerasLearnt learnt = learntOf(*session_->latest(), rig_);
   session_->stop();
-  if (keepLearnt_ && !learnt.isEmpty()) keepLearnt_(learnt);
+  try {  // the log and the cameras are let go, whatever the disk says
+    if (keepLearnt_ && !learnt.isEmpty()) keepLearnt_(learnt);
+  } catch (const std::exception& error) {
+    logWarning(std::string("what was learnt of the cameras was not kept: ") + error.what());
+  }
   keepKeyFrames(*session_, case_folder_);
   log_.reset();  // before the session: its thread reads it
   session_.reset();

@@ -53,6 +53,31 @@ TEST(Session, PublishesTheLastFrameThenBlanksItWhenItIsOld) {
   EXPECT_EQ(*old->guidance.reason, LostReason::stale);
 }
 
+/// Live cameras whose pictures arrive late, as from a full queue.
+class LateSource : public fakes::Source {
+ public:
+  explicit LateSource(double late_s) : Source(5, 0.01), late_s_(late_s) {}
+  std::shared_ptr<const cameras::StereoFrame> next() override {
+    const auto frame = Source::next();
+    return frame ? fakes::frame(frame->number, Timestamp::now().s - late_s_) : nullptr;
+  }
+
+ private:
+  double late_s_;
+};
+
+TEST(Session, AnOldPictureThatArrivesNowIsStale) {
+  for (const double late_s : {0.05, 1.5}) {
+    SessionOptions options;
+    options.age_limit_s = 0.5;
+    options.is_paced = false;
+    Session session(std::make_unique<LateSource>(late_s), navigator(0), options);
+    session.start();
+    waitForEnd(session);
+    EXPECT_EQ(session.latest()->camera_T_mri.isTracked(), late_s < 1) << late_s;
+  }
+}
+
 TEST(Session, OverwritesFramesThatTrackingIsTooSlowForAndCountsThem) {
   SessionOptions options;
   options.is_paced = false;  // 200 frames at once, with 20 ms of work each

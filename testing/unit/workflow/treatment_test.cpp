@@ -162,26 +162,32 @@ TEST_F(TreatmentTest, ASourceThatCannotBeOpenedLeavesTheSessionAlone) {
   EXPECT_TRUE(waitFor([&] { return treatment->log().pulses() == 1; }));
 }
 
-/// As start(), with a measurement of the registration that never says anything.
-std::unique_ptr<session::Navigator> unmeasured(std::unique_ptr<session::Navigator> navigator) {
+/// As start(), with a check that always finds the face where it was aligned.
+std::unique_ptr<session::Navigator> everAgreeing(std::unique_ptr<session::Navigator> navigator) {
   navigator->setCheck(std::make_unique<monitoring::RegistrationCheck>(
       [](const cameras::StereoFrame&, const RigidTransform<Camera, Mri>&) {
-        return monitoring::DriftFinding();
+        monitoring::DriftFinding finding;
+        finding.verdict = monitoring::DriftFinding::Verdict::agrees;
+        return finding;
       },
       monitoring::DriftWatchdog::Mode::in_line));
   return navigator;
 }
 
-TEST_F(TreatmentTest, WhatAPersonSaysOfTheTipIsKeptAndAWrongOneWithholdsGuidance) {
+TEST_F(TreatmentTest, WhatAPersonSaysOfTheTipIsKeptAndAWrongOneWithholdsGuidanceForGood) {
   casefile::signOff(store_, {"XY", "", true});
   auto request = this->request();
   request.coil.tip = Point<Coil>(0, 40, 0);
   auto devices = this->devices();
   devices.makeNavigator = [made = devices.makeNavigator](const session::NavigatorSetup& setup) {
-    return unmeasured(made(setup));
+    return everAgreeing(made(setup));
   };
   Treatment treatment(prepareTreatment(request, devices), fakes::targetAt(kMarker.reframe<Camera, Coil>()));
   ASSERT_TRUE(waitFor([&] { return treatment.session().latest()->frame >= 2; }));
+  casefile::StoredAlignment alignment;
+  alignment.camera_T_mri = fakes::cameraAtReference();
+  casefile::writeAlignment(alignment, store_.folder() / "alignment.json");
+  fs::create_directory(store_.folder() / "alignment_capture");
   const auto check = treatment.makeTipCheck();
   const auto reading = readTip(*treatment.session().latest(), treatment.tip(), *check);
   ASSERT_TRUE(reading);
@@ -195,7 +201,17 @@ TEST_F(TreatmentTest, WhatAPersonSaysOfTheTipIsKeptAndAWrongOneWithholdsGuidance
   treatment.judgeTip(TipVerdict::wrong, *reading);
   EXPECT_TRUE(waitFor([&] { return !treatment.session().latest()->withheld.empty(); }));
   EXPECT_FALSE(treatment.session().latest()->camera_T_mri);
+  treatment.checkRegistration();
+  ASSERT_TRUE(waitFor([&] { return treatment.session().latest()->check != nullptr; }));
+  EXPECT_TRUE(treatment.session().latest()->check->hasPassed());
+  EXPECT_THAT(treatment.session().latest()->withheld, HasSubstr("JUDGED WRONG"))
+      << "a check compares the face with the alignment itself";
+  EXPECT_FALSE(treatment.session().latest()->camera_T_mri);
+  EXPECT_FALSE(store_.alignment()) << "no later session starts with it";
+  EXPECT_FALSE(fs::exists(store_.folder() / "alignment_capture"));
   EXPECT_FALSE(readTip(*treatment.session().latest(), treatment.tip(), *check)) << "no pose, no tip";
+  treatment.judgeTip(TipVerdict::right, *reading);
+  EXPECT_TRUE(waitFor([&] { return bool(treatment.session().latest()->camera_T_mri); })) << "a wrong key";
   treatment.end();
   std::string events;
   for (const auto& event : kept().events) events += event.event + ": " + event.detail + "\n";

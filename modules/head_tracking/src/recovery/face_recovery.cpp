@@ -120,7 +120,7 @@ void FaceRecovery::add(const FaceKeyFrame& key) {
   view->pictures = RecoveryPictures(key.frame);
   view->camera_T_head = key.camera_T_head;
   view->covariance = key.covariance, view->between_sessions = key.between_sessions;
-  add(Remembered{view, std::nullopt, true});
+  add(Remembered{view, std::nullopt});
 }
 
 // When full: removes the older of the two key frames with the most similar poses.
@@ -148,10 +148,6 @@ std::vector<FaceKeyFrame> FaceRecovery::learnt() const {
   return keys;
 }
 
-void FaceRecovery::forgetRemembered() {
-  remembered_.erase(std::remove_if(remembered_.begin(), remembered_.end(),
-                                   [](const auto& key) { return !key.is_from_elsewhere; }),
-                    remembered_.end());
-}
+void FaceRecovery::forgetRemembered() { remembered_.clear(); }
 
 }  // namespace facenav::head_tracking

@@ -62,14 +62,13 @@ class FaceRecovery {
   void add(const FaceKeyFrame& key);
   /// Key frames found in this session that depend on the reference alone, not on another key frame.
   std::vector<FaceKeyFrame> learnt() const;
-  /// The key frames found since the reference are in doubt: removes them.
+  /// All key frames but the reference are in doubt, those of earlier sessions too: removes them.
   void forgetRemembered();
 
  private:
   struct Remembered {
     std::shared_ptr<const SkinView> view;
     std::optional<FaceKeyFrame> learnt;  // a key frame that was matched to the reference
-    bool is_from_elsewhere = false;
   };
   void add(Remembered key);
   SidesVerdict sidesOf(const RecoveredFace& found) const;

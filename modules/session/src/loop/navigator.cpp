@@ -17,6 +17,8 @@ constexpr double kMostBetweenExposures_mm = 0.2;
 
 constexpr const char* kNotChecked = "REGISTRATION NOT CHECKED: show the whole face to both cameras";
 
+constexpr const char* kJudgedWrong = "ALIGNMENT JUDGED WRONG: align again";
+
 std::string failedWords(const monitoring::RegistrationFinding& finding) {
   return formatted("REGISTRATION FAILED: the face is %.1f mm and %.1f deg off, align again", finding.shift_mm,
                    finding.turn_deg);
@@ -87,8 +89,10 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
 }
 
 std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
-  return head_T_mri_ ? asKept(head_->learntKeyFrames(), *head_T_mri_)
-                     : std::vector<casefile::StoredKeyFrame>();
+  // A wrong alignment would put the face at a wrong place of the MRI, also in later sessions.
+  const bool is_in_doubt = is_judged_wrong_ || !withheld_.empty() || (watchdog_ && watchdog_->isAlarmed());
+  if (!head_T_mri_ || is_in_doubt) return {};
+  return asKept(head_->learntKeyFrames(), *head_T_mri_);
 }
 
 void Navigator::setTarget(std::optional<ChosenTarget> target) {
@@ -197,6 +201,7 @@ bool Navigator::checkRegistration(bool is_withheld_until) {
 
 /// It measures at the pose that is tracked, also while that is withheld.
 void Navigator::check(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
+  if (is_judged_wrong_) state.withheld = kJudgedWrong;
   if (!check_) return;
   check_->add(frame, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
   if (auto finding = check_->take()) {
@@ -209,7 +214,7 @@ void Navigator::check(const std::shared_ptr<const cameras::StereoFrame>& frame, 
       finding_ = std::make_shared<const monitoring::RegistrationFinding>(*finding);
   }
   state.check = finding_;
-  state.withheld = withheld_;
+  if (!is_judged_wrong_) state.withheld = withheld_;
 }
 
 /// A face that is no longer where it is tracked is lost, whatever the tracker says.

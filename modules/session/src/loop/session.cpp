@@ -31,6 +31,7 @@ struct Session::Implementation {
   std::optional<std::optional<ChosenTarget>> new_target;
   std::optional<coil_tracking::CoilModel> new_coil;
   std::optional<bool> wanted_check;  // its value: poses are withheld until it passes
+  std::optional<bool> is_judged_wrong;
   std::string failure;
   std::optional<Timestamp> started, ended;
   SessionEnd end = SessionEnd::none;
@@ -128,6 +129,7 @@ void Session::Implementation::track() {
       new_coil.reset();
       if (wanted_check) navigator->checkRegistration(*wanted_check);
       wanted_check.reset();
+      if (is_judged_wrong) navigator->judgeAlignment(*is_judged_wrong);
     }
     auto state = std::make_shared<NavigationState>(navigator->process(next->frame));
     state->arrived = next->arrived;
@@ -180,7 +182,11 @@ void Session::stop() {
 std::shared_ptr<const NavigationState> Session::latest() const {
   auto state = implementation_->states.latest();
   if (!state) return std::make_shared<NavigationState>(blanked({}, LostReason::stale));
-  const bool is_old = Timestamp::now() - state->arrived > implementation_->options.age_limit_s;
+  // A picture can also arrive late, from a queue. A camera's usual delay, below 0.1 s, is allowed for.
+  constexpr double kMostLate = 2.0;  // times the limit; of a paced recording `taken` is its arrival
+  const double limit_s = implementation_->options.age_limit_s;
+  const Timestamp now = Timestamp::now();
+  const bool is_old = now - state->arrived > limit_s || now - state->taken > kMostLate * limit_s;
   if (!is_old || !state->failure.empty()) return state;
   return std::make_shared<NavigationState>(blanked(*state, LostReason::stale));
 }
@@ -215,6 +221,11 @@ void Session::setCoil(const coil_tracking::CoilModel& coil) {
 void Session::checkRegistration(bool is_withheld_until) {
   std::lock_guard lock(implementation_->mutex);
   implementation_->wanted_check = is_withheld_until || implementation_->wanted_check.value_or(false);
+}
+
+void Session::judgeAlignment(bool is_wrong) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->is_judged_wrong = is_wrong;
 }
 
 std::vector<casefile::StoredKeyFrame> Session::learntKeyFrames() const {

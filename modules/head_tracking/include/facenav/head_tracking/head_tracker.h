@@ -71,8 +71,8 @@ enum class Pace {
 /// Input from the session for each frame.
 struct HeadContext {
   FrameWork reserved;  // work of this frame that is reserved for the other tracker
-  /// The drift watchdog has raised an alarm: discard what was learnt since start(), and track from the
-  /// reference.
+  /// The drift watchdog has raised an alarm: discard what was learnt since start() and what earlier sessions
+  /// gave, and track from the reference.
   bool is_learnt_in_doubt = false;
   /// How the cameras stand in this frame; empty: as in the frame before, at first as at start().
   std::optional<RigidTransform<RightCamera, Camera>> right_T_left = {};

@@ -55,13 +55,16 @@ class Navigator {
   /// check every pose of the head is withheld until one passes; with `is_withheld_until` already from now on.
   /// False: without an alignment to a scalp there is nothing to check.
   bool checkRegistration(bool is_withheld_until = false);
+  /// A person's judgement of the alignment. While it is wrong, every pose of the head is withheld: a check of
+  /// the registration cannot lift it, because that compares the face with the alignment itself.
+  void judgeAlignment(bool is_wrong) { is_judged_wrong_ = is_wrong; }
   /// Replaces the check made from the setup's scalp; null: none.
   void setCheck(std::unique_ptr<monitoring::RegistrationCheck> check) { check_ = std::move(check); }
   /// Replaces the measurement of the surface beside the coil; null: none.
   void setGapWatch(std::unique_ptr<monitoring::BesideCoilWatch> watch) { gap_watch_ = std::move(watch); }
   const cameras::StereoRig& rig() const { return rig_; }
   /// Key frames of the patient's face from this session, to be saved with the case; empty without an
-  /// alignment.
+  /// alignment, and where that is in doubt: judged wrong, a failed check, a drift.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
   /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
   /// ("camera"), and so is one whose source knows a fault of its cameras (StereoFrame::rig_fault). After
@@ -90,6 +93,7 @@ class Navigator {
   std::shared_ptr<const registration::ScalpField> scalp_;   // null: no gap
   std::unique_ptr<monitoring::BesideCoilWatch> gap_watch_;  // null: none
   std::shared_ptr<const monitoring::RegistrationFinding> finding_;
+  bool is_judged_wrong_ = false;
   std::string withheld_;  // why poses of the head are withheld; empty: they are not
   std::unique_ptr<head_tracking::HeadTracker> head_;
   std::unique_ptr<coil_tracking::CoilTracker> coil_;

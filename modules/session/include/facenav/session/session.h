@@ -60,6 +60,8 @@ class Session {
   void setCoil(const coil_tracking::CoilModel& coil);
   /// As Navigator::checkRegistration, from the next frame on.
   void checkRegistration(bool is_withheld_until = false);
+  /// As Navigator::judgeAlignment, from the next frame on.
+  void judgeAlignment(bool is_wrong);
   const Recorder* recorder() const;
   /// After stop(): key frames of the patient's face from this session, to keep with the case.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
