@@ -110,7 +110,9 @@ DriftCheck::DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const regi
   for (const auto& p : surface_mm_) centre_mm_ += p / double(surface_mm_.size());
   const auto at_reference =
       offsetOf(measureSkin(reference.frame, Eigen::Isometry3d::Identity()), Eigen::Isometry3d::Identity());
-  if (at_reference) bias_ = at_reference->xi;
+  if (!at_reference) return;
+  at_reference_ = findingOf(*at_reference, Vector6d::Zero(), Eigen::Isometry3d::Identity());
+  bias_ = at_reference->xi;
 }
 
 std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const cameras::StereoFrame& frame,
@@ -212,24 +214,28 @@ cameras::StereoRig DriftCheck::rigNow() const {
   return rig;
 }
 
-DriftFinding DriftCheck::measure(const cameras::StereoFrame& frame,
-                                 const RigidTransform<Camera, Mri>& camera_T_mri) const {
+DriftFinding DriftCheck::findingOf(const Offset& offset, const Vector6d& bias,
+                                   const Eigen::Isometry3d& motion) const {
   DriftFinding finding;
-  const Eigen::Isometry3d motion = camera_T_mri.isometry() * mri_T_head_;  // = camera_T_head
-  const auto offset = offsetOf(measureSkin(frame, motion), motion);
-  if (!offset) return finding;
-  const Vector6d drift = offset->xi - bias_;
-  finding.points = offset->points;
+  const Vector6d drift = offset.xi - bias;
+  finding.points = offset.points;
   finding.shift_mm = drift.tail<3>().norm();
   finding.turn_deg = drift.head<3>().norm() / kRadPerDeg;
   const double common_mm = kCommonError_px * depthPerPixel_mm((motion * centre_mm_).z());
   finding.shift_sigma_mm =
-      std::hypot(std::sqrt(offset->covariance.bottomRightCorner<3, 3>().trace()), common_mm);
+      std::hypot(std::sqrt(offset.covariance.bottomRightCorner<3, 3>().trace()), common_mm);
   finding.turn_sigma_deg =
-      std::hypot(std::sqrt(offset->covariance.topLeftCorner<3, 3>().trace()), common_mm / kHalfFace_mm) /
+      std::hypot(std::sqrt(offset.covariance.topLeftCorner<3, 3>().trace()), common_mm / kHalfFace_mm) /
       kRadPerDeg;
   finding.verdict = verdictOn(finding);
   return finding;
+}
+
+DriftFinding DriftCheck::measure(const cameras::StereoFrame& frame,
+                                 const RigidTransform<Camera, Mri>& camera_T_mri) const {
+  const Eigen::Isometry3d motion = camera_T_mri.isometry() * mri_T_head_;  // = camera_T_head
+  const auto offset = offsetOf(measureSkin(frame, motion), motion);
+  return offset ? findingOf(*offset, bias_, motion) : DriftFinding();
 }
 
 }  // namespace facenav::monitoring

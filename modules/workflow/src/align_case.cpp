@@ -101,7 +101,8 @@ class UnknownTurn : public NotMeasured {
 
 void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recording& recording) {
   const double bound_mm = worstBound_mm(outcome);
-  if (outcome.is_marker_seen || (outcome.result.right_turn && bound_mm <= kMostUnknown_mm)) return;
+  // An aligner that fits no turn does not use the marker either.
+  if (outcome.result.right_turn && (outcome.is_marker_seen || bound_mm <= kMostUnknown_mm)) return;
   std::string words =
       "not aligned: without dots the face alone does not show whether a camera has turned sideways since the "
       "calibration";

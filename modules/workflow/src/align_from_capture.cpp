@@ -9,6 +9,7 @@
 #include "dotted_face.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/monitoring/drift_check.h"
 #include "facenav/workflow/known_lengths.h"
 #include "facenav/workflow/measured_face.h"
 #include "facenav/workflow/settings.h"
@@ -184,6 +185,18 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
   }
 }
 
+/// The dots were aligned, the tracker starts at the picture without dots: the head must lie in one place.
+void requireStillHead(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
+  const monitoring::DriftCheck check(rig, outcome.scalp, outcome.reference, outcome.result.camera_T_mri);
+  const auto& found = check.atReference();
+  if (found.verdict != monitoring::DriftFinding::Verdict::drifted) return;
+  throw Error(
+      formatted("not aligned: the head moved by %.1f mm and %.1f deg between the picture with dots and "
+                "the one without",
+                found.shift_mm, found.turn_deg),
+      {}, "hold the head still and take both pictures again");
+}
+
 }  // namespace
 
 const char* nameOf(AlignedFrom from) {
@@ -277,6 +290,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
     refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
   conclude(setup, capture.plain, outcome);
+  if (has_dots) requireStillHead(rig, outcome);
   return outcome;
 }
 

@@ -31,9 +31,13 @@ std::optional<LengthSeen> lengthOf(const coil_tracking::MarkerObservation& seen,
 
 }  // namespace
 
+bool isOfOneMoment(const cameras::StereoFrame& pair) {
+  return std::abs(pair.right_late_s.value_or(0.0)) <= kSameTime_s;
+}
+
 MarkerInPair markerInPair(const cameras::StereoRig& rig, const cameras::StereoFrame& pair,
                           const coil_tracking::CoilModel& coil, coil_tracking::CoilTracker& tracker) {
-  if (std::abs(pair.right_late_s.value_or(0.0)) > kSameTime_s) return {};
+  if (!isOfOneMoment(pair)) return {};
   tracker.start(rig, coil);
   cameras::StereoFrame frame = pair;
   tracker.track(frame, {});

@@ -46,6 +46,22 @@ TEST(DriftCheck, SeesADriftOf3MillimetresOr2Point2DegreesAlongEachAxis) {
     }
 }
 
+TEST(DriftCheck, SeesThatTheHeadMovedBetweenItsAlignmentAndTheReferencePicture) {
+  if (!hasPortrait()) GTEST_SKIP() << "python3-skimage's portrait is not installed";
+  const auto& sitting = Sitting::shared();
+  SyntheticView view;
+  view.seed = 31;
+  const auto still = sitting.atReference(view);
+  EXPECT_EQ(still.verdict, Verdict::agrees) << still.shift_mm << " mm, " << still.turn_deg << " deg";
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1.0, 1.0}) {
+      view.motion = sitting.about({0, 0, 0}, 3.0 * sign * Eigen::Vector3d::Unit(axis));
+      const auto moved = sitting.atReference(view);
+      EXPECT_EQ(moved.verdict, Verdict::drifted) << axis << ": " << moved.shift_mm << " mm";
+      EXPECT_NEAR(moved.shift_mm, 3.0, 0.5);
+    }
+}
+
 TEST(DriftCheck, KnowsNothingOfAFaceThatItCannotSee) {
   if (!hasPortrait()) GTEST_SKIP() << "python3-skimage's portrait is not installed";
   const auto& sitting = Sitting::shared();

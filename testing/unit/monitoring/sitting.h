@@ -59,6 +59,13 @@ class Sitting {
     return check_->measure(frame, RigidTransform<Camera, Mri>::fromIsometry(pose));
   }
 
+  /// Of a reference picture that shows the head as in `view`, while its surface was aligned unmoved.
+  DriftFinding atReference(const SyntheticView& view) const {
+    head_tracking::HeadReference moved = reference_;
+    moved.frame = render(view);
+    return DriftCheck(rig_, scalp_, moved, RigidTransform<Camera, Mri>()).atReference();
+  }
+
   const cameras::StereoRig& rig() const { return rig_; }
   const std::shared_ptr<const registration::ScalpField>& scalp() const { return scalp_; }
   const Eigen::Vector3d& centre_mm() const { return centre_mm_; }

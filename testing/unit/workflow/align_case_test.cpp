@@ -210,7 +210,7 @@ TEST_F(AlignRecording, DotsThatStandAreEnough) {
 
 TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {
   recording_.capture = plain();
-  answers_.sigmas_mm = {3.0, 0.5, 0.5, 0.5, 0.5};
+  answers_.sigmas_mm = {3.0, 0.5, 0.5, 0.5, 0.5, 0.5};
   EXPECT_THAT(refusal(recording_), AllOf(HasSubstr("the coil could lie 5 mm from where it is shown"),
                                          HasSubstr("hold the coil still beside the face")));
   answers_.has_turn = false;
@@ -222,6 +222,9 @@ TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {
   EXPECT_THAT(store_->alignment()->cautions, ::testing::Contains(std::string(kWithoutDotsCaution)));
   may_be_unsure_ = false;
   showMarker();
+  EXPECT_THAT(refusal(recording_), HasSubstr("whether a camera has turned"))
+      << "an aligner that fits no turn does not use the marker";
+  answers_.has_turn = true;
   EXPECT_TRUE(align(recording_).outcome.is_marker_seen);
   EXPECT_TRUE(store_->alignment()->cautions.empty());
 }

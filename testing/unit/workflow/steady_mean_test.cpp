@@ -57,7 +57,8 @@ double noiseOf(const cv::Mat& grey) {
 
 TEST(SteadyMean, OfEightPicturesHasAThirdOfTheNoise) {
   const auto all = frames(8, 0.0, 0.05);
-  const auto mean = steadyMean(all, {kFace, kMarker}, {kFace, kMarker});
+  const auto [mean, pictures] = steadyMean(all, {kFace, kMarker}, {kFace, kMarker});
+  EXPECT_GE(pictures, 6);
   EXPECT_NEAR(noiseOf(all.back().left), kNoise_grey, 0.3);
   EXPECT_LT(noiseOf(mean.left), 0.42 * kNoise_grey);
   EXPECT_LT(noiseOf(mean.right), 0.5 * kNoise_grey);
@@ -66,7 +67,7 @@ TEST(SteadyMean, OfEightPicturesHasAThirdOfTheNoise) {
 
 TEST(SteadyMean, ChangesTheFaceAlone) {
   const auto all = frames(4, 0.0, 0.0);
-  const auto mean = steadyMean(all, {kFace, kMarker}, {kFace, kMarker});
+  const auto mean = steadyMean(all, {kFace, kMarker}, {kFace, kMarker}).frame;
   cv::Mat changed = mean.left != all.back().left;
   EXPECT_GT(cv::countNonZero(changed(kFace)), 0);
   EXPECT_EQ(cv::countNonZero(changed(kMarker)), 0);
@@ -78,7 +79,8 @@ TEST(SteadyMean, ChangesTheFaceAlone) {
 TEST(SteadyMean, LeavesOutAPictureInWhichTheFaceMovedInEitherCamera) {
   for (const auto& [left_px, right_px] : {std::pair{0.4, 0.0}, {0.0, 0.4}, {3.0, 3.0}}) {
     const auto all = frames(3, left_px, right_px);
-    const auto mean = steadyMean(all, {kFace, kMarker}, {kFace, kMarker});
+    const auto [mean, pictures] = steadyMean(all, {kFace, kMarker}, {kFace, kMarker});
+    EXPECT_EQ(pictures, 1);
     EXPECT_EQ(cv::norm(mean.left, all.back().left, cv::NORM_INF), 0) << left_px << ", " << right_px;
     EXPECT_EQ(cv::norm(mean.right, all.back().right, cv::NORM_INF), 0);
   }
@@ -87,14 +89,14 @@ TEST(SteadyMean, LeavesOutAPictureInWhichTheFaceMovedInEitherCamera) {
 TEST(SteadyMean, LeavesOutAFaceThatTurnsAboutItsMiddle) {
   auto all = frames(2, 0.0, 0.0);
   all.front().left = photographed(skin(0.0, 0.6), 77);
-  const auto mean = steadyMean(all, {kFace, kMarker}, {kFace, kMarker});
+  const auto mean = steadyMean(all, {kFace, kMarker}, {kFace, kMarker}).frame;
   EXPECT_EQ(cv::norm(mean.left, all.back().left, cv::NORM_INF), 0);
 }
 
 TEST(SteadyMean, OfAFaceBeyondThePictureIsTheNewest) {
   const auto all = frames(3, 0.0, 0.0);
   for (const cv::Rect& face : {cv::Rect(390, 60, 160, 160), cv::Rect(500, 500, 100, 100), cv::Rect()}) {
-    const auto mean = steadyMean(all, {face, kMarker}, {kFace, kMarker});
+    const auto mean = steadyMean(all, {face, kMarker}, {kFace, kMarker}).frame;
     EXPECT_EQ(cv::norm(mean.left, all.back().left, cv::NORM_INF), 0);
     EXPECT_EQ(cv::norm(mean.right, all.back().right, cv::NORM_INF), 0);
   }

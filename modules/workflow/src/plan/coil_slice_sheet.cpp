@@ -1,5 +1,7 @@
 #include "facenav/workflow/coil_slice_sheet.h"
 
+#include <algorithm>
+
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/pictures/titled_row.h"
@@ -11,10 +13,17 @@ std::optional<double> alignedBound95_mm(const casefile::CaseStore& store, const 
   try {
     const auto alignment = store.alignment();
     if (!alignment) return std::nullopt;
+    // The stored bounds hold what the uncertainty does not: a camera that may have turned, an unsure skin.
+    double bound_mm = 0;
+    const auto& stored = alignment->predicted_tre_p95_mm;
+    if (const auto own = stored.find(target.name); own != stored.end())
+      bound_mm = own->second;
+    else  // planned since then
+      for (const auto& [ignored, other_mm] : stored) bound_mm = std::max(bound_mm, other_mm);
     if (alignment->uncertainty)
-      return alignment->uncertainty->errorBound_mm(alignment->camera_T_mri, target.cortex_point);
-    const auto stored = alignment->predicted_tre_p95_mm.find(target.name);
-    return stored == alignment->predicted_tre_p95_mm.end() ? std::nullopt : std::optional(stored->second);
+      bound_mm = std::max(
+          bound_mm, alignment->uncertainty->errorBound_mm(alignment->camera_T_mri, target.cortex_point));
+    return bound_mm > 0 ? std::optional(bound_mm) : std::nullopt;
   } catch (const Error&) {
     return std::nullopt;
   }

@@ -19,6 +19,9 @@ constexpr double kWithoutFace_s = 6.0;
 // Pictures that are averaged: as many as 30 frames a second give while the marker must rest. Chosen before it
 // was measured; one smooth face of three (Colin27, seed 163) was refused with one picture and aligned with 8.
 constexpr std::size_t kPictures = 8;
+// Where the right picture is of another moment, a face that moves in between lies at a wrong depth. It is at
+// rest where the newest picture and an earlier one show it at the same place.
+constexpr int kSteadyPictures = 2;
 
 cv::Rect grown(const cv::Rect& rect, double share) {
   const cv::Size by(int(share * rect.width), int(share * rect.height));
@@ -43,6 +46,7 @@ struct MarkedStill::Implementation {
   RestingMarker resting;
   std::deque<cameras::StereoFrame> at_rest;  // the newest last
   std::optional<double> face_missed_s, face_first_missed_s;
+  bool has_face_moved = false;
   std::optional<cameras::StereoFrame> still;
 
   void keep(const cameras::StereoFrame& frame) {
@@ -51,20 +55,23 @@ struct MarkedStill::Implementation {
     at_rest.back().right = frame.right.clone();
     if (at_rest.size() > kPictures) at_rest.pop_front();
   }
-  /// False where the face is not seen, for some seconds.
+  /// False where the face is not seen, for some seconds, and where it moves between pictures of two moments.
   bool take(const cameras::StereoFrame& frame) {
     const auto face = findFace(rig, frame, *methods.face_detector);
     if (face.left && face.right) {
       const auto& marker = *resting.last();
-      still =
+      auto mean =
           steadyMean(at_rest, regionOf(*face.left, marker.left_px), regionOf(*face.right, marker.right_px));
+      has_face_moved = mean.pictures < kSteadyPictures && !isOfOneMoment(frame);
+      if (has_face_moved) return false;
+      still = std::move(mean.frame);
+      still->right_late_s.reset();  // neither face nor marker moved: the delay plays no part
     } else {
       face_missed_s = frame.captured.s;
       if (!face_first_missed_s) face_first_missed_s = face_missed_s;
       if (*face_missed_s - *face_first_missed_s < kWithoutFace_s) return false;
-      still = at_rest.back();
+      still = at_rest.back();  // nothing says that this face is at rest: a delay stays stated
     }
-    still->right_late_s.reset();  // nothing moved: the delay plays no part
     return true;
   }
 };
@@ -81,6 +88,7 @@ bool MarkedStill::add(const cameras::StereoFrame& frame) {
   if (!self.resting.add(frame)) {
     self.at_rest.clear();
     self.face_first_missed_s.reset();
+    self.has_face_moved = false;
     return false;
   }
   self.keep(frame);
@@ -95,6 +103,7 @@ std::string MarkedStill::words() const {
   if (self.resting.isContradicted()) return kMarkerContradicted;
   if (!self.resting.isSeen()) return "hold the coil beside the face, its marker to both cameras";
   if (self.resting.rested_s() < kResting_s) return "hold the coil still";
+  if (self.has_face_moved) return "hold the head still: the cameras do not expose at the same time";
   return "both cameras must see the whole face: look at them, nothing before the face";
 }
 

@@ -78,25 +78,25 @@ struct SteadySum {
 
 }  // namespace
 
-cameras::StereoFrame steadyMean(const std::deque<cameras::StereoFrame>& frames, const SteadyRegion& left,
-                                const SteadyRegion& right) {
-  cameras::StereoFrame mean = frames.back();
+SteadyMean steadyMean(const std::deque<cameras::StereoFrame>& frames, const SteadyRegion& left,
+                      const SteadyRegion& right) {
+  SteadyMean result{frames.back()};
+  cameras::StereoFrame& mean = result.frame;
   mean.left = frames.back().left.clone();
   mean.right = frames.back().right.clone();
   SteadySum in_left(mean.left, left.face), in_right(mean.right, right.face);
-  if (!in_left.isUsable() || !in_right.isUsable()) return mean;
-  int count = 1;
+  if (!in_left.isUsable() || !in_right.isUsable()) return result;
   for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
     const cv::Mat left_part = cut(frames[i].left, in_left.region),
                   right_part = cut(frames[i].right, in_right.region);
     if (!in_left.quarters->areSteadyIn(left_part) || !in_right.quarters->areSteadyIn(right_part)) continue;
     in_left.sum += left_part;
     in_right.sum += right_part;
-    ++count;
+    ++result.pictures;
   }
-  in_left.put(count, left.kept, mean.left);
-  in_right.put(count, right.kept, mean.right);
-  return mean;
+  in_left.put(result.pictures, left.kept, mean.left);
+  in_right.put(result.pictures, right.kept, mean.right);
+  return result;
 }
 
 }  // namespace facenav::workflow

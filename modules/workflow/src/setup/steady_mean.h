@@ -14,10 +14,15 @@ struct SteadyRegion {
   cv::Rect kept;  // as in the newest picture: the coil's marker, in a hand that may move on its own
 };
 
+struct SteadyMean {
+  cameras::StereoFrame frame;
+  int pictures = 1;  // that it is the mean of
+};
+
 /// The newest (last) frame, its `face` regions averaged with those earlier frames in which neither moved. A
 /// frame in which one did is left out; with none left, the newest is returned as it is. 8-bit pictures of one
 /// size. The pictures are copies.
-cameras::StereoFrame steadyMean(const std::deque<cameras::StereoFrame>& frames, const SteadyRegion& left,
-                                const SteadyRegion& right);
+SteadyMean steadyMean(const std::deque<cameras::StereoFrame>& frames, const SteadyRegion& left,
+                      const SteadyRegion& right);
 
 }  // namespace facenav::workflow

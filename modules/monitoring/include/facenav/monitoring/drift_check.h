@@ -4,7 +4,8 @@
 // at the tracked pose. The tracker uses the skin's appearance, this check its shape, so they do not share
 // errors: wrong key frames, skin that moved, a head recovered in a wrong place.
 // Data flow: StereoFrame + tracked camera_T_mri -> DriftFinding. The misfit between skin and MRI, and the
-// bias of stereo without dots, are measured once in the reference pair and subtracted.
+// bias of stereo without dots, are measured once in the reference pair and subtracted. What is subtracted is
+// told (atReference): more than such a bias means that the alignment itself is wrong.
 
 #include <memory>
 #include <mutex>
@@ -34,6 +35,10 @@ class DriftCheck {
   DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
              const head_tracking::HeadReference& reference, const RigidTransform<Camera, Mri>& camera_T_mri);
 
+  /// The reference pair itself: the offset that all later measurements leave out. Where it is more than the
+  /// bias of stereo without dots (verdict `drifted`), the face does not lie where it was aligned: it moved
+  /// between the picture that was aligned and the reference.
+  const DriftFinding& atReference() const { return at_reference_; }
   /// Takes some 40 ms. Const, and safe to call beside other threads.
   DriftFinding measure(const cameras::StereoFrame& frame,
                        const RigidTransform<Camera, Mri>& camera_T_mri) const;
@@ -65,6 +70,7 @@ class DriftCheck {
   std::vector<Sample> measureSkin(const cameras::StereoFrame& frame, const Eigen::Isometry3d& motion) const;
   std::optional<Offset> offsetOf(const std::vector<Sample>& samples, const Eigen::Isometry3d& motion) const;
 
+  DriftFinding findingOf(const Offset& offset, const Vector6d& bias, const Eigen::Isometry3d& motion) const;
   cameras::StereoRig rigNow() const;
 
   cameras::StereoRig rig_;
@@ -76,6 +82,7 @@ class DriftCheck {
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
   SkinMap skin_;
   Vector6d bias_ = Vector6d::Zero();  // the offset measured in the reference pair itself
+  DriftFinding at_reference_;
 };
 
 }  // namespace facenav::monitoring

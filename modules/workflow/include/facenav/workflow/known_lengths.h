@@ -26,6 +26,9 @@ constexpr const char* kSizeUnknown =
     "or "
     "measure the face again with the marker beside it";
 
+/// False where the cameras' time stamps say that the two pictures are of different moments.
+bool isOfOneMoment(const cameras::StereoFrame& pair);
+
 /// What a still pair shows of the coil's marker.
 struct MarkerInPair {
   std::optional<LengthSeen> length;

@@ -34,7 +34,8 @@ class MarkedStill {
   /// milliseconds, and some tenths of a second for a frame in which the face is looked for.
   bool add(const cameras::StereoFrame& frame);
   /// What is missing, one sentence: what to do. A face that is not found while the marker rests for some
-  /// seconds is taken all the same: a mask may hide it.
+  /// seconds is taken all the same: a mask may hide it. Where the cameras do not expose at the same time, the
+  /// face must be at rest, too.
   std::string words() const;
   /// After add() said true.
   const cameras::StereoFrame& still() const;
