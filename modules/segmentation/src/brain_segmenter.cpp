@@ -45,16 +45,6 @@ Mask withCore(const Mask& grown, const Mask& refined, double core_mm) {
   return volume::fillHoles(unionOf(grown, volume::resample(erode(refined, core_mm), grown.grid)));
 }
 
-/// Where the refined prior puts the outline elsewhere, the doubt is at least that far.
-void raiseDoubts(std::vector<BoundaryDoubt>& doubts, const Mask& other) {
-  const std::vector<float> away_mm = volume::distanceTo(volume::surfaceVoxels(other));
-  for (auto& doubt : doubts) {
-    const Eigen::Vector3i at = other.grid.toVoxel(doubt.place).array().round().cast<int>();
-    if (other.grid.contains(at.x(), at.y(), at.z()))
-      doubt.doubt_mm = std::max(doubt.doubt_mm, away_mm[other.grid.index(at.x(), at.y(), at.z())]);
-  }
-}
-
 ContrastSeen contrastOf(const Volume& working, const BrainPrior& prior) {
   return contrastSeen(volume::resample(working, prior.brain.grid), prior.brain, prior.fluid);
 }
@@ -161,7 +151,12 @@ Found inMr(const Volume& volume, TaskMonitor& monitor) {
   }
   const auto seen = scanPrior(*installed.network, volume);
   monitor.report("looking for the brain", 0.4);
-  if (!seen->prior) return byGrowthAlone(seen->working, volume, monitor);
+  if (!seen->prior) {
+    Found found = byGrowthAlone(seen->working, volume, monitor);
+    found.warnings.push_back(
+        "the learned brain prior sees no brain in this scan: check the outline everywhere");
+    return found;
+  }
   return withPrior(*installed.network, seen->working, volume, *seen->prior, monitor);
 }
 

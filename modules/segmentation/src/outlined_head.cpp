@@ -14,6 +14,7 @@
 #include "facenav/volume/mask_morphology.h"
 #include "head_morphology.h"
 #include "head_pads.h"
+#include "prior/brain_prior.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -168,6 +169,7 @@ OutlinedHead outlinedHead(const Volume& scan, const BlockMeans& coarse, const He
   const HeadOutline& outline = settingsOf<HeadOutline>();
   const Mask first = out.mask;
   const std::optional<Volume> air = airByPrior(scan, coarse.grid);
+  out.knows_pads = air.has_value();
   if (air) out.pads = findPads(first, *air, outline);
   const Mask layer = outerTissue(first, air, outline.tissue_reach_mm);
   const std::vector<float> tissue =
@@ -187,6 +189,11 @@ OutlinedHead outlinedHead(const Volume& scan, const BlockMeans& coarse, const He
 
 std::vector<std::string> leftOutInWords(const OutlinedHead& head) {
   std::vector<std::string> words;
+  if (!head.knows_pads)
+    words.push_back(std::string("pads and earphones could not be told from skin, because the learned brain "
+                                "prior ") +
+                    (installedPrior().network ? "found no brain" : "is missing or damaged") +
+                    ": compare the skin with the slices");
   if (head.beside_ml > 0)
     words.push_back(formatted(
         "pads, earphones or haze that touch the head (%.0f ml) were left out; the skin beneath them "

@@ -16,13 +16,14 @@ struct OutlinedHead {
   volume::Mask pads;          // blocks that hold no head, however bright
   double beside_ml = 0;       // of what touches the head and was left out
   double haze = 0;            // signal just outside the head, as a share of the tissue's
+  bool knows_pads = true;     // false: an MR without the learned prior's view of air
 };
 
 /// Throws Error ("no head in this volume: ..") where nothing of a head's size stands out.
 OutlinedHead outlinedHead(const volume::Volume& scan, const BlockMeans& coarse,
                           const HeadThreshold& threshold);
 
-/// What was left out, one sentence each.
+/// What was left out or could not be told apart, one sentence each.
 std::vector<std::string> leftOutInWords(const OutlinedHead& head);
 
 }  // namespace facenav::segmentation

@@ -7,6 +7,7 @@
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/nifti.h"
+#include "head_phantom.h"
 #include "support/skin_phantom.h"
 #include "support/test_data.h"
 
@@ -111,6 +112,13 @@ TEST(HeadSegmenter, HazeAroundTheHeadIsLeftOutAndSaid) {
   const auto hazy = makeHeadSegmenter()->segment(scan, monitor);
   EXPECT_NEAR(hazy.mask.volume_ml(), clear.volume_ml(), 90) << "1 mm of 900 cm2; the haze is 7 mm thick";
   EXPECT_THAT(hazy.warnings, ::testing::Contains(HasSubstr("haze")));
+}
+
+TEST(HeadSegmenter, SaysNothingOfPadsWhereThePriorSeesTheBrain) {
+  const auto head = facenav::testing::makeHeadPhantom();
+  TaskMonitor monitor;
+  EXPECT_THAT(makeHeadSegmenter()->segment(head.volume, monitor).warnings,
+              ::testing::Not(::testing::Contains(HasSubstr("pads and earphones"))));
 }
 
 TEST(HeadSegmenter, SaysThatThereIsNoHead) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "brain_start.h"
@@ -143,6 +144,24 @@ TEST(StatedDoubt, AScanOfHigherScoresIsStatedALittleWorse) {
     EXPECT_GT(higher[n].doubt_mm, places[n].doubt_mm);
     EXPECT_LT(higher[n].doubt_mm, places[n].doubt_mm + 1);
   }
+}
+
+TEST(RaiseDoubts, APlaceBeyondTheOthersGridIsDoubtedByItsDistance) {
+  volume::Mask other;  // a cube of 10 mm in a grid of 40 mm
+  other.grid.size = {40, 40, 40};
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 40; ++i)
+        other.voxels.push_back(std::min({i, j, k}) >= 15 && std::max({i, j, k}) < 25);
+  std::vector<BoundaryDoubt> doubts{{Point<Mri>(15, 20, 20), 1},  // on the outline
+                                    {Point<Mri>(5, 20, 20), 1},   // 10 mm beside it
+                                    {Point<Mri>(59, 20, 20), 1},  // 20 mm beyond the grid
+                                    {Point<Mri>(40, 20, 20), 1},  // 1 mm beyond, 15 mm from the outline there
+                                    {Point<Mri>(59, 20, 20), 30}};
+  raiseDoubts(doubts, other);
+  const float expected_mm[] = {1, 10, 20, 14, 30};
+  for (std::size_t n = 0; n < doubts.size(); ++n)
+    EXPECT_NEAR(doubts[n].doubt_mm, expected_mm[n], 1e-3) << "place " << n;
 }
 
 TEST(DoubtScore, RisesWithAllItsEvidence) {

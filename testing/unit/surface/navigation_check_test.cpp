@@ -70,20 +70,72 @@ TEST(ScanQuality, NoiseAndWhatItDoesToTheSkin) {
   }
 }
 
+/// 5 % of the ball, half the field of view away along y, as with a moving head.
+void addGhost(Ball& ball) {
+  const auto clean = ball.mri;
+  for (int k = 0; k < kSize; ++k)
+    for (int j = 0; j < kSize; ++j)
+      for (int i = 0; i < kSize; ++i)
+        ball.mri.voxels[ball.mri.grid.index(i, j, k)] += 0.05f * clean.at(i, (j + kSize / 2) % kSize, k);
+}
+
 TEST(ScanQuality, GhostsAndTheirDirection) {
   Ball ball = makeBall(4);
   const Ball clean = ball;
-  for (int k = 0; k < kSize;
-       ++k)  // 5 % of the ball, half the field of view away along y, as with a moving head
-    for (int j = 0; j < kSize; ++j)
-      for (int i = 0; i < kSize; ++i)
-        ball.mri.voxels[ball.mri.grid.index(i, j, k)] += 0.05f * clean.mri.at(i, (j + kSize / 2) % kSize, k);
+  addGhost(ball);
   const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
   EXPECT_GT(scan.ghost_share, 0.015);
   EXPECT_EQ(scan.ghost_direction, "front-back");
   EXPECT_NE(findingOf(ball, CheckTopic::ghosts).verdict, Verdict::fine);
   EXPECT_THAT(findingOf(ball, CheckTopic::ghosts).ask, HasSubstr("phase encoding"));
   EXPECT_EQ(findingOf(clean, CheckTopic::ghosts).verdict, Verdict::fine);
+}
+
+TEST(ScanQuality, AFewNegativeVoxelsOfAnInterpolatedMrHideNoGhosts) {
+  Ball ball = makeBall(4);
+  addGhost(ball);
+  for (int k = 0; k < 8; ++k) ball.mri.voxels[ball.mri.grid.index(2, 2, 2 * k)] = -1;
+  const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
+  EXPECT_TRUE(scan.has_ghost_measure);
+  EXPECT_FALSE(scan.is_air_signed);
+  EXPECT_NEAR(scan.noise, 4, 0.4) << "as of a magnitude image";
+  EXPECT_GT(scan.ghost_share, 0.015);
+  EXPECT_NE(findingOf(ball, CheckTopic::ghosts).verdict, Verdict::fine);
+}
+
+TEST(ScanQuality, GhostsOfACtAreNotMeasurable) {
+  for (const char* modality : {"CT", ""}) {  // a NIfTI does not say what it is
+    Ball ball = makeBall(10);
+    ball.mri.modality = modality;
+    for (float& value : ball.mri.voxels) value -= 1000;
+    EXPECT_FALSE(measureScan(ball.mri, ball.mask, ball.skin).has_ghost_measure) << modality;
+    EXPECT_THAT(findingOf(ball, CheckTopic::ghosts).finding, HasSubstr("not measurable")) << modality;
+  }
+}
+
+TEST(ScanQuality, SignedNoiseIsItsStandardDeviationAndItsGhostsAreNotMeasurable) {
+  Ball ball = makeBall(0);
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal(0, 10);
+  for (float& value : ball.mri.voxels) value += normal(random);
+  EXPECT_NEAR(measureScan(ball.mri, ball.mask, ball.skin).noise, 10, 0.4);
+  EXPECT_THAT(findingOf(ball, CheckTopic::ghosts).finding, HasSubstr("not measurable"));
+}
+
+TEST(ScanQuality, GhostsAreNotMeasurableWhereNoAirBesideTheHeadIsLeft) {
+  Ball ball = makeBall(10);
+  for (int k = 0; k < kSize; ++k)  // air is left in the corners alone, in line with no part of the head
+    for (int j = 0; j < kSize; ++j)
+      for (int i = 0; i < kSize; ++i) {
+        const int far = (std::abs(i - 48) > 40) + (std::abs(j - 48) > 40) + (std::abs(k - 48) > 40);
+        const std::size_t v = ball.mri.grid.index(i, j, k);
+        if (far < 2 && !ball.mask.voxels[v]) ball.mri.voxels[v] = 0;
+      }
+  const auto scan = measureScan(ball.mri, ball.mask, ball.skin);
+  EXPECT_FALSE(scan.is_air_blanked);
+  EXPECT_GT(scan.noise, 0);
+  EXPECT_FALSE(scan.has_ghost_measure);
+  EXPECT_THAT(findingOf(ball, CheckTopic::ghosts).finding, HasSubstr("not measurable"));
 }
 
 TEST(ScanQuality, ErasedAirIsSaid) {

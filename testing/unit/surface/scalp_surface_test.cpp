@@ -136,6 +136,51 @@ TEST(ScalpSurface, IsDoubtedBeneathAPadAndNowhereElse) {
   EXPECT_EQ(skinDoubtUnder_mm(scalp, Point<Mri>(0, 0, 900)), 0);
 }
 
+/// Doubt of clear skin on the front of the phantom.
+double doubtInFront_mm(const SkinPhantom& phantom, const volume::Volume& scan) {
+  TaskMonitor monitor;
+  const auto scalp = extractScalp(scan, maskOf(phantom, scan.grid), monitor);
+  return skinDoubtUnder_mm(scalp, Point<Mri>(45, 76, -10));
+}
+
+/// Values changed by their distance to the skin, mm.
+template <class Change>
+volume::Volume changedOutside(const SkinPhantom& phantom, volume::Volume scan, Change&& changed) {
+  std::size_t v = 0;
+  for (int k = 0; k < scan.grid.size[2]; ++k)
+    for (int j = 0; j < scan.grid.size[1]; ++j)
+      for (int i = 0; i < scan.grid.size[0]; ++i, ++v) {
+        const double away_mm = phantom.toSkin(scan.grid.toMri({double(i), double(j), double(k)}).mm);
+        if (away_mm > 0) scan.voxels[v] = float(changed(scan.voxels[v], away_mm));
+      }
+  return scan;
+}
+
+TEST(ScalpSurface, IsDoubtedInEvenHazeOnAllSides) {
+  SkinPhantom phantom;
+  phantom.dermis_mm = 0;
+  const auto scan = phantom.scan({1, 1, 1}, kFrontLow, kFrontHigh);
+  const auto hazy = changedOutside(phantom, scan, [&](float value, double away_mm) {
+    return value + (away_mm < 10 ? 0.3 * phantom.fat_level : 0.0);
+  });
+  EXPECT_LT(doubtInFront_mm(phantom, scan), 0.15) << "no haze";
+  EXPECT_GT(doubtInFront_mm(phantom, hazy), 0.5);
+}
+
+TEST(ScalpSurface, IsNotDoubtedForAirThatAProgramErasedFarFromTheHead) {
+  SkinPhantom phantom;
+  phantom.dermis_mm = 0;
+  phantom.offset = 30;  // the air's own level
+  const auto scan = phantom.scan({1, 1, 1}, kFrontLow, kFrontHigh);
+  const double whole_mm = doubtInFront_mm(phantom, scan);
+  EXPECT_LT(whole_mm, 0.15);
+  for (const float erased : {0.f, -5.f}) {
+    const auto blanked = changedOutside(
+        phantom, scan, [&](float value, double away_mm) { return away_mm > 12 ? erased : value; });
+    EXPECT_NEAR(doubtInFront_mm(phantom, blanked), whole_mm, 0.05) << "erased to " << erased;
+  }
+}
+
 TEST(ScalpSurface, IsNotDoubtedWhereFatBelowTheSkinIsBrighter) {
   // As in Colin27: fat near below the skin on one side, none on the other; air set to zero.
   SkinPhantom lean, fat;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/volume/mask_morphology.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -63,6 +64,19 @@ void stateDoubts(std::vector<BoundaryDoubt>& scores, ContrastKind kind) {
   for (const auto& place : scores) all.push_back(place.doubt_mm);
   const float shift = kOfScan * (upperMedian(std::move(all)) - map.usual);
   for (auto& place : scores) place.doubt_mm = stated_mm(place.doubt_mm - shift, map);
+}
+
+void raiseDoubts(std::vector<BoundaryDoubt>& doubts, const volume::Mask& other) {
+  const auto& grid = other.grid;
+  const std::vector<float> away_mm = volume::distanceTo(volume::surfaceVoxels(other));
+  const Eigen::Vector3d last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+  for (auto& doubt : doubts) {
+    const Eigen::Vector3d within = grid.toVoxel(doubt.place).cwiseMax(0).cwiseMin(last);
+    const float beyond_mm = float((doubt.place.mm - grid.toMri(within).mm).norm());
+    const Eigen::Vector3i at = within.array().round().cast<int>();
+    const float there_mm = away_mm[grid.index(at.x(), at.y(), at.z())];
+    doubt.doubt_mm = std::max({doubt.doubt_mm, beyond_mm, there_mm - beyond_mm});
+  }
 }
 
 }  // namespace facenav::segmentation

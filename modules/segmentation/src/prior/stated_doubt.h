@@ -23,4 +23,8 @@ float doubtScore(const PlaceEvidence& evidence);
 /// only a little worse: across scans the score tells little of the error.
 void stateDoubts(std::vector<BoundaryDoubt>& scores, ContrastKind kind);
 
+/// Where `other` (the refined prior's mask) has its outline elsewhere, the doubt is at least that far. A
+/// place beyond the grid of `other` is at least as far from that outline as from the grid.
+void raiseDoubts(std::vector<BoundaryDoubt>& doubts, const volume::Mask& other);
+
 }  // namespace facenav::segmentation

@@ -83,7 +83,10 @@ CheckFinding checkNoise(const ScanQuality& scan) {
 CheckFinding checkGhosts(const ScanQuality& scan) {
   constexpr double kFine = 0.02,
                    kUsable = 0.08;  // relative to the skin's step; the ACR's limit in phantoms is 0.025
-  if (scan.is_air_blanked || scan.noise <= 0)
+  if (scan.is_air_signed)
+    return {CheckTopic::ghosts, Verdict::fine,
+            "not measurable, this is a CT or its air holds negative values", ""};
+  if (!scan.has_ghost_measure)
     return {CheckTopic::ghosts, Verdict::fine, "not measurable, there is no untouched air beside the head",
             ""};
   const std::string words =

@@ -16,6 +16,16 @@ using Eigen::Vector3i;
 constexpr const char* kNames[3][2] = {{"left", "right"}, {"back", "front"}, {"bottom", "top"}};
 constexpr const char* kDirections[3] = {"left-right", "front-back", "up-down"};
 
+constexpr std::size_t kEnoughAir = 200;  // voxels
+
+/// Voxels of air, without erased ones.
+struct AirSum {
+  double square = 0, plain = 0;
+  std::size_t count = 0, negative = 0;
+  void add(double value) { square += value * value, plain += value, ++count, negative += value < 0; }
+  double mean() const { return plain / double(count); }
+};
+
 class ScanMeter {
  public:
   ScanMeter(const volume::Volume& mri, const volume::Mask& head, const TriangleMesh& scalp)
@@ -112,11 +122,8 @@ class ScanMeter {
   /// Air on lines that do not meet the head along any axis contains noise only. Ghosts are copies of the head
   /// along the phase-encoding axis, so they lie on lines along that axis.
   void measureAir() {
-    struct Sum {
-      double square = 0, plain = 0;
-      std::size_t count = 0;
-    } corners, beside[3];
-    float least = 1e30f;
+    AirSum corners;
+    std::array<AirSum, 3> beside;
     std::size_t erased = 0;
     for (int k = 0; k < grid_.size[2]; k += 2)
       for (int j = 0; j < grid_.size[1]; j += 2)
@@ -126,24 +133,25 @@ class ScanMeter {
           for (int a = 0; a < 3; ++a)
             if (shadow_[std::size_t(a)][line(a, p)]) ++joined, axis = a;
           if (joined > 1 || (joined == 1 && !isBeyond(axis, p))) continue;
-          const float value = mri_.at(i, j, k);
-          least = std::min(least, value);
-          if (isErased(p)) {
+          if (isErased(p))
             ++erased;
-            continue;
-          }
-          Sum& sum = joined == 1 ? beside[axis] : corners;
-          sum.square += double(value) * value, sum.plain += value, ++sum.count;
+          else
+            (joined == 1 ? beside[std::size_t(axis)] : corners).add(mri_.at(i, j, k));
         }
-    judgeNoise(corners.count, corners.plain, corners.square, least, erased);
-    if (quality_.noise <= 0 || quality_.skin_step <= 0 || least < 0) return;  // CT shows table and headrest
+    judgeNoise(corners, erased);
+    judgeGhosts(corners, beside);
+  }
+
+  /// CT shows table and headrest beside the head, and signed ghosts cancel out in a mean.
+  void judgeGhosts(const AirSum& corners, const std::array<AirSum, 3>& beside) {
+    if (quality_.noise <= 0 || quality_.skin_step <= 0 || quality_.is_air_signed) return;
     for (int axis = 0; axis < 3; ++axis) {
-      if (beside[axis].count < 200) continue;
-      const double extra =
-          beside[axis].plain / double(beside[axis].count) - corners.plain / double(corners.count);
-      if (extra / quality_.skin_step > quality_.ghost_share)
-        quality_.ghost_share = extra / quality_.skin_step,
-        quality_.ghost_direction = kDirections[patientAxis(axis).first];
+      const AirSum& air = beside[std::size_t(axis)];
+      if (air.count < kEnoughAir) continue;
+      quality_.has_ghost_measure = true;
+      const double share = (air.mean() - corners.mean()) / quality_.skin_step;
+      if (share > quality_.ghost_share)
+        quality_.ghost_share = share, quality_.ghost_direction = kDirections[patientAxis(axis).first];
     }
   }
 
@@ -166,14 +174,22 @@ class ScanMeter {
   }
 
   /// Magnitude images: the air is Rayleigh distributed, so its mean square is twice the variance of the
-  /// signal (Gudbjartsson and Patz 1995). Signed or offset values (CT): the standard deviation.
-  void judgeNoise(std::size_t count, double plain, double square, float least, std::size_t erased) {
-    constexpr std::size_t kEnough = 200;
-    quality_.is_air_blanked = count < kEnough && erased >= kEnough;
-    if (count < kEnough) return;
-    const double mean = plain / double(count), variance = square / double(count) - mean * mean;
-    quality_.noise = least < 0 ? std::sqrt(variance) : std::sqrt(square / double(count) / 2);
+  /// signal (Gudbjartsson and Patz 1995). Signed values: the standard deviation.
+  void judgeNoise(const AirSum& air, std::size_t erased) {
+    quality_.is_air_blanked = air.count < kEnoughAir && erased >= kEnoughAir;
+    if (air.count < kEnoughAir) return;
+    quality_.is_air_signed = isSigned(air);
+    const double square = air.square / double(air.count);
+    const double variance = std::max(0.0, square - air.mean() * air.mean());
+    quality_.noise = std::sqrt(quality_.is_air_signed ? variance : square / 2);
     if (slope_per_mm_ > 0) quality_.skin_jitter_mm = quality_.noise / slope_per_mm_;
+  }
+
+  /// A few negative voxels come from interpolation: the air of such an MR is that of a magnitude image.
+  bool isSigned(const AirSum& air) const {
+    constexpr double kMostNegative = 0.05, kClearly = 0.1;  // of the voxels; of the skin's step
+    return mri_.modality == "CT" || double(air.negative) > kMostNegative * double(air.count) ||
+           air.mean() < -kClearly * quality_.skin_step;
   }
 
   /// Examines the outermost slice of one side. Head there is cut by the scan. Tissue there that is not part

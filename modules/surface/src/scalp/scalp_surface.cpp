@@ -50,7 +50,7 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.6, 3, 1.0, is_erased});
   monitor.report("scalp", 0.7);
   moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.5, 3, 0.7, is_erased});
-  scalp.doubt_mm = skinDoubt_mm(scalp.mesh, neighbours, volume);
+  scalp.doubt_mm = skinDoubt_mm(scalp.mesh, neighbours, volume, head);
   scalp.field_of_view = endsOf(volume.grid);
   const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
   scalp.has_face = face.has_face;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "facenav/core/robust_statistics.h"
 #include "facenav/surface/scalp_surface.h"
+#include "facenav/volume/mask_morphology.h"
 
 namespace facenav::surface {
 namespace {
@@ -14,6 +16,8 @@ constexpr double kInside_mm = 3, kOutside_mm = 5, kDoubtStep_mm = 0.5, kFromSkin
 // brighter, and would draw the half inwards although the skin is clear.
 constexpr double kJustBelow_mm = 1.5;
 constexpr int kDoubtSmoothings = 2;
+constexpr double kFarAir_mm = 15;  // haze does not reach so far from the head
+constexpr std::size_t kFarEvery = 7, kLeastFarVoxels = 1000;
 
 // Fitted on the virtual patient, Colin27 and painted heads 03 06 09 with made halos, pads and earphones
 // (evaluation/skin_additions.h): standard errors that the skin's moves show; heads 02 07 12 17 held out.
@@ -51,6 +55,19 @@ Place placeAt(const volume::Volume& scan, const Eigen::Vector3d& p_mm, const Eig
   return place;
 }
 
+/// Level of the air far from the head. Nothing where too little of it was measured: a value of exactly 0, or
+/// one that most voxels share, was put there by a program.
+std::optional<float> farAir(const volume::Volume& scan, const volume::Mask& head) {
+  const std::vector<float> away_mm = volume::distanceTo(head);
+  std::vector<float> far;
+  for (std::size_t v = 0; v < away_mm.size(); v += kFarEvery)
+    if (away_mm[v] > float(kFarAir_mm) && scan.voxels[v] != 0) far.push_back(scan.voxels[v]);
+  if (far.size() <= kLeastFarVoxels) return {};
+  const float air = selectRank(far, far.size() / 2);
+  const auto same = std::size_t(std::count(far.begin(), far.end(), air));
+  return 2 * same > far.size() ? std::nullopt : std::optional<float>(air);
+}
+
 std::vector<float> averaged(std::vector<float> values, const MeshNeighbours& neighbours) {
   for (int pass = 0; pass < kDoubtSmoothings; ++pass) {
     const std::vector<float> before = values;
@@ -66,7 +83,7 @@ std::vector<float> averaged(std::vector<float> values, const MeshNeighbours& nei
 }  // namespace
 
 std::vector<float> skinDoubt_mm(const TriangleMesh& mesh, const MeshNeighbours& neighbours,
-                                const volume::Volume& scan) {
+                                const volume::Volume& scan, const volume::Mask& head) {
   std::vector<Place> places;
   std::vector<float> around, halves;
   for (std::size_t v = 0; v < mesh.vertices_mm.size(); ++v) {
@@ -74,7 +91,8 @@ std::vector<float> skinDoubt_mm(const TriangleMesh& mesh, const MeshNeighbours& 
     around.push_back(places.back().around), halves.push_back(float(places.back().half_mm));
   }
   if (places.empty()) return {};
-  const float air = valueAtRank(around, around.size() / 5), usual_mm = upperMedian(halves);
+  const float near_air = valueAtRank(around, around.size() / 5), usual_mm = upperMedian(halves);
+  const float air = std::min(near_air, farAir(scan, head).value_or(near_air));
   std::vector<float> share(places.size()), spread_mm(places.size());
   for (std::size_t v = 0; v < places.size(); ++v) {
     const Place& place = places[v];

@@ -7,8 +7,9 @@
 
 namespace facenav::surface {
 
-/// One standard error along the normal, mm, per vertex of a mesh that lies on the skin.
+/// One standard error along the normal, mm, per vertex of a mesh that lies on the skin of `head`. Air is the
+/// darker of two levels, near the skin and far from the head, so that haze on all sides is no air.
 std::vector<float> skinDoubt_mm(const TriangleMesh& mesh, const MeshNeighbours& neighbours,
-                                const volume::Volume& scan);
+                                const volume::Volume& scan, const volume::Mask& head);
 
 }  // namespace facenav::surface

@@ -34,14 +34,16 @@ class Segmenter {
   virtual SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const = 0;
 };
 
-/// Filled head without inner cavities. The threshold is robust to noise, bias and ghosting. T1 MR and CT.
+/// Filled head without inner cavities. The threshold is robust to noise, bias and ghosting. T1 MR and CT. In
+/// an MR without the learned prior's view of air a warning says that pads were not told from skin.
 std::unique_ptr<Segmenter> makeHeadSegmenter();
 /// "bet": a deformable surface after Smith 2002, adapted to heads with a long neck.
 std::unique_ptr<Segmenter> makeBetSegmenter();
 /// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
 /// the learned prior, where both agree; else, and in any other contrast of MR, the prior's outline fitted to
 /// the scan (a warning says so); in a CT of the head the prior's outline within the skull. Without the
-/// prior's weights: growth from BET's surface alone, and no brain in a CT.
+/// prior's weights: growth from BET's surface alone, and no brain in a CT. An MR in which the prior sees no
+/// brain: the same growth. A warning says both.
 std::unique_ptr<Segmenter> makeBrainSegmenter();
 
 /// "prior": the learned brain prior's outline (Data/brain_prior), fitted to the scan; any contrast of MR.

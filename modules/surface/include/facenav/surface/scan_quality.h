@@ -22,9 +22,11 @@ struct ScanQuality {
   double largest_voxel_mm = 0, smallest_voxel_mm = 0;
   std::array<ScanSide, 6> sides;
   bool is_air_blanked = false;  // the air has one value: the scanner or a program erased it
+  bool is_air_signed = false;   // a CT, or an MR whose air is often negative: no ghosts are measured
   double noise = 0;             // standard deviation of the signal, from the air away from head and ghosts
   double skin_step = 0;         // median rise of the signal from air to skin
   double skin_jitter_mm = 0;    // standard deviation of the skin's position due to noise
+  bool has_ghost_measure = false;
   double ghost_share = 0;       // ghosts in the air beside the head, relative to the skin's step
   std::string ghost_direction;  // "left-right", "front-back", "up-down"
 };
