@@ -24,6 +24,8 @@ class PictureIntake {
   std::optional<CameraPicture> accept(cv::Mat grey, std::int64_t sequence, StampClock clock, double stamp_s,
                                       double arrival_s);
   const PictureCounts& counts() const { return counts_; }
+  /// As ClockMap; 0 without stamps of the device's clock.
+  double lateFor_s() const { return clock_.lateFor_s(); }
 
  private:
   double steadyTime(StampClock clock, double stamp_s, double arrival_s);

@@ -67,6 +67,29 @@ TEST(StereoRig, SurvivesWritingAndReading) {
   }
 }
 
+TEST(StereoRig, RowTimesAndErrorsMakeNoOtherCalibrationButLensesAndPlacesDo) {
+  for (const StereoRig& rig : allRigs()) {
+    StereoRig same = rig;
+    same.left.row_time_s = 20e-6;
+    same.rms_px = 0.9;
+    same.covariance.release();
+    EXPECT_TRUE(isSameCalibration(rig, same));
+    StereoRig other = rig;
+    other.right.k(0, 0) += 0.1;
+    EXPECT_FALSE(isSameCalibration(rig, other));
+    other = rig;
+    other.left.distortion = cv::Mat::ones(1, 8, CV_64F);
+    EXPECT_FALSE(isSameCalibration(rig, other));
+    other = rig;
+    other.right_T_left = RigidTransform<RightCamera, Camera>(rig.right_T_left.quaternion(),
+                                                             rig.right_T_left.translation_mm() * 1.001);
+    EXPECT_FALSE(isSameCalibration(rig, other));
+    other = rig;
+    other.width_px += 1;
+    EXPECT_FALSE(isSameCalibration(rig, other));
+  }
+}
+
 TEST(StereoRig, ProjectsAsOpenCvDoes) {
   for (const StereoRig& rig : allRigs())
     for (const CameraModel& camera : {rig.left, rig.right})

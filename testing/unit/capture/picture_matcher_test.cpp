@@ -153,5 +153,61 @@ TEST(ClockMap, AStalledComputerIsNoJump) {
   EXPECT_EQ(clock.steps(), 0);
 }
 
+/// 30 pictures a second are sent, and `read_hz` are read: the delay grows without end.
+TEST(ClockMap, AReaderThatLagsMoreAndMoreGetsTrueAges) {
+  ClockMap clock;
+  double arrival_s = 0, first_late_s = 0;
+  for (int i = 0; i < 1400; ++i) {
+    const double true_s = i * kInterval_s;
+    arrival_s = std::max(true_s + 0.05, arrival_s + 1.0 / 26);
+    ASSERT_NEAR(clock.map(5 + true_s, arrival_s), true_s + 0.05, 0.035) << "true age " << arrival_s - true_s;
+    if (first_late_s == 0 && clock.lateFor_s() > 0) first_late_s = arrival_s;
+  }
+  EXPECT_GT(arrival_s - 1399 * kInterval_s, 6.0) << "seconds late";
+  EXPECT_NEAR(first_late_s, 3.8, 0.5);
+  EXPECT_NEAR(clock.lateFor_s(), arrival_s - first_late_s, 0.1);
+  for (int i = 1400; i < 2500; ++i) {  // it catches up
+    const double true_s = i * kInterval_s;
+    arrival_s = std::max(true_s + 0.05, arrival_s + 1.0 / 60);
+    ASSERT_NEAR(clock.map(5 + true_s, arrival_s), true_s + 0.05, 0.035) << "true age " << arrival_s - true_s;
+  }
+  EXPECT_EQ(clock.lateFor_s(), 0.0);
+  EXPECT_EQ(clock.steps(), 0);
+}
+
+TEST(ClockMap, ABacklogAfterALongStallIsNoJump) {
+  ClockMap clock;
+  for (int i = 0; i < 400; ++i) {
+    const double true_s = i * kInterval_s, late_s = i < 100 ? 0.0 : 3.0;  // it is never made up for
+    ASSERT_NEAR(clock.map(7 + true_s, true_s + 0.002 + late_s), true_s + 0.002, 0.025) << i;
+  }
+  EXPECT_EQ(clock.steps(), 0);
+  EXPECT_GT(clock.lateFor_s(), 9.0);
+}
+
+TEST(ClockMap, ADriftOf100PpmStaysFollowedForAnHour) {
+  for (const double drift : {100e-6, -100e-6}) {
+    ClockMap clock;
+    for (int i = 0; i < 36000; ++i) {
+      const double true_s = 0.1 * i;
+      ASSERT_NEAR(clock.map(true_s * (1 + drift), true_s + 0.003), true_s + 0.003, 0.001)
+          << drift << " " << i;
+    }
+    EXPECT_EQ(clock.steps(), 0);
+    EXPECT_EQ(clock.lateFor_s(), 0.0);
+  }
+}
+
+TEST(ClockMap, FollowsAJumpBackByLessThanAnInterval) {
+  ClockMap clock;
+  for (int i = 0; i < 200; ++i) {
+    const double true_s = 0.1 * i, jump_s = i < 100 ? 0.0 : -0.06;
+    const double mapped_s = clock.map(7 + true_s + jump_s, true_s + 0.002);
+    const bool is_settled = i < 100 || i > 125;
+    EXPECT_NEAR(mapped_s, true_s + 0.002, is_settled ? 0.001 : 0.061) << i;
+  }
+  EXPECT_EQ(clock.steps(), 1);
+}
+
 }  // namespace
 }  // namespace facenav::capture

@@ -11,6 +11,11 @@ namespace {
 
 constexpr double kShortestBaseline_mm = 5.0;
 
+bool isSameLens(const CameraModel& a, const CameraModel& b) {
+  return a.k == b.k && a.distortion.size() == b.distortion.size() &&
+         (a.distortion.empty() || cv::norm(a.distortion, b.distortion) == 0.0);
+}
+
 RigidTransform<RightCamera, Camera> readPose(const RigReader& reader) {
   const Eigen::Matrix4d pose = reader.pose();
   const double baseline_mm = pose.topRightCorner<3, 1>().norm();
@@ -52,6 +57,11 @@ void writeNotes(cv::FileStorage& storage, const CalibrationNotes& notes) {
 }
 
 }  // namespace
+
+bool isSameCalibration(const StereoRig& a, const StereoRig& b) {
+  return a.width_px == b.width_px && a.height_px == b.height_px && isSameLens(a.left, b.left) &&
+         isSameLens(a.right, b.right) && a.right_T_left.matrix() == b.right_T_left.matrix();
+}
 
 StereoRig readRig(const std::filesystem::path& path) {
   const RigReader reader(path, "write it with 'facenav calibrate' or cv::FileStorage (T in mm)");

@@ -16,6 +16,7 @@ namespace facenav::capture {
 namespace {
 
 constexpr int kOpenWithin_ms = 5000, kReadWithin_ms = 2000;
+constexpr double kLateFor_s = 2.0;  // a backlog after a short stall is read in less
 
 bool isFile(const std::string& address) { return std::filesystem::is_regular_file(address); }
 
@@ -66,6 +67,7 @@ class StreamCamera : public Camera {
 
  private:
   [[noreturn]] void failAtEnd() const;
+  void requireInTime() const;
   bool grab();
   std::optional<CameraPicture> retrieve();
 
@@ -121,6 +123,13 @@ void StreamCamera::failAtEnd() const {
                     "check the network and the camera, then open the cameras again");
 }
 
+/// A stream that is opened anew begins with the present.
+void StreamCamera::requireInTime() const {
+  if (intake_.lateFor_s() > kLateFor_s)
+    throw CameraError(CameraFault::hung, "the pictures of the stream come too late", identity_.address,
+                      "let the sender send fewer or smaller pictures, or close other programs");
+}
+
 bool StreamCamera::grab() {
   if (due_s_) return true;
   if (!video_.grab()) failAtEnd();
@@ -151,7 +160,9 @@ std::optional<CameraPicture> StreamCamera::next(double timeout_s) {
     const double wait_s = std::min(*due_s_, until_s) - Timestamp::now().s;
     if (wait_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
     if (*due_s_ > until_s) return std::nullopt;
-    if (auto picture = retrieve()) return picture;
+    auto picture = retrieve();
+    requireInTime();
+    if (picture) return picture;
   } while (Timestamp::now().s < until_s);
   return std::nullopt;
 }

@@ -36,6 +36,10 @@ struct StereoRig {
   double baseline_mm() const { return right_T_left.inverse().translation_mm().norm(); }
 };
 
+/// The same picture size, lenses and places of the cameras. Row times and stated errors may differ: sessions
+/// measure row times anew.
+bool isSameCalibration(const StereoRig& a, const StereoRig& b);
+
 /// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the missing or malformed key: K without
 /// positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5 mm), a
 /// row time with which a picture would take longer than kLongestReadout_s.

@@ -114,7 +114,7 @@ class Camera {
   /// State as read back since start(): some cameras forget their settings when they start.
   virtual CameraState state() const = 0;
   /// The next picture, at most `timeout_s` later; nothing if none came. Damaged pictures are left out and
-  /// counted. Throws CameraError: unplugged, ended.
+  /// counted. Throws CameraError: unplugged, ended, hung where the pictures of a stream come too late.
   virtual std::optional<CameraPicture> next(double timeout_s) = 0;
   /// Takes one picture (Trigger::software). Throws CameraError if the camera has no such trigger.
   virtual void trigger() = 0;

@@ -2,11 +2,13 @@
 // ClockMap: time stamps of a camera's own clock -> this computer's steady clock. A camera's clock starts
 // anywhere, drifts (some 50 ppm) and may jump. The smallest delay between time stamp and arrival over the
 // last two seconds is taken as constant: transport only ever adds delay. So a mapped time is late by the
-// shortest transport time, equal for two equal cameras, and free of the jitter of single arrivals.
+// shortest transport time, equal for two equal cameras, and free of the jitter of single arrivals. Where
+// the smallest delay grows faster than clocks drift, the pictures come late: their times stay true.
 
 #include <cstdint>
 #include <deque>
-#include <utility>
+#include <limits>
+#include <optional>
 
 namespace facenav::capture {
 
@@ -16,11 +18,25 @@ class ClockMap {
   double map(double device_s, double arrival_s);
   /// Jumps of the device's clock so far.
   std::int64_t steps() const { return steps_; }
+  /// For how long all pictures have come more than half a second late: they are read more slowly than they
+  /// are sent. 0: the last one did not.
+  double lateFor_s() const { return late_since_s_ ? last_.arrival_s - *late_since_s_ : 0.0; }
 
  private:
-  void forgetAfterJump(double device_s, double arrival_s);
-  std::deque<std::pair<double, double>> delays_s_;  // arrival, arrival - device
-  double last_device_s_ = -1e300, last_mapped_s_ = -1e300;
+  struct Picture {
+    double device_s = -1e300, arrival_s = -1e300;
+    double delay_s() const { return arrival_s - device_s; }
+  };
+  void forgetAfterJump(const Picture& picture);
+  void forgetOldest();
+  double leastDelay_s() const;
+  double shortestStep_s() const;
+
+  std::deque<Picture> pictures_;  // of the last two seconds
+  Picture last_;
+  double floor_s_ = std::numeric_limits<double>::infinity();  // the least delay, as far as clocks drift
+  std::optional<double> late_since_s_;
+  double last_mapped_s_ = -1e300;
   std::int64_t steps_ = 0;
 };
 
