@@ -18,6 +18,9 @@ namespace facenav::ui {
 void MainWindow::setUpCameras(const QString& rig) {
   if (treat_.isRunning())
     return task_bar_->showMessage(tr("end the guidance first: the cameras are in use"), true);
+  if (!treat_.cameras().mayClose())
+    return task_bar_->showMessage(
+        tr("wait for the running task to end, or cancel it: it may use the cameras"), true);
   treat_.cameras().closeCameras();  // a camera can be opened only once
   auto* window = new SetupWindow(services_, this);
   window->setAttribute(Qt::WA_DeleteOnClose);
@@ -30,12 +33,12 @@ void MainWindow::setUpCameras(const QString& rig) {
 
 void MainWindow::calibrateProjector() {
   auto& live = treat_.cameras();
-  if (!live.isLive() || !live.rig())
+  if (!live.isLive())
     return task_bar_->showMessage(tr("open the calibrated cameras first (Treat, Cameras)"), true);
   const QScreen* screen = QApplication::screens().last();
   auto* window = new ProjectorCodeScreen(
-      *live.rig(), screen->size() * screen->devicePixelRatio(), [this] { return treat_.cameras().picture(); },
-      this);
+      live.lastOpened()->rig, screen->size() * screen->devicePixelRatio(),
+      [this] { return treat_.cameras().picture(); }, this);
   window->setAttribute(Qt::WA_DeleteOnClose);
   connect(window, &QObject::destroyed, this, [this] { activateWindow(); });
   connect(window, &ProjectorCodeScreen::sceneTaken, this, [this, window] {

@@ -82,13 +82,37 @@ class CamerasTest : public ::testing::Test {
     TaskMonitor monitor;
     model_.open(loadCase(case_folder, monitor));
   }
-  /// From the two images to running trackers.
-  void guide() {
+  void takeBoth() {
     cameras().takeDots();
     const auto with_dots = cameras().picture()->number;
     ASSERT_TRUE(fixtures::waitFor([&] { return cameras().picture()->number > with_dots; }));
     cameras().takePlain();
     ASSERT_TRUE(treat_->canAlign());
+  }
+  /// Opens the cameras, and aligns with them.
+  void align() {
+    openCameras();
+    ASSERT_NO_FATAL_FAILURE(takeBoth());
+    treat_->align(false);
+    settle();
+    ASSERT_TRUE(treat_->isAligned());
+  }
+  /// Nothing starts, and the window says what to do.
+  void expectRefused() {
+    EXPECT_FALSE(treat_->canAlign());
+    EXPECT_FALSE(treat_->canGoOn());
+    refused_.clear();
+    treat_->start();
+    settle();
+    EXPECT_FALSE(treat_->isRunning());
+    EXPECT_TRUE(refused_.contains("chosen now: open the cameras again")) << refused_.toStdString();
+    refused_.clear();
+    treat_->align(false);
+    EXPECT_TRUE(refused_.contains("chosen now: open the cameras again")) << refused_.toStdString();
+  }
+  /// From the two images to running trackers.
+  void guide() {
+    ASSERT_NO_FATAL_FAILURE(takeBoth());
     treat_->align(true);
     settle();
     settle();
@@ -267,6 +291,106 @@ TEST_F(CamerasTest, TheChoiceComesBackAfterARestart) {
   EXPECT_EQ(again.left(), kRight);
   EXPECT_EQ(again.right(), kLeft);
   EXPECT_TRUE(again.isRigGood());
+}
+
+TEST_F(CamerasTest, WithOtherCamerasChosenSinceNothingIsAlignedOrGuided) {
+  ASSERT_NO_FATAL_FAILURE(align());
+  cameras().swapSides();
+  EXPECT_TRUE(cameras().words().contains("open the cameras again"));
+  expectRefused();
+  cameras().swapSides();  // as they were opened
+  EXPECT_TRUE(treat_->canAlign());
+  EXPECT_TRUE(treat_->canGoOn());
+  treat_->start();
+  settle();
+  EXPECT_TRUE(treat_->isRunning());
+}
+
+TEST_F(CamerasTest, WithAnotherCalibrationChosenSinceNothingIsAlignedOrGuided) {
+  ASSERT_NO_FATAL_FAILURE(align());
+  auto other = fakes::rig();
+  other.left.k(0, 0) += 1;
+  cameras::writeRig(other, folder_.path() / "other.yml");
+  for (const char* file : {"other.yml", "missing.yml"}) {
+    cameras().setRigFile(QString::fromStdString((folder_.path() / file).string()));
+    expectRefused();
+  }
+}
+
+TEST_F(CamerasTest, WhatIsChosenWhileTheCamerasOpenIsNotWhatWasOpened) {
+  cameras().setRigFile(QString::fromStdString((folder_.path() / "stereo.yml").string()));
+  cameras().refreshDevices();
+  cameras().choose(kLeft, kRight);
+  cameras().open();
+  ASSERT_TRUE(tasks_.isRunning());
+  cameras().setRigFile(QString::fromStdString((folder_.path() / "missing.yml").string()));
+  cameras().swapSides();
+  ASSERT_TRUE(fixtures::waitFor([&] { return cameras().isWell(); }));
+  ASSERT_TRUE(treat_->rig());
+  EXPECT_TRUE(cameras::isSameCalibration(*treat_->rig(), cameras::readRig(folder_.path() / "stereo.yml")));
+  EXPECT_TRUE(treat_->recordingWords().contains(kLeft + " and " + kRight));
+  cameras().takeDots();
+  EXPECT_FALSE(treat_->canAlign());
+  treat_->align(false);
+  EXPECT_TRUE(refused_.contains("open the cameras again"));
+}
+
+TEST_F(CamerasTest, ClosingTheCamerasForgetsTheirPicturesAndTheAlignment) {
+  ASSERT_NO_FATAL_FAILURE(align());
+  cameras().closeCameras();
+  EXPECT_FALSE(treat_->isAligned());
+  EXPECT_FALSE(treat_->hasRecording());
+  EXPECT_FALSE(treat_->canAlign());
+  EXPECT_FALSE(treat_->canGoOn());
+  treat_->start();
+  settle();
+  EXPECT_FALSE(treat_->isRunning());
+  openCameras();
+  EXPECT_FALSE(treat_->canAlign()) << "without a new picture";
+}
+
+TEST_F(CamerasTest, ASessionThatTakesTheCamerasOverKeepsTheAlignment) {
+  openCameras();
+  ASSERT_NO_FATAL_FAILURE(guide());
+  EXPECT_TRUE(treat_->isAligned());
+  treat_->stop();
+  ASSERT_TRUE(fixtures::waitFor([&] { return *open_ == 0; }));
+  EXPECT_TRUE(treat_->isAligned());
+  treat_->start();
+  settle();
+  EXPECT_TRUE(treat_->isRunning());
+}
+
+TEST_F(CamerasTest, AnUnpluggedCameraKeepsTheAlignmentForItsReturn) {
+  ASSERT_NO_FATAL_FAILURE(align());
+  const auto both = plugged_in_;
+  plugged_in_ = {both[1]};
+  cameras().refreshDevices();
+  ASSERT_TRUE(cameras().left().isEmpty());
+  EXPECT_TRUE(treat_->isAligned());
+  plugged_in_ = both;
+  cameras().refreshDevices();
+  cameras().choose(kLeft, kRight);
+  treat_->start();
+  settle();
+  EXPECT_TRUE(treat_->isRunning());
+}
+
+TEST_F(CamerasTest, AnotherCaseIsNeverAlignedWithThePicturesOfTheLast) {
+  ASSERT_NO_FATAL_FAILURE(align());
+  const testing::TemporaryFolder other;
+  const auto case_folder = fixtures::writeBallCase(other.path());
+  casefile::signOff(casefile::CaseStore::open(case_folder), {"XY", "", true});
+  TaskMonitor monitor;
+  model_.open(loadCase(case_folder, monitor));
+  EXPECT_TRUE(cameras().isLive()) << "the cameras stay open";
+  EXPECT_FALSE(cameras().hasDots());
+  EXPECT_FALSE(cameras().capture());
+  EXPECT_FALSE(treat_->isAligned());
+  EXPECT_FALSE(treat_->canAlign());
+  treat_->align(false);
+  EXPECT_TRUE(refused_.contains("take the picture")) << refused_.toStdString();
+  ASSERT_NO_FATAL_FAILURE(takeBoth());
 }
 
 }  // namespace

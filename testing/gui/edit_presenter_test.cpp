@@ -150,6 +150,44 @@ TEST_F(EditPresenterTest, ADraftOutlivesTheProgramAndCanBeThrownAway) {
   EXPECT_FALSE(casefile::brainDraft(model_.current().store));
 }
 
+TEST_F(EditPresenterTest, AWindowThatClosesDuringASaveKeepsTheStrokesBeforeAndDuringIt) {
+  {
+    TaskRunner tasks;
+    EditPresenter other(model_, tasks);  // closes first, as in the window; then the save is cancelled
+    open();
+    other.setTool(EditTool::brush);
+    other.press(plane_, pixel(60, 0), false);
+    other.release(plane_);
+    other.save();
+    ASSERT_TRUE(tasks.isRunning());
+    other.press(plane_, pixel(-60, 0), false);
+    other.release(plane_);
+  }
+  open();
+  EXPECT_TRUE(isBrain(60, 0)) << "painted before the save";
+  EXPECT_TRUE(isBrain(-60, 0)) << "painted during the save";
+  EXPECT_TRUE(edit_.hasUnsaved());
+}
+
+TEST_F(EditPresenterTest, StrokesDuringASaveStayADraftAndTheNextSaveTakesThem) {
+  edit_.setTool(EditTool::brush);
+  stroke(pixel(60, 0), pixel(60, 0));
+  edit_.save();
+  stroke(pixel(-60, 0), pixel(-60, 0));
+  settle();
+  const auto& store = model_.current().store;
+  EXPECT_TRUE(edit_.hasUnsaved());
+  EXPECT_TRUE(casefile::hasBrainDraft(store));
+  EXPECT_TRUE(model_.current().sign_off.has_draft);
+  EXPECT_NE(store.brainMask()->voxels, edit_.mask()->voxels);
+  edit_.save();
+  settle();
+  EXPECT_FALSE(edit_.hasUnsaved());
+  EXPECT_FALSE(casefile::hasBrainDraft(store));
+  EXPECT_FALSE(model_.current().sign_off.has_draft);
+  EXPECT_EQ(store.brainMask()->voxels, edit_.mask()->voxels);
+}
+
 TEST_F(EditPresenterTest, TheScalpelCutsBehindTheLineDownToItsDepthAndComesBack) {
   scene::NavigationScene scene;  // computed, not rendered: needs no display
   scene.setScalp(model_.current().scalp->mesh);

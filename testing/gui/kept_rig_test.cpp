@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QtTest/QTest>
+#include <atomic>
 #include <cstdlib>
 #include <thread>
 
@@ -183,6 +184,25 @@ TEST_F(KeptRigTreat, WithCamerasThatMovedNothingIsAlignedOrGuided) {
   EXPECT_TRUE(refused_.contains("moved against each other")) << refused_.toStdString();
   treat_.cameras().closeCameras();  // for the repair
   EXPECT_TRUE(treat_.rigFault().isEmpty());
+  EXPECT_FALSE(treat_.isAligned()) << "of the old calibration";
+  EXPECT_FALSE(treat_.hasRecording());
+}
+
+TEST_F(KeptRigTreat, CalibratedAnewItIsNotGuidedWithTheOldAlignment) {
+  ASSERT_NO_FATAL_FAILURE(open(treat_));
+  takeBoth();
+  treat_.align(false);
+  settle();
+  ASSERT_TRUE(treat_.isAligned());
+  entry_.rig->rig.left.row_time_s = 20e-6;  // as a session measured it
+  treat_.cameras().readAgain();
+  EXPECT_TRUE(treat_.canAlign());
+  entry_.rig->rig.right.k(0, 0) += 1;
+  treat_.start();
+  settle();
+  EXPECT_FALSE(treat_.isRunning());
+  EXPECT_TRUE(refused_.contains("chosen now: open the cameras again")) << refused_.toStdString();
+  EXPECT_FALSE(treat_.canAlign());
 }
 
 /// A fault of an earlier day is in force from the first picture on.
@@ -201,8 +221,7 @@ TEST_F(KeptRigTreat, ASessionWithCamerasThatMovedShowsNoPose) {
   takeBoth();
   treat_.align(false);
   settle();
-  noteFault();
-  treat_.cameras().chooseRig("room 1");  // reads the note
+  noteFault();  // read at the start
   treat_.start();
   ASSERT_TRUE(fixtures::waitFor([&] { return treat_.isRunning(); }));
   ASSERT_TRUE(fixtures::waitFor([&] { return treat_.state()->frame > 5; }));
@@ -260,6 +279,34 @@ TEST_F(KeptRig, TheWindowOffersTheRepairAtEverySize) {
     verifying_ = {};
   }
   applyAppearance(*qApp, 1.0);
+}
+
+TEST_F(KeptRig, TheSetUpWaitsForATaskThatMayHoldTheCameras) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  std::atomic<bool> may_open{false};
+  services_.makeSetupMethods = [] { return testing::setupMethods(); };
+  services_.openRig = [&](const capture::NamedRig&, const RigVerifying&) {
+    while (!may_open) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return std::make_unique<LivePlain>();
+  };
+  TaskRunner tasks;
+  CamerasPresenter(services_, tasks).chooseRig("room 1");  // remembered
+  MainWindow window(services_);
+  window.show();
+  window.setWorkspace(Workspace::treat);
+  auto* panel = window.findChild<CamerasPanel*>();
+  ASSERT_TRUE(fixtures::waitFor([&] { return buttonOf(*panel, "live pictures")->isEnabled(); }));
+  buttonOf(*panel, "live pictures")->click();
+  ASSERT_TRUE(window.tasks().isRunning());
+  EXPECT_TRUE(fixtures::waitFor([&] { return !buttonOf(*panel, "four steps")->isEnabled(); }));
+  window.setUpCameras();
+  EXPECT_FALSE(window.findChild<SetupWindow*>());
+  EXPECT_TRUE(stepOf(*window.findChild<QWidget*>("taskbar"), "Cancel")->isVisible())
+      << "the task can still be cancelled";
+  may_open = true;
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
+  window.setUpCameras();
+  EXPECT_TRUE(window.findChild<SetupWindow*>());
 }
 
 struct ConnectedCase {

@@ -194,6 +194,26 @@ TEST_F(TreatCheck, ThePersonsJudgementOfTheTipIsAnEvent) {
   EXPECT_NE(events.find("tip check: judged right: " + words), std::string::npos) << events;
 }
 
+TEST_F(TreatCheck, AnAlignmentThatWasJudgedWrongGuidesNobodyAndStartsNoOtherSession) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  MainWindow window(services());
+  auto& tip = checkTool(window);
+  TreatPresenter& treat = window.findChild<TreatWorkspace*>()->presenter();
+  ASSERT_TRUE(fixtures::waitFor([&] { return tip.canJudge(); }));
+  tip.judge(workflow::TipVerdict::wrong);
+  EXPECT_TRUE(tip.words().contains("judged WRONG")) << tip.words().toStdString();
+  EXPECT_TRUE(fixtures::waitFor([&] { return !treat.state()->camera_T_mri; }));
+  treat.checkRegistration();
+  QTest::qWait(300);
+  EXPECT_FALSE(treat.state()->camera_T_mri);
+  treat.stop();
+  EXPECT_FALSE(treat.isAligned());
+  treat.start();
+  QTest::qWait(200);
+  EXPECT_FALSE(treat.isRunning());
+  EXPECT_FALSE(std::filesystem::exists(case_folder_ / "alignment.json"));
+}
+
 TEST_F(TreatCheck, AClickedSpotThatTheOtherPictureDoesNotShowIsNotMeasured) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   MainWindow window(services());

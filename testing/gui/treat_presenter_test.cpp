@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
 #include <mutex>
 
 #include "facenav/casefile/kept_session.h"
+#include "facenav/core/error.h"
+#include "presenters/session_end.h"
 #include "presenters/treat_presenter.h"
 #include "treat_fixtures.h"
 
@@ -168,6 +171,16 @@ TEST_F(TreatPresenterTest, TheSessionClockStopsWithTheRecordingWhichIsAnEvent) {
   fixtures::waitFor([] { return false; }, 1300);  // the clock shows whole seconds
   EXPECT_EQ(treat_.sessionTime(), at_end);
   EXPECT_NE(events().find("recording ended"), std::string::npos);
+}
+
+TEST(SessionEnd, AnEndThatFailsLetsTheReportAndTheWindowGoOn) {
+  std::atomic<bool> is_reported{false};
+  {
+    Retirement retirement;
+    endBeside(
+        retirement, [] { throw Error("the disk is full"); }, [&] { is_reported = true; });
+  }  // waits for both
+  EXPECT_TRUE(is_reported);
 }
 
 }  // namespace

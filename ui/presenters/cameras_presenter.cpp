@@ -60,16 +60,38 @@ std::function<void(const workflow::CamerasLearnt&)> CamerasPresenter::keeper() c
 
 bool CamerasPresenter::canOpen() const { return chosen_.isComplete() && services_.openCameras; }
 
+void CamerasPresenter::readAgain() {
+  if (!rigName().isEmpty()) chosen_.readAgain();
+}
+
+OpenedCameras CamerasPresenter::chosenNow() const {
+  return {*rig(), rigName(), left(), right(), chosen_.named().has_value()};
+}
+
+bool CamerasPresenter::isStillChosen() const {
+  if (!opened_ || !rig()) return false;
+  const OpenedCameras now = chosenNow();
+  return now.rig_name == opened_->rig_name && now.left == opened_->left && now.right == opened_->right &&
+         now.is_kept == opened_->is_kept && cameras::isSameCalibration(now.rig, opened_->rig);
+}
+
+QString CamerasPresenter::otherChoiceWords() const {
+  if (!opened_ || isStillChosen()) return {};
+  return tr("other cameras or another calibration are chosen now: open the cameras again (step 1)");
+}
+
 void CamerasPresenter::open() {
   if (!canOpen() || tasks_.isRunning()) return;  // if start() refused, the GUI thread would wait for `old`
   forgetStart();
-  if (!rigName().isEmpty()) chosen_.readAgain();  // with what the last session kept with it
+  readAgain();
   if (!canOpen()) return emit changed();
   tasks_.start(tr("Opening the cameras"),
-               [this, opens = opener(), old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
+               [this, opens = opener(), chosen = chosenNow(),
+                old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
                  old.reset();  // first: a camera can be opened only once
                  auto preview = std::make_shared<capture::LivePreview>(opens(), false);
-                 return [this, preview] {
+                 return [this, preview, chosen] {
+                   opened_ = chosen;  // not what is chosen by now
                    preview_ = preview;
                    is_live_ = true;
                    emit opened();
@@ -89,6 +111,7 @@ void CamerasPresenter::closeCameras() {
   forgetStart();
   if (auto preview = release())
     retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(500));
+  emit closed();
   emit changed();
 }
 
@@ -104,6 +127,11 @@ std::shared_ptr<capture::LivePreview> CamerasPresenter::release() {
   is_live_ = false;
   stills_.clear();
   return std::exchange(preview_, nullptr);
+}
+
+void CamerasPresenter::forgetPictures() {
+  stills_.clear();
+  emit changed();
 }
 
 std::shared_ptr<const cameras::StereoFrame> CamerasPresenter::picture() const {
@@ -122,6 +150,7 @@ QString CamerasPresenter::words() const {
     if (preview_->age_s() > kFresh_s) return tr("NO PICTURE from the cameras");
     QString words = tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
     if (const QString start = startWords(); !start.isEmpty()) words += "\n" + start;
+    if (const QString other = otherChoiceWords(); !other.isEmpty()) words += "\n" + other;
     for (const auto& caution : preview_->cautions()) words += "\n" + QString::fromStdString(caution);
     return words;
   }
@@ -159,23 +188,24 @@ void CamerasPresenter::takePlain() {
 
 void CamerasPresenter::takeMarked() {
   if (tasks_.isRunning()) return;
-  if (!takeFresh() || !rig()) return;  // no live picture: that was said
+  if (!takeFresh()) return;  // no live picture: that was said
   stills_.clear();
   emit changed();
-  tasks_.start(tr("Taking the picture"),
-               [this, rig = *rig(), preview = preview_, coil = coil_ ? coil_() : coil_tracking::defaultCoil(),
-                make = services_.makeSetupMethods](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 const auto methods = make();
-                 PreviewFrames frames(rig, preview);
-                 workflow::MarkedStill still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
-                 workflow::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
-                 return [this, preview, taken = still.still()] {
-                   if (preview != preview_) return;  // other cameras meanwhile
-                   stills_.take(taken);
-                   emit changed();
-                   emit captureTaken();
-                 };
-               });
+  tasks_.start(
+      tr("Taking the picture"),
+      [this, rig = opened_->rig, preview = preview_, coil = coil_ ? coil_() : coil_tracking::defaultCoil(),
+       make = services_.makeSetupMethods](TaskMonitor& monitor) -> TaskRunner::Delivery {
+        const auto methods = make();
+        PreviewFrames frames(rig, preview);
+        workflow::MarkedStill still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
+        workflow::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
+        return [this, preview, taken = still.still()] {
+          if (preview != preview_) return;  // other cameras meanwhile
+          stills_.take(taken);
+          emit changed();
+          emit captureTaken();
+        };
+      });
 }
 
 }  // namespace facenav::ui

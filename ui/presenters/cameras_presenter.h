@@ -20,6 +20,13 @@
 
 namespace facenav::ui {
 
+/// What two open cameras were opened with.
+struct OpenedCameras {
+  cameras::StereoRig rig;
+  QString rig_name, left, right;  // rig_name empty: chosen one by one
+  bool is_kept = false;           // opened as the kept rig, with its settings and its verification
+};
+
 class CamerasPresenter : public QObject {
   Q_OBJECT
 
@@ -56,6 +63,14 @@ class CamerasPresenter : public QObject {
   std::function<void(const workflow::CamerasLearnt&)> keeper() const;
   /// Opens both cameras; live images follow.
   void open();
+  /// What the cameras were opened with last, whatever is chosen since; nothing: they were never opened.
+  const std::optional<OpenedCameras>& lastOpened() const { return opened_; }
+  /// False: other cameras or another calibration are chosen now than were opened last.
+  bool isStillChosen() const;
+  /// What to do where that is so; empty: nothing.
+  QString otherChoiceWords() const;
+  /// Reads the chosen kept rig again, with what a session or the set-up kept with it.
+  void readAgain();
   /// Plays a recording as a preview.
   void show(const capture::Recording& recording);
   /// The window for setting up a camera pair is wanted (setup/setup_window.h); `rig`: to check this one.
@@ -63,8 +78,10 @@ class CamerasPresenter : public QObject {
   /// Stops showing images and returns what must be released, or null. Release it off the GUI thread: a camera
   /// that gives no image blocks the thread that releases it.
   std::shared_ptr<capture::LivePreview> release();
-  /// Stops the live images for something else that uses the cameras; waits at most half a second.
+  /// Stops the live images for something else that uses the cameras; waits at most half a second. Not while
+  /// a task runs: it may hold the cameras.
   void closeCameras();
+  bool mayClose() const { return !tasks_.isRunning(); }
   bool isLive() const { return is_live_ && preview_; }
   bool hasPictures() const { return preview_ != nullptr; }
   /// The newest pair, or null.
@@ -84,11 +101,16 @@ class CamerasPresenter : public QObject {
   /// Both pairs, if taken within 20 s of each other.
   std::optional<capture::CapturePair> capture() const { return stills_.capture(); }
   QString captureWords() const { return stills_.words(); }
+  /// The pictures show another patient.
+  void forgetPictures();
 
  signals:
   void changed();
   /// Both cameras deliver images through openCameras.
   void opened();
+  /// They may stand, or be calibrated, differently when they are opened again. Not emitted where a session
+  /// takes the cameras over.
+  void closed();
   void captureTaken();
   void setUpWanted(const QString& rig);
   void refused(const QString& words);
@@ -96,6 +118,7 @@ class CamerasPresenter : public QObject {
  private:
   void retire(std::shared_ptr<capture::LivePreview> preview);
   void forgetStart();
+  OpenedCameras chosenNow() const;
   RigVerifying verifying() const;
   /// What the verification of the kept rig found; empty: none is open.
   QString startWords() const;
@@ -104,6 +127,7 @@ class CamerasPresenter : public QObject {
   const Services& services_;
   TaskRunner& tasks_;
   ChosenCameras chosen_;
+  std::optional<OpenedCameras> opened_;
   std::shared_ptr<capture::LivePreview> preview_;
   Retirement retirement_;
   bool is_live_ = false;

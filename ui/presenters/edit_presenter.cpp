@@ -40,7 +40,8 @@ EditPresenter::EditPresenter(CaseModel& model, TaskRunner& tasks, QObject* paren
 
 EditPresenter::~EditPresenter() { keepDraft(); }
 
-/// Writes what the autosave has not written yet. Called before the window or the case closes.
+/// Writes what the autosave has not written yet. Called before the window or the case closes, and before a
+/// save.
 void EditPresenter::keepDraft() {
   try {
     if (editor_ && autosave_ && editor_->revision() != saved_revision_) autosave_->saveNow(*editor_);
@@ -278,33 +279,38 @@ bool EditPresenter::hasUnsaved() const {
 
 void EditPresenter::autosave() {
   if (!editor_ || editor_->revision() == saved_revision_ || tasks_.isRunning()) return;
-  guarded([&] {
-    if (!autosave_) autosave_ = makeAutosave();  // it was reset by save()
-    autosave_->tick(*editor_, Timestamp::now().s);
-  });
+  guarded([&] { autosave_->tick(*editor_, Timestamp::now().s); });
 }
 
 void EditPresenter::save() {
   if (!hasUnsaved() || tasks_.isRunning()) return;
   editor_->endStroke();
-  autosave_.reset();  // waits for a draft being written, which must not land after the mask
+  keepDraft();  // the save takes seconds, and the window may close before its end
   const auto revision = editor_->revision();
   tasks_.start(tr("Saving the corrected brain"),
-               [this, revision, mask = editor_->mask(), mri = model_.current().mri,
+               [this, revision, editor = editor_, mask = editor_->mask(), mri = model_.current().mri,
                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
                  auto surfaces = workflow::saveCorrection(store, *mri, mask, monitor);
                  auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
                  const auto shown = casefile::seenFiles(store);
                  const auto status = casefile::signOffStatus(store);
                  auto saved = std::make_shared<volume::Mask>(mask);
-                 return [this, revision, brain, saved, shown, status, folder = store.folder()] {
+                 return [this, revision, editor, brain, saved, shown, status, folder = store.folder()] {
                    if (!model_.isOpen() || model_.current().store.folder() != folder) return;
-                   saved_revision_ = revision;
-                   has_draft_ = false;
-                   model_.setBrain(saved, brain, shown, status);
+                   if (editor == editor_) noteSaved(revision);
+                   auto now = status;  // a sign-off does not hold beside a newer stroke
+                   now.has_draft = hasUnsaved();
+                   model_.setBrain(saved, brain, shown, now);
                    emit changed();
                  };
                });
+}
+
+/// Removes the draft, unless strokes came after the saved revision: then it is kept.
+void EditPresenter::noteSaved(std::uint64_t revision) {
+  saved_revision_ = revision;
+  has_draft_ = false;
+  if (editor_->revision() == revision) casefile::removeBrainDraft(model_.current().store);
 }
 
 void EditPresenter::discard() {

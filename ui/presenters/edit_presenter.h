@@ -84,6 +84,7 @@ class EditPresenter : public QObject, public SliceTool {
  private:
   void open();
   void keepDraft();
+  void noteSaved(std::uint64_t revision);
   std::unique_ptr<editing::MaskAutosave> makeAutosave() const;
   void dab(const volume::SlicePlane& plane, const Eigen::Vector2d& from_px, const Eigen::Vector2d& to_px);
   void finish(const QString& name, const editing::MaskChange& change);
@@ -97,7 +98,7 @@ class EditPresenter : public QObject, public SliceTool {
   CaseModel& model_;
   TaskRunner& tasks_;
   std::shared_ptr<editing::MaskEditor> editor_;
-  std::unique_ptr<editing::MaskAutosave> autosave_;
+  std::unique_ptr<editing::MaskAutosave> autosave_;  // of the editor's own case
   std::uint64_t saved_revision_ = 0;
   bool has_draft_ = false;
   EditTool tool_ = EditTool::none;

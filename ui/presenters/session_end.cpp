@@ -12,16 +12,26 @@ constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
 }  // namespace
 
 void endBeside(Retirement& retirement, std::shared_ptr<workflow::Treatment> treatment) {
+  endBeside(
+      retirement, [treatment] { treatment->end(); }, [treatment] { treatment->keepReport(); });
+}
+
+void endBeside(Retirement& retirement, std::function<void()> end, std::function<void()> report) {
   auto has_ended = std::make_shared<std::promise<void>>();
   retirement.add(
-      [treatment, ended = has_ended->get_future().share()] {
+      [report = std::move(report), ended = has_ended->get_future().share()] {
         ended.wait();
-        treatment->keepReport();
+        report();
       },
       std::chrono::milliseconds(0));
   retirement.add(
-      [treatment, has_ended] {
-        treatment->end();
+      [end = std::move(end), has_ended] {
+        try {
+          end();
+        } catch (...) {
+          has_ended->set_value();  // the report waits for it, and the window for the report
+          throw;
+        }
         has_ended->set_value();
       },
       kPatience);

@@ -9,7 +9,7 @@ namespace facenav::ui {
 
 TipPresenter::TipPresenter(TreatPresenter& treat, QObject* parent) : QObject(parent), treat_(treat) {
   connect(&treat_, &TreatPresenter::changed, this, [this] {
-    if (!treat_.isAligned()) last_.clear();
+    if (!treat_.isAligned() && !treat_.isRunning()) last_.clear();
     emit changed();
   });
 }
@@ -75,7 +75,7 @@ QString TipPresenter::placeWords() const {
 }
 
 QString TipPresenter::words() const {
-  if (!treat_.isAligned())
+  if (!treat_.isAligned() && !treat_.isRunning())
     return tr("Align first (step 2); then the MRI's skin is drawn over both pictures.");
   if (!refusal_.isEmpty()) return refusal_;
   if (!last_.isEmpty()) return last_;

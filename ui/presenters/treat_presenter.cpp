@@ -33,17 +33,10 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
                 this, [this, drawn] { emit overlayDrawn(drawn); }, Qt::QueuedConnection);
           },
           std::move(draw)) {
-  connect(&model_, &CaseModel::opened, this, [this] {
-    stop();
-    aligned_ = {};
-    site_.reset();
-    last_session_.clear();
-    const auto& targets = model_.current().plan.targets;
-    target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
-    emit changed();
-  });
+  connect(&model_, &CaseModel::opened, this, &TreatPresenter::forgetCase);
   cameras_.useCoilOf([this] { return coil_.model(); });
   connect(&cameras_, &CamerasPresenter::opened, this, &TreatPresenter::useCameras);
+  connect(&cameras_, &CamerasPresenter::closed, this, &TreatPresenter::forgetCameras);
   connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
     recording_->capture = cameras_.capture();
     aligned_ = {};
@@ -61,6 +54,19 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
 
 TreatPresenter::~TreatPresenter() {
   if (treatment_) endSession();
+}
+
+/// Another case may be another patient: no picture and no alignment of before is used for it.
+void TreatPresenter::forgetCase() {
+  stop();
+  aligned_ = {};
+  if (is_live_) recording_->capture.reset();
+  cameras_.forgetPictures();
+  site_.reset();
+  last_session_.clear();
+  const auto& targets = model_.current().plan.targets;
+  target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
+  emit changed();
 }
 
 void TreatPresenter::openRecording(const QString& folder) {
@@ -84,11 +90,20 @@ void TreatPresenter::openRecording(const QString& folder) {
 void TreatPresenter::useCameras() {
   stop();
   recording_ = capture::Recording{};
-  recording_->rig = *cameras_.rig();
+  recording_->rig = cameras_.lastOpened()->rig;
   is_live_ = true;
   coil_.useRemembered();
   aligned_ = {};
   rig_fault_.clear();
+  emit changed();
+}
+
+/// They may be moved or calibrated anew now: what was seen with them is no longer valid.
+void TreatPresenter::forgetCameras() {
+  if (!is_live_ || isRunning()) return;
+  recording_.reset();
+  is_live_ = false;
+  aligned_ = {};
   emit changed();
 }
 
@@ -105,18 +120,18 @@ void TreatPresenter::chooseCoil(const QString& name) {
 
 bool TreatPresenter::canAlign() const {
   return recording_ && mayTreat() && !isRunning() && (!is_live_ || recording_->capture) &&
-         withheldWords().isEmpty();
+         withheldWords().isEmpty() && otherChoiceWords().isEmpty();
 }
 
-bool TreatPresenter::refuseMoved() {
-  const QString fault = withheldWords();
+bool TreatPresenter::refuseCameras() {
+  const QString fault = withheldWords().isEmpty() ? otherChoiceWords() : withheldWords();
   if (!fault.isEmpty()) emit refused(fault);
   return !fault.isEmpty();
 }
 
 void TreatPresenter::align(bool then_start) {
   if (!canAlign()) {  // live cameras need current images, never an old capture
-    if (refuseMoved()) return;
+    if (refuseCameras()) return;
     if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
     return;
   }
@@ -135,17 +150,21 @@ void TreatPresenter::align(bool then_start) {
 
 void TreatPresenter::use(const AlignedHead& aligned) {
   aligned_ = aligned;
+  is_judged_wrong_ = false;
   shows_skin_ = true;
 }
 
 void TreatPresenter::start() {
   if (!recording_ || !isAligned() || isRunning() || tasks_.isRunning() || !mayTreat()) return;
-  if (!refuseMoved()) startWith({});
+  startWith({});
 }
 
 /// The face as it was at the alignment of that session counts, not as it is now.
 void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
-  if (!canGoOn()) return;
+  if (!canGoOn()) {
+    refuseCameras();
+    return;
+  }
   auto recording = *recording_;
   recording.capture.reset();
   tasks_.start(tr("Going on with the session"),
@@ -165,6 +184,8 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
 }
 
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
+  if (is_live_) cameras_.readAgain();  // a note that they have moved is in force at once
+  if (!recording_ || refuseCameras()) return;
   workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
                                      aligned_.outcome};
   coil_.noteIn(request);
@@ -245,7 +266,10 @@ void TreatPresenter::showSkin(bool is_shown) {
 }
 
 void TreatPresenter::judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading) {
-  if (isRunning()) treatment_->judgeTip(verdict, reading);
+  if (!isRunning()) return;
+  treatment_->judgeTip(verdict, reading);
+  is_judged_wrong_ = verdict == workflow::TipVerdict::wrong;
+  emit changed();
 }
 
 bool TreatPresenter::note(const QString& event, const QString& detail) {
@@ -328,7 +352,8 @@ QString TreatPresenter::recordingFolder() const {
 
 QString TreatPresenter::recordingWords() const {
   if (!recording_) return tr("no cameras");
-  if (is_live_) return tr("cameras %1 and %2, live").arg(cameras_.left()).arg(cameras_.right());
+  if (is_live_)
+    return tr("cameras %1 and %2, live").arg(cameras_.lastOpened()->left, cameras_.lastOpened()->right);
   return wordsOf(*recording_);
 }
 

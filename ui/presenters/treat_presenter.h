@@ -92,7 +92,8 @@ class TreatPresenter : public QObject {
   }
 
   bool mayTreat() const { return model_.mayBeTreated(); }
-  /// Pulses that are kept in the session's file; a pulse gets there within about a tenth of a second.
+  /// Pulses that are kept in the session's file; a pulse gets there with the frame after it, at the
+  /// latest after half a second.
   int pulses() const { return treatment_ ? treatment_->log().pulses() : 0; }
   /// Time from the start of guidance until its end, "00:07:31"; empty before.
   QString sessionTime() const;
@@ -106,14 +107,19 @@ class TreatPresenter : public QObject {
   /// True if everything needed to align is there.
   bool canAlign() const;
   bool canGoOn() const {
-    return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty();
+    return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty() &&
+           otherChoiceWords().isEmpty();
   }
   /// The fault of the live cameras, or the one that the last session found, or a motion that it corrected;
   /// empty: none.
   QString rigFault() const { return withheldWords().isEmpty() ? rig_fault_ : withheldWords(); }
   /// Why the live cameras are not aligned or guided with, until they are repaired; empty: they are.
   QString withheldWords() const { return is_live_ ? cameras_.rigFault() : QString(); }
-  bool isAligned() const { return aligned_.outcome != nullptr; }
+  /// That other cameras or another calibration are chosen than the live ones were opened with: the pictures
+  /// and the alignment are not of these. Empty: the same.
+  QString otherChoiceWords() const { return is_live_ ? cameras_.otherChoiceWords() : QString(); }
+  /// An alignment that was judged wrong is none: the next session needs another one.
+  bool isAligned() const { return aligned_.outcome != nullptr && !is_judged_wrong_; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
   /// The recording reached its end, or a fault stopped the session.
   bool hasEnded() const { return treatment_ && treatment_->session().hasEnded(); }
@@ -149,7 +155,7 @@ class TreatPresenter : public QObject {
   const cameras::StereoRig* rig() const { return recording_ ? &recording_->rig : nullptr; }
   /// Drawn over the live pictures with the skin; nothing: none.
   void showSpot(const std::optional<Point<Mri>>& spot) { spot_ = spot; }
-  /// Logs it; a wrong one withholds guidance until a check passes.
+  /// Logs it; after a wrong one guidance is withheld, and the head must be aligned again.
   void judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading);
 
   /// The newest state; everything is lost if nothing runs.
@@ -164,11 +170,13 @@ class TreatPresenter : public QObject {
 
  private:
   void startWith(const std::filesystem::path& goes_on);
-  /// With words; false: the cameras are not known to have moved.
-  bool refuseMoved();
+  /// With words; false: the cameras are those that were opened, and are not known to have moved.
+  bool refuseCameras();
   void use(const AlignedHead& aligned);
   void begin(workflow::PreparedTreatment& prepared);
   void useCameras();
+  void forgetCameras();
+  void forgetCase();
   void listen();
   void endSession();
   std::optional<session::ChosenTarget> chosen() const;
@@ -182,6 +190,7 @@ class TreatPresenter : public QObject {
   mutable QString rig_fault_;
   FollowedCoil coil_;
   AlignedHead aligned_;
+  bool is_judged_wrong_ = false;  // by a person, in the session that runs or ran with it
   bool shows_skin_ = true;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started

@@ -186,7 +186,7 @@ void CamerasPanel::showState() {
   }
   state_->setText(fault.isEmpty() ? cameras_.words() : fault);
   open_->setEnabled(cameras_.canOpen() && !presenter_.isRunning());
-  set_up_->setEnabled(!presenter_.isRunning());
+  set_up_->setEnabled(!presenter_.isRunning() && cameras_.mayClose());
   latency_->setEnabled(cameras_.isLive() && !presenter_.isRunning());
   setWords(*set_up_, !fault.isEmpty()               ? tr("Check and repair the cameras\u2026")
                      : cameras_.rigName().isEmpty() ? tr("Set up the cameras\u2026")

@@ -13,9 +13,15 @@
 #include "widgets/elided_label.h"
 
 namespace facenav::ui {
+namespace {
+
+constexpr int kReadable_ms = 4000;  // a message during a task
+
+}  // namespace
 
 TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
     : QFrame(parent),
+      tasks_(tasks),
       words_(new ElidedLabel(this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
@@ -34,6 +40,7 @@ TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
   connect(&tasks, &TaskRunner::started, this, [this](const QString& title) {
     title_ = title;
     elapsed_.start();
+    said_.invalidate();
     showProgress({}, 0.0);
     setBusy(true);
   });
@@ -52,6 +59,7 @@ void TaskBar::setBusy(bool is_busy) {
 
 void TaskBar::showProgress(const QString& step, double fraction) {
   bar_->setValue(int(1000 * std::clamp(fraction, 0.0, 1.0)));
+  if (said_.isValid() && said_.elapsed() < kReadable_ms) return;
   words_->setProperty("level", "none");
   words_->set(step.isEmpty() ? title_ + QChar(0x2026)
                              : tr("%1: %2  (%3 s)").arg(title_, step).arg(elapsed_.elapsed() / 1000));
@@ -64,7 +72,8 @@ void TaskBar::showMessage(const QString& words, bool is_failure) {
 void TaskBar::showNotice(const QString& words) { say(words, true); }
 
 void TaskBar::say(const QString& words, bool is_caution) {
-  setBusy(false);
+  setBusy(tasks_.isRunning());  // which can still be cancelled
+  is_caution ? said_.start() : said_.invalidate();
   words_->setProperty("level", is_caution ? "caution" : "none");
   words_->style()->unpolish(words_);
   words_->style()->polish(words_);

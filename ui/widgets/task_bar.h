@@ -26,10 +26,11 @@ class TaskBar : public QFrame {
   void setBusy(bool is_busy);
   void showProgress(const QString& step, double fraction);
 
+  const TaskRunner& tasks_;
   ElidedLabel* words_;
   QProgressBar* bar_;
   QPushButton* cancel_;
-  QElapsedTimer elapsed_;
+  QElapsedTimer elapsed_, said_;  // said_: since the last message
   QString title_;
 };
 

@@ -242,6 +242,8 @@ ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_
   read_out.instruction = has_moved                ? tr("CAMERAS MOVED: repair them (step 1)")
                          : !model_.isOpen()       ? tr("NO CASE OPEN")
                          : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
+                         : !presenter_.otherChoiceWords().isEmpty()
+                             ? tr("CAMERAS CHANGED: open them (step 1)")
                          : presenter_.isAligned() ? tr("READY: start guidance")
                                                   : tr("NOT ALIGNED");
   read_out.level = Level::idle;

@@ -86,7 +86,6 @@ BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Vol
   casefile::saveEditedBrainMask(store, mask);  // the sign-off becomes void here
   casefile::saveBrainModel(store, surfaces.model, &surfaces.cortex);
   writeSurfaceDistance(surfaces.cortex, surfaces.distance, store.folder());
-  casefile::removeBrainDraft(store);
   return surfaces;
 }
 
@@ -100,10 +99,8 @@ CorrectedBrain correctBrain(const casefile::CaseStore& store, const BrainEdits& 
   applyAll(edits, mri, *correction.editor);
   auto result = compared(*before, correction.editor->mask());
   result.had_draft = correction.has_draft && !edits.starts_automatic && !edits.drawn;
-  if (result.isChanged())
-    saveCorrection(store, mri, correction.editor->mask(), monitor);
-  else
-    casefile::removeBrainDraft(store);
+  if (result.isChanged()) saveCorrection(store, mri, correction.editor->mask(), monitor);
+  casefile::removeBrainDraft(store);
   return result;
 }
 

@@ -106,6 +106,17 @@ TEST_F(CorrectBrain, GoesOnFromADraftUnlessItIsDiscarded) {
   EXPECT_FALSE(casefile::brainDraft(store_)) << "it is in force now";
 }
 
+TEST_F(CorrectBrain, SavingAMaskKeepsADraftThatMayBeNewer) {
+  auto saved = prepared_, newer = prepared_;
+  saved.voxels[saved.grid.index(40, 25, 25)] = 1;
+  newer.voxels[newer.grid.index(41, 25, 25)] = 1;
+  casefile::saveBrainDraft(store_, newer);
+  saveCorrection(store_, store_.mri(), saved, monitor_);
+  EXPECT_EQ(store_.brainMask()->voxels, saved.voxels);
+  ASSERT_TRUE(casefile::hasBrainDraft(store_));
+  EXPECT_EQ(casefile::brainDraft(store_)->voxels, newer.voxels);
+}
+
 TEST_F(CorrectBrain, HolesAreFilledAndRefusalsWriteNothing) {
   BrainEdits hollow;
   hollow.removed = {{Point<Mri>(2, 2, 2), 10}};

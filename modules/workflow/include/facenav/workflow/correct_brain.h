@@ -27,8 +27,9 @@ struct BrainCorrection {
 BrainCorrection beginCorrection(const casefile::CaseStore& store, const volume::VoxelGrid& grid,
                                 const volume::Mask* in_force);
 
-/// Puts `mask` into force: writes the mask, both surfaces and the picture of their distance, and removes the
-/// draft. Throws Error: the case has no brain mask, another grid, an empty mask, disk full.
+/// Puts `mask` into force: writes the mask, both surfaces and the picture of their distance. The draft stays:
+/// it may be newer than `mask`, and whoever edits removes it (casefile::removeBrainDraft). Throws Error: the
+/// case has no brain mask, another grid, an empty mask, disk full.
 BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Volume& mri,
                              const volume::Mask& mask, TaskMonitor& monitor);
 
