@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <mutex>
+#include <set>
 
 #include "facenav/capture/recording.h"
 #include "facenav/capture/rig_store.h"
@@ -101,6 +102,7 @@ class LiveSession : public ::testing::Test {
     verb.insert(verb.end(), more.begin(), more.end());
     return verb;
   }
+  void refuseAHeadThatMoved();
   void align();
   std::string track();
   void guide();
@@ -117,6 +119,23 @@ class LiveSession : public ::testing::Test {
       right_{[this](int) { return scene_.now(false); }, kPeriod_ms};
   PulseSender sender_;
 };
+
+/// The dots show the head where it was before the picture without dots: with the one pose, the other is
+/// wrong.
+void LiveSession::refuseAHeadThatMoved() {
+  const fs::path moved = folder_.path() / "moved";
+  fs::copy(recording_, moved, fs::copy_options::recursive);
+  for (const std::string side : {"left", "right"}) {
+    std::set<fs::path> frames;
+    for (const auto& file : fs::directory_iterator(recording_ / side)) frames.insert(file.path());
+    ASSERT_EQ(frames.size(), film_.size());
+    fs::copy_file(*std::next(frames.begin(), 12), moved / "capture" / ("plain_" + side + ".png"),
+                  fs::copy_options::overwrite_existing);
+  }
+  EXPECT_THAT(run("align " + in(case_) + " " + in(moved) + " --using dots -q", 1).errors,
+              HasSubstr("between the picture with dots and the one without; hold the head still"));
+  EXPECT_FALSE(casefile::CaseStore::open(case_).alignment());
+}
 
 /// The projector is switched off between the two answers.
 void LiveSession::align() {
@@ -255,6 +274,7 @@ TEST_F(LiveSession, AlignsTracksOverAnUnpluggedCameraAndGuides) {
   std::string words;
   for (const auto& word : early) words += " " + in(word);
   EXPECT_THAT(run(words, 1).errors, HasSubstr("the case is not aligned"));
+  refuseAHeadThatMoved();
   align();
   if (HasFatalFailure() || HasFailure()) return;
   const auto name = track();

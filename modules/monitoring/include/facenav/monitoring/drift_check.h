@@ -35,9 +35,8 @@ class DriftCheck {
   DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
              const head_tracking::HeadReference& reference, const RigidTransform<Camera, Mri>& camera_T_mri);
 
-  /// The reference pair itself: the offset that all later measurements leave out. Where it is more than the
-  /// bias of stereo without dots (verdict `drifted`), the face does not lie where it was aligned: it moved
-  /// between the picture that was aligned and the reference.
+  /// The reference pair itself: the offset that all later measurements leave out. `drifted`, by narrower
+  /// limits than theirs: the head moved between the picture that was aligned and the reference.
   const DriftFinding& atReference() const { return at_reference_; }
   /// Takes some 40 ms. Const, and safe to call beside other threads.
   DriftFinding measure(const cameras::StereoFrame& frame,
