@@ -89,7 +89,8 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
       if (tool == Tool::check) expectInReach(*treat->findChild<TipPanel*>());
       if (tool != Tool::aim || size.height() < 860) continue;
       for (auto* label : treat->findChild<FiguresPanel*>()->findChildren<QLabel*>())
-        EXPECT_EQ(label->visibleRegion().boundingRect(), label->rect())
+        EXPECT_TRUE(
+            fixtures::waitFor([&] { return label->visibleRegion().boundingRect() == label->rect(); }, 3000))
             << "below the fold at " << size.width() << ": " << label->text().toStdString();
     }
   }

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <fstream>
+#include <set>
 
 #include "facenav/casefile/evidence.h"
 #include "facenav/casefile/poses_csv.h"
@@ -92,6 +94,34 @@ TEST(TreatmentLog, AFolderThatIsRemovedIsSaidAndTheSessionAndItsPulsesGoOn) {
     EXPECT_EQ(running->latest()->frame, kFrames - 1);
   }
   EXPECT_EQ(casefile::readSessionPulses(place).pulses.size(), 2u);
+}
+
+/// The thread that writes stands still for most of the session, as before a disk that does not answer.
+TEST(TreatmentLog, ADiskThatStallsLosesNeitherAPulseNorAFrame) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  TreatmentLogOptions options;
+  std::atomic<bool> stalls{false};
+  options.clock = [&] {
+    if (stalls.exchange(false)) std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    return std::chrono::system_clock::now();
+  };
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path(), nullptr, options);
+    place = log.folder();
+    running->start();
+    while (running->latest()->frame < 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    stalls = true;
+    while (stalls) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    log.addPulse();
+    while (!log.lastPulse()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(log.lastPulse()->status, casefile::PulseStatus::on_target) << log.lastPulse()->reason;
+    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::set<std::int64_t> frames;
+  for (const auto& row : casefile::readPoses(place / "poses.csv")) frames.insert(row.frame);
+  EXPECT_GE(frames.size(), std::size_t(kFrames - 3)) << "a busy computer may leave out some";
 }
 
 TEST(TreatmentLog, ARecordingThatIsStoppedHasNotEnded) {

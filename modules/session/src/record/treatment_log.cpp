@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
 #include <deque>
 #include <mutex>
@@ -39,7 +40,8 @@ struct FollowOn {
 
 constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
 constexpr double kClockStep_s = 1.0;
-constexpr double kLogRetry_s = 1.0;    // after a fault of the disk
+constexpr double kLogRetry_s = 1.0;              // after a fault of the disk
+constexpr std::size_t kMostUnwritten = 60 * 60;  // frames that wait for the disk: a minute's worth
 constexpr double kLastPulses_s = 1.0;  // at the end: for a frame (kLongestWait_s), then for the disk
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
@@ -80,21 +82,27 @@ struct TreatmentLog::Implementation {
   std::atomic<bool> is_stopping{false};
   const std::unique_ptr<EvidenceKeeper> evidence;  // null: none is kept
   PulseKeeper pulses;
-  mutable std::mutex mutex;  // guards events, failure
+  mutable std::mutex mutex;  // guards the members below, up to `failure`
+  std::condition_variable followed;
+  std::deque<std::shared_ptr<const NavigationState>> unwritten;  // the oldest first, without pictures
   std::deque<Event> events;
   std::deque<Answer> answers;
   std::string failure;
-  std::thread thread;
-  // Used only by the thread.
+  std::atomic<bool> has_followed_all{false};  // the session has ended, and its last frame was followed
+  std::thread follower;               // gives pulses and pictures their frames; never waits for the disk
+  std::optional<FollowOn> follow_on;  // used only by it; set by the first frame of a session that goes on
+  std::thread thread;                 // writes
+  // Used only by the thread that writes.
   StateChanges changes;
   bool has_noted_end = false;
   std::string evidence_fault;
-  std::optional<FollowOn> follow_on;  // set by the first frame of a session that goes on
-  std::optional<Timestamp> broken;    // since when nothing can be written
-  std::optional<double> ahead_s;      // the time of day against the steady clock
+  std::optional<Timestamp> broken;  // since when nothing can be written
+  std::optional<double> ahead_s;    // the time of day against the steady clock
   Timestamp retry;
 
+  void follow();
   void run();
+  std::shared_ptr<const NavigationState> nextRow();
   void writeEvents();
   void writeAnswers();
   bool answer(std::variant<double, bool> said);
@@ -241,6 +249,7 @@ void TreatmentLog::Implementation::awaitPulses() const {
 
 void TreatmentLog::Implementation::end() {
   awaitPulses();
+  while (const auto state = nextRow()) tried([&] { write(*state); });
   tried([this] {
     writeEvents();
     writeAnswers();
@@ -250,20 +259,50 @@ void TreatmentLog::Implementation::end() {
   });
 }
 
-void TreatmentLog::Implementation::run() {
+void TreatmentLog::Implementation::follow() {
   while (!is_stopping) {
     const auto state = asLogged(session->take(std::chrono::milliseconds(50)));
-    if (state && evidence) evidence->follow(*state);  // first: a pulse is placed by the next line
-    if (state) pulses.follow(*state);
+    if (!state) {
+      if (session->hasEnded()) {
+        has_followed_all = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      continue;
+    }
+    if (evidence) evidence->follow(*state);  // first: a pulse is placed by the next line
+    pulses.follow(*state);
+    auto row = std::make_shared<NavigationState>(*state);
+    row->images.reset();
+    std::lock_guard lock(mutex);
+    unwritten.push_back(std::move(row));
+    if (unwritten.size() > kMostUnwritten) unwritten.pop_front();
+    followed.notify_all();
+  }
+}
+
+/// Waits for it for a moment; null: there is none.
+std::shared_ptr<const NavigationState> TreatmentLog::Implementation::nextRow() {
+  std::unique_lock lock(mutex);
+  if (!is_stopping)
+    followed.wait_for(lock, std::chrono::milliseconds(50), [this] { return !unwritten.empty(); });
+  if (unwritten.empty()) return nullptr;
+  const auto row = unwritten.front();
+  unwritten.pop_front();
+  return row;
+}
+
+void TreatmentLog::Implementation::run() {
+  while (!is_stopping) {
+    const bool was_all = has_followed_all;
+    const auto state = nextRow();
     tried([&] {
       if (state) write(*state);
       writeEvents();
       writeAnswers();
       noteEvidence();
       noteClock();
-      if (!state && session->hasEnded()) noteEnd();
+      if (!state && was_all) noteEnd();
     });
-    if (!state && session->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   end();
 }
@@ -279,11 +318,13 @@ TreatmentLog::TreatmentLog(std::shared_ptr<Session> session, const std::filesyst
                                   formatted("after %d pulses and %.0f s", so_far->pulses(), so_far->idle_s));
   else
     implementation_->log.addEvent("session started");
+  implementation_->follower = std::thread([i = implementation_.get()] { i->follow(); });
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
 
 TreatmentLog::~TreatmentLog() {
   implementation_->is_stopping = true;
+  implementation_->follower.join();
   implementation_->thread.join();
 }
 

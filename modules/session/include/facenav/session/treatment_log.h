@@ -1,9 +1,10 @@
 #pragma once
 // TreatmentLog: writes what a running Session does into sessions/<UTC time>/ of the case (poses.csv,
 // guidance.csv, events.jsonl, pulses.jsonl). It has its own threads, so that neither tracking nor the window
-// waits for the disk. It notes losses, finds, faults and the recording's end by itself; the caller adds
-// pulses, chosen targets and overrides. A disk that is full ends nothing: it is said, and what follows is
-// logged as soon as it can be. So is a clock that was set, and a folder that was removed.
+// nor a pulse that needs its frame waits for the disk. It notes losses, finds, faults and the recording's end
+// by itself; the caller adds pulses, chosen targets and overrides. A disk that is full ends nothing: it is
+// said, and what follows is logged as soon as it can be. So is a clock that was set, and a folder that was
+// removed.
 
 #include <chrono>
 #include <filesystem>
@@ -31,8 +32,8 @@ struct TreatmentLogOptions {
 
 class TreatmentLog {
  public:
-  /// Only the log may take() states of `session`. Its thread reads the session until the log is destroyed and
-  /// keeps it alive until then. `scalp`: for the gap of each pulse; may be null. Throws Error when the case
+  /// Only the log may take() states of `session`. Its threads read the session until the log is destroyed and
+  /// keep it alive until then. `scalp`: for the gap of each pulse; may be null. Throws Error when the case
   /// folder cannot be written to.
   TreatmentLog(std::shared_ptr<Session> session, const std::filesystem::path& case_folder,
                std::shared_ptr<const registration::ScalpField> scalp = nullptr,
