@@ -206,6 +206,7 @@ TEST_F(TreatCheck, AnAlignmentThatWasJudgedWrongGuidesNobodyAndStartsNoOtherSess
   treat.checkRegistration();
   QTest::qWait(300);
   EXPECT_FALSE(treat.state()->camera_T_mri);
+  keepPicture(window, "treat_judged_wrong");
   treat.stop();
   EXPECT_FALSE(treat.isAligned());
   treat.start();
