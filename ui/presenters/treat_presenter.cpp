@@ -268,7 +268,7 @@ void TreatPresenter::showSkin(bool is_shown) {
 void TreatPresenter::judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading) {
   if (!isRunning()) return;
   treatment_->judgeTip(verdict, reading);
-  is_judged_wrong_ = verdict == workflow::TipVerdict::wrong;
+  is_judged_wrong_ |= verdict == workflow::TipVerdict::wrong;
   emit changed();
 }
 

@@ -190,7 +190,7 @@ class TreatPresenter : public QObject {
   mutable QString rig_fault_;
   FollowedCoil coil_;
   AlignedHead aligned_;
-  bool is_judged_wrong_ = false;  // by a person, in the session that runs or ran with it
+  bool is_judged_wrong_ = false;  // aligned_, by a person; until the head is aligned again
   bool shows_skin_ = true;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started

@@ -242,8 +242,8 @@ void Treatment::checkRegistration() { session_->checkRegistration(); }
 
 void Treatment::judgeTip(TipVerdict verdict, const guidance::TipReading& reading) {
   log_->addEvent(session_events::kTip, inWords(verdict, reading));
-  session_->judgeAlignment(verdict == TipVerdict::wrong);
   if (verdict != TipVerdict::wrong) return;
+  session_->judgeAlignment(true);
   try {  // no later session may start with it
     casefile::setAlignmentAside(case_folder_);
   } catch (const Error& error) {

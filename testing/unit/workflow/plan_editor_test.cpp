@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "facenav/casefile/case_store.h"
 #include "facenav/guidance/handle.h"
+#include "facenav/workflow/coil_slice_sheet.h"
 #include "support/ball_case.h"
 #include "support/test_data.h"
 
@@ -248,6 +250,26 @@ TEST(PlanEdits, ATargetReplacesTheOneOfItsName) {
   ASSERT_EQ(plan.targets.size(), 1u);
   EXPECT_EQ(find(plan, "M1")->note, "anew");
   EXPECT_TRUE(without(plan, "M1").targets.empty());
+}
+
+TEST(AlignedBound, OfTheRingIsNeverBelowTheBoundThatTheAlignmentStored) {
+  const testing::TemporaryFolder folder;
+  const auto store = casefile::CaseStore::create(folder.path() / "case", testing::ballCase(), {}, false);
+  guidance::Target target;
+  target.name = "M1";
+  target.cortex_point = Point<Mri>(0, 0, 60);
+  EXPECT_FALSE(alignedBound95_mm(store, target)) << "not aligned";
+  casefile::StoredAlignment alignment;
+  alignment.predicted_tre_p95_mm = {{"M1", 6.0}, {"other", 4.0}};
+  alignment.uncertainty.emplace();
+  alignment.uncertainty->covariance.diagonal().tail<3>().setConstant(0.01);  // 0.1 mm an axis
+  casefile::writeAlignment(alignment, store.folder() / "alignment.json");
+  EXPECT_DOUBLE_EQ(alignedBound95_mm(store, target).value(), 6.0) << "a camera that may have turned";
+  target.name = "planned later";
+  EXPECT_DOUBLE_EQ(alignedBound95_mm(store, target).value(), 6.0);
+  alignment.uncertainty->covariance.diagonal().tail<3>().setConstant(100.0);
+  casefile::writeAlignment(alignment, store.folder() / "alignment.json");
+  EXPECT_GT(alignedBound95_mm(store, target).value(), 15.0);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 // at the tracked pose. The tracker uses the skin's appearance, this check its shape, so they do not share
 // errors: wrong key frames, skin that moved, a head recovered in a wrong place.
 // Data flow: StereoFrame + tracked camera_T_mri -> DriftFinding. The misfit between skin and MRI, and the
-// bias of stereo without dots, are measured once in the reference pair and subtracted. What is subtracted is
-// told (atReference): more than such a bias means that the alignment itself is wrong.
+// bias of stereo without dots, are measured once in the reference pair and subtracted. So an alignment that
+// is wrong agrees with itself. Only a head that moved before the reference pair shows, in atReference().
 
 #include <memory>
 #include <mutex>

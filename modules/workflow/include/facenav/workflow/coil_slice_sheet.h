@@ -9,8 +9,9 @@
 
 namespace facenav::workflow {
 
-/// The error at the target is smaller in 95 of 100 alignments like the case's, mm; nothing without one, or
-/// where the file does not tell.
+/// The error at the target is smaller in 95 of 100 alignments like the case's, mm: at least what the
+/// alignment stored for it; of a target that was planned later, the worst it stored. Nothing without an
+/// alignment, or where the file does not tell.
 std::optional<double> alignedBound95_mm(const casefile::CaseStore& store, const guidance::Target& target);
 
 /// Along and across the handle, side by side, with the depths in words. `scene`: MRI, window and overlays.

@@ -136,8 +136,8 @@ class Treatment {
   /// states (NavigationState::check) and in the log; one that failed withholds guidance until one passes.
   void checkRegistration();
   /// What a person says of the coil's tip, held to nose or ear, or of a spot picked in a picture; logged with
-  /// its distances. Wrong: guidance is withheld for the rest of the session, unless a person judges it right
-  /// again, and the case is no longer aligned (casefile::setAlignmentAside).
+  /// its distances. Wrong: guidance is withheld for the rest of the session, and the case is no longer
+  /// aligned (casefile::setAlignmentAside).
   void judgeTip(TipVerdict verdict, const guidance::TipReading& reading);
   /// Of the case's scalp; takes a second.
   std::shared_ptr<const guidance::TipCheck> makeTipCheck() const;
