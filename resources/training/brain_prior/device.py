@@ -13,6 +13,7 @@ def use(name):
     if name == 'cuda' and not torch.cuda.is_available():
         raise SystemExit('no CUDA GPU is seen by torch: take --device cpu')
     _CHOSEN[0] = torch.device(name)
+    torch.backends.cudnn.benchmark = True  # shapes repeat: the quickest convolution of each is looked for once
 
 
 def chosen():

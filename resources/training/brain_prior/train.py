@@ -160,7 +160,7 @@ class Run:
 
     def take(self, path, left_out):
         """Weights and optimiser of a checkpoint. Exits where it has learned from a head that is left out."""
-        state = torch.load(path, map_location=device.chosen())
+        state = torch.load(path, map_location='cpu')  # what belongs on a GPU is sent there below
         if 'learned' not in state:
             raise SystemExit(f'{path}: does not say which heads it has learned from (an older checkpoint): train anew')
         seen = sorted(set(state['learned']) & set(left_out))
