@@ -128,7 +128,7 @@ TEST(StatedDoubt, RisesWithTheScoreAndStaysWithinItsLimits) {
 
 TEST(StatedDoubt, GivesTheFittedMillimetresAtTheMapsScores) {
   // The median is the usual one of T2, so that nothing is shifted.
-  auto places = placesWith({0.1f, 0.3f, 0.516f, 0.778f, 1.319f});
+  auto places = placesWith({0.1f, 0.3f, 0.516f, 0.681f, 1.217f});
   stateDoubts(places, ContrastKind::t2);
   EXPECT_NEAR(places[3].doubt_mm, 1, 1e-4);
   EXPECT_NEAR(places[4].doubt_mm, 3, 1e-4);
