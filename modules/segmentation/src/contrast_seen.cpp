@@ -19,8 +19,8 @@ constexpr double kBrightFluid = 1.15;
 constexpr double kWhiteAboveGrey = 1.02, kFluidBelowGrey = 0.95, kInverted = 0.98;
 // Thirteen synthetic T1s painted by published statistics show 0.34 to 0.66 (seeds 6001 to 6013), three of any
 // contrast that are a weak T1 show 0.79 to 0.89 (seeds 5001 to 5040), heads 02 07 12 17: the middle of both.
-// The middle of three anatomies parts the fourth, too. Some T1s of other seeds lie above 0.7. Both kinds
-// state their doubt alike, so that the limit decides on words alone.
+// The middle of three anatomies parts the fourth, too. Some T1s of other seeds lie above 0.7: they state
+// their doubt as weak ones (stated_doubt.cpp), a little larger.
 constexpr double kClearlyDarkFluid = 0.73;
 
 double medianOf(std::vector<float> values) { return values.empty() ? 0 : upperMedian(std::move(values)); }
