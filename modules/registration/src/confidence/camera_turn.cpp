@@ -18,8 +18,9 @@ constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate per true tur
 // of 13 estimates is 0.05 deg, the largest 0.11. At rest (seeds 42-51, own rigs) it was 0.02 and 0.043. The
 // virtual patient, whose MRI is a real one, gave 0.04 and 0.08 at rest, 0.11 and 0.17 with an expression.
 constexpr double kScan_rad = 0.05 * kRadPerDeg;
-// At rest: where the points' own deviation counts too, it is wide enough for an expression.
-constexpr double kScanAtRest_rad = 0.03 * kRadPerDeg;
+// Without dense dots (start.right->sigma_rad > 0). The points' own deviation is added there, and is larger
+// than what an expression does.
+constexpr double kScanBesideDeviation_rad = 0.03 * kRadPerDeg;
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 
 /// The mean of two measurements, each with its weight. Where they contradict each other, one of them is wrong
@@ -82,7 +83,7 @@ std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<
     slope = std::clamp((left.rad - fit->posterior.turn->rad) / step_rad, kLeastSlope, 1.0);
     left = *fit->posterior.turn;
   }
-  const double scan_rad = start.right->sigma_rad > 0 ? kScanAtRest_rad : kScan_rad;
+  const double scan_rad = start.right->sigma_rad > 0 ? kScanBesideDeviation_rad : kScan_rad;
   const CameraTurn by_face{at_rad + left.rad, std::hypot(left.sigma_rad, scan_rad, start.right->sigma_rad)};
   return start.known_turn ? fused(by_face, *start.known_turn) : by_face;
 }
